@@ -17,6 +17,7 @@
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
+#include "bakers/math/vectors.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/report/report_files.h"
 #include "bakers/report/truth/sky_error_pictures.h"
@@ -104,14 +105,13 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
                                                  "the recipe has no [atmosphere] and so no sky"));
         return outcome;
     }
-    // Bruneton's tables, which are compared too, hold no other number.
     const std::size_t wavelengths = recipe.value->parameters.wavelengths.size();
-    if (wavelengths != 1 && wavelengths != 3) {
+    if (wavelengths > std::size_t{kMaxChannels}) {
         Diagnostic problem = file_error(
             "E0147", recipe_name(invocation.arguments()[0]),
-            fmt::format("--truth compares skies of one or three wavelengths; the recipe has {}",
+            fmt::format("--truth compares skies of at most four wavelengths; the recipe has {}",
                         wavelengths));
-        problem.label = "--set 'wavelengths=[\"628 nm\", \"542 nm\", \"444 nm\"]' takes three";
+        problem.label = "--set 'wavelengths=\"best 4\"' takes four";
         outcome.diagnostics.push_back(std::move(problem));
         return outcome;
     }

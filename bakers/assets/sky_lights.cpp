@@ -80,9 +80,19 @@ int light_channels(const config::Parameters& parameters) {
                                     : static_cast<int>(parameters.atmosphere.ground_albedo.size());
 }
 
+namespace {
+
+// Phase functions have no sky without an atmosphere, and so no colours.
+bool has_colors(const config::Parameters& parameters) {
+    return parameters.color && parameters.wavelengths.size() > 1 &&
+           parameters.atmosphere.top_radius.meters > 0;
+}
+
+}  // namespace
+
 std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
                                            const BakeOptions& options) {
-    if (!parameters.color || parameters.wavelengths.size() < 2) return nullptr;
+    if (!has_colors(parameters)) return nullptr;
     return colors_of(request_of(parameters), options);
 }
 
@@ -105,7 +115,7 @@ ColorConvention color_convention(const config::Color& color, const SkyColors& co
 }
 
 std::vector<Need> color_needs(const config::Parameters& parameters) {
-    if (!parameters.color || parameters.wavelengths.size() < 2) return {};
+    if (!has_colors(parameters)) return {};
     return {need_of(request_of(parameters))};
 }
 

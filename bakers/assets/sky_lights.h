@@ -27,7 +27,8 @@ std::vector<config::Atmosphere> light_packets(const config::Parameters& paramete
 // Returns the number of channels of tables of light.
 int light_channels(const config::Parameters& parameters);
 
-// Returns the colours of a recipe that has [color]; null if it has none, or after an interruption.
+// Returns the colours of a recipe that has [color] and an atmosphere; null if it lacks one of them, or
+// after an interruption.
 std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
                                            const BakeOptions& options);
 

@@ -34,7 +34,7 @@ using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, D
 enum class UseOfLight {
     none,
     rgb,       // one channel for each: one or three
-    channels,  // one channel for each, at most four: what a runtime multiplies
+    channels,  // one channel or number for each, at most four: what a runtime multiplies
     colors,    // light of any number of wavelengths, turned into colours
 };
 

@@ -336,11 +336,13 @@ constexpr std::array codes = {
         usage},
     DiagnosticCode{
         "E0147", "wavelengths that an asset cannot hold",
-        "Tables of transmittance and of multiple scattering hold one channel for each wavelength, "
-        "and files have at most four. Light itself (sky_view, environment, irradiance, "
-        "aerial_perspective) is held as "
-        "colours made of any number of wavelengths if the recipe has [color] or asks for the best "
-        "ones; one wavelength alone has no colour. All other tables hold one or three wavelengths.",
+        "Tables of transmittance, multiple scattering and phase functions hold one channel for "
+        "each "
+        "wavelength, and files have at most four; optical_depth states extinctions for as many. "
+        "Light itself (sky_view, environment, irradiance, aerial_perspective) is held as colours "
+        "made of any number of wavelengths if the recipe has [color] or asks for the best ones; "
+        "one "
+        "wavelength alone has no colour. Bruneton's tables hold one or three wavelengths.",
         "preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 5 nm\"\n"
         "[atmosphere.layers.rayleigh]\nscattering = \"1e-5 /m\"\n"
         "[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n[bake.transmittance]",

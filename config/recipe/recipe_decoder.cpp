@@ -187,10 +187,7 @@ void check_wavelengths(const Table& root, const Parameters& recipe, const Source
     const Entry* entry = find_entry(root, "wavelengths");
     for (const Bake& bake : recipe.bakes) {
         const AssetFacts& facts = kind_of(bake).facts;
-        const auto* table = bake.find<MultipleScatteringBake>();
-        const bool holds_moments = table && table->content == MultipleScatteringContent::moments;
-        const std::string fault =
-            fault_of_wavelengths(recipe, holds_moments ? UseOfLight::rgb : facts.use_of_light);
+        const std::string fault = fault_of_wavelengths(recipe, facts.use_of_light);
         if (fault.empty()) continue;
         decoder.diagnostics.error(
             "E0147", entry ? entry->value.place : Place{&source},

@@ -11,19 +11,26 @@ vec2 moment_place(sampler2D table, float D, float h, float sun_mu, bool twilight
     return (0.5 + place * (size - 1.0)) / size;
 }
 
+vec4 moment_of_4(sampler2D table, vec2 place, float tables, float j) {            // of four wavelengths
+    return texture(table, vec2(place.x, (j + place.y) / tables));
+}
 vec3 moment(sampler2D table, vec2 place, float tables, float j) {
-    return texture(table, vec2(place.x, (j + place.y) / tables)).rgb;
+    return vec3(moment_of_4(table, place, tables, j));
 }
 
 // mu is the cosine of the view's zenith angle at the point, c the cosine of its azimuth from the sun
 // there. chi are the layer's Legendre moments of degree 0 to 2, as far as these tables go: (1, 0, 0.1) for
 // Rayleigh scattering, (1, 0.8436, 0.7097) for Cornette-Shanks with g = 0.8. The result, in 1/sr, is to
 // be multiplied by the layer's scattering coefficient; its phase function is in it.
-vec3 scattered_again(sampler2D table, vec2 place, float tables, float mu, float c, vec3 chi) {
+vec4 scattered_again_of_4(sampler2D table, vec2 place, float tables, float mu, float c, vec3 chi) {
     float s = sqrt(max(1.0 - mu * mu, 0.0));
-    return chi.x * moment(table, place, tables, 0.0)
-         + chi.y * (mu * moment(table, place, tables, 1.0) + s * c * moment(table, place, tables, 2.0))
-         + chi.z * ((1.5 * mu * mu - 0.5) * moment(table, place, tables, 3.0)
-                    + 3.0 * mu * s * c * moment(table, place, tables, 4.0)
-                    + 3.0 * s * s * (2.0 * c * c - 1.0) * moment(table, place, tables, 5.0));
+    vec4 first = mu * moment_of_4(table, place, tables, 1.0)
+               + s * c * moment_of_4(table, place, tables, 2.0);
+    vec4 second = (1.5 * mu * mu - 0.5) * moment_of_4(table, place, tables, 3.0)
+                + 3.0 * mu * s * c * moment_of_4(table, place, tables, 4.0)
+                + 3.0 * s * s * (2.0 * c * c - 1.0) * moment_of_4(table, place, tables, 5.0);
+    return chi.x * moment_of_4(table, place, tables, 0.0) + chi.y * first + chi.z * second;
+}
+vec3 scattered_again(sampler2D table, vec2 place, float tables, float mu, float c, vec3 chi) {
+    return vec3(scattered_again_of_4(table, place, tables, mu, c, chi));
 }

@@ -10,7 +10,7 @@ namespace skybake {
 namespace {
 
 TEST(Medium, EarthAtTheGroundAndInTheOzone) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     EXPECT_EQ(earth.channels, 3);
     EXPECT_EQ(earth.ground_radius_km, 6360);
     EXPECT_EQ(earth.thickness_km, 100);
@@ -26,7 +26,7 @@ TEST(Medium, EarthAtTheGroundAndInTheOzone) {
 }
 
 TEST(Medium, ManyAltitudesAtOnceHaveTheSameBits) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     std::vector<double> altitudes;
     for (int i = 0; i <= 37; ++i) altitudes.push_back(i * 2.7);
     const std::vector<Coefficients> many = coefficients_at(earth, altitudes);
@@ -39,7 +39,7 @@ TEST(Medium, ManyAltitudesAtOnceHaveTheSameBits) {
 
 TEST(Medium, LayersWithoutExtinctionCostNothing) {
     const Medium earth = test::preset_medium(
-        "earth",
+        "earth_hillaire",
         {"atmosphere.layers.ozone.absorption=\"0 /m\"", "atmosphere.layers.mie.enabled=false"});
     EXPECT_EQ(earth.exponential_layers.size(), 1U);
     EXPECT_TRUE(earth.piecewise_layers.empty());

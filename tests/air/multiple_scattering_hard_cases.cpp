@@ -51,8 +51,9 @@ TEST(MultipleScatteringHardCase, Case06DenseAir) {
     hold("6 50x Rayleigh: 1 - f", "adaptive quadrature, relative",
          worst_escape(test::preset_medium("dense_earth"), 5), 1e-3);
     const Medium thousand = test::preset_medium(
-        "earth", {"atmosphere.layers.rayleigh.scattering=[\"5.802e-3 /m\", \"1.3558e-2 /m\", "
-                  "\"3.31e-2 /m\"]"});
+        "earth_hillaire",
+        {"atmosphere.layers.rayleigh.scattering=[\"5.802e-3 /m\", \"1.3558e-2 /m\", "
+         "\"3.31e-2 /m\"]"});
     hold("6 1000x Rayleigh: 1 - f", "adaptive quadrature, relative", worst_escape(thousand, 30),
          1e-3);
     const Row row = integrate(thousand, 30, {1.0, 0.1, -0.5});
@@ -67,7 +68,7 @@ TEST(MultipleScatteringHardCase, Case07ConservativeMedium) {
     double scattered_share = 0;
     for (const char* scattering : {"3.31e-7 /m", "3.31e-5 /m", "3.31e-3 /m"}) {
         const Medium medium = test::preset_medium(
-            "earth",
+            "earth_hillaire",
             {"atmosphere.layers.mie.enabled=false", "atmosphere.layers.ozone.enabled=false",
              std::string("atmosphere.layers.rayleigh.scattering=\"") + scattering + "\""});
         for (const double altitude : {0.0, 8.0, 40.0}) {
@@ -102,13 +103,14 @@ TEST(MultipleScatteringHardCase, Case09Vacuum) {
 
 TEST(MultipleScatteringHardCase, Case10ThinFog) {
     const Medium fog = test::preset_medium(
-        "earth", {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
-                  "top_altitude=\"1 m\", scattering=\"0.2 /m\", single_scattering_albedo=0.999}"});
+        "earth_hillaire",
+        {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
+         "top_altitude=\"1 m\", scattering=\"0.2 /m\", single_scattering_albedo=0.999}"});
     hold("10 one metre of fog: 1 - f at 0.5 m", "adaptive quadrature, relative",
          worst_escape(fog, 0.0005), 1e-3);
     const Medium shell = test::preset_medium(
-        "earth", {"atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
-                  "top_altitude=\"10.1 km\", scattering=\"1e-2 /m\"}"});
+        "earth_hillaire", {"atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
+                           "top_altitude=\"10.1 km\", scattering=\"1e-2 /m\"}"});
     hold("10 a shell of 100 m at 10 km: 1 - f below it", "adaptive quadrature, relative",
          worst_escape(shell, 3), 1e-3);
 }
@@ -121,7 +123,8 @@ TEST(MultipleScatteringHardCase, Case11TinyPlanet) {
 TEST(MultipleScatteringHardCase, Case12HugePlanetHasNoAzimuth) {
     // Where the ground is flat the sun's cosine is the same all along a ray: one azimuth or eight.
     const Medium huge = test::preset_medium(
-        "earth", {"atmosphere.ground_radius=\"1e6 km\"", "atmosphere.top_radius=\"1000100 km\""});
+        "earth_hillaire",
+        {"atmosphere.ground_radius=\"1e6 km\"", "atmosphere.top_radius=\"1000100 km\""});
     const Row one = integrate(huge, 1, {0.5}, {20, 1e-3, 1e9});
     const Row eight = integrate(huge, 1, {0.5}, {20, 1e-3, 0});
     double worst = 0;
@@ -134,7 +137,7 @@ TEST(MultipleScatteringHardCase, Case12HugePlanetHasNoAzimuth) {
 TEST(MultipleScatteringHardCase, Case13SunBelowTheHorizon) {
     // From the horizon down to 108 degrees: never a rise. Seen from the ground the last light is
     // gone when the sun is twice the dip of the shell's top, 10.1 degrees, below the horizon.
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     std::vector<double> suns;
     for (double zenith = 90; zenith <= 108; zenith += 0.25) {
         suns.push_back(std::cos(zenith * 3.14159265358979324 / 180));
@@ -157,7 +160,7 @@ TEST(MultipleScatteringHardCase, Case13SunBelowTheHorizon) {
 }
 
 TEST(MultipleScatteringHardCase, Case14SunAtZenithAndHorizon) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const double step = 1e-9;
     const Row row = integrate(earth, 2, {1.0, 1 - step, step, 0.0, -step, -1 + step, -1.0});
     double worst = 0;
@@ -170,7 +173,7 @@ TEST(MultipleScatteringHardCase, Case14SunAtZenithAndHorizon) {
 }
 
 TEST(MultipleScatteringHardCase, Case15GroundAndTopAreLimits) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const std::vector<double> suns = {1.0, 0.2, -0.02};
     double worst = 0;
     for (const auto& [at, near] : {std::pair{0.0, 1e-6}, {100.0, 100 - 1e-6}}) {
@@ -187,7 +190,7 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[33, 1]", "[1, 5]", "[7, 3]"}) {
         const config::Recipe recipe = test::recipe_of(
-            "preset = \"earth\"\n[bake.multiple_scattering]\nsize = " + size + "\n");
+            "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nsize = " + size + "\n");
         const auto outcome =
             bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
@@ -199,8 +202,8 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
 TEST(MultipleScatteringHardCase, Case19GroundBounceOnce) {
     // L_2nd is linear in albedo, and 1 - f does not know it.
     const auto second_order = [](double albedo) {
-        const Medium earth =
-            test::preset_medium("earth", {"atmosphere.ground_albedo=" + std::to_string(albedo)});
+        const Medium earth = test::preset_medium(
+            "earth_hillaire", {"atmosphere.ground_albedo=" + std::to_string(albedo)});
         const Row row = integrate(earth, 1, {0.6});
         Spectrum value{};
         for (std::size_t c = 0; c < 3; ++c) value[c] = row.psi[c] * row.quadrature.escape[c];

@@ -28,7 +28,7 @@ Spectrum psi_at(const Medium& medium, double altitude_km, double sun_cos_zenith,
 // Golden values of an independent program: Mie absorption 4.40e-6 /m, albedo 0.3.
 TEST(MultipleScatteringKernel, ReproducesTheGoldenValues) {
     const Medium medium = test::preset_medium(
-        "earth",
+        "earth_hillaire",
         {"atmosphere.layers.mie.absorption=\"4.40e-6 /m\"", "atmosphere.ground_albedo=0.3"});
     RowQuadrature row;
     const Spectrum psi = psi_at(medium, 0, 1, {40, 1e-4, 1e-5}, &row);
@@ -43,7 +43,7 @@ TEST(MultipleScatteringKernel, ReproducesTheGoldenValues) {
 // Values of the nested adaptive reference at 1e-5, kept so that every run can check against them;
 // multiple_scattering_reference_test.cpp makes them anew.
 TEST(MultipleScatteringKernel, AgreesWithTheAdaptiveReference) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     struct Anchor {
         double altitude_km, sun_cos_zenith;
         double psi[3];
@@ -71,7 +71,7 @@ TEST(MultipleScatteringKernel, AgreesWithTheAdaptiveReference) {
 // Monte Carlo truth of the isotropic closure's own quantity, one bounce: P1_iso is the mean
 // radiance of light scattered once, all isotropic, which is L_2nd; set H0 has albedo 0.
 TEST(MultipleScatteringKernel, SecondOrderAgreesWithPathTracing) {
-    const Medium medium = test::preset_medium("earth", {"atmosphere.ground_albedo=0"});
+    const Medium medium = test::preset_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
     std::ifstream file(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv");
     ASSERT_TRUE(file);
     std::string line;
@@ -95,7 +95,7 @@ TEST(MultipleScatteringKernel, SecondOrderAgreesWithPathTracing) {
 }
 
 TEST(MultipleScatteringKernel, HasTheSameBitsOnEveryTarget) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const std::vector<double> altitudes = quadrature_altitudes_km(earth);
     const Sunlight sunlight(earth, altitudes, {256, 128}, 1);
     std::vector<double> suns;
@@ -119,7 +119,7 @@ TEST(MultipleScatteringKernel, HasTheSameBitsOnEveryTarget) {
 }
 
 TEST(MultipleScatteringKernel, LevelsConverge) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const std::vector<double> altitudes = quadrature_altitudes_km(earth);
     const Sunlight sunlight(earth, altitudes, {256, 128}, 1);
     std::vector<double> suns;
@@ -146,7 +146,7 @@ TEST(MultipleScatteringKernel, LevelsConverge) {
 
 // The paper's own quadrature is the same formula: off by its quadrature error, not by a factor.
 TEST(MultipleScatteringKernel, AsInThePaperIsTheSameFormula) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const Image2<float> transmittance = as_in_paper_transmittance(earth, 1);
     for (const double sun_cos_zenith : {1.0, 0.5, 0.1}) {
         const Spectrum paper =

@@ -30,7 +30,7 @@ void expect_agreement(const Medium& medium, double altitude_km, double sun_cos_z
 }
 
 TEST(MultipleScatteringReference, Earth) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     for (const double sun : {0.7, 0.01, -0.05}) expect_agreement(earth, 4, sun, 5e-4);
 }
 

@@ -11,15 +11,16 @@
 namespace skybake {
 namespace {
 
-config::Outcome<Baked> try_bake(const std::string& section, const std::string& preset = "earth",
-                                int threads = 2) {
+config::Outcome<Baked> try_bake(const std::string& section,
+                                const std::string& preset = "earth_hillaire", int threads = 2) {
     const config::Recipe recipe =
         test::recipe_of("preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" + section);
     return bake_asset(recipe, recipe.parameters.bakes.at(0),
                       {threads, Certification::quick, nullptr});
 }
 
-Baked bake(const std::string& section, const std::string& preset = "earth", int threads = 2) {
+Baked bake(const std::string& section, const std::string& preset = "earth_hillaire",
+           int threads = 2) {
     const auto outcome = try_bake(section, preset, threads);
     for (const auto& diagnostic : outcome.diagnostics) {
         if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
@@ -95,9 +96,9 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
 
 TEST(MultipleScatteringTable, ThreadsLeaveTheBytesAlone) {
     const std::string section = "size = [17, 9]\nmax_texel_error = \"5 %\"\n";
-    const Baked one = bake(section, "earth", 1);
+    const Baked one = bake(section, "earth_hillaire", 1);
     for (const int threads : {2, 7}) {
-        const Baked many = bake(section, "earth", threads);
+        const Baked many = bake(section, "earth_hillaire", threads);
         EXPECT_EQ(one.image().texels, many.image().texels);
         EXPECT_EQ(one.certificate.lookup.max, many.certificate.lookup.max);
         EXPECT_EQ(one.certificate.texel.rms, many.certificate.texel.rms);

@@ -97,7 +97,7 @@ TEST(OpticalDepth, TheReferenceEndsAndAgreesAtTheExtremesOfRecipes) {
 // The lower end of a path that falls is where the air is densest.
 TEST(OpticalDepth, TheReferenceIsTheSameFromBothEndsOfAPath) {
     const Medium earth =
-        test::preset_medium("earth", {"atmosphere.layers.mie.scale_height=\"1 mm\""});
+        test::preset_medium("earth_hillaire", {"atmosphere.layers.mie.scale_height=\"1 mm\""});
     const Shell shell = shell_of(earth);
     for (const double s : {6360.0, 5000.0, 600.0, 10.0}) {
         for (const double length : {1e-6, 1e-3, 1.0, 90.0}) {
@@ -129,7 +129,7 @@ TEST(OpticalDepth, AgreesWithTheAnchors) {
         settings.push_back("atmosphere.layers." + layer + ".scattering=0");
         settings.back() = "atmosphere.layers." + layer + ".scattering=\"0 /m\"";
         settings.push_back("atmosphere.layers." + layer + ".absorption=\"1 /km\"");
-        media.push_back(test::preset_medium("earth", settings));
+        media.push_back(test::preset_medium("earth_hillaire", settings));
     }
     int rows = 0;
     while (std::getline(file, line)) {
@@ -152,7 +152,7 @@ TEST(OpticalDepth, AgreesWithTheAnchors) {
 
 // Zenith optical depths in closed form, physics of the model.
 TEST(OpticalDepth, ZenithOfEarth) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const Spectrum tau = optical_depth_to_top(earth, 0, 6360);
     const double rayleigh = -8 * std::expm1(-100 / 8.0);
     const double mie = -1.2 * std::expm1(-100 / 1.2);
@@ -163,7 +163,7 @@ TEST(OpticalDepth, ZenithOfEarth) {
 }
 
 TEST(OpticalDepth, SegmentsAddUp) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     for (const double mu : {1.0, 0.3, 0.0, -0.05, -0.1}) {
         const double altitude = 40;
         const Shell shell = shell_of(earth);
@@ -184,7 +184,7 @@ TEST(OpticalDepth, SegmentsAddUp) {
 
 // Same bits for every vector width that this machine and this build know.
 TEST(OpticalDepth, HasTheSameBitsOnEveryTarget) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     std::vector<double> s;
     for (int i = 0; i < 61; ++i) s.push_back(-700 + 119.3 * i);
     std::vector<double> scalar(3 * s.size());

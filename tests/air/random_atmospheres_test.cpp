@@ -138,7 +138,7 @@ long evaluations(const Medium& medium, double altitude_km, double s_km) {
 }
 
 TEST(RandomAtmospheres, TakesNeverMoreThanTwentyTimesEarthsEvaluations) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const long earths = evaluations(earth, 0, 0);
     EXPECT_GT(earths, 50);
     EXPECT_TRUE(rc::check([earths] {
@@ -153,7 +153,7 @@ TEST(RandomAtmospheres, TakesNeverMoreThanTwentyTimesEarthsEvaluations) {
 }
 
 TEST(RandomAtmospheres, MultipleScatteringIsFiniteAndPositiveAndOfBoundedCost) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const auto lookups = [](const Medium& medium, const RowQuadrature& row) {
         (void)medium;
         std::size_t sum = 0;

@@ -49,7 +49,7 @@ double rms_error(const Medium& medium, TransmittanceField::Size size) {
 }
 
 TEST(TransmittanceField, Converges) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const double coarse = rms_error(earth, {256, 128});
     const double fine = rms_error(earth, {512, 256});
     EXPECT_LT(coarse, 6e-5);
@@ -58,7 +58,7 @@ TEST(TransmittanceField, Converges) {
 
 // Suns from the zenith to the horizon, at the ground, between, and at the top.
 TEST(TransmittanceField, IsReadForManySuns) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const Shell shell = shell_of(earth);
     const TransmittanceField field(earth, break_altitudes_km(earth, {1, 4, 12}), {256, 128}, 1);
     for (const double altitude_km : {0.0, 0.3, 7.0, 60.0, shell.thickness_km}) {

@@ -120,7 +120,7 @@ TEST(TransmittanceHardCase, Case03CancellationAtPlanetRadius) {
 }
 
 TEST(TransmittanceHardCase, Case04HorizonZenithAndTop) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const Shell shell = shell_of(earth);
     // Across the horizontal, where the form of the integral changes, from both sides.
     double seam = 0;
@@ -258,8 +258,8 @@ TEST(TransmittanceHardCase, Case16HalfRange) {
 TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[1, 7]", "[33, 1]", "[255, 63]"}) {
-        const config::Recipe recipe =
-            test::recipe_of("preset = \"earth\"\n[bake.transmittance]\nsize = " + size + "\n");
+        const config::Recipe recipe = test::recipe_of(
+            "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = " + size + "\n");
         const auto outcome =
             bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;

@@ -14,7 +14,7 @@
 namespace skybake {
 namespace {
 
-Baked bake(const std::string& section, const std::string& preset = "earth",
+Baked bake(const std::string& section, const std::string& preset = "earth_hillaire",
            BakeOptions options = {1, Certification::quick, nullptr}) {
     const config::Recipe recipe = test::recipe_of(
         "preset = \"" + preset + "\"\n[bake.table]\nasset = \"transmittance\"\n" + section);
@@ -27,7 +27,7 @@ Baked bake(const std::string& section, const std::string& preset = "earth",
 
 TEST(TransmittanceTable, FirstRowIsTheGroundAndFirstColumnStraightUp) {
     const Baked table = bake("size = [256, 64]\n");
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const Spectrum up = optical_depth_to_top(earth, 0, 6360);
     const Spectrum horizon = optical_depth_to_top(earth, 0, 0);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -61,7 +61,7 @@ TEST(TransmittanceTable, HalfAndOpticalDepth) {
 
 TEST(TransmittanceTable, UeMappingHasNoHalfTexel) {
     const Baked table = bake("size = [64, 16]\nmapping = \"ue\"\n");
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const TransmittanceRay ray = transmittance_ray({6360, 100}, {10.5 / 64, 3.5 / 16});
     const Spectrum tau = optical_depth_to_top(earth, ray.altitude_km, ray.s_km);
     for (std::size_t c = 0; c < 3; ++c) {
@@ -104,7 +104,8 @@ TEST(TransmittanceTable, MaxErrorTakesTheSmallestTableThatHolds) {
 
 TEST(TransmittanceTable, MaxErrorOutOfReachFailsWithTheFigure) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth\"\n[bake.transmittance]\nmax_error = 2e-7\npixel_type = \"half\"\n");
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\nmax_error = 2e-7\npixel_type = "
+        "\"half\"\n");
     const auto outcome =
         bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
     EXPECT_FALSE(outcome.value);
@@ -114,7 +115,7 @@ TEST(TransmittanceTable, MaxErrorOutOfReachFailsWithTheFigure) {
 
 TEST(TransmittanceTable, DepthBeyondHalfIsRefused) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth\"\n[atmosphere.layers.rayleigh]\nscattering = \"1 /m\"\n"
+        "preset = \"earth_hillaire\"\n[atmosphere.layers.rayleigh]\nscattering = \"1 /m\"\n"
         "[bake.transmittance]\ncontent = \"optical_depth\"\npixel_type = \"half\"\n");
     const auto outcome =
         bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
@@ -126,7 +127,7 @@ TEST(TransmittanceTable, DepthBeyondHalfIsRefused) {
 TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
     const auto parameters = [](const std::string& more) {
         const config::Recipe recipe =
-            test::recipe_of("preset = \"earth\"\n" + more + "[bake.transmittance]\n");
+            test::recipe_of("preset = \"earth_hillaire\"\n" + more + "[bake.transmittance]\n");
         return bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::off, nullptr})
             .value->parameters;
     };
@@ -137,10 +138,11 @@ TEST(TransmittanceTable, ScatteringAndPhaseLeaveItAlone) {
 }
 
 TEST(TransmittanceTable, ThreadsLeaveTheBytesAlone) {
-    const Baked one = bake("size = [63, 17]\n", "earth", {1, Certification::quick, nullptr});
+    const Baked one =
+        bake("size = [63, 17]\n", "earth_hillaire", {1, Certification::quick, nullptr});
     for (const int threads : {2, 7}) {
         const Baked many =
-            bake("size = [63, 17]\n", "earth", {threads, Certification::quick, nullptr});
+            bake("size = [63, 17]\n", "earth_hillaire", {threads, Certification::quick, nullptr});
         EXPECT_EQ(one.image().texels, many.image().texels);
         EXPECT_EQ(one.certificate.lookup.rms, many.certificate.lookup.rms);
     }

@@ -45,7 +45,7 @@ TEST(ViewRay, KeepsEnergyAndAgreesWithTheOpticalDepth) {
 }
 
 TEST(ViewRay, NodesAreExactForLinearLight) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const std::vector<double> altitudes = break_altitudes_km(earth, {0.5, 1, 2, 3.5, 6, 10});
     ViewRay ray = trace_view_ray(earth, altitudes, 2, 6362 * 0.2, false);
     refine_view_ray(earth, {1, 1, 1, 0}, 1e-5, ray);
@@ -75,7 +75,7 @@ TEST(ViewRay, NodesAreExactForLinearLight) {
 }
 
 TEST(ViewRay, ARayWithoutLengthHasOneNodeAndNoWeight) {
-    const Medium earth = test::preset_medium("earth");
+    const Medium earth = test::preset_medium("earth_hillaire");
     const ViewRay ray = trace_view_ray(earth, break_altitudes_km(earth, {1}), 0, -6360, true);
     EXPECT_TRUE(ray.cells.empty());
     EXPECT_EQ(nodes_of(earth, ray).size(), 1U);

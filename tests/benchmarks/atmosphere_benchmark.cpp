@@ -27,7 +27,8 @@ namespace {
 const config::Recipe& earth_recipe() {
     static const config::Recipe recipe =
         *config::parse_recipe(
-             "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n", "benchmark")
+             "preset = \"earth_hillaire\"\n[bake.transmittance]\n[bake.multiple_scattering]\n",
+             "benchmark")
              .value;
     return recipe;
 }

@@ -27,7 +27,8 @@ struct Scene {
 
 Scene make_scene(const std::string& preset) {
     const auto recipe = config::parse_recipe(
-        "preset = \"earth\"\n[noise.shape]\npreset = \"nubis_shape\"\npack = \"shape\"\nseed = 7\n"
+        "preset = \"earth_hillaire\"\n[noise.shape]\npreset = \"nubis_shape\"\npack = "
+        "\"shape\"\nseed = 7\n"
         "[noise.detail]\npreset = \"nubis_detail\"\npack = \"detail\"\nseed = 11\n"
         "[clouds.c]\npreset = \"" +
             preset +

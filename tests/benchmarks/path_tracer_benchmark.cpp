@@ -21,8 +21,9 @@ SkyMedium earth(const std::string& g, const std::vector<std::string>& more = {})
     std::vector<std::string> settings = {"atmosphere.ground_albedo=0",
                                          "atmosphere.layers.mie.g=" + g};
     settings.insert(settings.end(), more.begin(), more.end());
-    return make_sky_medium(config::parse_recipe("preset = \"earth\"\n", "benchmark", {}, settings)
-                               .value->parameters.atmosphere);
+    return make_sky_medium(
+        config::parse_recipe("preset = \"earth_hillaire\"\n", "benchmark", {}, settings)
+            .value->parameters.atmosphere);
 }
 
 void walk_sky(benchmark::State& state, const SkyMedium& medium) {

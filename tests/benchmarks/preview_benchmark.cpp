@@ -23,7 +23,7 @@ struct Sky {
 
 Sky make_earth() {
     const auto recipe = config::parse_recipe(
-        "preset = \"earth\"\n[bake.transmittance]\nsize = [256, 64]\n"
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [256, 64]\n"
         "[bake.multiple_scattering]\nsize = [32, 32]\n",
         "benchmark.toml");
     PreviewAsset transmittance;

@@ -23,7 +23,7 @@ worley_frequency = 2
 worley_octaves = 1
 `;
 const recipe = `
-preset = "earth"
+preset = "earth_hillaire"
 ${noise}
 [clouds.cumulus]
 preset = "cumulus_humilis"

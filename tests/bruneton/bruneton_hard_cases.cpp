@@ -48,7 +48,7 @@ double worst_below_zero(const DenseVolume& voxels) {
 }
 
 TEST(BrunetonHardCase, PlanetsOfAllKinds) {
-    for (const std::string preset : {"earth", "mars", "tiny_planet", "dense_earth"}) {
+    for (const std::string preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
         const Table table = table_of(test::preset_atmosphere(preset), {16, 8, 4}, 4);
         hold(preset + ": light", "finite and not below 0", worst_below_zero(table.voxels), 0);
     }
@@ -64,30 +64,30 @@ TEST(BrunetonHardCase, NoAirNoLight) {
 }
 
 TEST(BrunetonHardCase, OzoneAlone) {
-    const Table table =
-        table_of(test::preset_atmosphere("earth", {"atmosphere.layers.rayleigh.enabled=false",
+    const Table table = table_of(
+        test::preset_atmosphere("earth_hillaire", {"atmosphere.layers.rayleigh.enabled=false",
                                                    "atmosphere.layers.mie.enabled=false"}),
-                 {8, 4, 2}, 2, {});
+        {8, 4, 2}, 2, {});
     hold("ozone alone", "no light", table.voxels.largest(0), 0);
 }
 
 TEST(BrunetonHardCase, MieAloneIsAllInAlpha) {
-    const Table table =
-        table_of(test::preset_atmosphere("earth", {"atmosphere.layers.rayleigh.enabled=false"}),
-                 {8, 4, 2}, 2);
+    const Table table = table_of(
+        test::preset_atmosphere("earth_hillaire", {"atmosphere.layers.rayleigh.enabled=false"}),
+        {8, 4, 2}, 2);
     hold("Mie alone: R", "no light", table.voxels.largest(0), 0);
     EXPECT_GT(table.voxels.largest(3), 0);
 }
 
 TEST(BrunetonHardCase, TwoTexelsAnAxis) {
-    const Table table = table_of(test::preset_atmosphere("earth"), {4, 2, 2}, 2);
+    const Table table = table_of(test::preset_atmosphere("earth_hillaire"), {4, 2, 2}, 2);
     hold("sizes 4 x 2 x 2", "finite and not below 0", worst_below_zero(table.voxels), 0);
 }
 
 TEST(BrunetonHardCase, HorizonFromBothSides) {
     // At the top rays that graze the ground from above and those that meet it go the same way to
     // it; those that miss it go on through as much air again.
-    const Table table = table_of(test::preset_atmosphere("earth"), {16, 8, 4}, 4);
+    const Table table = table_of(test::preset_atmosphere("earth_hillaire"), {16, 8, 4}, 4);
     const ScatteringView below = table.mapping.view_of_texel(0, 2);
     const ScatteringView above = table.mapping.view_of_texel(7, 2);
     EXPECT_TRUE(below.meets_ground);
@@ -101,7 +101,7 @@ TEST(BrunetonHardCase, HorizonFromBothSides) {
 }
 
 TEST(BrunetonHardCase, RaysOfNoLength) {
-    const Table table = table_of(test::preset_atmosphere("earth"), {16, 8, 4}, 4);
+    const Table table = table_of(test::preset_atmosphere("earth_hillaire"), {16, 8, 4}, 4);
     double brightest = 0;
     for (int u = 0; u < 16; ++u) {
         // On the ground downwards, and at the top upwards.
@@ -114,7 +114,7 @@ TEST(BrunetonHardCase, RaysOfNoLength) {
 }
 
 TEST(BrunetonHardCase, DarknessGrowsAfterSunset) {
-    const Table table = table_of(test::preset_atmosphere("earth"), {256, 16, 8}, 8);
+    const Table table = table_of(test::preset_atmosphere("earth_hillaire"), {256, 16, 8}, 8);
     // Straight up from the ground, nu = mu_s about 0: from one darker sun to the next.
     double worst = 0;
     const auto& red = table.voxels.channel(0);
@@ -129,7 +129,7 @@ TEST(BrunetonHardCase, DarknessGrowsAfterSunset) {
 TEST(BrunetonHardCase, DenseAirKeepsItsEnergy) {
     // No more than all sunlight leaves: radiance of a conservative sky is below 1 / pi times a few.
     for (const char* factor : {"10", "50"}) {
-        config::Atmosphere dense = test::preset_atmosphere("earth");
+        config::Atmosphere dense = test::preset_atmosphere("earth_hillaire");
         for (config::Layer& layer : dense.layers) {
             for (auto& value : layer.scattering) value.per_meter *= std::stod(factor);
             for (auto& value : layer.extinction) value.per_meter *= std::stod(factor);

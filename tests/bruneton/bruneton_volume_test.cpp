@@ -50,8 +50,8 @@ constexpr const char* kSmall = "size = [16, 8, 4]\nnu_size = 4\npixel_type = \"f
 
 TEST(BrunetonVolume, HasTheSameBytesForAnyNumberOfThreads) {
     const auto keys = std::string(kSmall) + "table = \"scattering\"\n";
-    const Baked one = baked("earth", keys, 1);
-    const Baked two = baked("earth", keys, 2);
+    const Baked one = baked("earth_hillaire", keys, 1);
+    const Baked two = baked("earth_hillaire", keys, 2);
     ASSERT_EQ(one.levels.size(), 1U);
     EXPECT_EQ(one.levels[0].content_hash, two.levels[0].content_hash);
     EXPECT_EQ(one.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
@@ -59,9 +59,9 @@ TEST(BrunetonVolume, HasTheSameBytesForAnyNumberOfThreads) {
 
 TEST(BrunetonVolume, ScatteringIsTheFirstOrderAndTheRest) {
     // But for what texels of each table are moved by for lookups between them.
-    const Baked all = baked("earth", kSmall);
-    const Baked first = baked("earth", std::string(kSmall) + "orders = 1\n");
-    const Baked rest = baked("earth", std::string(kSmall) + "table = \"higher_orders\"\n");
+    const Baked all = baked("earth_hillaire", kSmall);
+    const Baked first = baked("earth_hillaire", std::string(kSmall) + "orders = 1\n");
+    const Baked rest = baked("earth_hillaire", std::string(kSmall) + "table = \"higher_orders\"\n");
     const auto a = voxels_of(all, 1);
     const auto b = voxels_of(first, 1);
     const auto c = voxels_of(rest, 1);
@@ -76,16 +76,17 @@ TEST(BrunetonVolume, ScatteringIsTheFirstOrderAndTheRest) {
 }
 
 TEST(BrunetonVolume, AlphaIsTheRedOfSingleMie) {
-    const Baked combined = baked("earth", std::string(kSmall) + "orders = 1\n");
-    const Baked mie = baked("earth", std::string(kSmall) + "table = \"single_mie\"\n");
+    const Baked combined = baked("earth_hillaire", std::string(kSmall) + "orders = 1\n");
+    const Baked mie = baked("earth_hillaire", std::string(kSmall) + "table = \"single_mie\"\n");
     EXPECT_EQ(voxels_of(combined, 3), voxels_of(mie, 0));
     EXPECT_EQ(mie.channel_names.size(), 3U);
 }
 
 TEST(BrunetonVolume, SolarIrradianceMultipliesLight) {
     const auto keys = std::string(kSmall) + "orders = 1\n";
-    const auto one = voxels_of(baked("earth", keys), 2);
-    const auto four = voxels_of(baked("earth", keys + "solar_irradiance = [1, 1, 4]\n"), 2);
+    const auto one = voxels_of(baked("earth_hillaire", keys), 2);
+    const auto four =
+        voxels_of(baked("earth_hillaire", keys + "solar_irradiance = [1, 1, 4]\n"), 2);
     for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(4 * one[i], four[i]);
 }
 
@@ -141,8 +142,9 @@ TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
 }
 
 TEST(BrunetonVolume, IrradianceFallsFromNoonToNight) {
-    const Baked irradiance = baked(
-        "earth", "size = [16, 2, 1]\ntable = \"irradiance\"\npixel_type = \"float\"\norders = 2\n");
+    const Baked irradiance =
+        baked("earth_hillaire",
+              "size = [16, 2, 1]\ntable = \"irradiance\"\npixel_type = \"float\"\norders = 2\n");
     const auto green = voxels_of(irradiance, 1);
     EXPECT_GT(green[15], 0.02);
     EXPECT_LT(green[15], 0.3);
@@ -162,12 +164,12 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const auto truth = parse_sky_truth_csv(text);
     ASSERT_TRUE(truth.has_value());
     const SkyMedium medium =
-        make_sky_medium(test::preset_atmosphere("earth", {"atmosphere.ground_albedo=0"}));
+        make_sky_medium(test::preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}));
     SolverSettings settings;
     settings.degree = sky_degree(medium);
     const SolvedLight light = solve_light(medium, settings, 2);
-    const config::BrunetonBake bake = bake_of("earth", "combined = false\n");
-    const config::BrunetonBake mie_bake = bake_of("earth", "table = \"single_mie\"\n");
+    const config::BrunetonBake bake = bake_of("earth_hillaire", "combined = false\n");
+    const config::BrunetonBake mie_bake = bake_of("earth_hillaire", "table = \"single_mie\"\n");
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
     const BakeOptions options{.threads = 2};

@@ -10,7 +10,7 @@ namespace skybake {
 namespace {
 
 TEST(IteratedScattering, AgreesWithTheSolutionOfTwoOrders) {
-    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth_hillaire"));
     const ScatteringMapping mapping(shell_of(medium.air), {64, 16, 8}, 8, -0.2);
     const BakeOptions options{.threads = 2};
     const std::vector<Spectrum> iterated = iterated_scattering(medium, mapping, 2, options);

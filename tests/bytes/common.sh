@@ -33,7 +33,7 @@ bake() {
 # All orders solved, and what sees them; no finer solution to measure against.
 sky_recipe() {
     cat <<'TOML'
-preset = "earth"
+preset = "earth_hillaire"
 [bake.sky_view]
 size = [11, 9]
 sun_elevations = ["2 deg"]
@@ -54,7 +54,7 @@ TOML
 # Spheres, phase functions, columns.
 particles_recipe() {
     cat <<'TOML'
-preset = "earth"
+preset = "earth_hillaire"
 [particles.haze]
 preset = "haze"
 [particles.drops]

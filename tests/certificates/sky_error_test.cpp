@@ -56,7 +56,7 @@ constexpr SkyAsset kAssets[] = {
     {"bruneton irradiance", "asset = \"bruneton\"\ntable = \"irradiance\"\n", 8e-2, false}};
 
 config::Recipe recipe_with(const std::string& section) {
-    return recipe_of("preset = \"earth\"\n[bake.a]\n" + section);
+    return recipe_of("preset = \"earth_hillaire\"\n[bake.a]\n" + section);
 }
 
 Baked baked_from(const config::Recipe& recipe) {

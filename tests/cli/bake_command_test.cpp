@@ -16,7 +16,7 @@ class Bake : public ::testing::Test {
   protected:
     Bake() {
         write(
-            "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+            "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
             "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
     }
     void write(const std::string& text) { write_bytes(recipe_, text); }
@@ -138,7 +138,7 @@ TEST_F(Bake, DryRunMakesNothing) {
 TEST_F(Bake, PrunesWhatLeftTheRecipe) {
     ASSERT_EQ(bake().code, 0);
     write_bytes(out_ + "/mine.exr", "mine");
-    const std::string one = "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n";
+    const std::string one = "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n";
     write(one);
     const Result kept = bake();
     EXPECT_TRUE(contains(kept.error, "multiple_scattering.exr is no longer in the recipe; kept"))
@@ -176,7 +176,7 @@ TEST_F(Bake, RefusesTheFolderOfASweep) {
 }
 
 TEST_F(Bake, AFailureIsAnEvent) {
-    write("preset = \"earth\"\n[bake.transmittance]\nsise = [32, 8]\n");
+    write("preset = \"earth_hillaire\"\n[bake.transmittance]\nsise = [32, 8]\n");
     const Result result = bake({"--json"});
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(count_lines(result.out), 1);
@@ -208,7 +208,7 @@ TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
 
 TEST_F(Bake, OneFailureWritesNothing) {
     write(
-        "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
     const Result result = bake();
     EXPECT_EQ(result.code, 4);
@@ -252,7 +252,7 @@ TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
 // From its plan on, which it prints when its handlers of signals are there.
 TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
     write(
-        "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n"
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
     for (const char* certify : {"quick", "full", "off"}) {
         for (const int work_ms : {0, 60, 150, 400}) {

@@ -139,7 +139,7 @@ TEST(VerifyCommand, CountsWhatPassed) {
     const std::string recipe = (folder / "recipe.toml").string();
     const std::string out = (folder / "out").string();
     write_bytes(recipe,
-                "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n"
+                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [16, 8]\n"
                 "[bake.second]\nasset = \"transmittance\"\nmapping = \"ue\"\nsize = [16, 8]\n");
     ASSERT_EQ(run_words({"bake", recipe, "-o", out}).code, 0);
     const Result result = run_words({"verify", out});

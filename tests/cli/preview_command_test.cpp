@@ -19,7 +19,7 @@ using testing::write_bytes;
 
 // A table, a noise and nothing that takes long.
 constexpr const char* recipe_text = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [noise.n.channels.Y]
 type = "worley"
 frequency = 4
@@ -81,7 +81,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(PreviewCommand, TellsMachinesWhereThePageIs) {
     const Scene scene;
-    write_bytes(scene.recipe, "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n");
+    write_bytes(scene.recipe,
+                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [16, 8]\n");
     const Result result = scene.preview({scene.recipe, "--only", "transmittance", "--json", "-q"});
     ASSERT_EQ(result.code, 0) << result.error;
     const json event = json::parse(result.out);
@@ -312,7 +313,7 @@ TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
 TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
     const Scene scene;
     write_bytes(scene.recipe,
-                "preset = \"earth\"\n[bake.transmittance]\nsize = [64, 16]\n"
+                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
                 "[bake.multiple_scattering]\nsize = [16, 16]\n");
     scene.bake();
     ASSERT_EQ(scene
@@ -349,7 +350,7 @@ TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
 // Shows the sky of the bake, whatever lies in its folder.
 TEST(PreviewCommand, NeedsNoIncludeOnceItIsBaked) {
     const Scene scene;
-    write_bytes((scene.folder / "air.toml").string(), "preset = \"earth\"\n");
+    write_bytes((scene.folder / "air.toml").string(), "preset = \"earth_hillaire\"\n");
     write_bytes(scene.recipe,
                 "include = [\"air.toml\"]\n[bake.transmittance]\nsize = [64, 16]\n"
                 "[bake.multiple_scattering]\nsize = [16, 16]\n");
@@ -370,7 +371,7 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
     const Scene scene;
     const std::string sweep = (scene.folder / "sweep").string();
     write_bytes(scene.recipe,
-                "preset = \"earth\"\n[bake.transmittance]\nsize = [64, 16]\n"
+                "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
                 "[bake.multiple_scattering]\nsize = [16, 16]\n");
     ASSERT_EQ(
         run_words({"sweep", scene.recipe, "--vary", "atmosphere.ground_albedo=0,0.9", "-o", sweep})

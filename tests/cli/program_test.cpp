@@ -157,7 +157,7 @@ TEST(Program, VerifiesAFolder) {
     const TemporaryFolder folder;
     const std::string recipe = (folder / "recipe.toml").string();
     const std::string out = (folder / "out").string();
-    write_bytes(recipe, "preset = \"earth\"\n[bake.transmittance]\nsize = [16, 8]\n");
+    write_bytes(recipe, "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [16, 8]\n");
     ASSERT_EQ(run_program({"bake", recipe, "-o", out}).code, 0);
     EXPECT_EQ(run_program({"verify", out}).code, 0);
     // A probe that names another place than its texture coordinates.

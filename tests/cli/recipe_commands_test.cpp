@@ -184,7 +184,7 @@ TEST(CheckCommand, ReportsAllErrorsAtOnce) {
     const TemporaryFolder folder;
     const std::string file = (folder / "bad.toml").string();
     write_bytes(file,
-                "preset = \"earth\"\n"
+                "preset = \"earth_hillaire\"\n"
                 "[atmosphere.layers.rayleigh]\n"
                 "scale_hieght = \"8 km\"\n"
                 "[atmosphere.layers.mie]\n"
@@ -205,7 +205,7 @@ TEST(CheckCommand, FindsParticlesThatNobodyCanScatter) {
     const TemporaryFolder folder;
     const std::string file = (folder / "hail.toml").string();
     write_bytes(file,
-                "preset = \"earth\"\n[particles.hail]\npreset = \"fog\"\n"
+                "preset = \"earth_hillaire\"\n[particles.hail]\npreset = \"fog\"\n"
                 "radius = \"9 cm\"\n");
     const Result result = run_words({"check", file});
     EXPECT_EQ(result.code, 2);
@@ -216,7 +216,7 @@ TEST(CheckCommand, FindsParticlesThatNobodyCanScatter) {
 TEST(CheckCommand, MachineFormatsAreResults) {
     const TemporaryFolder folder;
     const std::string file = (folder / "bad.toml").string();
-    write_bytes(file, "preset = \"earth\"\nfromat = 1\n");
+    write_bytes(file, "preset = \"earth_hillaire\"\nfromat = 1\n");
     const Result result = run_words({"check", file, "--diagnostics", "json"});
     EXPECT_EQ(result.code, 2);
     EXPECT_TRUE(contains(result.out, "E0102"));
@@ -245,7 +245,7 @@ TEST(CheckCommand, ReadsStandardInput) {
             if (::chdir(folder.path().c_str()) != 0) ::_exit(125);
         });
     };
-    const std::string text = "preset = \"earth\"\ninclude = [\"more.toml\"]\n";
+    const std::string text = "preset = \"earth_hillaire\"\ninclude = [\"more.toml\"]\n";
     const Result good = with_input(text + "[bake.transmittance]\nsize = [16, 8]\n", {"check", "-"});
     EXPECT_EQ(good.code, 0) << good.error;
     EXPECT_TRUE(contains(good.error, "<stdin>: no errors; 3 layers, 1 asset to bake"))
@@ -273,7 +273,8 @@ TEST(CheckCommand, AMissingRecipeCannotBeRead) {
 TEST(CheckCommand, WarningsAreNoFailure) {
     const TemporaryFolder folder;
     const std::string file = (folder / "thick.toml").string();
-    write_bytes(file, "preset = \"earth\"\n[atmosphere.layers.mie]\nextinction = \"1 /m\"\n");
+    write_bytes(file,
+                "preset = \"earth_hillaire\"\n[atmosphere.layers.mie]\nextinction = \"1 /m\"\n");
     const Result result = run_words({"check", file});
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.error, "warning[W0202]"));
@@ -283,7 +284,7 @@ TEST(CheckCommand, CountsWhatTheRecipeIsAbout) {
     const TemporaryFolder folder;
     const std::string file = (folder / "both.toml").string();
     write_bytes(file,
-                "preset = \"earth\"\n[noise.a]\npreset = \"nubis_shape\"\n[noise.b]\n"
+                "preset = \"earth_hillaire\"\n[noise.a]\npreset = \"nubis_shape\"\n[noise.b]\n"
                 "preset = \"nubis_detail\"\n[bake.transmittance]\n");
     EXPECT_TRUE(contains(run_words({"check", file}).error,
                          "no errors; 3 layers, 2 noises, 1 asset to bake"));
@@ -293,7 +294,9 @@ TEST(CheckCommand, CountsWhatTheRecipeIsAbout) {
 
 class ShowCommand : public ::testing::Test {
   protected:
-    ShowCommand() { write_bytes(file_, "preset = \"earth\"\n[atmosphere.layers.mie]\ng = 0.7\n"); }
+    ShowCommand() {
+        write_bytes(file_, "preset = \"earth_hillaire\"\n[atmosphere.layers.mie]\ng = 0.7\n");
+    }
 
     Result show(std::vector<std::string> words) const {
         words.insert(words.begin(), {"show", file_});

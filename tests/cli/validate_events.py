@@ -35,7 +35,7 @@ def events(*words, code=0, text=None):
     return names, lines[-1]
 
 
-recipe = ('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\n'
+recipe = ('preset = "earth_hillaire"\n[bake.transmittance]\nsize = [16, 4]\n'
           '[noise.plain.channels.Y]\ntype = "perlin"\nfrequency = 2\noctaves = 1\n'
           '[bake.plain]\nasset = "noise_volume"\nnoise = "plain"\nsize = [8, 8, 8]\n'
           'formats = ["exr", "bin", "vdb"]\n')
@@ -50,7 +50,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert events("bake", "-", "-o", "other", text=recipe)[0] == plan
     assert events("bake", "recipe.toml", "-o", "out", "--dry-run")[0] == ["plan"]
     with open("less.toml", "w", encoding="utf-8") as file:
-        file.write('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\n')
+        file.write('preset = "earth_hillaire"\n[bake.transmittance]\nsize = [16, 4]\n')
     names, done = events("bake", "less.toml", "-o", "other")
     assert done["retired"] == ["plain.exr", "plain.bin", "plain.vdb"] and not done["pruned"], done
     names, last = events("bake", "less.toml", "-o", "other", "--prune", "--dry-run")
@@ -69,7 +69,7 @@ with tempfile.TemporaryDirectory() as folder:
     assert "vec3 baked_transmittance(" in events(
         "info", "--lookup", "out/transmittance.exr")[1]["glsl"]
     with open("png.toml", "w", encoding="utf-8") as file:
-        file.write('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\nformats = ["png"]\n'
+        file.write('preset = "earth_hillaire"\n[bake.transmittance]\nsize = [16, 4]\nformats = ["png"]\n'
                    'pixel_type = "unorm8"\n')
     events("bake", "png.toml", "-o", "png")
     names, last = events("info", "png/transmittance.png")

@@ -115,7 +115,8 @@ TEST(LayerDecoder, SlabsHaveAThickness) {
 }
 
 TEST(LayerDecoder, ASwitchedOffLayerIsDroppedButChecked) {
-    const Recipe recipe = valid("preset = 'earth'", {"atmosphere.layers.mie.enabled=false"});
+    const Recipe recipe =
+        valid("preset = 'earth_hillaire'", {"atmosphere.layers.mie.enabled=false"});
     EXPECT_EQ(recipe.parameters.atmosphere.layers.size(), 2u);
     EXPECT_TRUE(has_value(recipe, "atmosphere.layers.mie.enabled"));
     EXPECT_FALSE(has_value(recipe, "atmosphere.layers.mie.g"));

@@ -175,7 +175,7 @@ TEST(NoiseRoundTrip, UnrelatedChangesDoNotShow) {
         "[noise.shape]\npreset = 'nubis_shape'\n[bake.shape]\nasset = 'noise_volume'\n"
         "noise = 'shape'\n";
     EXPECT_EQ(parameters_of(testing::valid(text)),
-              parameters_of(testing::valid("preset = 'earth'\n" + text +
+              parameters_of(testing::valid("preset = 'earth_hillaire'\n" + text +
                                            "[noise.other]\npreset = 'nubis_detail'\n"
                                            "[bake.transmittance]\n")));
 }

@@ -13,7 +13,7 @@ std::string text_of(const Recipe& recipe, const std::vector<std::string>& patter
 }
 
 TEST(ParametersToml, PrintsWhatThePatternsName) {
-    const Recipe recipe = valid("preset = 'earth'\n[bake.transmittance]\n");
+    const Recipe recipe = valid("preset = 'earth_hillaire'\n[bake.transmittance]\n");
     EXPECT_EQ(text_of(recipe, {"wavelengths", "atmosphere.ground_radius",
                                "atmosphere.layers.*.extinction", "bake.transmittance.*"}),
               "wavelengths = [\"680 nm\", \"550 nm\", \"440 nm\"]\n"
@@ -42,9 +42,9 @@ TEST(ParametersToml, PrintsWhatThePatternsName) {
 }
 
 TEST(ParametersToml, LeavesOutWhereValuesComeFrom) {
-    const Recipe plain = valid("preset = 'earth'");
+    const Recipe plain = valid("preset = 'earth_hillaire'");
     const Recipe roundabout = valid(
-        "format = 1\npreset = 'earth'\n[atmosphere.layers.mie]\n"
+        "format = 1\npreset = 'earth_hillaire'\n[atmosphere.layers.mie]\n"
         "absorption = '4.44e-7 /m'\nenabled = true\n"
         "[atmosphere.layers.haze]\nenabled = false\n",
         {"atmosphere.layers.mie.extinction=4.44e-6 /m"});
@@ -54,8 +54,8 @@ TEST(ParametersToml, LeavesOutWhereValuesComeFrom) {
 // An unrelated change must not touch a file's bytes.
 TEST(ParametersToml, IsUntouchedByUnrelatedChanges) {
     const std::vector<std::string> patterns = {"atmosphere.layers.*.extinction"};
-    EXPECT_EQ(text_of(valid("preset = 'earth'"), patterns),
-              text_of(valid("preset = 'earth'\n[bake.multiple_scattering]\n",
+    EXPECT_EQ(text_of(valid("preset = 'earth_hillaire'"), patterns),
+              text_of(valid("preset = 'earth_hillaire'\n[bake.multiple_scattering]\n",
                             {"atmosphere.ground_albedo=1", "atmosphere.layers.mie.g=0"}),
                       patterns));
 }

@@ -22,7 +22,7 @@ using testing::value_at;
 using Codes = std::vector<std::string>;
 
 const std::string fog =
-    "preset = 'earth'\n[particles.drops]\npreset = 'fog'\n[atmosphere.layers.fog]\n"
+    "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n[atmosphere.layers.fog]\n"
     "profile = 'slab'\nbottom_altitude = '0 m'\ntop_altitude = '200 m'\n"
     "number_density = '15 /cm3'\n";
 
@@ -91,7 +91,7 @@ TEST(ParticleDecoder, ReplaceWhatAPresetsLayerIs) {
     for (const char* phase :
          {"phase = { mie = 'haze' }\n", "phase = 'mie'\nparticles = 'haze'\n"}) {
         const Recipe recipe =
-            valid(std::string("preset = 'earth'\n[particles.haze]\npreset = 'haze'\n"
+            valid(std::string("preset = 'earth_hillaire'\n[particles.haze]\npreset = 'haze'\n"
                               "[atmosphere.layers.mie]\nnumber_density = '2e3 /cm3'\n") +
                   phase);
         const Layer* layer = find_layer(recipe.parameters, "mie");

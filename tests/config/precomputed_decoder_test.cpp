@@ -19,8 +19,8 @@ using testing::value_at;
 using Codes = std::vector<std::string>;
 using Size = std::array<int, 3>;
 
-const std::string bruneton = "preset = 'earth'\n[bake.bruneton]\n";
-const std::string columns = "preset = 'earth'\n[bake.optical_depth]\n";
+const std::string bruneton = "preset = 'earth_hillaire'\n[bake.bruneton]\n";
+const std::string columns = "preset = 'earth_hillaire'\n[bake.optical_depth]\n";
 
 Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
 

@@ -31,7 +31,8 @@ TEST(RecipeDecoder, ThreeIsTheDefault) {
 }
 
 TEST(RecipeDecoder, ListsForThreeWavelengthsAreRefusedWithTwoWithoutATail) {
-    const auto diagnostics = parse("preset = 'earth'\nwavelengths = ['1 um', '2 um']").diagnostics;
+    const auto diagnostics =
+        parse("preset = 'earth_hillaire'\nwavelengths = ['1 um', '2 um']").diagnostics;
     ASSERT_EQ(diagnostics.size(), 2u);  // the coefficients of air and of ozone
     for (const Diagnostic& diagnostic : diagnostics) EXPECT_EQ(diagnostic.code, "E0108");
 }

@@ -19,15 +19,15 @@ TEST(RecipeSources, StandInTheOrderOfOverriding) {
     const TemporaryFolder folder;
     folder.write("base/one.toml", "preset = 'mars'");
     folder.write("base/two.toml", "");
-    const auto path =
-        folder.write("top.toml", "preset = 'earth'\ninclude = ['base/one.toml', 'base/two.toml']");
+    const auto path = folder.write(
+        "top.toml", "preset = 'earth_hillaire'\ninclude = ['base/one.toml', 'base/two.toml']");
     DiagnosticList list;
     const std::vector<std::string> settings = {"a.b=1", "a.c = 2"};
     const RecipeSources sources = read_sources(path, settings, list);
     EXPECT_TRUE(list.take().empty());
     EXPECT_TRUE(sources.complete);
     EXPECT_EQ(source_names(sources),
-              (std::vector<std::string>{"preset earth", "preset mars",
+              (std::vector<std::string>{"preset earth_hillaire", "preset mars",
                                         (folder.path() / "base/one.toml").string(),
                                         (folder.path() / "base/two.toml").string(), path.string(),
                                         "--set `a.b=1`", "--set `a.c = 2`"}));
@@ -40,7 +40,7 @@ TEST(RecipeSources, StandInTheOrderOfOverriding) {
 
 TEST(RecipeSources, PresetsBringNoBakes) {
     DiagnosticList list;
-    const RecipeSources sources = text_sources("preset = 'earth'", "t", {}, {}, list);
+    const RecipeSources sources = text_sources("preset = 'earth_hillaire'", "t", {}, {}, list);
     ASSERT_EQ(sources.trees.size(), 2u);
     EXPECT_FALSE(find_entry(sources.trees[0].root, "bake"));
     EXPECT_TRUE(find_entry(sources.trees[0].root, "atmosphere"));
@@ -49,7 +49,8 @@ TEST(RecipeSources, PresetsBringNoBakes) {
 TEST(RecipeSources, ASettingMayNameThePreset) {
     DiagnosticList list;
     const std::vector<std::string> settings = {"preset=mars"};
-    const RecipeSources sources = text_sources("preset = 'earth'", "t", {}, settings, list);
+    const RecipeSources sources =
+        text_sources("preset = 'earth_hillaire'", "t", {}, settings, list);
     EXPECT_EQ(source_names(sources)[0], "preset mars");
 }
 

@@ -102,7 +102,7 @@ const std::vector<Fault> faults = {
               "\"noise.n.size\" = [[8, 8, 8], [4, 4, 4]]",
      5, 1, 14, "at most 100000 are allowed"},
     {"E0138",
-     "preset = \"earth\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
+     "preset = \"earth_hillaire\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
      "orders = \"single\"\nlayers = [\"mei\"]",
      5, 10, 7, "did you mean `mie`?"},
     {"E0139",
@@ -181,7 +181,9 @@ TEST(Recipe, AnswersInTheUsersUnits) {
               "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
     EXPECT_EQ(radii.diagnostics[0].label, "must be above \"6460 km\"");
     const auto label = [](const std::string& bake) {
-        return parse("preset = 'earth'\n[bake.transmittance]\n" + bake).diagnostics.at(0).label;
+        return parse("preset = 'earth_hillaire'\n[bake.transmittance]\n" + bake)
+            .diagnostics.at(0)
+            .label;
     };
     EXPECT_TRUE(label("max_error = 5").starts_with("write \"5 %\" for 5 per cent; must be in"));
     EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
@@ -193,7 +195,7 @@ TEST(Recipe, AnswersInTheUsersUnits) {
 // Two files on one disk, one file on another.
 TEST(Recipe, BakesDifferInMoreThanCapitals) {
     const auto outcome = parse(
-        "preset = 'earth'\n[bake.Sun]\nasset = 'transmittance'\n[bake.sun]\n"
+        "preset = 'earth_hillaire'\n[bake.Sun]\nasset = 'transmittance'\n[bake.sun]\n"
         "asset = 'transmittance'\n[bake.sUN]\nasset = 'transmittance'\n");
     EXPECT_TRUE(outcome.value);
     ASSERT_EQ(outcome.diagnostics.size(), 2u);
@@ -205,7 +207,7 @@ TEST(Recipe, BakesDifferInMoreThanCapitals) {
 
 TEST(Recipe, AllErrorsAreReportedInOneRun) {
     const auto diagnostics = parse(
-                                 "preset = \"earth\"\n"
+                                 "preset = \"earth_hillaire\"\n"
                                  "[atmosphere.layers.rayleigh]\n"
                                  "scale_hieght = \"8 km\"\n"
                                  "[atmosphere.layers.mie]\n"
@@ -225,7 +227,8 @@ TEST(Recipe, AllErrorsAreReportedInOneRun) {
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {
-    const Recipe recipe = valid("\xef\xbb\xbfpreset = 'earth'\r\n[bake.transmittance]\r\n");
+    const Recipe recipe =
+        valid("\xef\xbb\xbfpreset = 'earth_hillaire'\r\n[bake.transmittance]\r\n");
     EXPECT_EQ(recipe.parameters.bakes.size(), 1u);
     EXPECT_EQ(parse("\xef\xbb\xbf[atmosphere").diagnostics[0].where.line_text, "[atmosphere");
 }
@@ -289,8 +292,9 @@ TEST(Recipe, AnUnreadableFileDoesNotHideErrorsOfSettings) {
 
 TEST(Recipe, IncludesComeBeforeTheFileAndSettingsAfter) {
     const TemporaryFolder folder;
-    folder.write("base.toml",
-                 "preset = 'earth'\n[atmosphere.layers.mie]\ng = 0.1\nscattering = '1e-6 /m'\n");
+    folder.write(
+        "base.toml",
+        "preset = 'earth_hillaire'\n[atmosphere.layers.mie]\ng = 0.1\nscattering = '1e-6 /m'\n");
     const auto path =
         folder.write("top.toml", "include = 'base.toml'\n[atmosphere.layers.mie]\ng = 0.2\n");
     const std::vector<std::string> settings = {"atmosphere.layers.mie.g=0.3",
@@ -308,7 +312,8 @@ TEST(Recipe, IncludesComeBeforeTheFileAndSettingsAfter) {
 
 TEST(Recipe, ALaterSourceReplacesTheAlternatives) {
     const Recipe recipe = valid(
-        "preset = 'earth'\n[atmosphere.layers.mie]\nsingle_scattering_albedo = 0.5\nphase = "
+        "preset = 'earth_hillaire'\n[atmosphere.layers.mie]\nsingle_scattering_albedo = 0.5\nphase "
+        "= "
         "'rayleigh'\n"
         "[atmosphere.layers.ozone]\nprofile = 'exponential'\nscale_height = '8 km'\n",
         {"atmosphere.layers.rayleigh.absorption=1e-6 /m"});
@@ -321,7 +326,7 @@ TEST(Recipe, ALaterSourceReplacesTheAlternatives) {
 
 TEST(Recipe, SettingsTakeTomlOrText) {
     const auto albedo = [](const std::string& setting) {
-        return valid("preset = 'earth'", {setting}).parameters.atmosphere.ground_albedo;
+        return valid("preset = 'earth_hillaire'", {setting}).parameters.atmosphere.ground_albedo;
     };
     EXPECT_EQ(albedo("atmosphere.ground_albedo=0.5"), std::vector<double>(3, 0.5));
     EXPECT_EQ(albedo("atmosphere.ground_albedo = [0.1, 0.2, 0.3]"),
@@ -331,8 +336,9 @@ TEST(Recipe, SettingsTakeTomlOrText) {
 }
 
 TEST(Recipe, EquivalentSpellingsResolveToTheSameText) {
-    EXPECT_EQ(all_parameters(valid("preset = 'earth'", {"atmosphere.ground_radius=6360000 m"})),
-              all_parameters(valid("preset = 'earth'")));
+    EXPECT_EQ(
+        all_parameters(valid("preset = 'earth_hillaire'", {"atmosphere.ground_radius=6360000 m"})),
+        all_parameters(valid("preset = 'earth_hillaire'")));
 }
 
 // A locale with a decimal comma and points between the thousands, whether installed or not.
@@ -343,11 +349,11 @@ class CommaPunctuation : public std::numpunct<char> {
 };
 
 TEST(Recipe, DoesNotDependOnTheLocale) {
-    const std::string expected = all_parameters(valid("preset = 'earth'"));
+    const std::string expected = all_parameters(valid("preset = 'earth_hillaire'"));
     const std::string message = parse("format = 2000").diagnostics.back().message;
     const std::locale before =
         std::locale::global(std::locale(std::locale::classic(), new CommaPunctuation));
-    EXPECT_EQ(all_parameters(valid("preset = 'earth'")), expected);
+    EXPECT_EQ(all_parameters(valid("preset = 'earth_hillaire'")), expected);
     EXPECT_EQ(parse("format = 2000").diagnostics.back().message, message);
     std::locale::global(before);
 }

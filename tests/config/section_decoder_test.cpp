@@ -96,10 +96,10 @@ TEST(SectionDecoder, AMisspeltProfileIsOneError) {
 
 TEST(SectionDecoder, ValuesKnowTheirOrigin) {
     const Recipe recipe =
-        valid("preset = 'earth'\n[atmosphere.layers.mie]\ng = 0.7\n[bake.transmittance]\n",
+        valid("preset = 'earth_hillaire'\n[atmosphere.layers.mie]\ng = 0.7\n[bake.transmittance]\n",
               {"atmosphere.ground_albedo=0.1"});
     EXPECT_EQ(value_at(recipe, "atmosphere.layers.mie.g").origin, "test.toml:3");
-    EXPECT_EQ(value_at(recipe, "atmosphere.layers.mie.phase").origin, "preset earth");
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.mie.phase").origin, "preset earth_hillaire");
     EXPECT_EQ(value_at(recipe, "atmosphere.ground_albedo").origin,
               "--set `atmosphere.ground_albedo=0.1`");
     EXPECT_EQ(value_at(recipe, "bake.transmittance.size").origin, "default");

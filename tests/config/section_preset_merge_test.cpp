@@ -64,8 +64,9 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
 }
 
 TEST(SectionPresetMerge, PresetsOfTheOtherKindAreSentHome) {
-    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'earth'\n").label,
-              "it is a preset of an atmosphere: write preset = \"earth\" at the top level");
+    EXPECT_EQ(
+        only_diagnostic("[noise.n]\npreset = 'earth_hillaire'\n").label,
+        "it is a preset of an atmosphere: write preset = \"earth_hillaire\" at the top level");
     const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
     EXPECT_EQ(diagnostic.code, "E0115");
     EXPECT_EQ(diagnostic.label, "it is a preset of noises: name it below [noise.NAME]");

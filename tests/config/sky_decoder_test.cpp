@@ -21,10 +21,10 @@ using testing::value_at;
 constexpr double degree = std::numbers::pi / 180;
 using Codes = std::vector<std::string>;
 
-Recipe earth(const std::string& text) { return valid("preset = 'earth'\n" + text); }
+Recipe earth(const std::string& text) { return valid("preset = 'earth_hillaire'\n" + text); }
 
 Codes faults(const std::string& text) {
-    return codes_and_places(parse("preset = 'earth'\n" + text).diagnostics);
+    return codes_and_places(parse("preset = 'earth_hillaire'\n" + text).diagnostics);
 }
 
 template <class Asset>

@@ -125,7 +125,7 @@ wait_for "two idle nodes" nodes_are_idle
 
 cd "$farm/work"
 cat >sky.toml <<'RECIPE'
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 [bake.multiple_scattering]
 size = [64, 64]

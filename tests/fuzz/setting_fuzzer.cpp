@@ -21,6 +21,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         text.remove_prefix(std::min(end + 1, text.size()));
     }
     skybake::config::fuzzing::check_outcome(skybake::config::parse_recipe(
-        "preset = \"earth\"\n[bake.transmittance]\n", "fuzz.toml", {}, settings));
+        "preset = \"earth_hillaire\"\n[bake.transmittance]\n", "fuzz.toml", {}, settings));
     return 0;
 }

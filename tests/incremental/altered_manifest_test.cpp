@@ -19,7 +19,7 @@ using Pointer = Json::json_pointer;
 
 // A table and a volume; that they are few and small keeps the walk short.
 constexpr const char* recipe_text = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 size = [16, 4]
 [noise.shape.channels.Y]

@@ -17,7 +17,7 @@ using namespace skybake::testing;
 
 // Every asset, in the smallest sizes that bake.
 constexpr const char* all_assets = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [scene]
 sun_elevation = ["-10 deg", "60 deg"]
 [bake.transmittance]

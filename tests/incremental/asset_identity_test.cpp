@@ -21,9 +21,10 @@ std::string key(const config::Recipe& recipe, std::size_t bake,
 }
 
 TEST(AssetIdentity, WordingDoesNotMatter) {
-    const std::string plain = "preset = \"earth\"\n[bake.transmittance]\nsize = [32, 8]\n";
+    const std::string plain = "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n";
     const std::string reworded =
-        "# the same\npreset = \"earth\"\n[atmosphere.layers.rayleigh]\nscale_height = \"8000 m\"\n"
+        "# the same\npreset = \"earth_hillaire\"\n[atmosphere.layers.rayleigh]\nscale_height = "
+        "\"8000 m\"\n"
         "[bake]\ntransmittance = { size = [0x20, 8], pixel_type = \"float\" }\n";
     EXPECT_EQ(key(recipe_of(plain), 0), key(recipe_of(reworded), 0));
 }

@@ -226,7 +226,7 @@ TEST(BakeFolder, WhatARecipeNoLongerAsksForStaysAndMayComeBack) {
 
 // Two tables, and a noise that leaves the recipe: shape.exr and shape.bin are retired.
 const std::string two_tables = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 size = [16, 8]
 [bake.depth]

@@ -24,7 +24,7 @@ inline config::Recipe recipe_of(const std::string& text, const std::filesystem::
 
 // Two tables that bake in milliseconds, and a noise.
 inline const std::string small_recipe = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 size = [32, 8]
 [bake.multiple_scattering]

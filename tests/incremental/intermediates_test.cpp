@@ -100,7 +100,7 @@ TEST(Intermediates, AreMadeByOneOfSeveralThreads) {
     EXPECT_EQ(maker.made(), 1);
 }
 
-constexpr const char* kSky = R"(preset = "earth"
+constexpr const char* kSky = R"(preset = "earth_hillaire"
 [bake.view]
 asset = "sky_view"
 sun_elevations = ["5 deg"]

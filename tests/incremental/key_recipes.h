@@ -4,7 +4,7 @@
 namespace skybake {
 
 inline constexpr const char* kSky = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [scene]
 altitude = ["0 km", "2 km"]
 sun_elevation = ["-5 deg", "80 deg"]
@@ -60,7 +60,7 @@ size = [4, 4, 1]
 )";
 
 inline constexpr const char* kClouds = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [noise.shape]
 seed = 3
 [noise.shape.channels.R]
@@ -124,7 +124,7 @@ cell = 2
 )";
 
 inline constexpr const char* kParticles = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [particles.gamma]
 sizes = "gamma"
 effective_radius = "0.1 um"
@@ -190,7 +190,7 @@ size = [4, 4]
 
 // What those before leave out: other kinds of layers, channels and profiles, and maps.
 inline constexpr const char* kOthers = R"(
-preset = "earth"
+preset = "earth_hillaire"
 [atmosphere.layers.dust]
 enabled = true
 profile = "tabulated"

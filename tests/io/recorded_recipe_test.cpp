@@ -48,7 +48,7 @@ TEST(RecordedRecipe, EveryAtmospherePresetComesBack) {
 TEST(RecordedRecipe, WhatContradictsItsOwnResultDoesNot) {
     // `absorption` and `single_scattering_albedo` are recorded beside the extinction they made.
     expect_round_trip(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [atmosphere.layers.ozone]
 enabled = false
 [atmosphere.layers."sea fog"]
@@ -127,8 +127,9 @@ RC_GTEST_PROP(RecordedRecipe, AnyNumberComesBack, ()) {
 TEST(RecordedRecipe, NeitherIncludesNorPresetsAreReadAgain) {
     const testing::TemporaryFolder folder;
     testing::write_bytes(folder / "air.toml", "[atmosphere]\nground_albedo = 0.125\n");
-    testing::write_bytes(folder / "recipe.toml",
-                         "preset = \"earth\"\ninclude = [\"air.toml\"]\n[bake.transmittance]\n");
+    testing::write_bytes(
+        folder / "recipe.toml",
+        "preset = \"earth_hillaire\"\ninclude = [\"air.toml\"]\n[bake.transmittance]\n");
     const auto recipe = config::load_recipe(folder / "recipe.toml", {});
     ASSERT_TRUE(recipe.value.has_value());
     const auto manifest = parse_manifest(manifest_json(new_manifest(*recipe.value)), "m");

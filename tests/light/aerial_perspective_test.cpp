@@ -88,7 +88,7 @@ RC_GTEST_PROP(AerialPerspective, IsThePartOfTheSkyThatIsNearer, ()) {
 }
 
 TEST(AerialPerspective, TransmittanceIsThatOfTheWay) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::single);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
     const AerialCamera camera(camera_at(2, 0));
     for (const double v : {0.1, 0.45}) {
         const ViewDirection view = camera.direction(0.2, v);
@@ -101,7 +101,7 @@ TEST(AerialPerspective, TransmittanceIsThatOfTheWay) {
 }
 
 TEST(AerialPerspective, IsContinuousWhereTheGroundIs) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const double altitude : {0.0, 0.002, 2.0, 300.0}) {
         const AerialCamera camera(camera_at(altitude, 0));
         std::vector<SkyRadiance> before;
@@ -122,7 +122,7 @@ TEST(AerialPerspective, IsContinuousWhereTheGroundIs) {
 }
 
 TEST(AerialPerspective, TakesAnyCameraAndNoAir) {
-    const TestSky earth(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky earth(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::single);
     for (const double altitude : {0.0, 1e-3, 50.0, 100.0, 100.001, 1e5}) {
         for (const double pitch : {-90.0, -30.0, 0.0, 30.0, 90.0}) {
@@ -146,7 +146,7 @@ TEST(AerialPerspective, TakesAnyCameraAndNoAir) {
 
 TEST(AerialPerspective, IsBakedByARecipe) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = 'earth'\n[bake.air]\nasset = 'aerial_perspective'\nsize = [4, 6, 8]\n"
+        "preset = 'earth_hillaire'\n[bake.air]\nasset = 'aerial_perspective'\nsize = [4, 6, 8]\n"
         "orders = 'single'\nsun_elevation = '20 deg'\naltitude = '1 km'\npixel_type = 'float'\n"
         "[bake.shade]\nasset = 'aerial_perspective'\nsize = [4, 6, 8]\n"
         "content = 'transmittance'\nsun_elevation = '20 deg'\naltitude = '1 km'\n"

@@ -28,7 +28,7 @@ constexpr ChannelOrder kStraight = {{0, 1, 2}};
 constexpr ChannelOrder kTurned = {{2, 0, 1}};
 
 std::string atmosphere_of(const ChannelOrder& order) {
-    return "preset = \"earth\"\nwavelengths = " +
+    return "preset = \"earth_hillaire\"\nwavelengths = " +
            order.of({"\"680 nm\"", "\"550 nm\"", "\"440 nm\""}) +
            "\n[atmosphere]\nground_albedo = " + order.of({"0.05", "0.9", "0.4"}) +
            "\n[atmosphere.layers.rayleigh]\nscattering = " +

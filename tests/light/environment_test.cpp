@@ -38,7 +38,7 @@ Baked bake(const SkyLight& light, const config::EnvironmentBake& asset,
 // The integral over the sphere is no part of the baker: the sum over the upper half of radiance,
 // cosine and solid angle is the irradiance of a level surface.
 TEST(Environment, LightsALevelSurfaceAsTheSkyDoes) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const double sun : {60.0, 20.0, -3.0}) {
         const Baked baked = bake(sky.light(), bake_of({256, 256}, 0, sun));
         std::array<double, 3> sum{};
@@ -62,7 +62,7 @@ TEST(Environment, LightsALevelSurfaceAsTheSkyDoes) {
 
 // Each texel is the integral along its own ray, whose direction stands here in plain trigonometry.
 TEST(Environment, HoldsWhatTheIntegratorSees) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const Baked baked = bake(sky.light(), bake_of({64, 32}, 0.5, 10));
     const Shell shell = sky.light().shell();
     const double r = shell.ground_radius_km + 0.5;
@@ -89,7 +89,7 @@ TEST(Environment, HoldsWhatTheIntegratorSees) {
 }
 
 TEST(Environment, IsAlikeOnBothSidesOfTheSun) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const Baked baked = bake(sky.light(), bake_of({32, 16}, 0.5, 5), Certification::quick);
     for (int y = 0; y < 16; ++y) {
         for (int x = 0; x < 32; ++x) {
@@ -114,7 +114,7 @@ TEST(Environment, IsTheGroundBelowAndNothingAboveWithoutAir) {
 }
 
 TEST(Environment, TakesAnySizeCameraAndSun) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const std::array<int, 2> size : {std::array<int, 2>{1, 1}, {2, 2}, {3, 5}, {1, 64}}) {
         for (const double altitude : {0.0, 1e-3, 100.0, 100.0001, 1000.0, 1e6}) {
             for (const double sun : {90.0, 0.0, -6.0, -90.0}) {

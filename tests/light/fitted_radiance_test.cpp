@@ -152,16 +152,16 @@ const std::vector<Bar> kEarthBars = {
     {30, {0.010, 0.010, 0.010}}, {89, {0.033, 0.022, 0.020}}, {94, {0.035, 0.030, 0.025}}};
 
 TEST(FittedRadiance, MakesUnseenSkiesOfEarthRight) {
-    expect_within(preset_atmosphere("earth"), kEarthBars);
+    expect_within(preset_atmosphere("earth_hillaire"), kEarthBars);
 }
 
 TEST(FittedRadiance, MakesUnseenSkiesOverBlackGroundRight) {
-    expect_within(preset_atmosphere("earth", {"atmosphere.ground_albedo=0"}), kEarthBars);
+    expect_within(preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}), kEarthBars);
 }
 
 TEST(FittedRadiance, HazeThatScattersLikeAirIsFittedBetter) {
     expect_within(
-        preset_atmosphere("earth", {"atmosphere.layers.mie.g=0"}),
+        preset_atmosphere("earth_hillaire", {"atmosphere.layers.mie.g=0"}),
         {{30, {0.005, 0.005, 0.006}}, {89, {0.011, 0.015, 0.020}}, {94, {0.012, 0.017, 0.021}}});
 }
 
@@ -219,7 +219,7 @@ TEST(FittedRadiance, IsBetterThanTheMeanRadianceOnOtherPlanets) {
 }
 
 TEST(FittedRadiance, IsTheMeanRadianceWhereTheSceneSaysNothing) {
-    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth_hillaire"));
     const SolvedLight light = solved(medium, 4, 32);
     const FitAxes axes = twilight_axes(32, 16, medium.air.thickness_km);
     const Image2<double> mean = mean_table(light, axes);
@@ -241,7 +241,7 @@ TEST(FittedRadiance, IsTheMeanRadianceWhereTheSceneSaysNothing) {
 }
 
 TEST(FittedRadiance, ThreadsDoNotChangeABit) {
-    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth_hillaire"));
     const SolvedLight light = solved(medium, 4, 32);
     const FitAxes axes = twilight_axes(16, 9, medium.air.thickness_km);
     const Image2<double> one = fit_mean_radiance(medium, light, FitScene{}, axes, {}, 1);
@@ -279,7 +279,7 @@ TEST(FittedRadiance, IsNeverNegative) {
 
 // Views of a known table give the table back, as far as they see it.
 TEST(FitEquations, AnIsotropicTableIsRecovered) {
-    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth_hillaire"));
     const SolvedLight light = solved(medium, 2, 48);
     const Shell shell = shell_of(medium.air);
     const FitAxes axes = twilight_axes(16, 8, medium.air.thickness_km);
@@ -314,7 +314,7 @@ TEST(FitEquations, AnIsotropicTableIsRecovered) {
 }
 
 TEST(SolvedSource, IsWhatSolvedOrdersScatter) {
-    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(preset_atmosphere("earth_hillaire"));
     const SolvedLight light = solved(medium, 6, 32);
     const SolvedOrders orders(medium, light, 6);
     std::vector<std::vector<Spectrum>> moments;

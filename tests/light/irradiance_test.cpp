@@ -43,7 +43,7 @@ Spectrum brute_force(const SkyLight& light, double altitude_km, const SunZenith&
 }
 
 TEST(SkyIrradiance, IsTheIntegralOverTheSky) {
-    for (const char* preset : {"earth", "tiny_planet"}) {
+    for (const char* preset : {"earth_hillaire", "tiny_planet"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
         for (const double elevation : {90.0, 40.0, 2.0, -5.0}) {
             const SunZenith sun = sun_at_elevation(elevation * kDegree);
@@ -57,7 +57,7 @@ TEST(SkyIrradiance, IsTheIntegralOverTheSky) {
 }
 
 TEST(SkyIrradiance, PartsAddUp) {
-    const config::Atmosphere earth = test::preset_atmosphere("earth");
+    const config::Atmosphere earth = test::preset_atmosphere("earth_hillaire");
     const TestSky all(earth, SkyOrders::all);
     const TestSky rest(earth, SkyOrders::multiple);
     const TestSky mie(earth, SkyOrders::single, {"mie"});
@@ -70,7 +70,7 @@ TEST(SkyIrradiance, PartsAddUp) {
 
 // What surfaces at one altitude share changes nothing.
 TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
-    for (const char* preset : {"earth", "mars", "tiny_planet"}) {
+    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
         const Medium& air = sky.light().medium().air;
         for (const double altitude_km : {0.0, 0.03 * air.thickness_km, 0.4 * air.thickness_km}) {
@@ -85,11 +85,11 @@ TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
 }
 
 TEST(SkyIrradiance, IsNothingAtTheTopInVacuumAndAtNight) {
-    const TestSky earth(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky earth(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     EXPECT_EQ(sky_irradiance(earth.light(), 100, 0.5, {6}), Spectrum{});
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::all);
     EXPECT_EQ(sky_irradiance(vacuum.light(), 0, 0.5, {6}), Spectrum{});
-    const TestSky single(test::preset_atmosphere("earth"), SkyOrders::single);
+    const TestSky single(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
     EXPECT_EQ(sky_irradiance(single.light(), 0, -1, {6}), Spectrum{});
     for (const double mu : {-1.0, -0.1, 0.0, 1e-12, 1.0}) {
         const Spectrum irradiance = sky_irradiance(earth.light(), 0, mu, {6});
@@ -101,7 +101,7 @@ TEST(SkyIrradiance, IsNothingAtTheTopInVacuumAndAtNight) {
 
 // The solver finds the irradiance of the ground by its own directions, with its own rays.
 TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
-    const SkyLight light(test::preset_atmosphere("earth"), SkyOrders::all, {}, {});
+    const SkyLight light(test::preset_atmosphere("earth_hillaire"), SkyOrders::all, {}, {});
     for (const double mu : {1.0, 0.5, 0.1, 0.0, -0.05}) {
         const Spectrum wanted = light.higher_orders()->sky_irradiance(mu);
         const Spectrum found = sky_irradiance(light, 0, mu, {16});
@@ -134,7 +134,7 @@ TEST(SunIrradiance, IsTheCosineTimesTheTransmittance) {
 }
 
 TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::single);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
     config::IrradianceBake bake;
     bake.size = {12, 4};
     bake.orders = SkyOrders::single;
@@ -164,8 +164,8 @@ TEST(IrradianceTable, HoldsItsErrorAndAddsUp) {
 // Four texels of sunlight, and a table as it is by default: only one of them warns.
 TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
     const auto codes = [](const std::string& size) {
-        const config::Recipe recipe =
-            test::recipe_of("preset = \"earth\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
+        const config::Recipe recipe = test::recipe_of(
+            "preset = \"earth_hillaire\"\n[bake.irradiance]\ncontent = \"direct\"\n" + size);
         const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
         EXPECT_TRUE(baked.value);
         std::string found;
@@ -182,7 +182,7 @@ TEST(Irradiance, LookupsThatAreFarOffAreWarnedOf) {
 // The line of the key that a diagnostic names: of one that is too strict, and of the size.
 TEST(Irradiance, FaultsOfABakeNameTheirLine) {
     const auto fault = [](const std::string& section) {
-        const config::Recipe recipe = test::recipe_of("preset = \"earth\"\n" + section);
+        const config::Recipe recipe = test::recipe_of("preset = \"earth_hillaire\"\n" + section);
         const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});
         return baked.diagnostics.at(0);
     };
@@ -202,7 +202,7 @@ TEST(Irradiance, FaultsOfABakeNameTheirLine) {
 TEST(Irradiance, OfAirThatIsTooOpaqueOrTooHighIsRefused) {
     const auto bake = [](const std::string& keys, const std::vector<std::string>& settings) {
         const config::Recipe recipe = test::recipe_of(
-            "preset = \"earth\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys, settings);
+            "preset = \"earth_hillaire\"\n[bake.irradiance]\nsize = [2, 2]\n" + keys, settings);
         return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {.threads = 1, .certification = Certification::off});
     };

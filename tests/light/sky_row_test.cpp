@@ -65,7 +65,7 @@ bool comes_down_to_resolved_air(const Medium& air, const SkyRay& ray) {
 }
 
 TEST(SkyRow, IsWhatItsRaysAre) {
-    for (const char* preset : {"earth", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
         const config::Atmosphere atmosphere = test::preset_atmosphere(preset);
         const TestSky sky(atmosphere, SkyOrders::all);
         for (const double altitude_share : {0.0, 0.02, 1.0, 5.0}) {
@@ -88,7 +88,7 @@ TEST(SkyRow, IsWhatItsRaysAre) {
 
 // What tables of sky views read in place of exact sunlight.
 TEST(SkyLight, SunlightIsReadAsItIs) {
-    for (const char* preset : {"earth", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::single);
         const Medium& air = sky.light().medium().air;
         const Shell shell = sky.light().shell();
@@ -126,12 +126,12 @@ int pieces_of(const Shell& shell, const SkyRay& ray, double from_km, double to_k
 
 // A planet of a metre in air of a hundred metres.
 TEST(SkyRow, IsWhatItsRaysAreInAirManyRadiiDeep) {
-    const TestSky sky(
-        test::preset_atmosphere(
-            "earth", {"atmosphere.ground_radius=\"1 m\"", "atmosphere.top_radius=\"101 m\"",
-                      "atmosphere.layers.rayleigh.scale_height=\"10 m\"",
-                      "atmosphere.layers.mie.scale_height=\"30 m\""}),
-        SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere(
+                          "earth_hillaire",
+                          {"atmosphere.ground_radius=\"1 m\"", "atmosphere.top_radius=\"101 m\"",
+                           "atmosphere.layers.rayleigh.scale_height=\"10 m\"",
+                           "atmosphere.layers.mie.scale_height=\"30 m\""}),
+                      SkyOrders::all);
     const Shell shell = sky.light().shell();
     for (const double altitude_km : {0.0, 0.5e-3, 20e-3}) {
         const SkyViewCamera camera(shell, altitude_km);
@@ -168,7 +168,7 @@ RC_GTEST_PROP(SkyRow, IsWhatItsRaysAreInAnyAtmosphere, ()) {
 }
 
 TEST(SkyRow, HasTheSameLightFromAllSidesUnderASunAtTheZenith) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const SkyViewCamera camera(sky.light().shell(), 0.5);
     const SunZenith sun = sun_at_elevation(90 * kDegree);
     const auto ray_at = [&](double cosine) { return camera.ray(0.7, sun, cosine); };
@@ -215,7 +215,7 @@ RC_GTEST_PROP(SkyRow, PartsOfTheLightAddUp, ()) {
 }
 
 TEST(SkyIntegrator, AddsUpAlongARay) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const SunZenith sun = sun_at_elevation(3 * kDegree);
     const SkyRay ray = SkyViewCamera(sky.light().shell(), 2).ray(0.55, sun, 0.9);
     const SkyIntegrator& integrator = sky.light().integrator();

@@ -32,7 +32,7 @@ config::Outcome<Baked> bake(const SkyLight& light, const config::SkyViewBake& as
 }
 
 TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const auto baked = bake(sky.light(), bake_of({48, 36}, 0.5, {30, -4}), Certification::quick);
     ASSERT_TRUE(baked.value);
     const Certificate& certificate = baked.value->certificate;
@@ -44,7 +44,7 @@ TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
 }
 
 TEST(SkyViewTable, StacksTheTablesOfItsSuns) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const auto both = bake(sky.light(), bake_of({8, 6}, 0.5, {30, 5}));
     const auto second = bake(sky.light(), bake_of({8, 6}, 0.5, {5}));
     ASSERT_TRUE(both.value && second.value);
@@ -90,7 +90,7 @@ TEST(SkyViewTable, IsBlackWithoutAirButForTheGround) {
 }
 
 TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const std::array<int, 2> size : {std::array<int, 2>{1, 1}, {2, 2}, {3, 5}, {1, 4}}) {
         for (const double altitude : {0.0, 1e-3, 99.9999, 100.0, 100.0001, 1000.0, 1e6}) {
             const auto baked = bake(sky.light(), bake_of(size, altitude, {90, 0, -6, -90}));
@@ -103,7 +103,7 @@ TEST(SkyViewTable, TakesAnySizeCameraAndSun) {
 }
 
 TEST(SkyViewTable, IsContinuousWhereTheCameraMoves) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::all);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     const auto view = [&](double altitude) {
         return bake(sky.light(), bake_of({4, 8}, altitude, {20})).value->image();
     };
@@ -121,7 +121,7 @@ TEST(SkyViewTable, IsContinuousWhereTheCameraMoves) {
 }
 
 TEST(SkyViewTable, SaysWhatHalfLoses) {
-    const TestSky sky(test::preset_atmosphere("earth"), SkyOrders::single);
+    const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
     config::SkyViewBake asset = bake_of({16, 16}, 0, {-12});
     asset.pixel_type = config::PixelType::half;
     const auto baked = bake(sky.light(), asset);
@@ -134,7 +134,8 @@ TEST(SkyViewTable, SaysWhatHalfLoses) {
 // As a recipe asks for it: one layer's single scattering, with its probes in place.
 TEST(SkyViewTable, IsBakedByARecipe) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = 'earth'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = 'single'\n"
+        "preset = 'earth_hillaire'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = "
+        "'single'\n"
         "layers = ['mie']\nsun_elevations = ['30 deg', '5 deg']\n");
     const auto baked = bake_asset(recipe, recipe.parameters.bakes[0], {.threads = 2});
     ASSERT_TRUE(baked.value);

@@ -15,7 +15,8 @@ namespace {
 config::Outcome<Baked> bake(const std::string& settings,
                             Certification certification = Certification::off) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = \"earth\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" + settings);
+        "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = \"solved\"\n" +
+        settings);
     BakeOptions options;
     options.certification = certification;
     return bake_asset(recipe, recipe.parameters.bakes.front(), options);

@@ -12,7 +12,7 @@ namespace {
 using test::BakedLookup;
 
 std::string aerial_recipe(const std::string& keys) {
-    return "preset = 'earth'\n[bake.a]\nasset = 'aerial_perspective'\norders = 'single'\n"
+    return "preset = 'earth_hillaire'\n[bake.a]\nasset = 'aerial_perspective'\norders = 'single'\n"
            "pixel_type = 'float'\nsize = [16, 16, 16]\naltitude = '200 m'\nsun_elevation = '10 "
            "deg'\n"
            "view_distance = '32 km'\npitch = '5 deg'\nheading = '40 deg'\naspect = 1.5\n" +

@@ -26,7 +26,7 @@ struct ScatteringPlace {
 struct ScatteringTrial {
     ScatteringTrial()
         : baked(test::bake_all(
-              "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
+              "preset = 'earth_hillaire'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
               "pixel_type = 'float'\nsize = [64, 64, 16]\nnu_size = 4\n"
               "sun_cos_zenith_min = -0.2\n")),
           texture(texture_of(baked.asset())),
@@ -167,7 +167,8 @@ TEST(BrunetonLookup, FindsTheTexels) {
 
 TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all(
-        "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'irradiance'\norders = 1\n"
+        "preset = 'earth_hillaire'\n[bake.a]\nasset = 'bruneton'\ntable = 'irradiance'\norders = "
+        "1\n"
         "pixel_type = 'float'\nsize = [32, 8, 1]\n");
     const Texture texture = texture_of(baked.asset());
     const Shell shell = baked.shell();

@@ -18,12 +18,13 @@ struct FloatPath {
 
 struct ColumnTrial {
     explicit ColumnTrial(const std::string& keys)
-        : baked(test::bake_all("preset = 'earth'\n[atmosphere.layers.dust]\npreset = 'dust'\n"
-                               "[atmosphere.layers.fog]\npreset = 'fog'\n"
-                               "[atmosphere.layers.rain]\npreset = 'rain'\n[bake.a]\n"
-                               "asset = 'optical_depth'\npixel_type = 'float'\n"
-                               "kinds = ['rayleigh', 'dust', 'fog', 'rain']\n" +
-                               keys)),
+        : baked(test::bake_all(
+              "preset = 'earth_hillaire'\n[atmosphere.layers.dust]\npreset = 'dust'\n"
+              "[atmosphere.layers.fog]\npreset = 'fog'\n"
+              "[atmosphere.layers.rain]\npreset = 'rain'\n[bake.a]\n"
+              "asset = 'optical_depth'\npixel_type = 'float'\n"
+              "kinds = ['rayleigh', 'dust', 'fog', 'rain']\n" +
+              keys)),
           bake(baked.recipe.parameters.bakes.front().as<OpticalDepthBake>()),
           kinds(make_column_kinds(baked.recipe.parameters.atmosphere, bake.kinds)),
           texture(texture_of(baked.asset())),

@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 class EnvironmentTrial {
   public:
     EnvironmentTrial()
-        : baked_(test::bake_all("preset = 'earth'\n[bake.environment]\norders = 'single'\n"
+        : baked_(test::bake_all("preset = 'earth_hillaire'\n[bake.environment]\norders = 'single'\n"
                                 "size = [64, 32]\naltitude = '1 km'\n"
                                 "sun_elevation = '20 deg'\n")),
           texture_(texture_of(baked_.asset())) {

@@ -47,9 +47,10 @@ Pair pair_of(double angle, const glm::dvec3& a) {
 struct PhaseTrial {
     explicit PhaseTrial(PhaseSpacing which)
         : spacing(which),
-          baked(test::bake_all("preset = 'earth'\n[particles.fog]\npreset = 'fog'\n[bake.a]\n"
-                               "asset = 'phase'\nparticles = 'fog'\nspacing = '" +
-                               name() + "'\n")),
+          baked(test::bake_all(
+              "preset = 'earth_hillaire'\n[particles.fog]\npreset = 'fog'\n[bake.a]\n"
+              "asset = 'phase'\nparticles = 'fog'\nspacing = '" +
+              name() + "'\n")),
           texture(texture_of(baked.asset())) {}
 
     std::string name() const {
@@ -115,7 +116,7 @@ TEST(PhaseLookup, CosinesWouldBeNoticed) {
 
 TEST(SampledAngleLookup, FloatLosesLittle) {
     const test::BakedLookup baked = test::bake_all(
-        "preset = 'earth'\n[particles.haze]\npreset = 'haze'\n[bake.a]\nasset = 'phase'\n"
+        "preset = 'earth_hillaire'\n[particles.haze]\npreset = 'haze'\n[bake.a]\nasset = 'phase'\n"
         "particles = 'haze'\ncontent = 'inverse_cumulative'\n");
     const Texture texture = texture_of(baked.asset());
     test::Dice dice;
@@ -137,6 +138,29 @@ TEST(SampledAngleLookup, FloatLosesLittle) {
         const auto share = static_cast<float>(test::at(probe, "share"));
         test::expect_probe(gpu::vec4(gpu::phase_lookups::sampled_angle({texture}, share), 1),
                            probe.value, probe.tolerance, "share " + std::to_string(share));
+    }
+}
+
+// The phase functions of four wavelengths, which need no atmosphere, and angles of them.
+TEST(PhaseLookup, HoldsTheProbesOfFourWavelengths) {
+    const std::string haze =
+        "wavelengths = 'best 4'\n[particles.haze]\npreset = 'haze'\n[bake.a]\nasset = 'phase'\n"
+        "particles = 'haze'\n";
+    const test::BakedLookup phase = test::bake_all(haze + "spacing = 'angle'\n");
+    const Texture texture = texture_of(phase.asset());
+    for (const Probe& probe : phase.asset().levels[0].probes) {
+        ASSERT_EQ(probe.value.size(), 4U);
+        const double degrees = test::at(probe, "scattering_angle_deg");
+        const auto x = static_cast<float>(degrees / 180);
+        test::expect_probe(gpu::phase_lookups::phase_function_of_4({texture}, x), probe.value,
+                           probe.tolerance, std::to_string(degrees) + " degrees");
+    }
+    const test::BakedLookup angles = test::bake_all(haze + "content = 'inverse_cumulative'\n");
+    const Texture inverse = texture_of(angles.asset());
+    for (const Probe& probe : angles.asset().levels[0].probes) {
+        const auto share = static_cast<float>(test::at(probe, "share"));
+        test::expect_probe(gpu::phase_lookups::sampled_angle_of_4({inverse}, share), probe.value,
+                           probe.tolerance, "share " + std::to_string(share));
     }
 }
 

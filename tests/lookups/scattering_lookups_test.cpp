@@ -71,7 +71,7 @@ void add_relative(const gpu::vec3& found, const std::array<double, 4>& wanted, d
 }
 
 TEST(MultipleScatteringLookup, FloatLosesLittle) {
-    const std::string whole = "preset = 'earth'\n[bake.multiple_scattering]\nmapping = ";
+    const std::string whole = "preset = 'earth_hillaire'\n[bake.multiple_scattering]\nmapping = ";
     for (const std::string& recipe : {whole + "'hillaire'\n", whole + "'twilight'\n"}) {
         SCOPED_TRACE(recipe);
         const SunTable table(recipe);
@@ -123,7 +123,8 @@ std::array<double, 4> scattered_in_double(const SunTable& table, double x, doubl
 struct CroppedMoments : SunTable {
     CroppedMoments()
         : SunTable(
-              "preset = 'earth'\n[scene]\naltitude = ['0 km', '3 km']\nsun_elevation = ['-10 deg', "
+              "preset = 'earth_hillaire'\n[scene]\naltitude = ['0 km', '3 km']\nsun_elevation = "
+              "['-10 deg', "
               "'90 deg']\n[bake.a]\nasset = 'multiple_scattering'\nmethod = 'solved'\n"
               "content = 'moments'\nmapping = 'twilight'\ndegree = 2\n",
               Certification::off) {
@@ -185,7 +186,6 @@ TEST(MomentsLookup, FloatLosesLittle) {
     expect_little_loss(loss, table.certificate);
 }
 
-// Each in the table of its degree and order.
 TEST(MultipleScatteringLookup, HoldsTheProbesOfFourWavelengths) {
     const SunTable table(
         "preset = 'earth_clear_mountain'\n[bake.multiple_scattering]\n"
@@ -200,6 +200,34 @@ TEST(MultipleScatteringLookup, HoldsTheProbesOfFourWavelengths) {
     }
 }
 
+// The lookup of one moment, and the sum over all of them with chi = (1, 0, 0), which is moment 0.
+TEST(MomentsLookup, HoldsTheProbesOfFourWavelengths) {
+    const SunTable table(
+        "preset = 'earth_clear_mountain'\n[bake.multiple_scattering]\n"
+        "method = 'solved'\ncontent = 'moments'\nmapping = 'twilight'\nsize = [16, 8]\n");
+    int means = 0;
+    for (const Probe& probe : table.baked.asset().levels[0].probes) {
+        ASSERT_EQ(probe.value.size(), 4U);
+        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
+        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
+        const int part = moment_index(static_cast<int>(test::at(probe, "l")),
+                                      static_cast<int>(test::at(probe, "m")));
+        const std::string where = "h " + std::to_string(h) + ", table " + std::to_string(part);
+        const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
+                                                               table.twilight(), table.crop(), 6);
+        test::expect_probe(
+            gpu::sun_lookups::moment_of_4({table.texture}, place, 6, static_cast<float>(part)),
+            probe.value, probe.tolerance, where);
+        if (part != 0) continue;
+        ++means;
+        test::expect_probe(gpu::sun_lookups::scattered_again_of_4({table.texture}, place, 6, 0.3f,
+                                                                  0.5f, gpu::vec3(1, 0, 0)),
+                           probe.value, probe.tolerance, where);
+    }
+    EXPECT_GT(means, 0);
+}
+
+// Each in the table of its degree and order.
 TEST(MomentsLookup, HoldsTheProbes) {
     const CroppedMoments table;
     std::set<int> tables;
@@ -224,7 +252,7 @@ TEST(IrradianceLookup, FloatLosesLittle) {
     for (const char* mapping : {"twilight", "hillaire"}) {
         SCOPED_TRACE(mapping);
         const SunTable table(
-            "preset = 'earth'\n[bake.irradiance]\ncontent = 'direct'\nmapping = '" +
+            "preset = 'earth_hillaire'\n[bake.irradiance]\ncontent = 'direct'\nmapping = '" +
             std::string(mapping) + "'\n");
         const auto in_float = [&](float h, float mu) {
             return gpu::sun_lookups::irradiance({table.texture}, table.D, h, mu, table.twilight());

@@ -126,7 +126,7 @@ class SkyViewTrial {
     static constexpr std::array kSuns = {30.0, -4.0};
 
     static std::string recipe_at(double altitude_km) {
-        return "preset = 'earth'\n[bake.sky_view]\norders = 'single'\nsize = [64, 36]\n"
+        return "preset = 'earth_hillaire'\n[bake.sky_view]\norders = 'single'\nsize = [64, 36]\n"
                "sun_elevations = ['30 deg', '-4 deg']\naltitude = '" +
                std::to_string(altitude_km) + " km'\n";
     }

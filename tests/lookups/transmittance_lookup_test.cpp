@@ -44,7 +44,7 @@ struct TransmittanceTrial {
 };
 
 TEST(TransmittanceLookup, FloatLosesLittle) {
-    for (const char* planet : {"earth", "tiny_planet"}) {
+    for (const char* planet : {"earth_hillaire", "tiny_planet"}) {
         for (const bool ue : {false, true}) {
             SCOPED_TRACE(std::string(planet) + (ue ? ", ue" : ", bruneton"));
             const TransmittanceTrial trial(planet, ue);
@@ -67,7 +67,7 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
 
 TEST(TransmittanceLookup, HoldsTheProbes) {
     for (const bool ue : {false, true}) {
-        const TransmittanceTrial trial("earth", ue);
+        const TransmittanceTrial trial("earth_hillaire", ue);
         for (const Probe& probe : trial.baked.asset().levels[0].probes) {
             const auto h = static_cast<float>(test::at(probe, "altitude_km"));
             const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
@@ -99,7 +99,7 @@ TEST(TransmittanceLookup, HoldsTheProbesOfFourWavelengths) {
 // Bruneton's own table of transmittance is looked up the same way.
 TEST(TransmittanceLookup, HoldsTheProbesOfBrunetonsTable) {
     const BakedLookup baked = test::bake_all(
-        "preset = 'earth'\n[bake.a]\nasset = 'bruneton'\ntable = 'transmittance'\n"
+        "preset = 'earth_hillaire'\n[bake.a]\nasset = 'bruneton'\ntable = 'transmittance'\n"
         "pixel_type = 'float'\nsize = [64, 16, 1]\n");
     const Texture texture = texture_of(baked.asset());
     const Shell shell = baked.shell();

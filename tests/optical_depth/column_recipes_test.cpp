@@ -12,7 +12,7 @@ namespace {
 
 TEST(ColumnRecipes, ReportsCompareShellsWithTheExactIntegral) {
     const config::Recipe recipe = recipe_of(
-        "preset = 'earth'\n[bake.air]\nasset = 'optical_depth'\nkinds = ['rayleigh']\n"
+        "preset = 'earth_hillaire'\n[bake.air]\nasset = 'optical_depth'\nkinds = ['rayleigh']\n"
         "size = [16, 8, 1]\n");
     const auto bake = std::find_if(recipe.parameters.bakes.begin(), recipe.parameters.bakes.end(),
                                    [](const config::Bake& one) { return one.name == "air"; });
@@ -37,7 +37,8 @@ TEST(ColumnRecipes, RefuseTooFewTexelsForTheKinds) {
          {"size = [3, 8, 1]\n", "table = 'between'\nsize = [3, 8, 8]\n",
           "table = 'between'\ncoordinates = 'distance'\nsize = [7, 8, 8]\n"}) {
         const auto outcome = config::parse_recipe(
-            std::string("preset = 'earth'\n[bake.optical_depth]\n") + section, "test.toml");
+            std::string("preset = 'earth_hillaire'\n[bake.optical_depth]\n") + section,
+            "test.toml");
         ASSERT_EQ(outcome.diagnostics.size(), 1u) << section;
         EXPECT_EQ(outcome.diagnostics.front().code, "E0142");
     }
@@ -45,7 +46,8 @@ TEST(ColumnRecipes, RefuseTooFewTexelsForTheKinds) {
 
 TEST(ColumnRecipes, SkiesFromStripsAreDarkerThanAllOrders) {
     const config::Recipe recipe = recipe_of(
-        "preset = 'earth'\n[bake.solved]\nasset = 'sky_view'\nsize = [8, 8]\naltitude = '500 m'\n"
+        "preset = 'earth_hillaire'\n[bake.solved]\nasset = 'sky_view'\nsize = [8, 8]\naltitude = "
+        "'500 m'\n"
         "sun_elevations = ['30 deg']\n[bake.strips]\nasset = 'sky_view'\nsky = 'strips'\n"
         "size = [8, 8]\naltitude = '500 m'\nsun_elevations = ['30 deg']\n");
     std::vector<Baked> tables;

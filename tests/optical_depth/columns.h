@@ -22,7 +22,7 @@ inline const std::vector<std::string>& earth_kinds() {
 
 inline config::Atmosphere earth_with_presets() {
     return recipe_of(
-               "preset = 'earth'\n"
+               "preset = 'earth_hillaire'\n"
                "[atmosphere.layers.dust]\npreset = 'dust'\n"
                "[atmosphere.layers.fog]\npreset = 'fog'\n"
                "[atmosphere.layers.rain]\npreset = 'rain'\n"

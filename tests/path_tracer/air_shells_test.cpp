@@ -50,13 +50,14 @@ TEST(AirShells, DepthsAreExact) {
 }
 
 TEST(AirShells, DepthsAreExactWhereLayersAreSharp) {
-    const SkyMedium fog = test::sky_medium(
-        "earth", {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
-                  "top_altitude=\"1 m\", scattering=\"0.2 /m\"}",
-                  "atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
-                  "top_altitude=\"10.1 km\", scattering=\"1e-2 /m\"}",
-                  "atmosphere.layers.table={profile=\"tabulated\", table=[[\"3 km\", 0.5], "
-                  "[\"3.001 km\", 1.0], [\"30 km\", 0.0]], scattering=\"1e-4 /m\"}"});
+    const SkyMedium fog =
+        test::sky_medium("earth_hillaire",
+                         {"atmosphere.layers.fog={profile=\"slab\", bottom_altitude=\"0 m\", "
+                          "top_altitude=\"1 m\", scattering=\"0.2 /m\"}",
+                          "atmosphere.layers.veil={profile=\"slab\", bottom_altitude=\"10 km\", "
+                          "top_altitude=\"10.1 km\", scattering=\"1e-2 /m\"}",
+                          "atmosphere.layers.table={profile=\"tabulated\", table=[[\"3 km\", 0.5], "
+                          "[\"3.001 km\", 1.0], [\"30 km\", 0.0]], scattering=\"1e-4 /m\"}"});
     EXPECT_LT(worst_depth(fog, 50000), 3e-7);
 }
 
@@ -85,7 +86,7 @@ RC_GTEST_PROP(AirShellsOfRandomAir, DepthsAreExact, ()) {
 }
 
 TEST(AirShells, PointsAreFoundByTheirDepth) {
-    for (const char* preset : {"earth", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "tiny_planet", "dense_earth"}) {
         const SkyMedium medium = test::sky_medium(preset);
         const AirShells air(medium);
         for (int i = 0; i < 5000; ++i) {
@@ -107,7 +108,7 @@ TEST(AirShells, PointsAreFoundByTheirDepth) {
 }
 
 TEST(AirShells, SunlightEndsAtTheShadowOfThePlanet) {
-    const SkyMedium medium = test::sky_medium("earth");
+    const SkyMedium medium = test::sky_medium("earth_hillaire");
     const AirShells air(medium);
     for (const double altitude : {0.0, 0.001, 1.0, 25.0, 99.9}) {
         const double horizon = horizon_distance_km(air.planet(), altitude);

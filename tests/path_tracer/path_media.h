@@ -20,7 +20,7 @@ inline SkyMedium sky_medium(const std::string& preset,
 // Earth's Rayleigh and Mie layers alone, without absorption, over white ground; coefficients are
 // multiplied by `factor`.
 inline SkyMedium white_furnace(double factor, const std::string& mie_g = "0.8",
-                               const std::string& planet = "earth") {
+                               const std::string& planet = "earth_hillaire") {
     const auto per_meter = [&](double value) {
         return "\"" + std::to_string(value * factor * 1e6) + "e-6 /m\"";
     };
@@ -31,7 +31,7 @@ inline SkyMedium white_furnace(double factor, const std::string& mie_g = "0.8",
         "atmosphere.ground_albedo=1", "atmosphere.layers.rayleigh.scattering=" + rayleigh,
         "atmosphere.layers.mie.scattering=" + mie, "atmosphere.layers.mie.extinction=" + mie,
         "atmosphere.layers.mie.g=" + mie_g};
-    if (planet == "earth") settings.push_back("atmosphere.layers.ozone.enabled=false");
+    if (planet == "earth_hillaire") settings.push_back("atmosphere.layers.ozone.enabled=false");
     return sky_medium(planet, settings);
 }
 

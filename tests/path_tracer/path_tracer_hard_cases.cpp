@@ -100,7 +100,7 @@ TEST(PathTracerHardCase, Case08ExtremePhaseFunctions) {
          worst, 4);
     hold("8 g = 0.999 in 10x air, paths", "white furnace, standard errors",
          worst_furnace(test::white_furnace(10, "0.999"), 1000), kFourDeviations);
-    const SkyMedium peaked = sky_medium("earth", {"atmosphere.layers.mie.g=0.999"});
+    const SkyMedium peaked = sky_medium("earth_hillaire", {"atmosphere.layers.mie.g=0.999"});
     const PathTracer tracer(peaked);
     double bad = 0;
     for (const double zenith : {60.0, 60.1, 120.0}) {
@@ -112,7 +112,7 @@ TEST(PathTracerHardCase, Case08ExtremePhaseFunctions) {
 // Each channel has a phase function of its own, and any of them leads the path.
 TEST(PathTracerHardCase, Case08Spheres) {
     const SkyMedium spheres = make_sky_medium(
-        test::recipe_of("preset = 'earth'\n[particles.dust]\nmaterial = 'constant'\n"
+        test::recipe_of("preset = 'earth_hillaire'\n[particles.dust]\nmaterial = 'constant'\n"
                         "refractive_index = 1.5\neffective_radius = '1 um'\n"
                         "[atmosphere.layers.dust]\nprofile = 'exponential'\n"
                         "scale_height = '2 km'\nphase = { mie = 'dust' }\n"
@@ -145,9 +145,9 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
     hold("9 no air: black sky, ground albedo mu_s / pi, once", "closed form, relative", error,
          1e-13);
     // Ozone alone takes light and gives none.
-    const SkyMedium ozone =
-        sky_medium("earth", {"atmosphere.layers.rayleigh.enabled=false",
-                             "atmosphere.layers.mie.enabled=false", "atmosphere.ground_albedo=1"});
+    const SkyMedium ozone = sky_medium(
+        "earth_hillaire", {"atmosphere.layers.rayleigh.enabled=false",
+                           "atmosphere.layers.mie.enabled=false", "atmosphere.ground_albedo=1"});
     PathTracerSettings settings = paths(2000);
     settings.include_seen_ground = false;
     const PathTracedRadiance black = trace(PathTracer(ozone), view_at(0.5, 30, 40, 0), settings);
@@ -156,7 +156,7 @@ TEST(PathTracerHardCase, Case09NoAirAndNoScattering) {
 }
 
 TEST(PathTracerHardCase, Case13SunBelowTheHorizon) {
-    const SkyMedium earth = sky_medium("earth");
+    const SkyMedium earth = sky_medium("earth_hillaire");
     const PathTracer tracer(earth);
     const PathTracedRadiance night = trace(tracer, view_at(0, 140, 30, 0), paths(2000));
     hold("13 midnight, paths", "exactly 0",
@@ -169,7 +169,7 @@ TEST(PathTracerHardCase, Case13SunBelowTheHorizon) {
 }
 
 TEST(PathTracerHardCase, Case15CameraAtGroundAndTop) {
-    const SkyMedium earth = sky_medium("earth");
+    const SkyMedium earth = sky_medium("earth_hillaire");
     const PathTracer tracer(earth);
     PathTracerSettings settings = paths(20000);
     const PathTracedRadiance at = trace(tracer, view_at(0, 50, 150, 30), settings);
@@ -219,7 +219,7 @@ TEST(PathTracerHardCase, Case20DensitiesOfEveryLayerCombination) {
         for (unsigned k = 0; k < 4; ++k) {
             if (chosen & (1U << k)) settings.emplace_back(layers[k]);
         }
-        const SkyMedium medium = sky_medium("earth", settings);
+        const SkyMedium medium = sky_medium("earth_hillaire", settings);
         const AirShells air(medium);
         const Spectrum largest = extinction_at(medium.air, 0);
         for (int i = 0; i < 20000; ++i) {

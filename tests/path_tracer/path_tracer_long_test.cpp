@@ -22,8 +22,8 @@ TEST(PathTracerLong, WhiteFurnaceOfTenMillionPaths) {
 
 // Halved standard errors for four times the paths, on all directions: no single path weighs much.
 TEST(PathTracerLong, ErrorsFallAsTheyShould) {
-    const SkyMedium medium =
-        test::sky_medium("earth", {"atmosphere.ground_albedo=0", "atmosphere.layers.mie.g=0.95"});
+    const SkyMedium medium = test::sky_medium(
+        "earth_hillaire", {"atmosphere.ground_albedo=0", "atmosphere.layers.mie.g=0.95"});
     const auto directions = sky_truth_directions(0.5);
     const auto few = trace_sky_truth(medium, directions, {1, 20000}, 0);
     const auto many = trace_sky_truth(medium, directions, {2, 80000}, 0);

@@ -98,7 +98,7 @@ TEST(PathTracer, AbsorptionDarkensTheFurnace) {
     double before = 1;
     for (const char* albedo : {"0.9", "0.5", "0"}) {
         const SkyMedium medium =
-            sky_medium("earth", {std::string("atmosphere.ground_albedo=") + albedo});
+            sky_medium("earth_hillaire", {std::string("atmosphere.ground_albedo=") + albedo});
         const PathTracedRadiance radiance =
             trace_ambient_paths(PathTracer(medium), 0.5, -1, paths(20000), 1);
         EXPECT_LT(radiance.radiance[1] + 4 * radiance.standard_error[1], before) << albedo;
@@ -110,7 +110,7 @@ TEST(PathTracer, AbsorptionDarkensTheFurnace) {
 TEST(PathTracer, FirstOrderIsSingleScattering) {
     test::Agreement agreement;
     std::uint32_t ray = 0;
-    for (const char* preset : {"earth", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
         const SkyMedium medium = sky_medium(preset);
         const PathTracer tracer(medium);
         const SkyIntegrator integrator(medium, nullptr);
@@ -143,7 +143,7 @@ TEST(PathTracer, FirstOrderIsSingleScattering) {
 }
 
 TEST(PathTracer, OrdersAddUp) {
-    const SkyMedium medium = sky_medium("earth");
+    const SkyMedium medium = sky_medium("earth_hillaire");
     const PathTracedRadiance radiance =
         trace(PathTracer(medium), view_at(0.5, 60, 75, 90), paths(5000));
     for (std::size_t c = 0; c < 3; ++c) {
@@ -185,7 +185,7 @@ TEST(PathTracer, ChannelsDoNotDisturbEachOther) {
 }
 
 TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
-    const SkyMedium medium = sky_medium("earth");
+    const SkyMedium medium = sky_medium("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0, 80, 60, 20);
     const PathTracerSettings settings = paths(5000);
@@ -203,7 +203,7 @@ TEST(PathTracer, SameBitsForAnyNumberOfThreads) {
 // The standard error says how far runs scatter: 64 of them, of which chi-square has 63 degrees of
 // freedom.
 TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
-    const SkyMedium medium = sky_medium("earth");
+    const SkyMedium medium = sky_medium("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0.5, 30, 30, 90);
     const PathTracedRadiance best = trace(tracer, view, paths(64000, 1000));
@@ -218,7 +218,7 @@ TEST(PathTracer, StandardErrorIsTheScatterOfRuns) {
 }
 
 TEST(PathTracer, SmallDiscIsAPointAndSpreadsOnlyItsLight) {
-    const SkyMedium medium = sky_medium("earth");
+    const SkyMedium medium = sky_medium("earth_hillaire");
     const PathTracer tracer(medium);
     const test::View view = view_at(0.5, 60, 30, 0);
     PathTracerSettings settings = paths(40000);
@@ -267,8 +267,9 @@ test::Agreement agreement_with(const std::string& name, const SkyMedium& medium,
 }
 
 TEST(PathTracer, AgreesWithTheTruthOfEarth) {
-    const test::Agreement agreement = agreement_with(
-        "truth_sky_setH0_h0.5.csv", sky_medium("earth", {"atmosphere.ground_albedo=0"}), 10000);
+    const test::Agreement agreement =
+        agreement_with("truth_sky_setH0_h0.5.csv",
+                       sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"}), 10000);
     EXPECT_EQ(agreement.count, 534);
     // 178 directions of three correlated rows: the mean has a standard deviation below 0.11.
     EXPECT_LT(agreement.mean(), 1.3);
@@ -279,10 +280,10 @@ TEST(PathTracer, AgreesWithTheTruthOfEarth) {
 // Ten times Earth's Mie layer alone, without absorption, Cornette-Shanks with g = 0.
 TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
     const SkyMedium haze = sky_medium(
-        "earth", {"atmosphere.ground_albedo=0", "atmosphere.layers.ozone.enabled=false",
-                  "atmosphere.layers.rayleigh.enabled=false", "atmosphere.layers.mie.g=0",
-                  "atmosphere.layers.mie.scattering=\"3.996e-5 /m\"",
-                  "atmosphere.layers.mie.extinction=\"3.996e-5 /m\""});
+        "earth_hillaire", {"atmosphere.ground_albedo=0", "atmosphere.layers.ozone.enabled=false",
+                           "atmosphere.layers.rayleigh.enabled=false", "atmosphere.layers.mie.g=0",
+                           "atmosphere.layers.mie.scattering=\"3.996e-5 /m\"",
+                           "atmosphere.layers.mie.extinction=\"3.996e-5 /m\""});
     const test::Agreement agreement = agreement_with("truth_sky_Mie0_h0.5.csv", haze, 20000);
     EXPECT_GT(agreement.count, 70);
     EXPECT_LT(agreement.mean(), 1.5);
@@ -292,7 +293,7 @@ TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
 
 // Psi of all orders. Deeper in twilight too few paths reach the light for a standard error.
 TEST(PathTracer, MeanRadianceAgreesWithTheTruth) {
-    const SkyMedium medium = sky_medium("earth", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
     const PathTracer tracer(medium);
     std::ifstream file(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv");
     ASSERT_TRUE(file);

@@ -35,7 +35,7 @@ TEST(SkyTruth, DirectionsAreThoseOfTheStoredTruth) {
 }
 
 TEST(SkyTruth, TextKeepsEveryBit) {
-    const SkyMedium medium = test::sky_medium("earth");
+    const SkyMedium medium = test::sky_medium("earth_hillaire");
     const std::vector<SkyTruthDirection> directions = {{0.5, 30, 60, 90}, {0, 96, 89.5, 180}};
     const std::vector<SkyTruth> values = trace_sky_truth(medium, directions, {3, 300}, 1);
     ASSERT_EQ(values.size(), 6U);

@@ -26,7 +26,8 @@ constexpr PhaseSpacing kSpacings[] = {PhaseSpacing::angle, PhaseSpacing::cosine,
                                       PhaseSpacing::peaks};
 
 const std::string kParticles =
-    "preset = 'earth'\n[particles.fog]\npreset = 'fog'\n[particles.haze]\npreset = 'haze'\n"
+    "preset = 'earth_hillaire'\n[particles.fog]\npreset = 'fog'\n[particles.haze]\npreset = "
+    "'haze'\n"
     "[bake.phase]\n";
 
 Baked bake(const std::string& keys, int threads = 0) {

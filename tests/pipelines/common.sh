@@ -14,7 +14,7 @@ fail() {
 
 # Tables, volumes, a cloud and its grid, every format; each depends on what `changes` changes.
 cat >sky.toml <<'TOML'
-preset = "earth"
+preset = "earth_hillaire"
 
 [bake.transmittance]
 size = [32, 8]

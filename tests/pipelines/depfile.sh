@@ -22,7 +22,7 @@ for name in plain 'with space' 'number#sign' 'dol$lar' 'co:lon' 'back\slash' 'bo
     cp map.png "$name/$name.png"
     printf '[atmosphere]\nground_albedo = 0.1\n' >"$name/$name.inc"
     cat >"$name/$name.toml" <<TOML
-preset = "earth"
+preset = "earth_hillaire"
 include = ['$name.inc']
 [bake.transmittance]
 size = [16, 8]

@@ -77,14 +77,14 @@ TEST(ClosureSky, SingleScatteringAgreesWithAdaptiveQuadrature) {
         double altitude_km, sun, zenith, azimuth;
     };
     const Case cases[] = {
-        {"earth", 0.2, 60, 0, 0},        {"earth", 0.2, 10, 80, 0},
-        {"earth", 0, 3, 89.5, 10},       {"earth", 0.2, 0, 90, 90},
-        {"earth", 0.2, -4, 85, 0},       {"earth", 0.2, -4, 60, 180},
-        {"earth", 0.2, -8, 88, 20},      {"earth", 5, 30, 130, 40},
-        {"earth", 100, 20, 97, 0},       {"earth", 100, -5, 95, 30},
-        {"mars", 0.2, 2, 70, 120},       {"mars", 0.2, -3, 89, 0},
-        {"tiny_planet", 0.2, 5, 85, 0},  {"tiny_planet", 3, -20, 90, 0},
-        {"dense_earth", 0.2, 50, 60, 0}, {"dense_earth", 0.2, 2, 88, 90},
+        {"earth_hillaire", 0.2, 60, 0, 0},   {"earth_hillaire", 0.2, 10, 80, 0},
+        {"earth_hillaire", 0, 3, 89.5, 10},  {"earth_hillaire", 0.2, 0, 90, 90},
+        {"earth_hillaire", 0.2, -4, 85, 0},  {"earth_hillaire", 0.2, -4, 60, 180},
+        {"earth_hillaire", 0.2, -8, 88, 20}, {"earth_hillaire", 5, 30, 130, 40},
+        {"earth_hillaire", 100, 20, 97, 0},  {"earth_hillaire", 100, -5, 95, 30},
+        {"mars", 0.2, 2, 70, 120},           {"mars", 0.2, -3, 89, 0},
+        {"tiny_planet", 0.2, 5, 85, 0},      {"tiny_planet", 3, -20, 90, 0},
+        {"dense_earth", 0.2, 50, 60, 0},     {"dense_earth", 0.2, 2, 88, 90},
     };
     for (const Case& at : cases) {
         const SkyMedium medium = preset_sky_medium(at.preset);
@@ -104,7 +104,7 @@ TEST(ClosureSky, SingleScatteringAgreesWithAdaptiveQuadrature) {
 // from the zenith to 6 degrees below the horizon. Single scattering is the same; of the whole sky
 // the closure's own error is left, known to be 2.9 % RMS and 2.5 % in the median.
 TEST(ClosureSky, AgreesWithPathTracingAsFarAsItsClosureDoes) {
-    const SkyMedium medium = preset_sky_medium("earth", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = preset_sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
     std::ifstream file(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
     ASSERT_TRUE(file);
     std::string line;
@@ -141,7 +141,7 @@ TEST(ClosureSky, AgreesWithPathTracingAsFarAsItsClosureDoes) {
 
 // The grid's cubics against the kernel itself, by a grid that is much finer.
 TEST(ClosureSky, MultipleScatteringGridIsConverged) {
-    const Medium medium = test::preset_medium("earth");
+    const Medium medium = test::preset_medium("earth_hillaire");
     const double first = 1.45;
     const double last = 1.75;
     const test::MultipleScatteringGrid coarse(medium, first, last, {64, 48}, 1);

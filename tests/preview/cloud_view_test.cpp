@@ -370,7 +370,7 @@ TEST(SunLeaps, SeeFartherThanTheNearestCell) {
 }
 
 TEST(CloudView, ShowsSkyWhereThereIsNoCloud) {
-    static const test::Sky sky = test::sky_of("earth");
+    static const test::Sky sky = test::sky_of("earth_hillaire");
     const std::array<int, 3> size = {16, 16, 4};
     const CloudMedium empty =
         medium_of(cloud_of({1000, 1000, 500}, 800), size, std::vector<float>(1024));

@@ -10,7 +10,8 @@ namespace skybake {
 namespace {
 
 PreviewAsset bake_one(const std::string& section) {
-    const config::Recipe recipe = test::recipe_of("preset = 'earth'\n[bake.a]\n" + section);
+    const config::Recipe recipe =
+        test::recipe_of("preset = 'earth_hillaire'\n[bake.a]\n" + section);
     auto baked =
         bake_asset(recipe, recipe.parameters.bakes.at(0), {.certification = Certification::off});
     EXPECT_TRUE(baked.value);

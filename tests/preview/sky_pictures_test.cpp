@@ -10,7 +10,7 @@ namespace skybake {
 namespace {
 
 const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth");
+    static const test::Sky sky = test::sky_of("earth_hillaire");
     return sky;
 }
 
@@ -68,7 +68,7 @@ TEST(SkyPictures, EndTheDifferencesScaleAtAHundredPercent) {
     options.panorama_pixels = 0;
     EXPECT_EQ(pictures_of(earth(), options).front().caption.find("clipped at +-100 %"),
               std::string::npos);
-    test::Sky wrong = test::sky_of("earth");
+    test::Sky wrong = test::sky_of("earth_hillaire");
     for (float& value : wrong.multiple_scattering.table.texels) value *= 1000;
     EXPECT_NE(pictures_of(wrong, options).front().caption.find("clipped at +-100 %"),
               std::string::npos);

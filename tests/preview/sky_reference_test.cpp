@@ -56,7 +56,7 @@ TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
 
 // The march that counts as exact: with half the steps it is the same within what its comment says.
 TEST(SkyReference, ItsExactMarchIsConverged) {
-    const test::Sky earth = test::sky_of("earth");
+    const test::Sky earth = test::sky_of("earth_hillaire");
     for (const double sun : {60.0, -4.0}) {
         const SkyView view = test::dome(16, 0.2, sun);
         const auto marched = [&](int steps) {
@@ -71,7 +71,7 @@ TEST(SkyReference, ItsExactMarchIsConverged) {
 // from the zenith to 6 degrees below the horizon: of another method and another author.
 TEST(SkyReference, AgreesWithPathTracing) {
     const config::Atmosphere atmosphere =
-        test::recipe_of("preset = \"earth\"\n", {"atmosphere.ground_albedo=0"})
+        test::recipe_of("preset = \"earth_hillaire\"\n", {"atmosphere.ground_albedo=0"})
             .parameters.atmosphere;
     const SkyLight light = solved(atmosphere);
     std::ifstream file(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");

@@ -17,7 +17,7 @@ namespace skybake {
 namespace {
 
 const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth");
+    static const test::Sky sky = test::sky_of("earth_hillaire");
     return sky;
 }
 
@@ -61,7 +61,7 @@ double largest(const Image2<float>& image) {
 
 TEST(SkyView, HasTheSameBitsOnEveryTargetAsItsSpecification) {
     for (const test::Sky& sky :
-         {test::sky_of("earth"), peculiar_sky(), test::sky_of("earth_clear_mountain")}) {
+         {test::sky_of("earth_hillaire"), peculiar_sky(), test::sky_of("earth_clear_mountain")}) {
         for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
             const Image2<float> wanted = render_sky_scalar(sky.medium, sky.tables, view, 1);
             EXPECT_GT(largest(wanted), 0);
@@ -139,9 +139,10 @@ TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
 
 // Larger tables leave less of the difference to direct integration, down to what marching costs.
 TEST(SkyView, ApproachesDirectIntegrationAsTablesGrow) {
-    const test::Sky small = test::sky_of(
-        "earth", {"bake.transmittance.size=[64,16]", "bake.multiple_scattering.size=[16,8]"});
-    const test::Sky large = test::sky_of("earth", test::large_tables());
+    const test::Sky small =
+        test::sky_of("earth_hillaire",
+                     {"bake.transmittance.size=[64,16]", "bake.multiple_scattering.size=[16,8]"});
+    const test::Sky large = test::sky_of("earth_hillaire", test::large_tables());
     for (const double sun : {10.0, -4.0}) {
         const SkyView view = test::dome(24, 0.2, sun);
         const Image2<float> direct = test::render_closure_sky(earth().medium, view, 1);
@@ -169,10 +170,10 @@ TEST(SkyView, IsNearDirectIntegrationOnOtherPlanets) {
         double rms;
     };
     std::map<std::string, test::Sky> skies;
-    for (const Case& at :
-         {Case{"earth", 100, 20, 0.01}, Case{"earth", 0, 3, 0.01}, Case{"mars", 0.2, 15, 0.01},
-          Case{"mars", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
-          Case{"dense_earth", 0.2, 40, 0.3}, Case{"vacuum", 0.2, 40, 1e-4}}) {
+    for (const Case& at : {Case{"earth_hillaire", 100, 20, 0.01},
+                           Case{"earth_hillaire", 0, 3, 0.01}, Case{"mars", 0.2, 15, 0.01},
+                           Case{"mars", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
+                           Case{"dense_earth", 0.2, 40, 0.3}, Case{"vacuum", 0.2, 40, 1e-4}}) {
         if (!skies.contains(at.preset)) {
             std::vector<std::string> settings = test::large_tables();
             if (std::string(at.preset) == "dense_earth") {
@@ -200,7 +201,7 @@ TEST(SkyView, OfAVacuumIsBlackOverLambertsGround) {
 
 TEST(SkyView, DoesNotChangeWithTheContentOfTheTransmittanceTable) {
     const test::Sky depths =
-        test::sky_of("earth", {"bake.transmittance.content=\"optical_depth\""});
+        test::sky_of("earth_hillaire", {"bake.transmittance.content=\"optical_depth\""});
     const SkyView view = test::dome(24, 0.2, 10);
     const Image2<float> wanted = render_sky(earth().medium, earth().tables, view, 1);
     const Image2<float> picture = render_sky(depths.medium, depths.tables, view, 1);
@@ -235,8 +236,8 @@ TEST(SkyTables, LookupsReturnTheProbes) {
     for (const char* mapping : {"bruneton", "ue"}) {
         for (const char* content : {"transmittance", "optical_depth"}) {
             const test::Sky sky = test::sky_of(
-                "earth", {std::string("bake.transmittance.mapping=\"") + mapping + "\"",
-                          std::string("bake.transmittance.content=\"") + content + "\""});
+                "earth_hillaire", {std::string("bake.transmittance.mapping=\"") + mapping + "\"",
+                                   std::string("bake.transmittance.content=\"") + content + "\""});
             const Shell shell = shell_of(sky.medium.air);
             ASSERT_FALSE(sky.transmittance.entry.levels[0].probes.empty());
             for (const Probe& probe : sky.transmittance.entry.levels[0].probes) {

@@ -39,7 +39,7 @@ std::vector<PreviewAsset> bake_tables(const std::string& preset) {
     return assets;
 }
 
-const std::vector<std::string> presets = {"earth", "tiny_planet", "vacuum"};
+const std::vector<std::string> presets = {"earth_hillaire", "tiny_planet", "vacuum"};
 
 const std::vector<PreviewAsset>& tables_of(const std::string& preset) {
     static std::map<std::string, std::vector<PreviewAsset>> baked;
@@ -66,7 +66,7 @@ TEST(TableGeometry, AgreesWithTheProbes) {
 }
 
 TEST(TableGeometry, InvertsItself) {
-    const std::vector<PreviewAsset>& assets = tables_of("earth");
+    const std::vector<PreviewAsset>& assets = tables_of("earth_hillaire");
     ASSERT_EQ(assets.size(), 4U);
     EXPECT_TRUE(rc::check([&] {
         const auto geometry = TableGeometry::of((*rc::gen::elementOf(assets)).entry);
@@ -82,7 +82,7 @@ TEST(TableGeometry, InvertsItself) {
 }
 
 TEST(TableGeometry, StaysMonotonicBeyondItsEndPoints) {
-    for (const PreviewAsset& asset : tables_of("earth")) {
+    for (const PreviewAsset& asset : tables_of("earth_hillaire")) {
         const auto geometry = TableGeometry::of(asset.entry);
         for (int i = 0; i < 100; ++i) {
             const double t = i / 100.0;
@@ -113,7 +113,7 @@ TEST(TablePictures, ShowEachTableWithItsChannels) {
 
 // Rays that hit the ground have no texel: grey, right of a horizon that dips with altitude.
 TEST(TablePictures, AreGreyBelowTheHorizon) {
-    const std::vector<PreviewAsset>& assets = tables_of("earth");
+    const std::vector<PreviewAsset>& assets = tables_of("earth_hillaire");
     const Picture view = table_pictures(assets[0])[0].picture;
     const auto grey_in_row = [&](int y) {
         int count = 0;
@@ -130,7 +130,7 @@ TEST(TablePictures, AreGreyBelowTheHorizon) {
 }
 
 TEST(TablePictures, OfUnknownParametersAreTheTexelsAlone) {
-    PreviewAsset asset = tables_of("earth")[0];
+    PreviewAsset asset = tables_of("earth_hillaire")[0];
     asset.entry.parameters = "[from.the.future]\nx = 1\n";
     const std::vector<PreviewPicture> pictures = table_pictures(asset);
     ASSERT_EQ(pictures.size(), 1U);
@@ -138,7 +138,7 @@ TEST(TablePictures, OfUnknownParametersAreTheTexelsAlone) {
 }
 
 TEST(TablePictures, OfOtherAssetsAreNone) {
-    PreviewAsset asset = tables_of("earth")[0];
+    PreviewAsset asset = tables_of("earth_hillaire")[0];
     asset.entry.kind = "from the future";
     EXPECT_TRUE(asset_pictures(asset).empty());
     asset.table = Image2<float>();

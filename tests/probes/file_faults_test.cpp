@@ -225,7 +225,7 @@ void expect_told(const std::string& recipe) {
 
 TEST(FileFaults, AreToldInTablesOfTheSky) {
     expect_told(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 size = [64, 16]
 [bake.transmittance_ue]
@@ -271,7 +271,7 @@ formats = ["bin"]
 
 TEST(FileFaults, AreToldInSolvedTables) {
     expect_told(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.twilight]
 asset = "multiple_scattering"
 method = "solved"
@@ -289,7 +289,7 @@ size = [16, 16]
 
 TEST(FileFaults, AreToldInBrunetonsTables) {
     expect_told(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.b_transmittance]
 asset = "bruneton"
 table = "transmittance"
@@ -320,7 +320,7 @@ mips = 2
 
 TEST(FileFaults, AreToldInColumns) {
     expect_told(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [atmosphere.layers.fog]
 preset = "fog"
 [bake.to_top]
@@ -414,7 +414,7 @@ formats = ["bin"]
 TEST(FileFaults, ThatChangeNothingAreNotSaidToBeTold) {
     const TemporaryFolder folder;
     bake(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.aerial_perspective]
 orders = "single"
 size = [12, 12, 12]
@@ -504,7 +504,7 @@ pixel_type = "float"
 // Probes that would pass anything are no proof, and verify says so.
 TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
     const TemporaryFolder folder;
-    bake("preset = \"earth\"\n[bake.transmittance]\nsize = [32, 16]\n", folder.path());
+    bake("preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 16]\n", folder.path());
     Manifest manifest = *read_manifest(folder.path()).value;
     ASSERT_TRUE(failed_checks(folder.path()).empty());
     for (Probe& probe : manifest.assets[0].levels[0].probes) {

@@ -40,7 +40,7 @@ double degrees_above_horizon(const std::vector<std::pair<std::string, double>>& 
 
 TEST(ProbesOffTheHorizon, OfTables) {
     const Manifest manifest = manifest_of(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 size = [64, 16]
 [bake.sky_view]
@@ -77,7 +77,7 @@ sun_elevations = ["20 deg"]
 
 TEST(ProbesOffTheHorizon, OfVolumes) {
     const Manifest manifest = manifest_of(R"(
-preset = "earth"
+preset = "earth_hillaire"
 [bake.transmittance]
 asset = "bruneton"
 table = "transmittance"

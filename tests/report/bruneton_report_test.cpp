@@ -13,8 +13,8 @@ namespace skybake {
 namespace {
 
 config::Recipe recipe_of(const std::string& table) {
-    return *config::parse_recipe("preset = \"earth\"\n[bake.b]\nasset = \"bruneton\"\n" + table,
-                                 "recipe")
+    return *config::parse_recipe(
+                "preset = \"earth_hillaire\"\n[bake.b]\nasset = \"bruneton\"\n" + table, "recipe")
                 .value;
 }
 

@@ -9,7 +9,7 @@ import tempfile
 import xml.etree.ElementTree
 
 RECIPE = """
-preset = "earth"
+preset = "earth_hillaire"
 [bake.air]
 asset = "transmittance"
 size = [16, 8]

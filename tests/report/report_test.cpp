@@ -13,7 +13,7 @@ namespace skybake {
 namespace {
 
 config::Recipe recipe_of(const std::string& bakes) {
-    auto recipe = config::parse_recipe("preset = \"earth\"\n" + bakes, "recipe");
+    auto recipe = config::parse_recipe("preset = \"earth_hillaire\"\n" + bakes, "recipe");
     EXPECT_TRUE(recipe.value);
     return recipe.value.value_or(config::Recipe{});
 }

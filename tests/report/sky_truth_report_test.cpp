@@ -92,7 +92,7 @@ TEST(SkyTruthReport, DomeSharesAreSolidAngles) {
 }
 
 TEST(SkyTruthReport, AFactorIsTheErrorEverywhere) {
-    const SkyMedium medium = medium_of("earth");
+    const SkyMedium medium = medium_of("earth_hillaire");
     const auto truth = single_scattering_truth(medium, 1.25);
     const SkyErrorReport report = measure_sky_errors(medium, single_alone(), truth, 1, 2);
     ASSERT_EQ(report.rows.size(), 1u);
@@ -109,7 +109,7 @@ TEST(SkyTruthReport, AFactorIsTheErrorEverywhere) {
 }
 
 TEST(SkyTruthReport, TheOrderOfTheTruthDoesNotMatter) {
-    const SkyMedium medium = medium_of("earth");
+    const SkyMedium medium = medium_of("earth_hillaire");
     const auto truth = single_scattering_truth(medium, 1.1);
     std::vector<SkyTruth> by_channel;
     for (int c = 0; c < 3; ++c) {
@@ -141,7 +141,7 @@ TEST(SkyTruthReport, MomentsAreRightOnEarth) {
     const auto truth = parse_sky_truth_csv(text.str());
     ASSERT_TRUE(truth);
     ASSERT_EQ(truth->size(), 534u);
-    const SkyMedium medium = medium_of("earth", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = medium_of("earth_hillaire", {"atmosphere.ground_albedo=0"});
     std::vector<SkyMethod> methods = sky_methods(medium, true);
     std::erase_if(methods, [](const SkyMethod& method) {
         return method.key != "single" && method.key != "converged_32x32" &&
@@ -171,7 +171,7 @@ TEST(SkyTruthReport, BrunetonsTablesAreRightOnEarth) {
     ASSERT_TRUE(truth);
     std::erase_if(*truth,
                   [](const SkyTruth& value) { return value.direction.sun_zenith_degrees > 85; });
-    const SkyMedium medium = medium_of("earth", {"atmosphere.ground_albedo=0"});
+    const SkyMedium medium = medium_of("earth_hillaire", {"atmosphere.ground_albedo=0"});
     std::vector<SkyMethod> methods = sky_methods(medium, false);
     std::erase_if(methods, [](const SkyMethod& method) {
         return method.key != "bruneton_separate" && method.key != "bruneton_combined";
@@ -196,6 +196,18 @@ TEST(SkyTruthReport, BrunetonsTablesAreRightOnEarth) {
     EXPECT_LT(report.rows[0].error.median, report.rows[1].error.median);
 }
 
+TEST(SkyTruthReport, BrunetonsTablesHoldNoFourWavelengths) {
+    const auto has_bruneton = [](const char* preset) {
+        const SkyMedium medium = medium_of(preset);
+        const std::vector<SkyMethod> methods = sky_methods(medium, false);
+        return std::any_of(methods.begin(), methods.end(), [](const SkyMethod& method) {
+            return method.key.starts_with("bruneton");
+        });
+    };
+    EXPECT_TRUE(has_bruneton("earth_hillaire"));
+    EXPECT_FALSE(has_bruneton("earth"));
+}
+
 TEST(SkyTruthReport, AnInterruptedTimingHasNoResult) {
     Interrupted progress;
     std::vector<SkyMethod> methods = {{"none", "none", "none", "", [] {
@@ -206,7 +218,7 @@ TEST(SkyTruthReport, AnInterruptedTimingHasNoResult) {
 }
 
 TEST(SkyTruthReport, FilesHoldWhatWasMeasured) {
-    const SkyMedium medium = medium_of("earth");
+    const SkyMedium medium = medium_of("earth_hillaire");
     auto methods = single_alone();
     methods.push_back({});
     methods[1].method = {"grey", "constants", "grey, <of> \"all\"", "of old", [&medium] {
@@ -245,7 +257,7 @@ TEST(SkyTruthReport, FilesHoldWhatWasMeasured) {
 }
 
 TEST(SkyTruthBudget, TheSameBitsForAnyThreads) {
-    const SkyMedium medium = medium_of("earth");
+    const SkyMedium medium = medium_of("earth_hillaire");
     const auto one = trace_sky_truth_within(medium, few_directions(), 3000, 1, nullptr);
     const auto three = trace_sky_truth_within(medium, few_directions(), 3000, 3, nullptr);
     ASSERT_TRUE(one && three);
@@ -253,7 +265,7 @@ TEST(SkyTruthBudget, TheSameBitsForAnyThreads) {
 }
 
 TEST(SkyTruthBudget, SpendsWhereItCounts) {
-    const SkyMedium medium = medium_of("earth");
+    const SkyMedium medium = medium_of("earth_hillaire");
     constexpr std::int64_t kPaths = 16384;
     const auto shared = trace_sky_truth_within(medium, few_directions(), kPaths, 0, nullptr);
     const auto even = trace_sky_truth(medium, few_directions(), {1, kPaths}, 0);
@@ -272,13 +284,13 @@ TEST(SkyTruthBudget, SpendsWhereItCounts) {
 
 TEST(SkyTruthBudget, StopsWhenInterrupted) {
     Interrupted progress;
-    EXPECT_FALSE(
-        trace_sky_truth_within(medium_of("earth"), few_directions(), 1 << 30, 1, &progress));
+    EXPECT_FALSE(trace_sky_truth_within(medium_of("earth_hillaire"), few_directions(), 1 << 30, 1,
+                                        &progress));
 }
 
 TEST(SkyTruthStore, KeepsEveryBitAndRefusesDamage) {
     const auto truth =
-        *trace_sky_truth_within(medium_of("earth"), {few_directions()[1]}, 64, 1, nullptr);
+        *trace_sky_truth_within(medium_of("earth_hillaire"), {few_directions()[1]}, 64, 1, nullptr);
     const std::string key(32, 'a');
     const std::string text = stored_sky_truth(truth, key);
     EXPECT_TRUE(is_stored_sky_truth(text));
@@ -299,23 +311,26 @@ TEST(SkyTruthStore, KeepsEveryBitAndRefusesDamage) {
 
 TEST(SkyTruthStore, TheKeyIsOfTheAir) {
     const auto directions = few_directions();
-    const std::string key = sky_truth_key(recipe("earth"), directions, 64);
-    EXPECT_EQ(sky_truth_key(recipe("earth", {"atmosphere.ground_albedo=0.3",
-                                             "bake.transmittance.size=[8, 8]"}),
+    const std::string key = sky_truth_key(recipe("earth_hillaire"), directions, 64);
+    EXPECT_EQ(sky_truth_key(recipe("earth_hillaire", {"atmosphere.ground_albedo=0.3",
+                                                      "bake.transmittance.size=[8, 8]"}),
                             directions, 64),
               key);
-    EXPECT_NE(sky_truth_key(recipe("earth", {"atmosphere.ground_albedo=0.2"}), directions, 64),
-              key);
-    EXPECT_NE(sky_truth_key(recipe("earth", {"atmosphere.layers.mie.g=0.7"}), directions, 64), key);
-    EXPECT_NE(sky_truth_key(recipe("earth"), directions, 65), key);
-    EXPECT_NE(sky_truth_key(recipe("earth"), {directions[0]}, 64), key);
+    EXPECT_NE(
+        sky_truth_key(recipe("earth_hillaire", {"atmosphere.ground_albedo=0.2"}), directions, 64),
+        key);
+    EXPECT_NE(
+        sky_truth_key(recipe("earth_hillaire", {"atmosphere.layers.mie.g=0.7"}), directions, 64),
+        key);
+    EXPECT_NE(sky_truth_key(recipe("earth_hillaire"), directions, 65), key);
+    EXPECT_NE(sky_truth_key(recipe("earth_hillaire"), {directions[0]}, 64), key);
 }
 
 // Layers of particles scatter as these do.
 TEST(SkyTruthStore, TheKeyIsOfTheParticles) {
     const auto key_of = [](const std::string& radius) {
         const auto found = config::parse_recipe(
-            "preset = \"earth\"\n[particles.drop]\nmaterial = \"water\"\n"
+            "preset = \"earth_hillaire\"\n[particles.drop]\nmaterial = \"water\"\n"
             "sizes = \"monodisperse\"\nradius = \"" +
                 radius +
                 "\"\n[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"

@@ -20,7 +20,7 @@ Medium medium_of(const std::string& text) {
 // One exponential layer: no kinks, which would hide the order.
 Medium smooth_medium() {
     return medium_of(
-        "preset = \"earth\"\n"
+        "preset = \"earth_hillaire\"\n"
         "[atmosphere.layers.mie]\nenabled = false\n"
         "[atmosphere.layers.ozone]\nenabled = false\n");
 }
@@ -56,7 +56,7 @@ TEST(TransmittanceAsInPaper, TrapezoidRuleIsOfSecondOrder) {
 }
 
 TEST(TransmittanceAsInPaper, AllRulesConvergeToTheKernel) {
-    const Medium medium = medium_of("preset = \"earth\"\n");
+    const Medium medium = medium_of("preset = \"earth_hillaire\"\n");
     for (const double zenith : {0.0, 75.0, 90.0}) {
         EXPECT_NEAR(relative_error(medium, zenith, 200000, StepRule::end_point), 0, 1e-3);
         EXPECT_NEAR(relative_error(medium, zenith, 20000, StepRule::midpoint), 0, 1e-6);
@@ -66,7 +66,7 @@ TEST(TransmittanceAsInPaper, AllRulesConvergeToTheKernel) {
 
 // The failing that everyone copied: at 85 degrees blue light comes through about 30 % too bright.
 TEST(TransmittanceAsInPaper, EndPointsLetTooMuchLightThrough) {
-    const Medium medium = medium_of("preset = \"earth\"\n");
+    const Medium medium = medium_of("preset = \"earth_hillaire\"\n");
     const double s = s_of(medium, 85);
     const double exact = std::exp(-optical_depth_to_top(medium, 0, s)[2]);
     const auto transmittance = [&](int steps, StepRule rule) {
@@ -87,7 +87,7 @@ TEST(TransmittanceAsInPaper, AnEmptyMediumHasNoDepth) {
 
 // At the top, straight up, the ray has no length.
 TEST(TransmittanceAsInPaper, ARayWithoutLengthHasNoDepth) {
-    const Medium medium = medium_of("preset = \"earth\"\n");
+    const Medium medium = medium_of("preset = \"earth_hillaire\"\n");
     const double top = medium.thickness_km;
     for (const StepRule rule : {StepRule::end_point, StepRule::midpoint, StepRule::trapezoid}) {
         EXPECT_EQ(optical_depth_by_steps(medium, top, medium.top_radius_km(), 1, rule), Spectrum{});

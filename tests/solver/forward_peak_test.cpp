@@ -16,7 +16,7 @@ namespace {
 
 config::Atmosphere foggy_atmosphere() {
     return test::recipe_of(
-               "preset = 'earth'\n[particles.drops]\npreset = 'fog'\n"
+               "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
                "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
                "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n")
         .parameters.atmosphere;

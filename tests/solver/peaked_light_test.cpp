@@ -23,14 +23,14 @@ namespace {
 const std::string kMie = "atmosphere.layers.mie.";
 
 config::Atmosphere haze(double g, const std::string& scattering, const std::string& extinction) {
-    return test::preset_atmosphere(
-        "earth", {kMie + "scattering=\"" + scattering + "\"",
-                  kMie + "extinction=\"" + extinction + "\"", kMie + "g=" + std::to_string(g)});
+    return test::preset_atmosphere("earth_hillaire", {kMie + "scattering=\"" + scattering + "\"",
+                                                      kMie + "extinction=\"" + extinction + "\"",
+                                                      kMie + "g=" + std::to_string(g)});
 }
 
 config::Atmosphere ground_fog() {
     return test::preset_atmosphere(
-        "earth",
+        "earth_hillaire",
         {kMie + "scattering=\"3 /km\"", kMie + "extinction=\"3 /km\"",
          kMie + "phase=\"henyey_greenstein\"", kMie + "scale_height=\"0.1 km\"", kMie + "g=0.85"});
 }
@@ -104,7 +104,7 @@ TEST(PeakedLight, DegreeIsChosenByTheMedium) {
     const auto degree = [](const config::Atmosphere& atmosphere) {
         return sky_degree(make_sky_medium(atmosphere));
     };
-    EXPECT_EQ(degree(test::preset_atmosphere("earth")), 8);
+    EXPECT_EQ(degree(test::preset_atmosphere("earth_hillaire")), 8);
     EXPECT_EQ(degree(test::preset_atmosphere("vacuum")), 8);
     EXPECT_EQ(degree(haze(0.8, "0.03 /km", "0.033 /km")), 16);
     EXPECT_EQ(degree(haze(-0.9, "0.1 /km", "0.104 /km")), 32);

@@ -24,7 +24,7 @@ SkyMedium preset(const std::string& name, const std::vector<std::string>& settin
 }
 
 SkyMedium rayleigh_times(double factor, const std::vector<std::string>& settings = {}) {
-    config::Atmosphere atmosphere = test::preset_atmosphere("earth", settings);
+    config::Atmosphere atmosphere = test::preset_atmosphere("earth_hillaire", settings);
     for (config::Layer& layer : atmosphere.layers) {
         if (layer.name != "rayleigh") continue;
         for (config::InverseLength& value : layer.scattering) value.per_meter *= factor;
@@ -81,7 +81,8 @@ TEST(ScatteringHardCase, Case07NothingAbsorbs) {
 
 TEST(ScatteringHardCase, Case08Peaks) {
     for (const char* g : {"0.999", "0.95", "0", "-0.9"}) {
-        const SkyMedium medium = preset("earth", {std::string("atmosphere.layers.mie.g=") + g});
+        const SkyMedium medium =
+            preset("earth_hillaire", {std::string("atmosphere.layers.mie.g=") + g});
         hold_energy(std::string("8 Cornette-Shanks g = ") + g, medium,
                     g == std::string("0.999") ? 3e-2 : 1e-2);
     }
@@ -92,7 +93,7 @@ TEST(ScatteringHardCase, Case08Spheres) {
         const std::string particles = std::string("[particles.drops]\npreset = '") + kind + "'\n";
         const std::string number = kind == std::string("haze") ? "5e4 /cm3" : "2 /cm3";
         const SkyMedium medium =
-            make_sky_medium(test::recipe_of("preset = 'earth'\n" + particles +
+            make_sky_medium(test::recipe_of("preset = 'earth_hillaire'\n" + particles +
                                             "[atmosphere.layers.drops]\nprofile = 'exponential'\n"
                                             "scale_height = '1 km'\nphase = { mie = 'drops' }\n"
                                             "number_density = '" +
@@ -106,11 +107,12 @@ TEST(ScatteringHardCase, Case09And10NothingAndThinLayers) {
     const SkyMedium nothing = preset("vacuum");
     hold("9 no layers at all", "finite and not negative (count)",
          count_bad(solve_light(nothing, {}, 0)), 0);
-    const SkyMedium fog = preset("earth", {"atmosphere.layers.fog.profile=\"slab\"",
-                                           "atmosphere.layers.fog.bottom_altitude=\"200 m\"",
-                                           "atmosphere.layers.fog.top_altitude=\"201 m\"",
-                                           "atmosphere.layers.fog.scattering=\"0.3 /m\"",
-                                           "atmosphere.layers.fog.phase=\"isotropic\""});
+    const SkyMedium fog =
+        preset("earth_hillaire", {"atmosphere.layers.fog.profile=\"slab\"",
+                                  "atmosphere.layers.fog.bottom_altitude=\"200 m\"",
+                                  "atmosphere.layers.fog.top_altitude=\"201 m\"",
+                                  "atmosphere.layers.fog.scattering=\"0.3 /m\"",
+                                  "atmosphere.layers.fog.phase=\"isotropic\""});
     hold_energy("10 1 m of fog", fog, 1e-2);
 }
 
@@ -119,8 +121,8 @@ TEST(ScatteringHardCase, Case11And12Planets) {
     // The same air over ever larger planets: the sky no longer changes.
     const auto sky = [](const char* ground, const char* top) {
         const SkyMedium medium =
-            preset("earth", {std::string("atmosphere.ground_radius=\"") + ground + "\"",
-                             std::string("atmosphere.top_radius=\"") + top + "\""});
+            preset("earth_hillaire", {std::string("atmosphere.ground_radius=\"") + ground + "\"",
+                                      std::string("atmosphere.top_radius=\"") + top + "\""});
         return radiance(medium, solve_light(medium, {}, 0), 50, 40, 60);
     };
     const Spectrum large = sky("63600 km", "63700 km");
@@ -131,7 +133,7 @@ TEST(ScatteringHardCase, Case11And12Planets) {
 }
 
 TEST(ScatteringHardCase, Case13SunBelowTheHorizon) {
-    const SkyMedium medium = preset("earth");
+    const SkyMedium medium = preset("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double rises = 0;
     Spectrum last(std::numeric_limits<double>::infinity());
@@ -145,7 +147,7 @@ TEST(ScatteringHardCase, Case13SunBelowTheHorizon) {
 }
 
 TEST(ScatteringHardCase, Case14Azimuths) {
-    const SkyMedium medium = preset("earth");
+    const SkyMedium medium = preset("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double worst = 0;
     for (const double azimuth : {0.0, 33.0, 90.0, 180.0}) {
@@ -169,7 +171,7 @@ TEST(ScatteringHardCase, Case14Azimuths) {
 }
 
 TEST(ScatteringHardCase, Case15CamerasAtTheEnds) {
-    const SkyMedium medium = preset("earth");
+    const SkyMedium medium = preset("earth_hillaire");
     const SolvedLight light = solve_light(medium, {}, 0);
     double worst = 0;
     for (const double sun : {20.0, 89.0, 94.0}) {
@@ -208,7 +210,7 @@ TEST(ScatteringHardCase, Case18And19OrdersAndGround) {
     const double albedos[4] = {0, 0.3, 0.6, 0.9};
     for (int i = 0; i < 4; ++i) {
         const SkyMedium lit =
-            preset("earth", {"atmosphere.ground_albedo=" + std::to_string(albedos[i])});
+            preset("earth_hillaire", {"atmosphere.ground_albedo=" + std::to_string(albedos[i])});
         SolverSettings fine;
         fine.degree = 2;
         fine.tolerance = 1e-6;

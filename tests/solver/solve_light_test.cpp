@@ -47,9 +47,9 @@ RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
 
 TEST(SolvedLight, LosesNoEnergy) {
     for (const std::string name :
-         {"earth", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
+         {"earth_hillaire", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
         // All but one over ground of a colour, whose channels must not take each other's share.
-        const SkyMedium medium = name == "earth"
+        const SkyMedium medium = name == "earth_hillaire"
                                      ? preset(name)
                                      : preset(name, {"atmosphere.ground_albedo=[0.05, 0.9, 0.4]"});
         const EnergyBalance balance = energy_balance(medium, solve_light(medium, {}, 0));
@@ -67,7 +67,7 @@ TEST(SolvedLight, DoesNotDependOnThreads) {
 }
 
 TEST(SolvedLight, LayersMayBeSplit) {
-    config::Atmosphere atmosphere = test::preset_atmosphere("earth");
+    config::Atmosphere atmosphere = test::preset_atmosphere("earth_hillaire");
     const SolvedLight whole = solve_light(make_sky_medium(atmosphere), coarse(), 0);
     std::vector<config::Layer> halves;
     for (config::Layer layer : atmosphere.layers) {
@@ -96,8 +96,8 @@ TEST(SolvedLight, LayersMayBeSplit) {
 // radiance over the cosine of the sun's zenith angle.
 TEST(SolvedLight, IsReciprocalOverFlatGround) {
     config::Atmosphere atmosphere = test::preset_atmosphere(
-        "earth", {"atmosphere.ground_albedo=0.3", "atmosphere.ground_radius=\"636000 km\"",
-                  "atmosphere.top_radius=\"636100 km\""});
+        "earth_hillaire", {"atmosphere.ground_albedo=0.3", "atmosphere.ground_radius=\"636000 km\"",
+                           "atmosphere.top_radius=\"636100 km\""});
     const SkyMedium medium = make_sky_medium(atmosphere);
     SolverSettings settings;
     settings.degree = 6;
@@ -126,7 +126,7 @@ TEST(SolvedLight, IsReciprocalOverFlatGround) {
 // Over ground that is nearly black in red and nearly white in green each channel is the light that
 // it is by itself. The air is the same in all, and so are the grids of both solutions.
 TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
-    config::Atmosphere together = test::preset_atmosphere("earth");
+    config::Atmosphere together = test::preset_atmosphere("earth_hillaire");
     together.ground_albedo = {0.05, 0.9, 0.4};
     config::Atmosphere alone = together;
     for (std::size_t i = 0; i < together.layers.size(); ++i) {
@@ -157,10 +157,10 @@ TEST(SolvedLight, EachChannelIsThatOfItsWavelengthAlone) {
 
 // Air that does next to nothing: the ground's light alone, half of all directions.
 TEST(SolvedLight, OfThinAirIsTheGrounds) {
-    const SkyMedium medium =
-        preset("earth", {"atmosphere.layers.mie.enabled=false",
-                         "atmosphere.layers.ozone.enabled=false", "atmosphere.ground_albedo=0.5",
-                         "atmosphere.layers.rayleigh.scattering=\"1e-12 /m\""});
+    const SkyMedium medium = preset(
+        "earth_hillaire",
+        {"atmosphere.layers.mie.enabled=false", "atmosphere.layers.ozone.enabled=false",
+         "atmosphere.ground_albedo=0.5", "atmosphere.layers.rayleigh.scattering=\"1e-12 /m\""});
     const SolvedLight light = solve_light(medium, {}, 0);
     for (const double cosine : {0.2, 0.7, 0.98}) {
         EXPECT_NEAR(light.mean_radiance_at(0, cosine)[1], 0.5 * 0.5 * cosine / kPi, 2e-4 * cosine);
@@ -177,9 +177,10 @@ TEST(SolvedLight, OfNothingIsNothing) {
 // The order series and the search for directions end at the same light.
 TEST(SolvedLight, SearchFindsTheSumOfOrders) {
     const SkyMedium medium =
-        preset("earth", {"atmosphere.layers.mie.enabled=false",
-                         "atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
-                         "/m\"]"});
+        preset("earth_hillaire",
+               {"atmosphere.layers.mie.enabled=false",
+                "atmosphere.layers.rayleigh.scattering=[\"2e-5 /m\", \"5e-5 /m\", \"1e-4 "
+                "/m\"]"});
     SolverSettings search = coarse();
     search.tolerance = 1e-6;
     SolverSettings plain = search;

@@ -31,7 +31,8 @@ std::vector<std::vector<double>> rows_of(const std::string& name) {
 }
 
 SkyMedium black_earth() {
-    return make_sky_medium(test::preset_atmosphere("earth", {"atmosphere.ground_albedo=0"}));
+    return make_sky_medium(
+        test::preset_atmosphere("earth_hillaire", {"atmosphere.ground_albedo=0"}));
 }
 
 TEST(SolvedLightTruth, MeanRadiance) {
@@ -110,7 +111,7 @@ TEST(SolvedLightTruth, Sky) {
 // percentiles of 0.9, 0.5 and 0.1 % up to 96 degrees and of 2.6, 1.8 and 0.2 % beyond. Cells as long
 // as by day, with as few directions, leave 2.1, 1.2 and 0.1 %, and 6.5, 4.3 and 0.2 %.
 TEST(SolvedLightTruth, TwilightFromHigh) {
-    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth"));
+    const SkyMedium medium = make_sky_medium(test::preset_atmosphere("earth_hillaire"));
     const auto truth = rows_of("truth_sky_earth_twilight.csv");
     const SolvedLight light = solve_light(medium, {}, 0);
     const SolvedOrders orders(medium, light, light.degree());
@@ -133,8 +134,8 @@ TEST(SolvedLightTruth, TwilightFromHigh) {
 
 // In a shell of 125 scale heights rays in the thin air above the tenth are cut as below it.
 TEST(SolvedLightTruth, RaysOfTallShells) {
-    const SkyMedium medium =
-        make_sky_medium(test::preset_atmosphere("earth", {"atmosphere.top_radius=\"7360 km\""}));
+    const SkyMedium medium = make_sky_medium(
+        test::preset_atmosphere("earth_hillaire", {"atmosphere.top_radius=\"7360 km\""}));
     const SkyIntegrator integrator(medium, nullptr);
     const Shell shell = shell_of(medium.air);
     for (const double altitude_km : {60.0, 85.0, 110.0, 150.0}) {

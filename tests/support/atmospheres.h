@@ -26,8 +26,8 @@ inline Medium preset_medium(const std::string& name,
 }
 
 inline const std::vector<std::string>& preset_list() {
-    static const std::vector<std::string> names = {"earth",       "earth_bruneton", "mars",
-                                                   "dense_earth", "tiny_planet",    "vacuum"};
+    static const std::vector<std::string> names = {"earth_hillaire", "earth_bruneton", "mars",
+                                                   "dense_earth",    "tiny_planet",    "vacuum"};
     return names;
 }
 

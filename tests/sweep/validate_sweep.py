@@ -35,7 +35,7 @@ event_schema = schema_of("events")
 with tempfile.TemporaryDirectory() as folder:
     recipe = f"{folder}/recipe.toml"
     with open(recipe, "w", encoding="utf-8") as file:
-        file.write('preset = "earth"\n[bake.transmittance]\nsize = [16, 4]\n[sweep]\n'
+        file.write('preset = "earth_hillaire"\n[bake.transmittance]\nsize = [16, 4]\n[sweep]\n'
                    '"atmosphere.ground_albedo" = [0.1, 2, [0.1, 0.2, 0.3]]\n'
                    '"bake.transmittance.pixel_type" = ["float", "half"]\n')
     out = f"{folder}/out"

@@ -117,20 +117,26 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
         "                              {}, {});\n",
         sun.thickness_km, sun.axis, tables);
     GlslFunction scattered = moment;
-    moment.value = fmt::format("moment(table, place, {}, float(part))", tables);
+    const bool is_of_4 = stored.channels == 4;
+    const char* const suffix = is_of_4 ? "_of_4" : "";
+    const std::size_t components = is_of_4 ? 4 : 3;
+    moment.value = fmt::format("moment{}(table, place, {}, float(part))", suffix, tables);
     scattered.comment =
         "Returns what a km of a layer with a scattering coefficient of 1/km and the Legendre "
         "moments chi, of degree 0 to 2, scatters into the view ray, in 1/sr.";
     scattered.arguments =
         "sampler2D table, float altitude_km, float sun_cos_zenith, float view_cos_zenith, float "
         "azimuth_cosine, vec3 chi";
-    scattered.value = fmt::format(
-        "scattered_again(table, place, {}, view_cos_zenith, azimuth_cosine, chi)", tables);
+    scattered.value =
+        fmt::format("scattered_again{}(table, place, {}, view_cos_zenith, azimuth_cosine, chi)",
+                    suffix, tables);
     scattered.suffix = "_scattered";
-    AssetLookup lookup = {"moments", {with_channels(stored.channels, 3, std::move(moment))}};
+    AssetLookup lookup = {"moments",
+                          {with_channels(stored.channels, components, std::move(moment))}};
     // Of a higher degree it would leave moments out.
     if (asset.degree == 2) {
-        lookup.functions.push_back(with_channels(stored.channels, 3, std::move(scattered)));
+        lookup.functions.push_back(
+            with_channels(stored.channels, components, std::move(scattered)));
     }
     return lookup;
 }

@@ -50,22 +50,24 @@ AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const Stor
 }
 
 AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
+    const bool is_of_4 = stored.channels == 4;
+    const char* const suffix = is_of_4 ? "_of_4" : "";
     GlslFunction function;
     if (asset.content == config::PhaseContent::inverse_cumulative) {
         function.comment =
             "Returns 1 - cos(angle). For shares that are uniform in [0, 1] the angles are "
             "distributed as the phase function.";
         function.arguments = "sampler2D table, float share";
-        function.value = "sampled_angle(table, share)";
+        function.value = fmt::format("sampled_angle{}(table, share)", suffix);
     } else {
         function.comment =
             "Returns the phase function in 1/sr. The unit vectors point along the view ray and to "
             "the sun.";
         function.arguments = "sampler2D table, vec3 view, vec3 sun";
-        function.value = fmt::format("phase_function(table, phase_by_{}(half_angle(view, sun)))",
-                                     stored.mapping);
+        function.value = fmt::format("phase_function{}(table, phase_by_{}(half_angle(view, sun)))",
+                                     suffix, stored.mapping);
     }
-    return {"phase", {with_channels(stored.channels, 3, std::move(function))}};
+    return {"phase", {with_channels(stored.channels, is_of_4 ? 4 : 3, std::move(function))}};
 }
 
 }  // namespace

@@ -176,8 +176,11 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
         methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
                            [&medium, shape] { return fitted(medium, shape); }});
     }
-    // Quick reports leave out Bruneton's tables, which take longer than all other methods together.
-    const std::vector<bool> bruneton = quick ? std::vector<bool>() : std::vector{false, true};
+    // Quick reports leave out Bruneton's tables, which take longer than all other methods together,
+    // and which hold one or three wavelengths.
+    const bool has_bruneton = !quick && (medium.air.channels == 1 || medium.air.channels == 3);
+    const std::vector<bool> bruneton =
+        has_bruneton ? std::vector{false, true} : std::vector<bool>();
     for (const bool combined : bruneton) {
         const char* kind = combined ? "combined" : "separate";
         methods.push_back({fmt::format("bruneton_{}", kind), "Bruneton's tables", kind, "", nullptr,
