@@ -11,6 +11,7 @@
 
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/page.h"
+#include "bakers/render/tone_curve.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -31,6 +32,11 @@ inline const Option<std::vector<double>> sun_elevation{
     "sun-elevation", 0, "DEGREES", {}, read_elevations};
 inline const Option<double> sun_azimuth{"sun-azimuth", 0, "DEGREES", {}, read_azimuth};
 inline const Option<double> exposure{"exposure", 0, "STOPS", {}, read_exposure};
+inline const Option<ToneCurve> tone_curve{
+    "tone-curve",
+    0,
+    "CURVE",
+    {{"exponential", ToneCurve::exponential}, {"aces", ToneCurve::aces}, {"agx", ToneCurve::agx}}};
 inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude};  // in metres
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};

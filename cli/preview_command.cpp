@@ -203,6 +203,7 @@ Command preview_command() {
                  "show skies and clouds under these suns; separate them by commas"),
              options::sun_azimuth("place the sun of clouds, from +x towards +y (default 105)"),
              options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
+             options::tone_curve("show skies and clouds by this tone curve (default exponential)"),
              options::altitude("place the camera of skies at this altitude (default 200m)"),
              options::camera(
                  "place the camera of clouds by \"position=2km,3km,200m heading=63deg "

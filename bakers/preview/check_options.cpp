@@ -59,6 +59,7 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
     const OptionUse uses[] = {
         {"sun-elevation", !options.sun_elevations_deg.empty(), any, light},
         {"exposure", options.exposure_stops.has_value(), any, light},
+        {"tone-curve", options.tone_curve.has_value(), any, light},
         {"altitude", options.altitude_m.has_value(), sky,
          lit.clouds ? "only pictures of a sky use it; --camera places the camera of a cloud"
                     : skies},

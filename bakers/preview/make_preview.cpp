@@ -65,6 +65,7 @@ class Preview {
             sky.sun_elevations_degrees = options_.sun_elevations_deg;
         }
         sky.exposure_stops = options_.exposure_stops;
+        sky.tone_curve = options_.tone_curve.value_or(ToneCurve::exponential);
         if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
         sky.progress = options_.progress;
         sky.intermediates = options_.intermediates;
@@ -195,6 +196,7 @@ void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
     input.suns.clear();
     for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
     input.exposure_stops = options.exposure_stops;
+    input.tone_curve = options.tone_curve.value_or(ToneCurve::exponential);
 }
 
 // Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its

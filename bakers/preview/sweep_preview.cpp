@@ -37,14 +37,21 @@ std::array<int, 2> size_of(const PreviewOptions& options) {
     return options.picture_size.value_or(telling_size);
 }
 
+ToneCurve curve_of(const PreviewOptions& options) {
+    return options.tone_curve.value_or(ToneCurve::exponential);
+}
+
 // Returns the exposure. The one chosen for the first picture is used for all.
 double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
-    if (!options.exposure_stops) options.exposure_stops = std::log2(exposure_for(radiance));
+    if (!options.exposure_stops)
+        options.exposure_stops = std::log2(exposure_for(radiance, curve_of(options)));
     return std::exp2(*options.exposure_stops);
 }
 
-std::string light_words(double exposure, double sun_elevation_degrees) {
-    return fmt::format("{}, the {}", tone_text(exposure), sun_text(sun_elevation_degrees));
+std::string light_words(const PreviewOptions& options, double exposure,
+                        double sun_elevation_degrees) {
+    return fmt::format("{}, the {}", tone_text(exposure, curve_of(options)),
+                       sun_text(sun_elevation_degrees));
 }
 
 double sun_elevation_deg(const PreviewOptions& options) {
@@ -72,8 +79,8 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     add_sun_disc(medium, *tables.value, view, radiance);
     const Image2<float> shown = tables.value->screen.shown(radiance);
     const double exposure = exposure_of(shown, options);
-    return Thumbnail{tone_mapped(shown, exposure),
-                     light_words(exposure, view.sun_elevation_degrees)};
+    return Thumbnail{tone_mapped(shown, exposure, curve_of(options)),
+                     light_words(options, exposure, view.sun_elevation_degrees)};
 }
 
 // Draws the first channel of the middle plane, with 0 as black and 1 as white.
@@ -108,7 +115,7 @@ std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptio
         Thumbnail slices{std::move(pictures.front().picture), ""};
         if (const std::optional<double> exposure = pictures.front().exposure) {
             if (!options.exposure_stops) options.exposure_stops = std::log2(*exposure);
-            slices.light = light_words(*exposure, input.suns.front().elevation_degrees);
+            slices.light = light_words(options, *exposure, input.suns.front().elevation_degrees);
         }
         return slices;
     }

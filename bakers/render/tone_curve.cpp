@@ -4,6 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
+#include <glm/exponential.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
 #include <vector>
 
 namespace skybake {
@@ -15,27 +19,94 @@ double srgb_of_linear(double linear) {
     return 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-// A table of sRGB bytes for linear values in [0, 1]. Its steps are so small that one byte spans 5
-// of them even near black, where the slope of the transfer function is greatest, 12.92.
+// A table of sRGB in bytes, with fractions, for linear values in [0, 1]. It is linear between entries,
+// which is off by 0.005 bytes at most, where the transfer function bends most.
 class SrgbTable {
   public:
     SrgbTable() {
         for (int i = 0; i <= steps; ++i) {
             bytes_[static_cast<std::size_t>(i)] =
-                static_cast<std::uint8_t>(std::lround(255 * srgb_of_linear(double{1} * i / steps)));
+                static_cast<float>(255 * srgb_of_linear(double{1} * i / steps));
         }
+        bytes_[steps + 1] = 255;
     }
-    std::uint8_t operator()(double linear) const {
-        return bytes_[static_cast<std::size_t>(linear * steps + 0.5)];
+    float operator()(float linear) const {
+        const float place = linear * steps;
+        const auto below = static_cast<std::size_t>(place);
+        const float share = place - static_cast<float>(below);
+        return bytes_[below] + share * (bytes_[below + 1] - bytes_[below]);
     }
 
   private:
-    static constexpr int steps = 1 << 14;
-    std::array<std::uint8_t, steps + 1> bytes_{};
+    static constexpr int steps = 1 << 12;
+    std::array<float, steps + 2> bytes_{};
 };
 
-// The tone curve in float, so that the compiler can vectorise the exponential.
-float curve(float exposed) { return exposed > 0 ? -std::expm1(-exposed) : 0.0F; }
+// Thresholds of a pixel in [0, 1): a lattice of two irrational steps, the powers of the plastic number
+// as shares of 2^32 (Roberts 2018, "The unreasonable effectiveness of quasirandom sequences"). Any few
+// pixels side by side have thresholds that are spread evenly. A triangle of it has no jump, whose edge
+// would be seen.
+float threshold(int x, int y) {
+    const std::uint32_t place =
+        static_cast<std::uint32_t>(x) * 3242174889U + static_cast<std::uint32_t>(y) * 2447445414U;
+    const std::uint32_t folded = (place & 0x80000000U) != 0 ? ~place : place;  // in [0, 2^31)
+    return static_cast<float>(folded >> 7) * 0x1p-24F;
+}
+
+// Scene-linear light, which is not negative, as shown by each curve.
+using Rgb = glm::vec3;
+
+Rgb exponential_of(const Rgb& light) {
+    // std::expm1 in float, so that the compiler can vectorise it.
+    return {-std::expm1(-light.r), -std::expm1(-light.g), -std::expm1(-light.b)};
+}
+
+Rgb aces_of(const Rgb& light) {
+    // Columns. From linear sRGB to the working space of the fit, and back.
+    constexpr glm::mat3 kIn(0.59719F, 0.07600F, 0.02840F, 0.35458F, 0.90834F, 0.13383F, 0.04823F,
+                            0.01566F, 0.83777F);
+    constexpr glm::mat3 kOut(1.60475F, -0.10208F, -0.00327F, -0.53108F, 1.10813F, -0.07276F,
+                             -0.07367F, -0.00605F, 1.07602F);
+    const Rgb v = kIn * light;
+    const Rgb fit =
+        (v * (v + 0.0245786F) - 0.000090537F) / (v * (0.983729F * v + 0.4329510F) + 0.238081F);
+    return kOut * fit;
+}
+
+Rgb agx_of(const Rgb& light) {
+    constexpr glm::mat3 kInset(0.842479062253094F, 0.0423282422610123F, 0.0423756549057051F,
+                               0.0784335999999992F, 0.878468636469772F, 0.0784336F,
+                               0.0792237451477643F, 0.0791661274605434F, 0.879142973793104F);
+    constexpr glm::mat3 kOutset(1.19687900512017F, -0.0528968517574562F, -0.0529716355144438F,
+                                -0.0980208811401368F, 1.15190312990417F, -0.0980434501171241F,
+                                -0.0990297440797205F, -0.0989611768448433F, 1.15107367264116F);
+    constexpr float kDarkest = -12.47393F;
+    constexpr float kBrightest = 4.026069F;
+    // The logarithm of 0 is -infinity, which the range takes to its dark end.
+    const Rgb stops = glm::log2(kInset * light);
+    const Rgb x = glm::clamp((stops - kDarkest) / (kBrightest - kDarkest), 0.0F, 1.0F);
+    const Rgb sigmoid =
+        ((((((15.5F * x - 40.14F) * x + 31.96F) * x - 6.868F) * x + 0.4298F) * x + 0.1191F) * x) -
+        0.00232F;
+    // Its result is for a screen with a gamma of 2.2.
+    return glm::pow(glm::max(kOutset * sigmoid, 0.0F), Rgb(2.2F));
+}
+
+// Beyond this, every curve shows white, and their products stay finite.
+constexpr float kBrightest = 1e6F;
+
+Rgb shown_by(ToneCurve curve, const Rgb& exposed) {
+    const Rgb light = glm::clamp(exposed, 0.0F, kBrightest);
+    switch (curve) {
+        case ToneCurve::exponential:
+            return exponential_of(light);
+        case ToneCurve::aces:
+            return aces_of(light);
+        case ToneCurve::agx:
+            break;
+    }
+    return agx_of(light);
+}
 
 // Returns the luminance by Rec. 709, whose primaries are those of sRGB.
 double luminance(const float* texel, int channels) {
@@ -43,30 +114,56 @@ double luminance(const float* texel, int channels) {
     return 0.2126 * double{texel[0]} + 0.7152 * double{texel[1]} + 0.0722 * double{texel[2]};
 }
 
+// Returns the light that a curve shows as 0.85 of white. All curves rise with grey light.
+double well_exposed(ToneCurve curve) {
+    constexpr double kShown = 0.85;
+    if (curve == ToneCurve::exponential) return -std::log(1 - kShown);
+    double dark = 0;
+    double bright = 64;
+    for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (dark + bright);
+        const bool is_dark = double{shown_by(curve, Rgb(static_cast<float>(middle))).g} < kShown;
+        (is_dark ? dark : bright) = middle;
+    }
+    return bright;
+}
+
 }  // namespace
 
-Picture tone_mapped(const Image2<float>& radiance, double exposure) {
+Picture tone_mapped(const Image2<float>& radiance, double exposure, ToneCurve curve) {
     static const SrgbTable srgb;
     Picture picture(radiance.width, radiance.height);
     const auto scale = static_cast<float>(exposure);
+    const bool is_grey = radiance.channels < 3;
+    std::uint8_t* pixel = picture.rgb.data();
     for (int y = 0; y < radiance.height; ++y) {
         for (int x = 0; x < radiance.width; ++x) {
             const float* const texel = radiance.texel(x, y);
-            std::uint8_t* const pixel =
-                picture.rgb.data() +
-                3 * (radiance.offset(x, y) / static_cast<std::size_t>(radiance.channels));
+            const Rgb light = is_grey ? Rgb(texel[0]) : Rgb(texel[0], texel[1], texel[2]);
+            const Rgb shown = glm::clamp(shown_by(curve, light * scale), 0.0F, 1.0F);
+            const float add = threshold(x, y);
             for (int channel = 0; channel < 3; ++channel) {
-                const float value = texel[radiance.channels < 3 ? 0 : channel];
-                pixel[channel] = srgb(double{curve(value * scale)});
+                const float byte = srgb(shown[static_cast<Rgb::length_type>(channel)]) + add;
+                *pixel++ = static_cast<std::uint8_t>(std::min(byte, 255.0F));
             }
         }
     }
     return picture;
 }
 
-const char* tone_curve_name() { return "1 - exp(-exposure L)"; }
+const char* tone_curve_name(ToneCurve curve) {
+    switch (curve) {
+        case ToneCurve::exponential:
+            return "1 - exp(-exposure L)";
+        case ToneCurve::aces:
+            return "ACES (fit by Hill)";
+        case ToneCurve::agx:
+            break;
+    }
+    return "AgX (base look)";
+}
 
-double exposure_for(const Image2<float>& radiance) {
+double exposure_for(const Image2<float>& radiance, ToneCurve curve) {
     std::vector<double> luminances;
     const auto channels = static_cast<std::size_t>(std::max(radiance.channels, 1));
     luminances.reserve(radiance.texels.size() / channels);
@@ -77,8 +174,8 @@ double exposure_for(const Image2<float>& radiance) {
     const auto rank = luminances.begin() + static_cast<std::ptrdiff_t>(
                                                0.99 * static_cast<double>(luminances.size() - 1));
     std::nth_element(luminances.begin(), rank, luminances.end());
-    // Solves 1 - exp(-exposure L) = 0.85. If the percentile is black, any exposure will do.
-    return *rank > 0 ? -std::log(0.15) / *rank : 1;
+    // If the percentile is black, any exposure will do.
+    return *rank > 0 ? well_exposed(curve) / *rank : 1;
 }
 
 }  // namespace skybake

@@ -6,15 +6,34 @@
 
 namespace skybake {
 
-// Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the tone curve
-// that `tone_curve_name` states, and converts to sRGB. Values must be finite; negative values
-// become black.
-Picture tone_mapped(const Image2<float>& radiance, double exposure);
+// How scene-linear light with an exposure becomes display-linear light in [0, 1].
+enum class ToneCurve {
+    // 1 - exp(-light), of each channel.
+    exponential,
+    // The fit by Stephen Hill to the Reference Rendering Transform and Output Device Transform of the
+    // Academy Color Encoding System, for sRGB screens. Bright colours turn white.
+    aces,
+    // The base look of AgX by Troy Sobotka: logarithms of light from 2^-12.47393 to 2^4.026069 in
+    // desaturated primaries, with the polynomial of degree 6 by Benjamin Wrensch for its sigmoid. Bright
+    // colours turn white later and with fewer shifts of hue.
+    agx,
+};
+
+// Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the curve, and
+// converts to sRGB. Values must be finite; negative values become black.
+//
+// Each pixel adds a threshold in [0, 1) to its three exact values in bytes before it drops their
+// fractions (ordered dithering). So the mean over an area is exact where rounding would show bands, each
+// byte is less than 1 off, and black and white stay black and white. The thresholds depend on a pixel's
+// place alone.
+Picture tone_mapped(const Image2<float>& radiance, double exposure,
+                    ToneCurve curve = ToneCurve::exponential);
 
 // The text for captions: "1 - exp(-exposure L)".
-const char* tone_curve_name();
+const char* tone_curve_name(ToneCurve curve = ToneCurve::exponential);
 
-// Returns the exposure that brings the 99th percentile of luminance to 0.85 of white.
-double exposure_for(const Image2<float>& radiance);
+// Returns the exposure that brings the 99th percentile of luminance to 0.85 of white, as the curve shows
+// grey.
+double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::exponential);
 
 }  // namespace skybake

@@ -15,25 +15,119 @@ Image2<float> texel(std::vector<float> values) {
     return image;
 }
 
-TEST(ToneMapped, IsTheCurveThenSrgb) {
+constexpr int kEdge = 64;
+
+// A picture of one colour, whose pixels have many thresholds.
+Picture field(const std::vector<float>& values, double exposure,
+              ToneCurve curve = ToneCurve::exponential) {
+    Image2<float> image(kEdge, kEdge, static_cast<int>(values.size()));
+    for (int y = 0; y < kEdge; ++y) {
+        for (int x = 0; x < kEdge; ++x) std::copy(values.begin(), values.end(), image.texel(x, y));
+    }
+    return tone_mapped(image, exposure, curve);
+}
+
+double mean_of(const Picture& picture, std::size_t channel) {
+    double sum = 0;
+    for (std::size_t i = channel; i < picture.rgb.size(); i += 3) sum += picture.rgb[i];
+    return sum / (kEdge * kEdge);
+}
+
+double srgb_of(double linear) {
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+double linear_of(double srgb) {
+    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+
+// Display-linear light of grey.
+double shown(double light, ToneCurve curve) {
+    return linear_of(mean_of(field({static_cast<float>(light)}, 1, curve), 0) / 255);
+}
+
+// Each byte is one of the two next to the exact value, and their mean is the exact value: without
+// thresholds it would be up to half a byte off.
+TEST(ToneMapped, IsTheCurveThenSrgbOnAverage) {
     EXPECT_TRUE(rc::check([] {
         const double exposed = *rc::gen::inRange(0, 100000) / 10000.0;
         const double exposure = *rc::gen::inRange(1, 1000) / 10.0;
         const auto radiance = static_cast<float>(exposed / exposure);
-        const double linear = 1 - std::exp(-exposed);
-        const double srgb =
-            linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-        const Picture picture = tone_mapped(texel({radiance, 0, radiance}), exposure);
-        RC_ASSERT(std::abs(picture.rgb[0] - 255 * srgb) < 0.75);
-        RC_ASSERT(picture.rgb[1] == 0);
-        RC_ASSERT(picture.rgb[2] == picture.rgb[0]);
+        const double exact = 255 * srgb_of(1 - std::exp(-exposed));
+        const Picture picture = field({radiance, 0, radiance}, exposure);
+        for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+            RC_ASSERT(std::abs(picture.rgb[i] - exact) < 1.006);
+            RC_ASSERT(picture.rgb[i + 1] == 0);
+            RC_ASSERT(picture.rgb[i + 2] == picture.rgb[i]);
+        }
+        RC_ASSERT(std::abs(mean_of(picture, 0) - exact) < 0.02);
     }));
 }
 
+// Small squares have the mean too, or the thresholds would be seen as a pattern.
+TEST(ToneMapped, HasEvenThresholds) {
+    const double light = 0.5;
+    const double exact = 255 * srgb_of(1 - std::exp(-light));
+    const Picture picture = field({static_cast<float>(light)}, 1);
+    for (std::size_t top = 0; top + 4 <= kEdge; ++top) {
+        for (std::size_t left = 0; left + 4 <= kEdge; ++left) {
+            double sum = 0;
+            for (std::size_t i = 0; i < 16; ++i) {
+                sum += picture.rgb[3 * ((top + i / 4) * kEdge + left + i % 4)];
+            }
+            EXPECT_LT(std::abs(sum / 16 - exact), 0.2) << left << ", " << top;
+        }
+    }
+}
+
 TEST(ToneMapped, OfTheEndsIsBlackAndWhite) {
-    EXPECT_EQ(tone_mapped(texel({-1, 0, 1e30F}), 1).rgb, (std::vector<std::uint8_t>{0, 0, 255}));
-    EXPECT_EQ(tone_mapped(texel({0.5F}), 1).rgb, (std::vector<std::uint8_t>(3, 168)))
+    for (const ToneCurve curve : {ToneCurve::exponential, ToneCurve::aces, ToneCurve::agx}) {
+        const std::vector<float> ends = {-1, 0, 1e30F};
+        for (const float light : ends) {
+            const Picture picture = field({light}, 1, curve);
+            const int wanted = light > 0 ? 254 : 0;  // curves of polynomials end just below 255
+            for (const std::uint8_t byte : picture.rgb) {
+                EXPECT_GE(byte, wanted) << tone_curve_name(curve);
+                EXPECT_LE(byte, light > 0 ? 255 : 0) << tone_curve_name(curve);
+            }
+        }
+    }
+    EXPECT_NEAR(mean_of(field({0.5F}, 1), 1), 168.37, 0.02)
         << "one channel is grey: 1 - exp(-1/2) = 0.393";
+}
+
+// What the curves' authors say of middle grey: the Academy's transform shows 0.18 as a tenth of white,
+// AgX as half of a screen's range with a gamma of 2.2. Both are fits of a few per cent.
+TEST(ToneMapped, ShowsMiddleGreyAsPublished) {
+    EXPECT_NEAR(shown(0.18, ToneCurve::aces), 0.10, 0.01);
+    EXPECT_NEAR(shown(0.18, ToneCurve::agx), std::pow(0.5, 2.2), 0.01);
+    EXPECT_NEAR(shown(0.18, ToneCurve::exponential), 1 - std::exp(-0.18), 1e-3);
+}
+
+TEST(ToneMapped, BrightensWithLightAndKeepsGreyGrey) {
+    for (const ToneCurve curve : {ToneCurve::exponential, ToneCurve::aces, ToneCurve::agx}) {
+        double last = 0;
+        for (float light = 0.001F; light < 30; light *= 1.3F) {
+            const Picture picture = field({light, light, light}, 1, curve);
+            EXPECT_GE(mean_of(picture, 0), last) << tone_curve_name(curve) << ' ' << light;
+            last = mean_of(picture, 0);
+            EXPECT_NEAR(mean_of(picture, 1), last, 0.3) << tone_curve_name(curve) << ' ' << light;
+            EXPECT_NEAR(mean_of(picture, 2), last, 0.3) << tone_curve_name(curve) << ' ' << light;
+        }
+    }
+}
+
+// A saturated blue that is far too bright turns to white by the film-like curves, and not by the
+// exponential.
+TEST(ToneMapped, DesaturatesBrightColorsByFilmLikeCurves) {
+    const std::vector<float> blue = {0.2F, 2, 20};
+    const auto spread = [&](ToneCurve curve) {
+        const Picture picture = field(blue, 4, curve);
+        return mean_of(picture, 2) - mean_of(picture, 0);
+    };
+    EXPECT_GT(spread(ToneCurve::exponential), 40);
+    EXPECT_LT(spread(ToneCurve::aces), 0.8 * spread(ToneCurve::exponential));
+    EXPECT_LT(spread(ToneCurve::agx), 0.8 * spread(ToneCurve::exponential));
 }
 
 TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
@@ -43,6 +137,9 @@ TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
         std::fill_n(image.texel(x, 0), 3, value);
     }
     EXPECT_NEAR(1 - std::exp(-exposure_for(image) * 4), 0.85, 1e-6);
+    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+        EXPECT_NEAR(shown(exposure_for(image, curve) * 4, curve), 0.85, 2e-3);
+    }
     EXPECT_EQ(exposure_for(texel({0, 0, 0})), 1);
     EXPECT_EQ(exposure_for(Image2<float>()), 1);
 }

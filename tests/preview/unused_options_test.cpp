@@ -19,6 +19,8 @@ const Case cases[] = {
     {"sun-elevation", [](PreviewOptions& options) { options.sun_elevations_deg = {3}; }, true,
      true},
     {"exposure", [](PreviewOptions& options) { options.exposure_stops = 0; }, true, true},
+    {"tone-curve", [](PreviewOptions& options) { options.tone_curve = ToneCurve::agx; }, true,
+     true},
     {"altitude", [](PreviewOptions& options) { options.altitude_m = 0; }, true, false},
     {"sun-azimuth", [](PreviewOptions& options) { options.sun_azimuth_deg = 0; }, false, true},
     {"camera", [](PreviewOptions& options) { options.camera.emplace(); }, false, true},

@@ -43,8 +43,8 @@ std::string exposure_text(double exposure) {
     return fmt::format("exposure {} ({:+.1f} stops)", factor, std::log2(exposure));
 }
 
-std::string tone_text(double exposure) {
-    return fmt::format("{}, tone curve {}", exposure_text(exposure), tone_curve_name());
+std::string tone_text(double exposure, ToneCurve curve) {
+    return fmt::format("{}, tone curve {}", exposure_text(exposure), tone_curve_name(curve));
 }
 
 std::string sun_text(double elevation_degrees) {

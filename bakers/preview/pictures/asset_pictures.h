@@ -8,6 +8,7 @@
 #include "bakers/field/image.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/render/sky_tables.h"
+#include "bakers/render/tone_curve.h"
 
 namespace skybake {
 
@@ -62,7 +63,7 @@ std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset);
 std::string exposure_text(double exposure);
 
 // Returns the same with the tone curve (tone_curve.h).
-std::string tone_text(double exposure);
+std::string tone_text(double exposure, ToneCurve curve = ToneCurve::exponential);
 
 // Returns "sun 20 degrees above the horizon", "sun 4 degrees below the horizon" or "sun on the
 // horizon".

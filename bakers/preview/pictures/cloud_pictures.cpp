@@ -144,7 +144,7 @@ std::string lit_caption(const CloudPreviewInput& input, const CloudViewSettings&
         "{:.0f} of the grid.",
         input.single ? "One tile alone" : "The layer that the tile repeats to",
         sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
-        lighting.name, tone_text(exposure), camera_text(settings.camera),
+        lighting.name, tone_text(exposure, input.tone_curve), camera_text(settings.camera),
         samples == 1 ? std::string("is one sample") : fmt::format("are {} samples", samples),
         settings.step_m, settings.light_step_m, kOctaves, leaps.name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
@@ -157,14 +157,15 @@ PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& me
     const CloudViewSettings settings = settings_of(input, medium, sun);
     const CloudView view = render_samples(medium, lighting, settings, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
-    const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
-                                                 : kExposureShare * exposure_for(shown);
+    const double exposure = input.exposure_stops
+                                ? std::exp2(*input.exposure_stops)
+                                : kExposureShare * exposure_for(shown, input.tone_curve);
     PreviewPicture picture;
     picture.name =
         fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(sun.elevation_degrees));
     picture.title = fmt::format("Lit, {}", sun_text(sun.elevation_degrees));
     picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
-    picture.picture = tone_mapped(shown, exposure);
+    picture.picture = tone_mapped(shown, exposure, input.tone_curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
     return picture;

@@ -11,6 +11,7 @@
 #include "bakers/render/cloud_medium.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_tables.h"
+#include "bakers/render/tone_curve.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/atmosphere.h"
@@ -37,6 +38,7 @@ struct CloudPreviewInput {
     std::vector<SunDirection> suns = {
         {20, 105}};                        // one lit picture for each; the view's azimuth is 63
     std::optional<double> exposure_stops;  // the exposure is 2 to this power; none: chosen
+    ToneCurve tone_curve = ToneCurve::exponential;
     CameraRequest camera;
     bool single = false;  // one tile alone, not the layer that it repeats to
     int width = 960;      // of lit pictures

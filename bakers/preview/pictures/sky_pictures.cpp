@@ -71,7 +71,8 @@ ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
     Image2<float> radiance = render_sky(scene.medium, scene.tables, view, scene.threads);
     const std::optional<double> stops = scene.options.exposure_stops;
     const double exposure =
-        stops ? std::exp2(*stops) : exposure_for(scene.tables.screen.shown(radiance));
+        stops ? std::exp2(*stops)
+              : exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
     add_sun_disc(scene.medium, scene.tables, view, radiance);
     return {scene.tables.screen.shown(radiance), exposure};
 }
@@ -92,8 +93,9 @@ Image2<float> enlarged(const Image2<float>& image, int pixels) {
 }
 
 // Draws a dome of linear sRGB, tone-mapped, with the circle's edge smoothed against its surround.
-Picture dome_picture(const Image2<float>& shown, const SkyView& view, double exposure) {
-    Picture picture = tone_mapped(shown, exposure);
+Picture dome_picture(const Image2<float>& shown, const SkyView& view, double exposure,
+                     ToneCurve curve) {
+    Picture picture = tone_mapped(shown, exposure, curve);
     for (int y = 0; y < view.height; ++y) {
         for (int x = 0; x < view.width; ++x) {
             const double share = coverage_at(view, x, y);
@@ -180,9 +182,9 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
     const std::string marching = figures_text(cost.marching);
     result.picture = contact_sheet(
         {framed_dome(dome, "from the tables"),
-         framed_dome(
-             dome_picture(enlarged(scene.tables.screen.shown(cost.solved), pixels), view, exposure),
-             "reference: the solved sky"),
+         framed_dome(dome_picture(enlarged(scene.tables.screen.shown(cost.solved), pixels), view,
+                                  exposure, scene.options.tone_curve),
+                     "reference: the solved sky"),
          difference_chart(cost.difference, pixels)},
         {fmt::format("sun at {}, {} steps per ray, {}", degrees_text(sun_elevation_degrees),
                      kSkySteps, exposure_text(exposure)),
@@ -209,8 +211,8 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.exposure = exposure;
     result.caption = fmt::format(
         "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
-        how_shown(scene), tone_text(exposure));
-    const Picture dome = dome_picture(colors, view, exposure);
+        how_shown(scene), tone_text(exposure, scene.options.tone_curve));
+    const Picture dome = dome_picture(colors, view, exposure, scene.options.tone_curve);
     if (scene.solved) {
         compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
     } else {
@@ -226,7 +228,7 @@ PreviewPicture panoramas(const SkyScene& scene) {
     for (const double elevation : scene.options.sun_elevations_degrees) {
         const SkyView view = panorama_view(scene, elevation);
         const auto [colors, exposure] = shown_sky(scene, view);
-        pictures.push_back(tone_mapped(colors, exposure));
+        pictures.push_back(tone_mapped(colors, exposure, scene.options.tone_curve));
         captions.push_back(fmt::format("{}, {}", sun_text(elevation), exposure_text(exposure)));
     }
     PreviewPicture result;
@@ -237,7 +239,8 @@ PreviewPicture panoramas(const SkyScene& scene) {
         "The panorama shows the sky from the tables, with azimuths from -180 to 180 deg around the "
         "sun's and elevations from {:g} to {:g} deg. {}; tone curve {}. The ground is lit by the "
         "sun and, through the table of multiple scattering, by a sky of uniform brightness.",
-        kLowestDegrees, kHighestDegrees, how_shown(scene), tone_curve_name());
+        kLowestDegrees, kHighestDegrees, how_shown(scene),
+        tone_curve_name(scene.options.tone_curve));
     result.picture = contact_sheet(pictures, captions, 1);
     return result;
 }
