@@ -311,7 +311,7 @@ TEST_F(ShowCommand, NamesTheOriginOfEachValue) {
     const Result result = show({"--set", "atmosphere.ground_albedo=0.1"});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.error, "");
-    EXPECT_TRUE(contains(result.out, "# preset earth\n"));
+    EXPECT_TRUE(contains(result.out, "# preset earth_hillaire\n"));
     EXPECT_TRUE(contains(result.out, "# " + file_ + ":3\n"));
     EXPECT_TRUE(contains(result.out,
                          "ground_albedo = 0.1         # --set `atmosphere.ground_albedo=0.1`\n"));

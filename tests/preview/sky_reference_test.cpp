@@ -19,9 +19,10 @@ SkyLight solved(const config::Atmosphere& atmosphere) {
     return {atmosphere, config::SkyOrders::all, {}, kOptions};
 }
 
-// The two tables of examples/sky.toml: as they are, or with multiple scattering by Hillaire's
-// closure at the size and mapping that the key's defaults have.
-test::Sky example_sky(const std::vector<std::string>& settings) {
+// The two tables of examples/sky.toml for Hillaire's air: as they are, or with multiple scattering by
+// Hillaire's closure at the size and mapping that the key's defaults have.
+test::Sky example_sky(std::vector<std::string> settings) {
+    settings.emplace_back("preset=\"earth_hillaire\"");
     std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
     std::ostringstream text;
     text << file.rdbuf();
