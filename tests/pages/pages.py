@@ -172,6 +172,14 @@ def same_sky(printed, error):
     return [float(figure) for figure in re.findall(r"[\d.e+-]+", printed)] == wanted
 
 
+def same_colour(printed, error):
+    colour = error and error.get("color")
+    if not colour:
+        return not printed
+    wanted = two_digits(*(100 * colour[name] for name in ("median", "max")))
+    return [float(figure) for figure in re.findall(r"[\d.e+-]+", printed)] == wanted
+
+
 def wrong_figures(skybake, page):
     recipe, table = recipe_of(page)
     with tempfile.TemporaryDirectory() as folder:
@@ -180,17 +188,19 @@ def wrong_figures(skybake, page):
             yield result.stderr
             return
         manifest = json.loads((pathlib.Path(folder) / "manifest.json").read_text())
-    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (?:(\S+ / \S+ ± \S+ %) +)?(\S+ / \S+|not measured)$"
+    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (?:(\S+ / \S+ ± \S+ %) +)?(?:(\S+ / \S+ %) +)?" \
+        r"(\S+ / \S+|not measured)$"
     printed = {name: figures for name, *figures in re.findall(row, table, re.M)}
     baked = {asset["name"]: asset for asset in manifest["assets"]}
     if printed.keys() != baked.keys():
         yield f"the page prints {list(printed)}, and {list(baked)} were baked"
     for name in printed.keys() & baked.keys():
-        size, sky, figures = printed[name]
+        size, sky, colour, figures = printed[name]
         error = baked[name].get("error")
         right_size = size == "x".join(map(str, baked[name]["size"]))
-        if not right_size or not same_sky(sky, error) or not same_figures(figures, error):
-            yield f"the page prints {name} of {size} with {sky} {figures}; skybake printed\n{result.stderr}"
+        same = same_sky(sky, error) and same_colour(colour, error) and same_figures(figures, error)
+        if not right_size or not same:
+            yield f"the page prints {name} of {size} with {sky} {colour} {figures}; skybake printed\n{result.stderr}"
     for line in re.findall(r"^ +\w+: .*$", table, re.M):
         if line not in result.stderr:
             yield f"the page prints `{line}`; skybake printed\n{result.stderr}"
