@@ -11,6 +11,7 @@
 
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/page.h"
+#include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic.h"
@@ -37,6 +38,7 @@ inline const Option<ToneCurve> tone_curve{
     0,
     "CURVE",
     {{"exponential", ToneCurve::exponential}, {"aces", ToneCurve::aces}, {"agx", ToneCurve::agx}}};
+inline const Option<Glare> glare{"glare", 0, "KIND", {{"eye", Glare::eye}, {"none", Glare::none}}};
 inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude};  // in metres
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};

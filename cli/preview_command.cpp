@@ -204,6 +204,8 @@ Command preview_command() {
              options::sun_azimuth("place the sun of clouds, from +x towards +y (default 105)"),
              options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
              options::tone_curve("show skies and clouds by this tone curve (default exponential)"),
+             options::glare("scatter the sun's light in pictures of skies as an eye does, or not "
+                            "(default eye)"),
              options::altitude("place the camera of skies at this altitude (default 200m)"),
              options::camera(
                  "place the camera of clouds by \"position=2km,3km,200m heading=63deg "

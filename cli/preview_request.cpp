@@ -143,6 +143,7 @@ PreviewOptions picture_options(const Invocation& invocation) {
     take(options::sun_azimuth, given.sun_azimuth_deg);
     take(options::exposure, given.exposure_stops);
     take(options::tone_curve, given.tone_curve);
+    take(options::glare, given.glare);
     take(options::altitude, given.altitude_m);
     take(options::camera, given.camera);
     take(options::size, given.picture_size);

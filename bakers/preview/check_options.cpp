@@ -63,6 +63,7 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
         {"altitude", options.altitude_m.has_value(), sky,
          lit.clouds ? "only pictures of a sky use it; --camera places the camera of a cloud"
                     : skies},
+        {"glare", options.glare.has_value(), sky, skies},
         {"sun-azimuth", options.sun_azimuth_deg.has_value(), lit.clouds, clouds},
         {"camera", options.camera.has_value(), lit.clouds, clouds},
         {"size", options.picture_size.has_value(), lit.clouds || lit.sweep, clouds},

@@ -66,6 +66,7 @@ class Preview {
         }
         sky.exposure_stops = options_.exposure_stops;
         sky.tone_curve = options_.tone_curve.value_or(ToneCurve::exponential);
+        sky.glare = options_.glare.value_or(Glare::eye);
         if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
         sky.progress = options_.progress;
         sky.intermediates = options_.intermediates;

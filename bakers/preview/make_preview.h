@@ -12,6 +12,7 @@
 #include "bakers/preview/preview_files.h"
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/stage_progress.h"
+#include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -29,6 +30,7 @@ struct PreviewOptions {
     std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a chosen few
     std::optional<double> exposure_stops;    // 0: an exposure of 1; none: chosen for each picture
     std::optional<ToneCurve> tone_curve;     // of skies and lit clouds; none: exponential
+    std::optional<Glare> glare;              // of the sun in skies; none: an eye's
     std::optional<double> altitude_m;        // of the camera that looks at the sky
     std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y
     std::optional<CameraRequest> camera;     // of lit clouds

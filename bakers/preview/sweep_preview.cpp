@@ -76,10 +76,9 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.sun_elevation_degrees = sun_elevation_deg(options);
     const SkyMedium medium = make_sky_medium(atmosphere);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
-    add_sun_disc(medium, *tables.value, view, radiance);
-    const Image2<float> shown = tables.value->screen.shown(radiance);
-    const double exposure = exposure_of(shown, options);
-    return Thumbnail{tone_mapped(shown, exposure, curve_of(options)),
+    const double exposure = exposure_of(tables.value->screen.shown(radiance), options);
+    add_sun(medium, *tables.value, view, options.glare.value_or(Glare::eye), radiance);
+    return Thumbnail{tone_mapped(tables.value->screen.shown(radiance), exposure, curve_of(options)),
                      light_words(options, exposure, view.sun_elevation_degrees)};
 }
 

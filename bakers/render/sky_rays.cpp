@@ -29,9 +29,9 @@ struct DomePoint {
 
 double dome_radius_pixels(const SkyView& view) { return 0.5 * std::min(view.width, view.height); }
 
-DomePoint dome_point(const SkyView& view, int x, int y) {
-    const double across = (x + 0.5 - 0.5 * view.width) / dome_radius_pixels(view);
-    const double up = (0.5 * view.height - (y + 0.5)) / dome_radius_pixels(view);
+DomePoint dome_point(const SkyView& view, double x, double y) {
+    const double across = (x - 0.5 * view.width) / dome_radius_pixels(view);
+    const double up = (0.5 * view.height - y) / dome_radius_pixels(view);
     return {across, up, std::sqrt(across * across + up * up)};
 }
 
@@ -46,11 +46,14 @@ SkyDirection sky_direction(const SkyView& view, double mu, double sine, double a
 }
 
 std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {
+    return direction_through(view, x + 0.5, y + 0.5);
+}
+
+std::optional<SkyDirection> direction_through(const SkyView& view, double x, double y) {
     if (view.projection == SkyProjection::panorama) {
-        const double azimuth = (x + 0.5) / view.width - 0.5;  // in turns
-        const double degrees =
-            view.highest_degrees -
-            (y + 0.5) / view.height * (view.highest_degrees - view.lowest_degrees);
+        const double azimuth = x / view.width - 0.5;  // in turns
+        const double degrees = view.highest_degrees -
+                               y / view.height * (view.highest_degrees - view.lowest_degrees);
         return sky_direction(view, sine_of(degrees), cosine_of(degrees),
                              cosine_of_pi(2 * std::fabs(azimuth)));
     }
@@ -64,7 +67,7 @@ std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {
 
 double coverage_at(const SkyView& view, int x, int y) {
     if (view.projection == SkyProjection::panorama) return 1;
-    const double inside = (1 - dome_point(view, x, y).radius) * dome_radius_pixels(view);
+    const double inside = (1 - dome_point(view, x + 0.5, y + 0.5).radius) * dome_radius_pixels(view);
     return std::clamp(inside + 0.5, 0.0, 1.0);
 }
 

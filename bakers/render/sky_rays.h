@@ -41,6 +41,9 @@ SkyDirection sky_direction(const SkyView& view, double mu, double sine, double a
 // and its edge smoothed.
 std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y);
 
+// Returns the same for any place, in pixels from the picture's upper left corner.
+std::optional<SkyDirection> direction_through(const SkyView& view, double x, double y);
+
 // Returns the share of a pixel that lies in the picture's circle: 1 inside, 0 outside, and values
 // between on its edge.
 double coverage_at(const SkyView& view, int x, int y);

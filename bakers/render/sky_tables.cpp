@@ -90,6 +90,7 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
     tables.multiple_scattering =
         make_lookup_table(multiple_scattering.table, TexelConvention::end_points_on_texel_centres);
     tables.twilight = sun_mapping == "twilight";
+    tables.wavelengths_nm = transmittance.entry.conventions.wavelengths_nm;
     tables.screen = ScreenColor(transmittance.entry.conventions, transmittance.table.channels);
     // A scene may have cropped the sun's axis to the cosines that the manifest gives.
     const AxisMapping& axis = multiple_scattering.entry.axes[0];

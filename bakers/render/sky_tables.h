@@ -37,11 +37,12 @@ struct LookupTable {
 };
 
 struct SkyTables {
-    LookupTable transmittance;         // x_mu, x_r of bakers/air/transmittance_mapping.h
-    bool holds_optical_depth = false;  // transmittance is exp(-value)
-    LookupTable multiple_scattering;   // sun's coordinate, altitude / thickness
-    bool twilight = false;             // the mapping of the sun's coordinate is "twilight"
-    ScreenColor screen;                // how the light of the channels is shown
+    LookupTable transmittance;           // x_mu, x_r of bakers/air/transmittance_mapping.h
+    bool holds_optical_depth = false;    // transmittance is exp(-value)
+    LookupTable multiple_scattering;     // sun's coordinate, altitude / thickness
+    bool twilight = false;               // the mapping of the sun's coordinate is "twilight"
+    std::vector<double> wavelengths_nm;  // of each channel, where the file states them
+    ScreenColor screen;                  // how the light of the channels is shown
 };
 
 // Makes the tables from two assets of the same atmosphere. The manifest tells what an asset's

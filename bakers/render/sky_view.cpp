@@ -16,7 +16,6 @@ namespace skybake {
 namespace {
 
 // Half of the sun's mean angular diameter from Earth, 0.533 degrees.
-constexpr double kSunRadius = 0.2665 * std::numbers::pi / 180;
 
 std::array<float, kMaxChannels> floats(const Spectrum& values) {
     return {static_cast<float>(values.x), static_cast<float>(values.y),
@@ -130,34 +129,6 @@ Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
                                 const SkyView& view, int threads) {
     return render(medium, tables, view, threads, kSkySteps, march_rays_scalar);
-}
-
-void add_sun_disc(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                  Image2<float>& radiance) {
-    const Shell shell = shell_of(medium.air);
-    const double r = shell.ground_radius_km + view.camera_altitude_km;
-    const double horizon = -horizon_distance_km(shell, view.camera_altitude_km) / r;
-    const double degrees_per_pixel =
-        view.projection == SkyProjection::dome
-            ? 180.0 / std::min(view.width, view.height)
-            : (view.highest_degrees - view.lowest_degrees) / view.height;
-    const double pixel = degrees_per_pixel * std::numbers::pi / 180;
-    const double solid_angle = std::numbers::pi * kSunRadius * kSunRadius;
-    for (int y = 0; y < view.height; ++y) {
-        for (int x = 0; x < view.width; ++x) {
-            const std::optional<SkyDirection> direction = direction_at(view, x, y);
-            if (!direction || direction->mu < horizon) continue;
-            const double angle = std::sqrt(2 * direction->one_minus_cosine);  // to second order
-            const double share = std::clamp((kSunRadius - angle) / pixel + 0.5, 0.0, 1.0);
-            if (share == 0) continue;
-            const Spectrum sun =
-                look_up_sunlight(tables, shell, view.camera_altitude_km, r * direction->mu);
-            for (int c = 0; c < radiance.channels; ++c) {
-                radiance.texel(x, y)[c] +=
-                    static_cast<float>(share * sun[static_cast<std::size_t>(c)] / solid_angle);
-            }
-        }
-    }
 }
 
 }  // namespace skybake

@@ -42,9 +42,4 @@ Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
                                 const SkyView& view, int threads);
 
-// Adds the sun's disc: 0.53 degrees wide, of uniform brightness, attenuated by the air as the table
-// says, and cut by the horizon.
-void add_sun_disc(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                  Image2<float>& radiance);
-
 }  // namespace skybake

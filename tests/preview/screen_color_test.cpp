@@ -12,6 +12,7 @@
 
 #include "bakers/color/color_space.h"
 #include "bakers/color/spectral_color.h"
+#include "bakers/render/sun_disc.h"
 #include "tests/preview/skies.h"
 
 namespace skybake {
@@ -149,7 +150,7 @@ TEST(ScreenColor, SkiesOfTheBestWavelengthsHaveTheColoursOfSkies) {
     low.height = 64;
     for (const test::Sky* sky : {&three, &four}) {
         Image2<float> radiance(low.width, low.height, sky->tables.transmittance.channels);
-        add_sun_disc(sky->medium, sky->tables, low, radiance);
+        add_sun(sky->medium, sky->tables, low, Glare::none, radiance);
         const Image2<float> shown = sky->tables.screen.shown(radiance);
         const float* disc = shown.texel(low.width / 2, low.height / 2);
         EXPECT_GT(disc[0], 1.3f * disc[1]);

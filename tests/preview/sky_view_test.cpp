@@ -208,29 +208,6 @@ TEST(SkyView, DoesNotChangeWithTheContentOfTheTransmittanceTable) {
     EXPECT_LT(sky_difference(picture, wanted, view).error.max, 2e-3);
 }
 
-// The light of the whole disc is the sun's through the air.
-TEST(SkyView, SunDiscHoldsTheSunsLight) {
-    SkyView view = test::panorama(1, 0.2, 30);
-    view.width = 3600;
-    view.height = 40;
-    view.lowest_degrees = 28;
-    view.highest_degrees = 32;
-    Image2<float> picture(view.width, view.height, 3);
-    add_sun_disc(earth().medium, earth().tables, view, picture);
-    const double step = std::numbers::pi / 1800;
-    double light = 0;
-    for (int y = 0; y < view.height; ++y) {
-        for (int x = 0; x < view.width; ++x) {
-            const double mu = direction_at(view, x, y)->mu;
-            light += step * step * std::sqrt(1 - mu * mu) * double{*picture.texel(x, y)};
-        }
-    }
-    const double r = earth().medium.air.ground_radius_km + 0.2;
-    const Spectrum sun =
-        look_up_sunlight(earth().tables, shell_of(earth().medium.air), 0.2, 0.5 * r);
-    EXPECT_NEAR(light, sun[0], 0.03 * sun[0]);
-}
-
 // The manifest's own probes: a flip or half a texel would show.
 TEST(SkyTables, LookupsReturnTheProbes) {
     for (const char* mapping : {"bruneton", "ue"}) {

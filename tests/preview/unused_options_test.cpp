@@ -21,6 +21,7 @@ const Case cases[] = {
     {"exposure", [](PreviewOptions& options) { options.exposure_stops = 0; }, true, true},
     {"tone-curve", [](PreviewOptions& options) { options.tone_curve = ToneCurve::agx; }, true,
      true},
+    {"glare", [](PreviewOptions& options) { options.glare = Glare::none; }, true, false},
     {"altitude", [](PreviewOptions& options) { options.altitude_m = 0; }, true, false},
     {"sun-azimuth", [](PreviewOptions& options) { options.sun_azimuth_deg = 0; }, false, true},
     {"camera", [](PreviewOptions& options) { options.camera.emplace(); }, false, true},

@@ -60,7 +60,7 @@ SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
     return view;
 }
 
-// A picture of the tables' sky in linear sRGB, and its exposure, which the sun's disc does not
+// A picture of the tables' sky in linear sRGB, and its exposure, which the sun and its glare do not
 // change.
 struct ShownSky {
     Image2<float> colors;
@@ -73,7 +73,7 @@ ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
     const double exposure =
         stops ? std::exp2(*stops)
               : exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
-    add_sun_disc(scene.medium, scene.tables, view, radiance);
+    add_sun(scene.medium, scene.tables, view, scene.options.glare, radiance);
     return {scene.tables.screen.shown(radiance), exposure};
 }
 
@@ -163,8 +163,11 @@ std::string percent_text(double share) { return number_text(100 * share) + " %";
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
         "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
-        "irradiance of 1; {}",
-        scene.camera_altitude_km, kSkySteps, scene.tables.screen.words());
+        "irradiance of 1; {}. {}",
+        scene.camera_altitude_km, kSkySteps, scene.tables.screen.words(),
+        scene.options.glare == Glare::eye
+            ? "The sun is darker at its limb, and its glare is what an eye scatters (CIE 135/1)"
+            : "The sun is darker at its limb");
 }
 
 std::string figures_text(const ErrorFigures& figures) {

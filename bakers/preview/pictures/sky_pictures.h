@@ -9,6 +9,7 @@
 #include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/render/sky_tables.h"
+#include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
 #include "config/sections/atmosphere.h"
 
@@ -19,6 +20,7 @@ struct SkyPreviewOptions {
     // The exposure is 2 to this power; none: it is chosen for each picture (tone_curve.h).
     std::optional<double> exposure_stops;
     ToneCurve tone_curve = ToneCurve::exponential;
+    Glare glare = Glare::eye;
     // If the shell is thinner than this, the camera is at its top.
     double camera_altitude_km = 0.2;
     int dome_pixels = 512;
