@@ -198,7 +198,7 @@ ExitCode dry_run(const SweepJob& job, const std::vector<PlannedVariant>& plan, b
                  Console& console) {
     console.result(json ? sweep_event(job, plan) + planned_variant_events(job, plan)
                         : plan_table(plan));
-    console.note(plan_note(job, plan));
+    console.note(plan_note(job, plan) + intermediates_note(plan));
     std::vector<VariantResult> failed;
     for (const PlannedVariant& variant : plan) {
         failed.push_back(variant.result);

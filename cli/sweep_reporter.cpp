@@ -122,6 +122,18 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
 
 void SweepReporter::finish() { line_.reset(); }
 
+std::string intermediates_note(const std::vector<PlannedVariant>& plan) {
+    std::string text;
+    for (const SharedIntermediate& one : shared_intermediates(plan)) {
+        if (one.variants < 2) continue;
+        text += fmt::format("made once: {} ({}, {}) for {}\n", one.need.name,
+                            time_text(one.need.seconds),
+                            byte_size_text(one.need.memory_mib * 1024 * 1024),
+                            plural(static_cast<std::size_t>(one.variants), "variant"));
+    }
+    return text;
+}
+
 std::string plan_note(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     std::string text =
         plural(static_cast<std::size_t>(config::variant_count(job.sweep)), "variant");
@@ -166,11 +178,19 @@ std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& 
         shared.push_back(
             {{"name", asset.name}, {"variants", asset.variants}, {"bakes", asset.bakes}});
     }
+    Json intermediates = Json::array();
+    for (const SharedIntermediate& one : shared_intermediates(plan)) {
+        intermediates.push_back({{"name", one.need.name},
+                                 {"seconds", one.need.seconds},
+                                 {"memory_mib", one.need.memory_mib},
+                                 {"variants", one.variants}});
+    }
     return event_line({{"event", "sweep"},
                        {"variants", config::variant_count(job.sweep)},
                        {"in_shard", plan.size()},
                        {"up_to_date", up_to_date_count(plan)},
-                       {"shared", std::move(shared)}});
+                       {"shared", std::move(shared)},
+                       {"intermediates", std::move(intermediates)}});
 }
 
 std::string planned_variant_events(const SweepJob& job, const std::vector<PlannedVariant>& plan) {

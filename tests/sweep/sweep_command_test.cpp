@@ -88,6 +88,23 @@ TEST(SweepCommand, ListsWithoutMaking) {
     EXPECT_FALSE(fs::exists(folder.out()));
 }
 
+// Variants of a file's pixel type and size need one light, variants of the air one each.
+TEST(SweepCommand, ListsWhatIsMadeOnceForAllVariants) {
+    const Folder folder(
+        "preset = \"earth_hillaire\"\n[bake.v]\nasset = \"sky_view\"\nsize = [8, "
+        "8]\nsun_elevations = [\"9 deg\"]\n");
+    const Result same = folder.sweep({"--vary", "bake.v.pixel_type=\"half\",\"float\"", "--vary",
+                                      "bake.v.size=[8,8],[16,16]", "--dry-run"});
+    EXPECT_TRUE(std::regex_search(
+        same.error, std::regex("made once: solved light \\([^)]*\\) for 4 variants\n")))
+        << same.error;
+    const Result others =
+        folder.sweep({"--vary", "atmosphere.ground_albedo=0.1,0.2", "--dry-run", "--json"});
+    const std::regex one_each(R"("name":"solved light","seconds":[^}]*"variants":1\})");
+    const auto begin = std::sregex_iterator(others.out.begin(), others.out.end(), one_each);
+    EXPECT_EQ(std::distance(begin, std::sregex_iterator()), 2) << others.out;
+}
+
 TEST(SweepCommand, ListsWhatFailedLastTime) {
     const Folder folder(small_recipe + "pixel_type = \"half\"\n");
     const Strings vary = {"--vary", "noise.n.channels.Y.remap=[[0, 1, 0, 1], [0, 1, 0, 1e6]]"};
