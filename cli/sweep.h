@@ -18,7 +18,7 @@
 
 namespace skybake::cli {
 
-enum class ScriptEngine { slurm, commands, ninja };
+enum class ScriptEngine { slurm, commands, ninja, openjd, kubernetes };
 
 namespace options {
 
@@ -35,7 +35,10 @@ inline const Option<ScriptEngine> emit{"emit",
                                        "ENGINE",
                                        {{"slurm", ScriptEngine::slurm},
                                         {"commands", ScriptEngine::commands},
-                                        {"ninja", ScriptEngine::ninja}}};
+                                        {"ninja", ScriptEngine::ninja},
+                                        {"openjd", ScriptEngine::openjd},
+                                        {"kubernetes", ScriptEngine::kubernetes}}};
+inline const Option<std::string> image{"image", 0, "IMAGE"};
 inline const Option<int> tasks{"tasks", 0, "N", {}, read_tasks};
 
 }  // namespace options
@@ -107,6 +110,10 @@ struct SweepScript {
     int variants = 0;
     int tasks = 0;
     int threads = 1;  // threads per task
+    // Only kubernetes_job needs these two: the container image, and the folders that tasks read or
+    // write.
+    std::string image;
+    std::vector<std::filesystem::path> mounts;
     // Only ninja_file needs these two: the files that the variants are made from, and the names of
     // all variants' folders.
     std::vector<std::filesystem::path> inputs;
@@ -133,8 +140,17 @@ std::string slurm_script(const SweepScript& script);
 // run, and the merge fails in its place.
 std::string ninja_file(const SweepScript& script);
 
-// Prints the script that --emit asks for. Reports E0001 for --tasks and for values that no line can
-// hold.
+// Returns a job template of Open Job Description, version 2023-09: a step with a task for each shard,
+// and a step that merges.
+std::string openjd_template(const SweepScript& script);
+
+// Returns an Indexed Job of Kubernetes 1.24 or later, without the merge. Its containers run the
+// program of the image, and find the folders of the recipe, of the sweep and of the cache under the
+// same paths in the volume that the claim `skybake` names.
+std::string kubernetes_job(const SweepScript& script);
+
+// Prints the script that --emit asks for. Reports E0001 for --tasks, for --image where no container
+// runs and for values that the script cannot hold.
 ExitCode emit_script(const Invocation& invocation, const SweepJob& job, Console& console);
 
 }  // namespace skybake::cli

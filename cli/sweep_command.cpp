@@ -95,6 +95,9 @@ std::vector<Diagnostic> contradictions(const Invocation& invocation) {
     if (invocation.has(options::shard)) given.emplace_back("--shard");
     if (invocation.has(options::merge)) given.emplace_back("--merge");
     if (invocation.has(options::emit)) given.emplace_back("--emit");
+    if (invocation.has(options::image) && !invocation.has(options::emit)) {
+        return {usage_error("--image works only with --emit kubernetes")};
+    }
     if (given.size() < 2) return {};
     return {usage_error(fmt::format("{} and {} exclude each other", given[0], given[1]))};
 }
@@ -283,6 +286,7 @@ Command sweep_command() {
                     options::shard("bake part I of N and leave out the index"),
                     options::merge("write the index of baked variants without baking"),
                     options::emit("print a script for a farm"),
+                    options::image("run the tasks of --emit kubernetes in this container image"),
                     options::tasks(
                         "split the script into N tasks (default: one per variant, up to 1000)"),
                     certify_row(),

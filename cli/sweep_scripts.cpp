@@ -169,9 +169,27 @@ Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& 
     if (invocation.has(options::tasks)) {
         script.tasks = std::min(invocation[options::tasks], script.variants);
     }
+    const ScriptEngine engine = invocation[options::emit];
     for (const std::string& word : script.words) {
-        if (word.find('\n') == std::string::npos) continue;
-        return {{}, {usage_error("--emit: a value holds a line break, but a task is one line")}};
+        if (word.find('\n') != std::string::npos) {
+            return {{},
+                    {usage_error("--emit: a value holds a line break, but a task is one line")}};
+        }
+        if (engine == ScriptEngine::openjd && word.find("{{") != std::string::npos) {
+            return {{},
+                    {usage_error("--emit: a value holds `{{`, which Open Job Description would "
+                                 "replace")}};
+        }
+    }
+    if (invocation.has(options::image) != (engine == ScriptEngine::kubernetes)) {
+        return {{},
+                {usage_error("--emit kubernetes needs --image, which names a container image "
+                             "that has skybake; other engines do not use it")}};
+    }
+    if (engine == ScriptEngine::kubernetes) {
+        script.image = invocation[options::image];
+        script.mounts = {fs::absolute(job.recipe).parent_path(), fs::absolute(job.folder)};
+        if (!job.cache.empty()) script.mounts.push_back(fs::absolute(job.cache));
     }
     return {std::move(script), {}};
 }
@@ -179,6 +197,8 @@ Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& 
 std::string script_text(ScriptEngine engine, const SweepJob& job, SweepScript script) {
     if (engine == ScriptEngine::slurm) return slurm_script(script);
     if (engine == ScriptEngine::commands) return command_lines(script);
+    if (engine == ScriptEngine::openjd) return openjd_template(script);
+    if (engine == ScriptEngine::kubernetes) return kubernetes_job(script);
     script.inputs = sweep_inputs(job);
     const VariantNames names(job.sweep);
     for (int i = 0; i < script.variants; ++i) script.names.push_back(names.name(i));
@@ -284,7 +304,7 @@ ExitCode emit_script(const Invocation& invocation, const SweepJob& job, Console&
         return ExitCode::done;
     }
     console.result(text);
-    if (engine == ScriptEngine::commands) {
+    if (engine == ScriptEngine::commands || engine == ScriptEngine::kubernetes) {
         console.note(fmt::format("when all are done, write the index: {}\n", merge));
     }
     return ExitCode::done;

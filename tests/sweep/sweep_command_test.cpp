@@ -186,6 +186,10 @@ TEST(SweepCommand, RefusesWhatMakesNoSense) {
     EXPECT_EQ(with({"--emit", "slurm", "--merge"}), 2);
     EXPECT_EQ(with({"--emit", "commands", "--tasks", "0"}), 2);
     EXPECT_EQ(with({"--emit", "commands", "--set", "preset=a\nb"}), 2);
+    EXPECT_EQ(with({"--emit", "openjd", "--set", "preset={{a}}"}), 2);
+    EXPECT_EQ(with({"--emit", "kubernetes"}), 2);
+    EXPECT_EQ(with({"--emit", "slurm", "--image", "i"}), 2);
+    EXPECT_EQ(with({"--image", "i"}), 2);
     EXPECT_EQ(with({"-j", "0"}), 2);
     EXPECT_EQ(with({"--max-memory", "much"}), 2);
     EXPECT_FALSE(fs::exists(folder.out()));
@@ -250,6 +254,80 @@ TEST(SweepScripts, CommandsAreTheSweep) {
         EXPECT_EQ(std::system((line + " -q >/dev/null").c_str()), 0) << "again: " << line;
     }
     EXPECT_EQ(run_words(with({"--merge"}, "it's parts")).code, 0);
+    EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
+}
+
+// Runs a command of Open Job Description as a worker does, with the task's parameter filled in.
+int run_openjd(const nlohmann::json& script, const std::string& shard) {
+    const nlohmann::json& run = script["actions"]["onRun"];
+    std::string line = shell_word(run["command"].get<std::string>());
+    for (const std::string word : run["args"]) {
+        line += ' ' + shell_word(std::regex_replace(
+                          word, std::regex("\\{\\{Task\\.Param\\.Shard\\}\\}"), shard));
+    }
+    return std::system((line + " -q >/dev/null").c_str());
+}
+
+// The steps of the template, in the order of their dependency, are the sweep with its index.
+TEST(SweepScripts, OpenJobTemplateIsTheSweep) {
+    const Folder folder;
+    const Strings vary = {"--vary", "clouds.c.base_altitude=1 km,'2 km',3 km"};
+    ASSERT_EQ(run_words({"sweep", folder.recipe, "-o", folder.out("whole"), vary[0], vary[1]}).code,
+              0);
+    const Result script =
+        testing::run_program({"sweep", folder.recipe, "-o", folder.out("it's parts"), vary[0],
+                              vary[1], "--emit", "openjd", "--tasks", "2", "-j", "3"});
+    ASSERT_EQ(script.code, 0) << script.error;
+    const auto job = nlohmann::json::parse(script.out);
+    EXPECT_EQ(job["specificationVersion"], "jobtemplate-2023-09");
+    const nlohmann::json& bake = job["steps"][0];
+    const nlohmann::json& merge = job["steps"][1];
+    EXPECT_EQ(bake["parameterSpace"]["taskParameterDefinitions"][0]["range"], "1-2");
+    EXPECT_EQ(bake["hostRequirements"]["amounts"][0]["min"], 3);
+    EXPECT_EQ(merge["dependencies"][0]["dependsOn"], bake["name"]);
+    for (const char* shard : {"2", "1"}) EXPECT_EQ(run_openjd(bake["script"], shard), 0);
+    EXPECT_EQ(run_openjd(merge["script"], ""), 0);
+    EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
+}
+
+// Its containers find the program in PATH and their number in JOB_COMPLETION_INDEX.
+TEST(SweepScripts, KubernetesJobIsTheSweep) {
+    const Folder folder;
+    const Strings words = {"--vary", "noise.n.seed=1,2,3"};
+    const auto with = [&](const std::string& out, const Strings& more) {
+        Strings all = {"sweep", folder.recipe, "-o", folder.out(out), words[0], words[1]};
+        all.insert(all.end(), more.begin(), more.end());
+        return testing::run_program(all);
+    };
+    ASSERT_EQ(with("whole", {}).code, 0);
+    const Result script = with("it's parts", {"--emit", "kubernetes", "--tasks", "2", "--image",
+                                              "registry/skybake", "--cache-dir", "/a/cache"});
+    ASSERT_EQ(script.code, 0) << script.error;
+    EXPECT_TRUE(contains(script.error, "--merge")) << script.error;
+    const auto job = nlohmann::json::parse(script.out);
+    EXPECT_EQ(job["spec"]["completionMode"], "Indexed");
+    EXPECT_EQ(job["spec"]["completions"], 2);
+    const nlohmann::json& pod = job["spec"]["template"]["spec"];
+    const nlohmann::json& container = pod["containers"][0];
+    EXPECT_EQ(container["image"], "registry/skybake");
+    // The recipe's folder holds that of the sweep.
+    Strings mounts;
+    for (const nlohmann::json& mount : container["volumeMounts"]) {
+        EXPECT_EQ("/" + mount["subPath"].get<std::string>(), mount["mountPath"]);
+        EXPECT_EQ(mount["name"], pod["volumes"][0]["name"]);
+        mounts.push_back(mount["mountPath"]);
+    }
+    EXPECT_EQ(mounts, (Strings{"/a/cache", folder.folder.path().string()}));
+    const std::string path = fs::path(SKYBAKE_PROGRAM).parent_path().string();
+    std::string command = container["command"][2];
+    command = std::regex_replace(command, std::regex(" --cache-dir /a/cache"), "");
+    for (const char* index : {"0", "1"}) {
+        const std::string run = "PATH=" + shell_word(path) +
+                                ":$PATH JOB_COMPLETION_INDEX=" + index + " sh -c " +
+                                shell_word(command) + " >/dev/null 2>&1";
+        EXPECT_EQ(std::system(run.c_str()), 0) << run;
+    }
+    EXPECT_EQ(with("it's parts", {"--merge"}).code, 0);
     EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
 }
 

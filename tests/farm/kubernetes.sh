@@ -1,0 +1,36 @@
+#!/usr/bin/env bash
+# Holds the job that --emit kubernetes prints to the schema that Kubernetes publishes, and sees three
+# spoilt jobs refused.
+#   kubernetes.sh PROGRAM FOLDER
+set -euo pipefail
+program=$1
+folder=$2
+here=$(cd "$(dirname "$0")" && pwd)
+skip() { echo "skipped: $1"; exit 77; }
+command -v node >/dev/null || skip "there is no node"
+command -v npm >/dev/null || skip "there is no npm"
+mkdir -p "$folder"
+if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
+    cp "$here/package.json" "$here/package-lock.json" "$folder"
+    (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error --fetch-retries=0 --fetch-timeout=30000) ||
+        skip "npm cannot install the packages"
+    cp "$here/package-lock.json" "$folder/installed.json"
+fi
+"$program" sweep "$here/../../examples/earth.toml" --vary atmosphere.ground_albedo=0.1,0.2 \
+    -o "$folder/sweep" --emit kubernetes --image registry/skybake -j 3 -q >"$folder/job.json"
+NODE_PATH="$folder/node_modules" exec node - "$folder/job.json" <<'EOS'
+const assert = require("node:assert");
+const { Job } = require("kubernetes-models/batch/v1/Job");
+const text = require("node:fs").readFileSync(process.argv[2], "utf8");
+new Job(JSON.parse(text)).validate();
+const spoil = [
+    (job) => { job.spec.completions = "two"; },
+    (job) => { delete job.spec.template; },
+    (job) => { job.spec.template.spec.containers[0].volumeMounts[0].mountPath = 3; },
+];
+for (const change of spoil) {
+    const job = JSON.parse(text);
+    change(job);
+    assert.throws(() => new Job(job).validate(), String(change));
+}
+EOS
