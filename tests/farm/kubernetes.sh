@@ -18,19 +18,5 @@ if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
 fi
 "$program" sweep "$here/../../examples/earth.toml" --vary atmosphere.ground_albedo=0.1,0.2 \
     -o "$folder/sweep" --emit kubernetes --image registry/skybake -j 3 -q >"$folder/job.json"
-NODE_PATH="$folder/node_modules" exec node - "$folder/job.json" <<'EOS'
-const assert = require("node:assert");
-const { Job } = require("kubernetes-models/batch/v1/Job");
-const text = require("node:fs").readFileSync(process.argv[2], "utf8");
-new Job(JSON.parse(text)).validate();
-const spoil = [
-    (job) => { job.spec.completions = "two"; },
-    (job) => { delete job.spec.template; },
-    (job) => { job.spec.template.spec.containers[0].volumeMounts[0].mountPath = 3; },
-];
-for (const change of spoil) {
-    const job = JSON.parse(text);
-    change(job);
-    assert.throws(() => new Job(job).validate(), String(change));
-}
-EOS
+cp "$here/kubernetes_job.mjs" "$folder"  # beside the packages that it imports
+exec node "$folder/kubernetes_job.mjs" "$folder/job.json"
