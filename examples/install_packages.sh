@@ -26,7 +26,7 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
-            blender ffmpeg fish groff libopenvdb-tools munge openimageio-tools python3-openvdb slurm-wlm zsh
+            blender dpkg-dev ffmpeg fish groff libopenvdb-tools lintian mmdebstrap munge openimageio-tools python3-openvdb slurm-wlm zsh
         )
     fi
 fi
