@@ -18,9 +18,9 @@ namespace {
 constexpr double kFirst_nm = 380;
 constexpr double kLast_nm = 780;
 constexpr double kStep_nm = 5;
-// Spheres scatter almost alike at neighbouring wavelengths, and cost much to average: they are
-// taken at every so many nm.
-constexpr double kStepOfSpheres_nm = 50;
+// Spheres cost much to average, and scatter almost alike at neighbouring wavelengths: series are
+// summed at every so many nm, and interpolated.
+constexpr config::Length kStepOfSpheres{50e-9};
 
 // Enough for the shape of a spectrum: the mean radiance of Earth is 1 % off.
 constexpr SolverSettings kFewNodes = {.degree = 2,
@@ -94,16 +94,6 @@ class PacketLight {
     SkyIntegrator integrator_;
 };
 
-// Spheres at the nearest of a few wavelengths.
-void take_few_spheres(config::Atmosphere& atmosphere) {
-    for (config::Layer& layer : atmosphere.layers) {
-        for (config::Length& wavelength : layer.particles.wavelengths) {
-            const double steps = std::round(wavelength.meters * 1e9 / kStepOfSpheres_nm);
-            wavelength = {steps * kStepOfSpheres_nm / 1e9};
-        }
-    }
-}
-
 // Replaces a tabulated profile, each entry of which is a kink that costs time, by a smooth one with
 // the same column, mean altitude and, of gases above the ground, spread. Spectra depend on columns.
 void take_smooth_profile(config::Layer& layer) {
@@ -143,7 +133,7 @@ config::Atmosphere air_of_spectra(const config::Atmosphere& atmosphere,
         if (layer.gas && layer.profile == config::Profile::tabulated) take_smooth_profile(layer);
     }
     config::Atmosphere air = config::atmosphere_at(smooth, given, wanted);
-    take_few_spheres(air);
+    for (config::Layer& layer : air.layers) layer.particles.step = kStepOfSpheres;
     return air;
 }
 

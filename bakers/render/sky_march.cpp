@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -193,9 +192,9 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
     }
     for (const MarchLayer& layer : sky.layers) {
         const Real density = density_at(layer, altitude_km);
-        const Real phase = LaneAccess<Real>::load(phases);
-        phases += stride;
         for (int c = 0; c < kChannels; ++c) {
+            const Real phase = LaneAccess<Real>::load(phases);
+            phases += stride;
             const auto channel = static_cast<std::size_t>(c);
             sample.extinction[c] =
                 sample.extinction[c] + density * Real(layer.extinction_per_km[channel]);
@@ -207,7 +206,8 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
     }
 }
 
-// Marches one ray per lane. `phases` has the phase functions of the layers, `stride` apart.
+// Marches one ray per lane. `phases` has the phase functions of the layers in each channel, `stride`
+// apart.
 template <class Real, int kChannels>
 HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const float* phases,
                       int stride, Real* radiance) {
@@ -257,21 +257,12 @@ HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const fl
 template <class Real, int kChannels>
 HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
     using Access = LaneAccess<Real>;
-    std::vector<float> phases(sky.layers.size() * Access::kCount);
     for (int i = 0; i < rays.count; i += Access::kCount) {
         const auto at = static_cast<std::size_t>(i);
         const Real cosine = Access::load(rays.cosine_to_sun.data() + at);
-        const Real one_minus = Access::load(rays.one_minus_cosine.data() + at);
-        const Real one_plus = Access::load(rays.one_plus_cosine.data() + at);
-        for (std::size_t layer = 0; layer < sky.layers.size(); ++layer) {
-            Access::store(closed_phase_value(sky.layers[layer].phase_constant,
-                                             sky.layers[layer].phase_quadratic,
-                                             sky.layers[layer].phase_g, one_minus, one_plus),
-                          phases.data() + layer * Access::kCount);
-        }
         Real value[kChannels];
-        march<Real, kChannels>(sky, Access::load(rays.mu.data() + at), cosine, phases.data(),
-                               Access::kCount, value);
+        march<Real, kChannels>(sky, Access::load(rays.mu.data() + at), cosine,
+                               rays.phases.data() + at, rays.count, value);
         for (int c = 0; c < kChannels; ++c) Access::store(value[c], radiance + c * rays.count + i);
     }
 }

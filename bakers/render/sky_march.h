@@ -24,7 +24,6 @@ struct MarchLayer {
     std::array<float, kMaxChannels> scattering_per_km{};
     std::array<float, kMaxChannels> extinction_per_km{};
     bool scatters = false;
-    float phase_constant = 0, phase_quadratic = 0, phase_g = 0;  // phase_function.h
 };
 
 // The values that all rays of a picture share.
@@ -46,8 +45,9 @@ inline constexpr int kMarchPadding = 16;
 struct MarchRays {
     std::vector<float> mu;
     std::vector<float> cosine_to_sun;
-    std::vector<float> one_minus_cosine;
-    std::vector<float> one_plus_cosine;
+    // The phase function of each layer in each channel, for the angle between ray and sun: that of ray
+    // i stands at (layer * channels + channel) * count + i.
+    std::vector<float> phases;
     int count = 0;
 };
 

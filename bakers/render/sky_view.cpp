@@ -22,16 +22,6 @@ std::array<float, kMaxChannels> floats(const Spectrum& values) {
             static_cast<float>(values.z), static_cast<float>(values.w)};
 }
 
-// Returns a phase function that the march can evaluate. A tabulated function of spheres is replaced
-// by Henyey-Greenstein's with the mean cosine over all channels.
-PhaseFunction closed_form(const LayerPhase& phase) {
-    if (!phase.functions.front().table) return phase.functions.front();
-    double sum = 0;
-    for (const PhaseFunction& function : phase.functions) sum += function.g;
-    return make_phase_function(config::Phase::henyey_greenstein,
-                               sum / static_cast<double>(phase.functions.size()));
-}
-
 MarchLayer march_layer(const SkyLayer& layer) {
     MarchLayer result;
     if (!layer.alone.exponential_layers.empty()) {
@@ -51,10 +41,6 @@ MarchLayer march_layer(const SkyLayer& layer) {
         result.extinction_per_km = floats(air.extinction_per_km);
     }
     result.scatters = layer.scatters;
-    const PhaseFunction phase = closed_form(layer.phase);
-    result.phase_constant = static_cast<float>(phase.constant);
-    result.phase_quadratic = static_cast<float>(phase.quadratic);
-    result.phase_g = static_cast<float>(phase.g);
     return result;
 }
 
@@ -79,26 +65,44 @@ SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyV
 void add_ray(const SkyDirection& direction, MarchRays& rays) {
     rays.mu.push_back(static_cast<float>(direction.mu));
     rays.cosine_to_sun.push_back(static_cast<float>(direction.cosine_to_sun));
-    rays.one_minus_cosine.push_back(static_cast<float>(direction.one_minus_cosine));
-    rays.one_plus_cosine.push_back(static_cast<float>(direction.one_plus_cosine));
     ++rays.count;
+}
+
+// Fills in the phase functions of all layers for the directions of the rays.
+void add_phases(const SkyMedium& medium, const std::vector<SkyDirection>& directions,
+                MarchRays& rays) {
+    const auto channels = static_cast<std::size_t>(medium.air.channels);
+    rays.phases.resize(medium.layers.size() * channels * directions.size());
+    for (std::size_t layer = 0; layer < medium.layers.size(); ++layer) {
+        for (std::size_t i = 0; i < directions.size(); ++i) {
+            const Spectrum phase =
+                phase_values(medium.layers[layer].phase, directions[i].one_minus_cosine,
+                             directions[i].one_plus_cosine);
+            for (std::size_t c = 0; c < channels; ++c) {
+                rays.phases[(layer * channels + c) * directions.size() + i] =
+                    static_cast<float>(phase[c]);
+            }
+        }
+    }
 }
 
 // Renders the left half of a row; the right half is its mirror image.
 template <class March>
-void render_row(const SkyMarch& sky, const SkyView& view, int y, const March& march,
-                Image2<float>& image) {
+void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& view, int y,
+                const March& march, Image2<float>& image) {
     MarchRays rays;
     std::vector<int> columns;
+    std::vector<SkyDirection> directions;
     for (int x = 0; x < (view.width + 1) / 2; ++x) {
         const std::optional<SkyDirection> direction = direction_at(view, x, y);
         if (!direction) continue;
         columns.push_back(x);
-        add_ray(*direction, rays);
+        directions.push_back(*direction);
     }
     if (columns.empty()) return;
-    const SkyDirection last = *direction_at(view, columns.back(), y);
-    while (rays.count % kMarchPadding != 0) add_ray(last, rays);
+    while (directions.size() % kMarchPadding != 0) directions.push_back(directions.back());
+    for (const SkyDirection& direction : directions) add_ray(direction, rays);
+    add_phases(medium, directions, rays);
     std::vector<float> radiance(static_cast<std::size_t>(rays.count * sky.channels));
     march(sky, rays, radiance.data());
     for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -115,7 +119,8 @@ Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const Sky
                      int threads, int steps, const March& march) {
     const SkyMarch sky = make_march(medium, tables, view, steps);
     Image2<float> image(view.width, view.height, sky.channels);
-    parallel_for(view.height, threads, [&](int y) { render_row(sky, view, y, march, image); });
+    parallel_for(view.height, threads,
+                 [&](int y) { render_row(medium, sky, view, y, march, image); });
     return image;
 }
 

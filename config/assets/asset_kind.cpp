@@ -48,8 +48,13 @@ std::vector<Read> reads_of_matter(const Layer& layer) {
                  {Role::geometry, Role::content, Role::particles}}};
     }
     if (layer.phase != Phase::mie) return {};
-    std::vector<Read> reads = reads_of_particles(layer.particles.particles.name);
-    reads.push_back({join_path("atmosphere.layers", layer.name), {Role::phase, Role::particles}});
+    std::vector<Read> reads;
+    for (const SphereKind& kind : layer.particles.kinds) {
+        append(reads_of_particles(kind.particles.name), reads);
+    }
+    Roles roles = {Role::phase, Role::particles};
+    if (layer.particles.optical_depth) roles = {Role::phase, Role::particles, Role::geometry};
+    reads.push_back({join_path("atmosphere.layers", layer.name), roles});
     return reads;
 }
 

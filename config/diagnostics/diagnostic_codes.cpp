@@ -99,7 +99,9 @@ constexpr std::array codes = {
         "A density table is a list of [altitude, density] pairs, at least two, with strictly "
         "increasing altitudes. Density is linear between the entries and zero outside. A cloud's "
         "height table is a list of [height, value] pairs, at least one, with strictly increasing "
-        "heights from 0 to 1; beyond them the table keeps its first and last values.",
+        "heights from 0 to 1; beyond them the table keeps its first and last values. A table of "
+        "refractive indices has a wavelength and two numbers in each entry, and a list of "
+        "components a name and a number per volume.",
         "table = [[\"0 km\", 1.0], [\"0 km\", 0.5]]", "table = [[\"0 km\", 1.0], [\"10 km\", 0.5]]",
         usage},
     DiagnosticCode{"E0115", "unknown preset",
@@ -279,8 +281,9 @@ constexpr std::array codes = {
     DiagnosticCode{"E0139", "key that contradicts what a layer is made of",
                    "A layer with phase = \"mie\" gets its scattering, its extinction and its phase "
                    "function from its particles; one with `gas` gets its coefficients from the "
-                   "gas, and one with `optical_depth` or `visibility` from these. A coefficient "
-                   "would contradict them.",
+                   "gas, one with `aerosol` or `components` from their spheres, and one with "
+                   "`optical_depth` or `visibility` from these. A coefficient would contradict "
+                   "them.",
                    "preset = \"earth\"\n[particles.fog]\npreset = \"fog\"\n"
                    "[atmosphere.layers.fog]\nprofile = \"slab\"\nbottom_altitude = \"0 m\"\n"
                    "top_altitude = \"200 m\"\nphase = { mie = \"fog\" }\n"
@@ -292,7 +295,7 @@ constexpr std::array codes = {
                    usage},
     DiagnosticCode{"E0140", "unknown particles",
                    "A layer or a bake names particles; the recipe has no [particles.NAME] of that "
-                   "name.",
+                   "name. In `components` OPAC's kinds of spheres have names too.",
                    "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nparticles = \"frog\"",
                    "[particles.fog]\npreset = \"fog\"\n[bake.phase]\nparticles = \"fog\"", usage},
     DiagnosticCode{
@@ -313,7 +316,9 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0144", "particles whose scattering cannot be computed",
         "Spheres with the refractive index of air scatter nothing; the index of water is known "
-        "from 200 nm to 4 um; and the largest spheres may have a circumference of 300 000 "
+        "from 200 nm to 4 um, and that of `indices` between its ends; some spheres that count must "
+        "lie between smallest_radius and largest_radius; and the largest spheres may have a "
+        "circumference of 300 000 "
         "wavelengths, which they reach in rain of some 25 mm/h in blue light. A layer of "
         "particles, like any other, may have an extinction of at most 1e6 /m.",
         "[particles.p]\nmaterial = \"constant\"\nrefractive_index = 1\n"
@@ -324,8 +329,10 @@ constexpr std::array codes = {
 
     DiagnosticCode{
         "E0145", "gas or aerosol whose coefficients cannot be computed",
-        "Each gas is known at visible wavelengths and somewhat beyond; the message says from where "
-        "to where. Its profile must have some density between the ground and the top of the air, "
+        "Each gas and each kind of spheres is known at visible wavelengths and somewhat beyond; "
+        "the "
+        "message says from where to where. An optical depth or a visibility of spheres needs them "
+        "at 550 nm. The profile must have some density between the ground and the top of the air, "
         "over which the amount is spread, and its extinction must be at most 1e6 /m.",
         "preset = \"earth\"\nwavelengths = [\"2000 nm\"]\n[atmosphere.layers.rayleigh]\n"
         "scattering = \"0 /m\"\n[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n"

@@ -92,6 +92,20 @@ struct ToText {
                                number_to_string(point.density));
         });
     }
+    std::string operator()(const std::vector<IndexPoint>& table) const {
+        return list_to_string(table, [](const IndexPoint& point) {
+            return fmt::format("[{}, {}, {}]",
+                               toml_string(wavelength_to_string(point.wavelength.meters)),
+                               number_to_string(point.real), number_to_string(point.imaginary));
+        });
+    }
+    std::string operator()(const std::vector<ComponentNumber>& list) const {
+        return list_to_string(list, [](const ComponentNumber& one) {
+            return fmt::format(
+                "[{}, {}]", toml_string(one.component),
+                toml_string(number_density_to_string(one.number_density.per_cubic_meter)));
+        });
+    }
     std::string operator()(const std::vector<HeightPoint>& table) const {
         return list_to_string(table, [](const HeightPoint& point) {
             return fmt::format("[{}, {}]", number_to_string(point.height),

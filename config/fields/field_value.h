@@ -27,7 +27,8 @@ using FieldValue =
                  std::array<int, 2>, ChoiceIndex, std::vector<DensityPoint>, std::array<int, 3>,
                  std::vector<std::array<int, 3>>, std::array<double, 4>, std::uint64_t,
                  std::vector<ChoiceIndex>, std::array<double, 2>, std::array<double, 3>,
-                 std::vector<HeightPoint>, std::vector<std::vector<std::string>>>;
+                 std::vector<HeightPoint>, std::vector<std::vector<std::string>>,
+                 std::vector<IndexPoint>, std::vector<ComponentNumber>>;
 
 // Spells a value as TOML text in base units. Equal values have equal texts.
 std::string canonical_text(const Field& field, const FieldValue& value);

@@ -140,6 +140,19 @@ Json height_table_schema(const Field& field) {
     return pair_table(bare_number({0, 1}), bare_number(field.range), 1);
 }
 
+Json index_table_schema(const Field& field) {
+    const Json number = bare_number(field.range);
+    const Json entry = {{"type", "array"},
+                        {"items", {quantity(Dimension::length), number, number}},
+                        {"minItems", 3},
+                        {"maxItems", 3}};
+    return {{"type", "array"}, {"items", entry}, {"minItems", 1}};
+}
+
+Json components_schema(const Field&) {
+    return pair_table({{"type", "string"}}, quantity(Dimension::number_density), 1);
+}
+
 Json swept_schema(const Field&) { return {{"type", {"number", "string"}}}; }
 
 }  // namespace skybake::config

@@ -55,6 +55,8 @@ ReadKind read_pair, read_triple;  // two numbers; three numbers
 ReadKind read_bounds;             // two numbers, the first not above the second
 ReadKind read_density_table;      // pairs whose altitudes increase, from 0 up
 ReadKind read_height_table;       // pairs whose heights increase within [0, 1]
+ReadKind read_index_table;        // wavelengths that increase, each with n and k of n + i k
+ReadKind read_components;         // names, each with a number density, none of them twice
 ReadKind read_seed;               // an integer, or a text with a decimal or 0x number
 ReadKind read_frequency;          // lattice cells per tile along x, y and z: one or three integers
 ReadKind read_frequencies;        // one to most_octaves frequencies
@@ -75,7 +77,7 @@ KindSchema one_or_numbers_schema;  // a number, or a list of `fewest` to `most` 
 KindSchema wholes_schema;          // a list of `fewest` to `most` whole numbers
 KindSchema wavelengths_schema;     // one_or_numbers_schema, or a text
 KindSchema frequency_schema, frequencies_schema, clamp_schema, levels_schema, power_of_two_schema;
-KindSchema density_table_schema, height_table_schema;
+KindSchema density_table_schema, height_table_schema, index_table_schema, components_schema;
 
 // --- Scales -------------------------------------------------------------------------------------
 
@@ -211,6 +213,14 @@ struct Kind {
     static constexpr ValueKind height_table{
         "a list of pairs, such as [[0, 0.0], [0.2, 1.0], [1, 0.0]]", read_height_table,
         height_table_schema, &S::plain};
+    static constexpr ValueKind index_table{
+        "a list of a wavelength and two numbers each, such as [[\"400 nm\", 1.5, 0.01], "
+        "[\"700 nm\", 1.5, 0.003]]",
+        read_index_table, index_table_schema, &S::plain};
+    static constexpr ValueKind components{
+        "a list of pairs, such as [[\"water_soluble\", \"7000 /cm3\"], "
+        "[\"soot\", \"8300 /cm3\"]]",
+        read_components, components_schema, &S::number_density};
     static constexpr ValueKind path_groups{"a list of paths in quotes, or a list of such lists",
                                            read_path_groups, path_groups_schema};
     static constexpr ValueKind swept{"one number, or a quantity in quotes", read_swept,

@@ -1,11 +1,14 @@
-// This file reads tables of pairs: density over altitude, and a cloud's profile over height.
+// This file reads tables: density over altitude, a cloud's profile over height, refractive indices
+// over wavelength, and lists of components.
 #include <fmt/format.h>
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "config/fields/number_reader.h"
 #include "config/text/quantity.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -122,6 +125,111 @@ std::optional<FieldValue> read_height_table(const Reader& reader, const Value& v
     std::vector<HeightPoint> table;
     for (const Pair& pair : *pairs) table.push_back({pair[0], pair[1]});
     return table;
+}
+
+namespace {
+
+// Returns an entry's items, of which there must be `count`, or null if it has
+// others, which is reported. `words` says what an entry is.
+const Array* entry_items(const Reader& reader, const Value& value, std::size_t count,
+                         std::string_view words) {
+    const auto* items = std::get_if<Array>(&value.data);
+    if (items && items->size() == count) return items;
+    reader.error(
+        "E0114", value,
+        fmt::format("`{}` has an entry that is not {}: {}", reader.path, words, written(value)),
+        fmt::format("give {}", reader.field.kind.words));
+    return nullptr;
+}
+
+// Returns the entries of a list that must not be empty, or null, which is
+// reported.
+const Array* entries_of(const Reader& reader, const Value& value) {
+    const auto* array = std::get_if<Array>(&value.data);
+    if (!array) {
+        report_type(reader, value, reader.field.kind.words);
+        return nullptr;
+    }
+    if (!array->empty()) return array;
+    reader.error("E0114", value, fmt::format("`{}` has no entries", reader.path),
+                 fmt::format("give {}", reader.field.kind.words));
+    return nullptr;
+}
+
+std::optional<double> read_item(const Reader& reader, const Field& field, const Value& value) {
+    return read_number(Reader{field, reader.path, reader.diagnostics}, value);
+}
+
+std::optional<IndexPoint> read_index(const Reader& reader, const Value& value) {
+    constexpr Field wavelength{.key = "wavelength", .kind = Kind::length, .range = {1e-8, 1e-3}};
+    constexpr Field real{.key = "n", .kind = Kind::number, .range = {0.01, 100}};
+    const Field imaginary{.key = "k", .kind = Kind::number, .range = reader.field.range};
+    const Array* items = entry_items(reader, value, 3, "[wavelength, n, k]");
+    if (!items) return std::nullopt;
+    const auto at = read_item(reader, wavelength, (*items)[0]);
+    const auto n = read_item(reader, real, (*items)[1]);
+    const auto k = read_item(reader, imaginary, (*items)[2]);
+    if (!at || !n || !k) return std::nullopt;
+    return IndexPoint{{*at}, *n, *k};
+}
+
+std::optional<ComponentNumber> read_component(const Reader& reader, const Value& value) {
+    const Field number{.key = "number", .kind = Kind::number_density, .range = reader.field.range};
+    const Array* items = entry_items(reader, value, 2, "[component, number density]");
+    if (!items) return std::nullopt;
+    const auto* name = std::get_if<std::string>(&(*items)[0].data);
+    if (!name) report_type(reader, (*items)[0], "the name of a component");
+    const auto density = read_item(reader, number, (*items)[1]);
+    if (!name || !density) return std::nullopt;
+    return ComponentNumber{*name, {*density}};
+}
+
+}  // namespace
+
+std::optional<FieldValue> read_index_table(const Reader& reader, const Value& value) {
+    const Array* entries = entries_of(reader, value);
+    if (!entries) return std::nullopt;
+    std::vector<IndexPoint> table;
+    bool valid = true;
+    for (const Value& entry : *entries) {
+        const std::optional<IndexPoint> point = read_index(reader, entry);
+        valid = valid && point;
+        if (!point) continue;
+        const double before = table.empty() ? 0 : table.back().wavelength.meters;
+        if (point->wavelength.meters <= before) {
+            reader.error("E0114", entry,
+                         fmt::format("`{}` has wavelengths that do not increase: {} after {}",
+                                     reader.path, wavelength_to_string(point->wavelength.meters),
+                                     wavelength_to_string(before)),
+                         "sort the entries by wavelength and give each one once");
+            valid = false;
+        }
+        table.push_back(*point);
+    }
+    if (!valid) return std::nullopt;
+    return table;
+}
+
+std::optional<FieldValue> read_components(const Reader& reader, const Value& value) {
+    const Array* entries = entries_of(reader, value);
+    if (!entries) return std::nullopt;
+    std::vector<ComponentNumber> list;
+    bool valid = true;
+    for (const Value& entry : *entries) {
+        std::optional<ComponentNumber> one = read_component(reader, entry);
+        valid = valid && one;
+        if (!one) continue;
+        for (const ComponentNumber& earlier : list) {
+            if (earlier.component != one->component) continue;
+            reader.error("E0114", entry,
+                         fmt::format("`{}` names {} twice", reader.path, shorten(one->component)),
+                         "give its numbers together");
+            valid = false;
+        }
+        list.push_back(std::move(*one));
+    }
+    if (!valid) return std::nullopt;
+    return list;
 }
 
 }  // namespace skybake::config

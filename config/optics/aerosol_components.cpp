@@ -255,6 +255,14 @@ WavelengthRange range_of(AerosolComponent component) {
     return {{rows.front().nm * 1e-9}, {rows.back().nm * 1e-9}};
 }
 
+std::vector<Length> tabulated_wavelengths(AerosolComponent component) {
+    std::vector<Length> all;
+    for (const IndexRow& row : index_rows(facts_of(component).substance)) {
+        all.push_back({row.nm * 1e-9});
+    }
+    return all;
+}
+
 RefractiveIndex refractive_index_of(AerosolComponent component, Length wavelength,
                                     double relative_humidity_percent) {
     const RefractiveIndex dry = index_at(index_rows(facts_of(component).substance), wavelength);

@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "config/optics/gases.h"
 
@@ -55,6 +56,9 @@ struct RefractiveIndex {
 
 // Returns the wavelengths at which the component's index is known: 350 to 800 nm, or more.
 WavelengthRange range_of(AerosolComponent component);
+
+// The wavelengths at which the index is tabulated, ascending.
+std::vector<Length> tabulated_wavelengths(AerosolComponent component);
 
 // The index of the dry substance mixed with that of water by volume. It is linear in wavelength
 // between the published entries. The wavelength must be in range_of(component).

@@ -8,7 +8,10 @@ namespace {
 constexpr double kAvogadro_per_mol = 6.02214076e23;
 constexpr double kAirMolarMass_kg = 28.9644e-3;  // US Standard Atmosphere 1976
 constexpr double kWaterMolarMass_kg = 18.01528e-3;
-constexpr double kOxygenShare = 0.209476;  // US Standard Atmosphere 1976
+// US Standard Atmosphere 1976.
+constexpr double kOxygenShare = 0.209476;
+constexpr double kNitrogenShare = 0.78084;
+constexpr double kCarbonDioxideShare = 0.000314;
 
 }  // namespace
 
@@ -34,6 +37,10 @@ double standard_column_per_m2(Gas gas) {
             return oxygen_column_per_m2();
         case Gas::water_vapor:
             return water_vapor_column_per_m2(kStandardWaterVapor_kg_per_m2);
+        case Gas::nitrogen:
+            return kNitrogenShare * air_column_per_m2();
+        case Gas::carbon_dioxide:
+            return kCarbonDioxideShare * air_column_per_m2();
         case Gas::air:
             break;
     }

@@ -1,4 +1,4 @@
-// How the gases of the Earth's air scatter and absorb light of one wavelength.
+// How gases of the air, of the Earth and of other planets, scatter and absorb light of one wavelength.
 //
 // All cross-sections are square metres per molecule. What a gas does along a path is its
 // cross-section times the molecules on that path per square metre (its column):
@@ -8,6 +8,9 @@
 //   air      scatters after Rayleigh: Bucholtz 1995 (Appl. Opt. 34, 2765), eq. 8 and table 3, in
 //            standard air, with King's factor of Bates 1984. It does not absorb: ozone, oxygen
 //            and the rest are gases of their own.
+//   nitrogen, carbon dioxide   scatter after Rayleigh in air that is not the Earth's: by their
+//            refractive indices and King's factors (Sneep & Ubachs 2005, J. Quant. Spectrosc. Radiat.
+//            Transfer 92, 293). They do not absorb visible light.
 //   others   absorb, and scatter nothing of their own, since they are a part of air.
 //
 // gas_absorption.cpp names the source of each table and its spacing. Oxygen and water vapour absorb
@@ -24,7 +27,12 @@
 
 namespace skybake::config {
 
-enum class Gas { air, ozone, nitrogen_dioxide, oxygen, water_vapor };
+enum class Gas { air, ozone, nitrogen_dioxide, oxygen, water_vapor, nitrogen, carbon_dioxide };
+
+// Whether the gas scatters, which it does by Rayleigh's phase function.
+constexpr bool scatters(Gas gas) {
+    return gas == Gas::air || gas == Gas::nitrogen || gas == Gas::carbon_dioxide;
+}
 
 // All gases, in the order of the enumerators.
 std::span<const Gas> all_gases();
@@ -57,6 +65,9 @@ constexpr double kOzoneLayerTemperature_K = 233;
 // The wavelength must be in range_of(gas). Ozone's absorption is linear in the temperature from 193
 // to 293 K, beyond which it stays as it is. The other gases do not heed it.
 GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K = kOzoneLayerTemperature_K);
+
+GasOptics nitrogen_optics(Length wavelength);
+GasOptics carbon_dioxide_optics(Length wavelength);
 
 // --- Air -----------------------------------------------------------------------------------------
 

@@ -1,4 +1,6 @@
-// Scattering by the molecules of air, without absorption.
+// Scattering by the molecules of air, nitrogen and carbon dioxide.
+#include <numbers>
+
 #include "config/optics/elementary.h"
 #include "config/optics/gases.h"
 
@@ -31,10 +33,57 @@ double king_factor(Length wavelength) {
            (kNitrogen + kOxygen + kArgon + kCarbonDioxide);
 }
 
+namespace {
+
+// F = (6 + 3 rho) / (6 - 7 rho), solved for rho.
+double depolarization_of(double king) { return 6 * (king - 1) / (3 + 7 * king); }
+
+// Of a gas whose refractive index at 15 C and 1013.25 hPa is 1 + refractivity:
+//
+//   sigma = 24 pi^3 nu^4 / N^2 ((n^2 - 1) / (n^2 + 2))^2 F
+GasOptics optics_of(double per_cm, double refractivity, double king) {
+    constexpr double kPerCubicCm = 2.546899e19;  // N
+    const double square = (1 + refractivity) * (1 + refractivity);
+    const double ratio = per_cm * per_cm / kPerCubicCm * (square - 1) / (square + 2);
+    constexpr double kCubeOfPi = std::numbers::pi * std::numbers::pi * std::numbers::pi;
+    return {.scattering_m2 = 24 * kCubeOfPi * ratio * ratio * king * 1e-4,
+            .depolarization = depolarization_of(king)};
+}
+
+double wave_number_per_cm(Length wavelength) { return 0.01 / wavelength.meters; }
+
+}  // namespace
+
+// Sneep & Ubachs 2005, eqs. 10 and 11 (Bates 1984, in two ranges that meet at 468 nm).
+GasOptics nitrogen_optics(Length wavelength) {
+    const double nu = wave_number_per_cm(wavelength);
+    const double square = nu * nu;
+    const double refractivity = nu > 21360 ? 5677.465 + 318.81874e12 / (14.4e9 - square)
+                                           : 6498.2 + 307.4335e12 / (14.4e9 - square);
+    return optics_of(nu, refractivity * 1e-8, 1.034 + 3.17e-12 * square);
+}
+
+// Sneep & Ubachs 2005, eq. 13, whose factor must be 1e3 and not 1e6 (Bideau-Mehu et al. 1973).
+GasOptics carbon_dioxide_optics(Length wavelength) {
+    const double nu = wave_number_per_cm(wavelength);
+    const double square = nu * nu;
+    struct Resonance {
+        double strength, per_cm;
+    };
+    constexpr Resonance kResonances[] = {{5799.25, 128908.9},
+                                         {120.05, 89223.8},
+                                         {5.3334, 75037.5},
+                                         {4.3244, 67837.7},
+                                         {0.1218145e-4, 2418.136}};
+    double sum = 0;
+    for (const auto& [strength, per_cm] : kResonances) {
+        sum += strength / (per_cm * per_cm - square);
+    }
+    return optics_of(nu, 1.1427e3 * sum, 1.1364 + 25.3e-12 * square);
+}
+
 double rayleigh_depolarization(Length wavelength) {
-    // F = (6 + 3 rho) / (6 - 7 rho), solved for rho.
-    const double king = king_factor(wavelength);
-    return 6 * (king - 1) / (3 + 7 * king);
+    return depolarization_of(king_factor(wavelength));
 }
 
 double rayleigh_second_moment(double depolarization) {

@@ -53,6 +53,8 @@ std::span<const ProfilePoint> standard_profile(Gas gas) {
             return kWaterVaporProfile;
         case Gas::air:
         case Gas::oxygen:
+        case Gas::nitrogen:
+        case Gas::carbon_dioxide:
             break;
     }
     return kAirProfile;

@@ -22,7 +22,8 @@ struct ProfilePoint {
     bool operator==(const ProfilePoint&) const = default;
 };
 
-// Returns the points by ascending altitude, the first at 0 m. Oxygen is spread as air.
+// Returns the points by ascending altitude, the first at 0 m. Oxygen, nitrogen and carbon
+// dioxide are spread as air.
 std::span<const ProfilePoint> standard_profile(Gas gas);
 
 // Returns the integral of the profile over altitude in metres: a column divided by it is the number

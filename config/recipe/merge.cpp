@@ -56,16 +56,50 @@ bool is_dropped(const Field& field, const Section& section, const Table& over) {
     return selected && !applies(field, *selected);
 }
 
-// Whether the key is a coefficient. Layers of particles have particles instead of coefficients.
-bool is_coefficient(std::string_view key) {
-    return key == "scattering" || key == "extinction" || key == "absorption" ||
-           key == "single_scattering_albedo";
+using Keys = std::vector<std::string_view>;
+
+// Keys of a layer that say what it is made of, in different words.
+const Keys coefficient_keys = {"scattering", "extinction", "absorption", "single_scattering_albedo",
+                               "angstrom_exponent"};
+const Keys gas_keys = {"gas", "pressure", "column"};
+const Keys sphere_keys = {"aerosol", "components", "relative_humidity"};
+const Keys amount_keys = {"optical_depth", "visibility", "number_density"};
+const Keys phase_keys = {"phase", "particles", "g", "depolarization"};
+
+bool has_any(const Table& table, const Keys& keys) {
+    return std::any_of(keys.begin(), keys.end(),
+                       [&](std::string_view key) { return find_entry(table, key) != nullptr; });
+}
+
+// Returns the keys of an earlier layer that a later one contradicts by what it says it is made of.
+Keys contradicted_keys(const Table& over) {
+    Keys dropped;
+    const auto drop = [&](const Keys& keys) {
+        dropped.insert(dropped.end(), keys.begin(), keys.end());
+    };
+    const bool of_spheres = has_any(over, {"aerosol", "components"});
+    const bool of_particles = names_particles(over);
+    if (of_spheres || of_particles) {
+        drop(coefficient_keys);
+        drop(gas_keys);
+    }
+    if (of_spheres) {
+        drop(phase_keys);
+        drop(amount_keys);
+    } else if (of_particles || has_any(over, {"scattering", "extinction", "gas", "phase"})) {
+        drop(sphere_keys);
+    }
+    if (!of_spheres && !of_particles && find_entry(over, "phase")) drop({"number_density"});
+    return dropped;
 }
 
 void drop_alternatives(Table& base, const Table& over, const Section& section) {
-    const bool of_particles = section.path == "atmosphere.layers.*" && names_particles(over);
+    const Keys contradicted =
+        section.path == "atmosphere.layers.*" ? contradicted_keys(over) : Keys{};
     std::erase_if(base, [&](const Entry& entry) {
-        if (of_particles && is_coefficient(entry.key)) return true;
+        if (std::find(contradicted.begin(), contradicted.end(), entry.key) != contradicted.end()) {
+            return true;
+        }
         const Field* field = find_field(section, entry.key);
         return field && is_dropped(*field, section, over);
     });

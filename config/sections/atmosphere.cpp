@@ -1,6 +1,7 @@
 #include "config/sections/atmosphere.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +10,13 @@
 #include <utility>
 
 #include "config/fields/section_decoder.h"
+#include "config/optics/aerosol_components.h"
 #include "config/optics/standard_profiles.h"
+#include "config/sections/aerosol_spheres.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/text/key_path.h"
+#include "config/text/text.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -181,11 +185,13 @@ bool is_of_particles(const DecodedSection& layer) {
     return choice_of<Phase>(phase) == Phase::mie;
 }
 
-// What a layer's coefficients follow from.
-enum class Matter { numbers, particles, gas, aerosol };
+// What a layer's coefficients follow from: its numbers, [particles.NAME], kinds
+// of spheres, a gas, or an amount of haze.
+enum class Matter { numbers, particles, spheres, gas, aerosol };
 
 Matter matter_of(const DecodedSection& layer) {
     if (is_of_particles(layer)) return Matter::particles;
+    if (layer.at("aerosol").source || layer.at("components").source) return Matter::spheres;
     if (layer.at("gas").source) return Matter::gas;
     const bool is_aerosol = layer.at("optical_depth").source || layer.at("visibility").source;
     return is_aerosol ? Matter::aerosol : Matter::numbers;
@@ -209,11 +215,22 @@ void leave_out(std::initializer_list<std::string_view> keys, std::string_view of
 void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decoder) {
     if (matter == Matter::particles) {
         leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo", "gas",
-                   "optical_depth", "visibility", "angstrom_exponent"},
+                   "aerosol", "components", "relative_humidity", "angstrom_exponent"},
                   "particles",
                   "phase = \"mie\" computes it from their number and size; leave it out", layer,
                   decoder);
-    } else if (matter == Matter::gas) {
+        return;
+    }
+    if (matter == Matter::spheres) {
+        leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo", "gas",
+                   "angstrom_exponent", "phase", "g", "depolarization"},
+                  "spheres", "it follows from their sizes and numbers; leave it out", layer,
+                  decoder);
+        return;
+    }
+    leave_out({"number_density", "relative_humidity"}, "other matter than spheres",
+              "it goes with aerosol, components or phase = \"mie\"; leave it out", layer, decoder);
+    if (matter == Matter::gas) {
         leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo",
                    "optical_depth", "visibility", "angstrom_exponent"},
                   "a gas", "`gas` knows it at each wavelength; leave it out", layer, decoder);
@@ -232,9 +249,18 @@ double number_or(const DecodedField& decoded, double other) {
     return decoded.value ? std::get<double>(*decoded.value) : other;
 }
 
-// The exponent of common haze, and the depolarisation of air at 550 nm.
+// The exponent of common haze, the depolarisation of air at 550 nm, and the
+// humidity for which OPAC prints its mixtures.
 constexpr double usual_angstrom_exponent = 1.3;
 constexpr double depolarization_of_air = 0.0279;
+constexpr double usual_humidity = 0.8;
+
+// Of the gas that a layer has.
+double depolarization_of(const Layer& layer) {
+    if (!layer.gas || !scatters(layer.gas->gas)) return 0;
+    if (layer.gas->gas == Gas::air) return depolarization_of_air;
+    return gas_optics(layer.gas->gas, aerosol_wavelength).depolarization;
+}
 
 void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
     const DecodedField& named = section.at("gas");
@@ -248,13 +274,121 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
         amount.column = {number_or(section.at("column"), 0)};
     }
     layer.gas = amount;
-    if (amount.gas == Gas::air && layer.phase != Phase::rayleigh && section.at("phase").value) {
+    if (scatters(amount.gas) && layer.phase != Phase::rayleigh && section.at("phase").value) {
         const DecodedField& phase = section.at("phase");
         decoder.diagnostics.error(
             "E0139", phase.source ? phase.source->place : section.place,
-            fmt::format("`{}` does not fit gas = \"air\"", join_path(section.path, "phase")),
-            "air scatters with phase = \"rayleigh\"");
+            fmt::format("`{}` does not fit gas = \"{}\"", join_path(section.path, "phase"),
+                        choice_name(*named.field, amount.gas)),
+            "it scatters with phase = \"rayleigh\"");
     }
+}
+
+// The extinction at 550 nm of the visibility that the section gives, if it
+// does.
+std::optional<InverseLength> visible_extinction(const DecodedSection& section) {
+    const DecodedField& visibility = section.at("visibility");
+    if (!visibility.value) return std::nullopt;
+    return haze_of_visibility({std::get<double>(*visibility.value)});
+}
+
+// Returns the spheres that an entry of `components` names: those of the recipe
+// first, then OPAC's.
+std::optional<Particles> named_spheres(const std::string& name, double relative_humidity,
+                                       const Parameters& recipe) {
+    for (const Particles& particles : recipe.particles) {
+        if (particles.name == name) return particles;
+    }
+    for (const AerosolComponent component : all_aerosol_components()) {
+        if (name_of(component) == name) return spheres_of(component, relative_humidity);
+    }
+    return std::nullopt;
+}
+
+void report_unknown_component(const DecodedSection& section, std::size_t entry,
+                              const std::string& name, const Parameters& recipe, Decoder& decoder) {
+    std::vector<std::string_view> names;
+    for (const Particles& particles : recipe.particles) names.push_back(particles.name);
+    for (const AerosolComponent component : all_aerosol_components()) {
+        names.push_back(name_of(component));
+    }
+    std::string label = did_you_mean(name, names);
+    if (label.empty()) label = fmt::format("there are {}", fmt::join(names, ", "));
+    const Array& entries = std::get<Array>(section.at("components").source->data);
+    decoder.diagnostics.error("E0140", std::get<Array>(entries[entry].data).front().place,
+                              fmt::format("`{}` names no component and no [particles.{}]",
+                                          join_path(section.path, "components"), shorten(name)),
+                              std::move(label));
+}
+
+std::vector<SphereKind> bind_components(const DecodedSection& section, double relative_humidity,
+                                        const Parameters& recipe, Decoder& decoder) {
+    std::vector<SphereKind> kinds;
+    const DecodedField& components = section.at("components");
+    if (!components.value) return kinds;
+    const auto& listed = std::get<std::vector<ComponentNumber>>(*components.value);
+    for (std::size_t i = 0; i < listed.size(); ++i) {
+        std::optional<Particles> spheres =
+            named_spheres(listed[i].component, relative_humidity, recipe);
+        if (spheres) {
+            kinds.push_back({std::move(*spheres), listed[i].number_density});
+        } else if (decoder.complete) {
+            report_unknown_component(section, i, listed[i].component, recipe, decoder);
+        }
+    }
+    return kinds;
+}
+
+// Multiplies the numbers of all kinds, so that there are `total` particles.
+void scale_numbers(double total, std::vector<SphereKind>& kinds) {
+    double sum = 0;
+    for (const SphereKind& kind : kinds) sum += kind.number_density.per_cubic_meter;
+    for (SphereKind& kind : kinds) kind.number_density.per_cubic_meter *= total / sum;
+}
+
+void bind_amount(const DecodedSection& section, LayerParticles& particles) {
+    const DecodedField& depth = section.at("optical_depth");
+    if (depth.value) particles.optical_depth = std::get<double>(*depth.value);
+    particles.extinction = visible_extinction(section);
+    const DecodedField& number = section.at("number_density");
+    if (number.value) scale_numbers(std::get<double>(*number.value), particles.kinds);
+}
+
+// Swollen spheres of OPAC in humid air, which has 80 % where nothing else is
+// said.
+void bind_spheres(const DecodedSection& section, const Parameters& recipe, Decoder& decoder,
+                  Layer& layer) {
+    layer.phase = Phase::mie;
+    const double humidity = number_or(section.at("relative_humidity"), usual_humidity);
+    const std::optional<AerosolMixture> mixture = choice_of<AerosolMixture>(section.at("aerosol"));
+    layer.particles.kinds = mixture ? kinds_of(*mixture, humidity)
+                                    : bind_components(section, humidity, recipe, decoder);
+    layer.particles.wavelengths = recipe.wavelengths;
+    bind_amount(section, layer.particles);
+}
+
+void report_missing_amount(const DecodedSection& section, Decoder& decoder) {
+    const DecodedField& phase = section.at("phase");
+    decoder.diagnostics.error(
+        "E0105", phase.source ? phase.source->place : section.place,
+        fmt::format("`{}` is missing: phase mie needs it",
+                    join_path(section.path, "number_density")),
+        "give a number per volume, such as \"300 /cm3\", or an optical_depth or "
+        "visibility");
+}
+
+void bind_particles(const DecodedSection& section, const Parameters& recipe, Decoder& decoder,
+                    Layer& layer) {
+    const Particles* particles =
+        find_named(section, "particles", std::span<const Particles>(recipe.particles),
+                   particles_reference, decoder);
+    const bool has_amount = section.at("optical_depth").source || section.at("visibility").source ||
+                            section.at("number_density").source;
+    if (!has_amount && decoder.complete) report_missing_amount(section, decoder);
+    if (!particles) return;
+    layer.particles.kinds = {{*particles, {1}}};
+    layer.particles.wavelengths = recipe.wavelengths;
+    bind_amount(section, layer.particles);
 }
 
 void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer) {
@@ -274,12 +408,8 @@ void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer)
         }
     }
     const DecodedField& depth = section.at("optical_depth");
-    const DecodedField& visibility = section.at("visibility");
-    if (depth.value) {
-        law.optical_depth = std::get<double>(*depth.value);
-    } else if (visibility.value) {
-        law.extinction = haze_of_visibility({std::get<double>(*visibility.value)});
-    }
+    if (depth.value) law.optical_depth = std::get<double>(*depth.value);
+    law.extinction = visible_extinction(section).value_or(InverseLength{});
     layer.aerosol = law;
 }
 
@@ -319,19 +449,11 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
     if (matter == Matter::gas) bind_gas(section, decoder, layer);
     if (matter == Matter::aerosol) bind_aerosol(section, decoder, layer);
     if (layer.phase == Phase::rayleigh) {
-        const bool is_air = layer.gas && layer.gas->gas == Gas::air;
-        layer.depolarization =
-            number_or(section.at("depolarization"), is_air ? depolarization_of_air : 0);
+        layer.depolarization = number_or(section.at("depolarization"), depolarization_of(layer));
     }
     bind_standard_profile(section, decoder, layer);
-    if (matter != Matter::particles) return layer;
-    const Particles* particles =
-        find_named(section, "particles", std::span<const Particles>(recipe.particles),
-                   particles_reference, decoder);
-    const DecodedField& number = section.at("number_density");
-    if (particles && number.value) {
-        layer.particles = {*particles, {std::get<double>(*number.value)}, recipe.wavelengths};
-    }
+    if (matter == Matter::particles) bind_particles(section, recipe, decoder, layer);
+    if (matter == Matter::spheres) bind_spheres(section, recipe, decoder, layer);
     return layer;
 }
 
@@ -354,6 +476,7 @@ std::optional<Layer> decode_layer(const std::string& name, const Place& place, c
         derive_extinction(section, decoder);
     }
     check_slab(section, decoder);
+    if (matter == Matter::spheres) derive(section.at("relative_humidity"), usual_humidity);
     append_values(section, decoder);
     if (matter == Matter::aerosol) carry_albedo(section, decoder);
     return bind_layer(name, section, recipe, decoder);

@@ -49,7 +49,7 @@ struct Layer {
     double depolarization = 0;          // rayleigh: of light scattered by 90 degrees; 0.0279 of air
     std::optional<GasAmount> gas;       // scattering and extinction follow from it, or
     std::optional<AerosolLaw> aerosol;  // from this; else they are the recipe's numbers
-    LayerParticles particles;  // mie: scattering, extinction and phase function follow from these
+    LayerParticles particles;           // mie: all of them follow from these; empty for others
     bool operator==(const Layer&) const = default;
 };
 

@@ -1,5 +1,6 @@
 // This file holds the rows of the recipe as a whole, of [atmosphere] and of its layers.
 #include "config/fields/fields.h"
+#include "config/optics/aerosol_components.h"
 #include "config/sections/sections.h"
 
 namespace skybake::config {
@@ -12,6 +13,7 @@ constexpr Range altitude_range{-1e9, 1e12};
 constexpr Range thickness_range{1e-3, 1e9};
 constexpr Range wavelength_range{1e-8, 1e-3};
 constexpr Range number_density_range{1e-12, 1e30};
+constexpr Range humidity_range{0, 0.99};
 constexpr Range pressure_range{1e-3, 1e8};
 constexpr Range column_range{1, 1e33};
 constexpr Range aerosol_depth_range{0, 1000};
@@ -21,6 +23,8 @@ constexpr Range depolarization_range{0, 0.5};
 constexpr Range albedo_of_scattering_range{1e-6, 1};
 constexpr Range asymmetry_range{-1, 1, true, true};
 
+constexpr std::string_view hess_1998 =
+    "Hess, Koepke and Schult 1998, Optical Properties of Aerosols and Clouds: OPAC";
 constexpr std::string_view henyey_1941 = "Henyey and Greenstein 1941; Cornette and Shanks 1992";
 
 constexpr std::array profile_choices = {
@@ -50,9 +54,25 @@ constexpr std::array gas_choices = {
     Choice{Gas::nitrogen_dioxide, "nitrogen_dioxide", "absorbs blue light: brown air of cities"},
     Choice{Gas::oxygen, "oxygen", "absorbs in bands of the far red, taken as their means"},
     Choice{Gas::water_vapor, "water_vapor", "absorbs in bands of the red, taken as their means"},
+    Choice{Gas::nitrogen, "nitrogen",
+           "scatters by Rayleigh's law, for air that is not the Earth's"},
+    Choice{Gas::carbon_dioxide, "carbon_dioxide", "scatters by Rayleigh's law: Mars and Venus"},
 };
 
 // These are the profiles, phases and gases for which a key applies.
+constexpr std::array mixture_choices = {
+    Choice{AerosolMixture::continental_clean, "continental_clean", "remote land, without soot"},
+    Choice{AerosolMixture::continental_average, "continental_average", "land, with some soot"},
+    Choice{AerosolMixture::continental_polluted, "continental_polluted", "land near cities"},
+    Choice{AerosolMixture::urban, "urban", "cities: much soot"},
+    Choice{AerosolMixture::desert, "desert", "mineral dust"},
+    Choice{AerosolMixture::maritime_clean, "maritime_clean", "the open sea: salt and sulfate"},
+    Choice{AerosolMixture::maritime_polluted, "maritime_polluted", "seas near land, with soot"},
+    Choice{AerosolMixture::maritime_tropical, "maritime_tropical", "the open sea of the tropics"},
+    Choice{AerosolMixture::arctic, "arctic", "north of 70 degrees, with soot"},
+    Choice{AerosolMixture::antarctic, "antarctic", "the Antarctic continent"},
+};
+
 constexpr std::string_view exponential[] = {"exponential"};
 constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};
@@ -60,8 +80,8 @@ constexpr std::string_view tabulated[] = {"tabulated"};
 constexpr std::string_view mie[] = {"mie"};
 constexpr std::string_view rayleigh[] = {"rayleigh"};
 constexpr std::string_view air[] = {"air"};
-constexpr std::string_view absorbing_gases[] = {"ozone", "nitrogen_dioxide", "oxygen",
-                                                "water_vapor"};
+constexpr std::string_view with_column[] = {"ozone",       "nitrogen_dioxide", "oxygen",
+                                            "water_vapor", "nitrogen",         "carbon_dioxide"};
 constexpr std::string_view with_asymmetry[] = {"henyey_greenstein", "cornette_shanks"};
 
 const std::array root_table = {
@@ -219,15 +239,46 @@ const std::array layer_table = {
                 .selected_by = air,
                 .role = Role::particles},
                {}},
-    LayerField{{.key = "column",
-                .kind = Kind::column_density,
-                .range = column_range,
-                .required = true,
-                .documentation = "molecules of the gas from the ground to the top of the air",
-                .hint = "ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, "
-                        "water vapour 4.7e26 /m2 (14 mm of water)",
-                .selector = "gas",
-                .selected_by = absorbing_gases,
+    LayerField{
+        {.key = "column",
+         .kind = Kind::column_density,
+         .range = column_range,
+         .required = true,
+         .documentation = "molecules of the gas from the ground to the top of the air",
+         .hint = "ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, "
+                 "water vapour 4.7e26 /m2 (14 mm of water), carbon dioxide of Mars 2.2e27 /m2",
+         .selector = "gas",
+         .selected_by = with_column,
+         .role = Role::particles},
+        {}},
+    LayerField{{.key = "aerosol",
+                .kind = Kind::choice,
+                .choices = mixture_choices,
+                .documentation = "mixture of OPAC's spheres, whose coefficients and phase function "
+                                 "follow at each wavelength; without an amount it has its own",
+                .citation = hess_1998,
+                .exclusive_group = "species",
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "components",
+                .kind = Kind::components,
+                .range = number_density_range,
+                .documentation = "kinds of spheres, each with its particles per volume where the "
+                                 "density is 1; with optical_depth or visibility shares count",
+                .hint = "OPAC's insoluble, water_soluble, soot, sea_salt_accumulation, "
+                        "sea_salt_coarse, mineral_nucleation, mineral_accumulation, "
+                        "mineral_coarse, mineral_transported, sulfate_droplets, or NAME of a "
+                        "[particles.NAME]",
+                .citation = hess_1998,
+                .exclusive_group = "species",
+                .role = Role::particles},
+               {}},
+    LayerField{{.key = "relative_humidity",
+                .kind = Kind::fraction,
+                .range = humidity_range,
+                .documentation = "humidity in which the spheres of aerosol or components swell; "
+                                 "without it 80 %",
+                .citation = hess_1998,
                 .role = Role::particles},
                {}},
     LayerField{{.key = "optical_depth",
@@ -314,7 +365,7 @@ const std::array layer_table = {
                 .kind = Kind::number,
                 .range = depolarization_range,
                 .documentation = "how much of the light scattered by 90 degrees is depolarised; "
-                                 "without it 0, and for gas = \"air\" 0.0279",
+                                 "without it that of the gas (air 0.0279), or 0",
                 .citation = "Bates 1984",
                 .selector = "phase",
                 .selected_by = rayleigh,
@@ -331,11 +382,9 @@ const std::array layer_table = {
     LayerField{{.key = "number_density",
                 .kind = Kind::number_density,
                 .range = number_density_range,
-                .required = true,
                 .documentation = "particles per volume where the density is 1",
                 .hint = "haze has 1e3 to 1e4 /cm3, fog 10 to 100 /cm3, rain 1e3 /m3",
-                .selector = "phase",
-                .selected_by = mie,
+                .exclusive_group = "amount",
                 .role = Role::particles},
                {}},
 };

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "config/fields/fields.h"
 #include "config/sections/sections.h"
 #include "config/text/key_path.h"
@@ -36,19 +38,32 @@ void check_material(const DecodedSection& section, const Particles& particles,
             "give a refractive_index other than 1, or an absorption_index above 0");
         return;
     }
+    const WavelengthRange range = range_of(particles);
     for (const Length wavelength : wavelengths) {
-        if (wavelength.meters >= shortest_in_water.meters &&
-            wavelength.meters <= longest_in_water.meters) {
-            continue;
-        }
+        if (range.contains(wavelength)) continue;
+        const bool is_water = particles.material == ParticleMaterial::water;
         decoder.diagnostics.error(
-            "E0144", place_of("material"),
-            fmt::format("[{}]: the refractive index of water is not known at {}", section.path,
-                        wavelength_to_string(wavelength.meters)),
-            "it is known from 200 nm to 4000 nm; give other wavelengths, or material = "
-            "\"constant\"");
+            "E0144", place_of(is_water ? "material" : "indices"),
+            fmt::format("[{}]: the refractive index{} is not known at {}", section.path,
+                        is_water ? " of water" : "", wavelength_to_string(wavelength.meters)),
+            fmt::format("it is known from {} to {}; give other wavelengths, or material = "
+                        "\"constant\"",
+                        wavelength_to_string(range.shortest.meters),
+                        wavelength_to_string(range.longest.meters)));
         return;
     }
+}
+
+void check_radii(const DecodedSection& section, const Particles& particles, Decoder& decoder) {
+    const double smallest = particles.smallest_radius.meters;
+    const double largest = particles.largest_radius.meters;
+    if (!(largest > 0) || largest > smallest) return;
+    const Value* source = section.at("largest_radius").source;
+    decoder.diagnostics.error(
+        "E0113", source ? source->place : section.place,
+        fmt::format("`{}` is not above smallest_radius: {}",
+                    join_path(section.path, "largest_radius"), length_to_string(largest)),
+        fmt::format("must be above {}", length_to_string(smallest)));
 }
 
 }  // namespace
@@ -69,8 +84,21 @@ Particles decode_particles(const std::string& name, const Place& place, const Ta
     bind_section(section, particles_fields(), particles);
     if (!decoder.diagnostics.has_errors()) {
         check_material(section, particles, wavelengths, decoder);
+        check_radii(section, particles, decoder);
     }
     return particles;
+}
+
+WavelengthRange range_of(const Particles& particles) {
+    switch (particles.material) {
+        case ParticleMaterial::water:
+            return {shortest_in_water, longest_in_water};
+        case ParticleMaterial::tabulated:
+            return {particles.indices.front().wavelength, particles.indices.back().wavelength};
+        case ParticleMaterial::constant:
+            break;
+    }
+    return {{0}, {std::numeric_limits<double>::infinity()}};
 }
 
 namespace {
@@ -93,6 +121,7 @@ constexpr std::array material_choices = {
     Choice{ParticleMaterial::water, "water", "liquid water, at each wavelength"},
     Choice{ParticleMaterial::constant, "constant",
            "refractive_index and absorption_index at all wavelengths"},
+    Choice{ParticleMaterial::tabulated, "tabulated", "indices, linear between their wavelengths"},
 };
 constexpr std::array sizes_choices = {
     Choice{SizeDistribution::monodisperse, "monodisperse", "spheres of a single radius"},
@@ -105,6 +134,8 @@ constexpr std::array sizes_choices = {
 };
 
 constexpr std::string_view constant_index[] = {"constant"};
+constexpr std::string_view tabulated_index[] = {"tabulated"};
+constexpr std::string_view distributed[] = {"log_normal", "gamma", "modified_gamma"};
 constexpr std::string_view with_radius[] = {"monodisperse", "log_normal", "modified_gamma"};
 constexpr std::string_view log_normal[] = {"log_normal"};
 constexpr std::string_view gamma[] = {"gamma"};
@@ -141,6 +172,18 @@ const std::array particles_table = {
          .selector = "material",
          .selected_by = constant_index},
         &Particles::absorption_index},
+    ParticlesField{
+        {.key = "indices",
+         .kind = Kind::index_table,
+         .range = absorption_range,
+         .required = true,
+         .documentation = "wavelengths, each with the real and the imaginary part of "
+                          "the refractive index; a positive imaginary part absorbs",
+         .hint = "dust of Mars absorbs blue light: [[\"400 nm\", 1.5, 0.01], [\"700 nm\", "
+                 "1.5, 0.003]]",
+         .selector = "material",
+         .selected_by = tabulated_index},
+        &Particles::indices},
     ParticlesField{{.key = "sizes",
                     .kind = Kind::choice,
                     .choices = sizes_choices,
@@ -207,6 +250,23 @@ const std::array particles_table = {
                     .selector = "sizes",
                     .selected_by = modified_gamma},
                    &Particles::gamma},
+    ParticlesField{{.key = "smallest_radius",
+                    .kind = Kind::length,
+                    .range = sphere_radius_range,
+                    .documentation = "spheres below it are missing; numbers of particles count the "
+                                     "whole distribution",
+                    .selector = "sizes",
+                    .selected_by = distributed},
+                   &Particles::smallest_radius},
+    ParticlesField{{.key = "largest_radius",
+                    .kind = Kind::length,
+                    .range = sphere_radius_range,
+                    .documentation = "spheres above it are missing; numbers of particles count the "
+                                     "whole distribution",
+                    .hint = "OPAC has 20 um, of coarse kinds 60 um",
+                    .selector = "sizes",
+                    .selected_by = distributed},
+                   &Particles::largest_radius},
 };
 
 }  // namespace

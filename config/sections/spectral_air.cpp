@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -106,20 +107,50 @@ InverseLength haze_of_visibility(Length visibility) {
     return {koschmieder / visibility.meters - clean_air_per_meter};
 }
 
+namespace {
+
+// Returns what is not known at one of the wavelengths, or an empty text.
+std::string fault_of_range(std::string_view what, const WavelengthRange& range,
+                           std::span<const Length> wavelengths) {
+    for (const Length wavelength : wavelengths) {
+        if (range.contains(wavelength)) continue;
+        return fmt::format("its {} not known at {}, but from {} to {}", what,
+                           wavelength_to_string(wavelength.meters),
+                           wavelength_to_string(range.shortest.meters),
+                           wavelength_to_string(range.longest.meters));
+    }
+    return "";
+}
+
+constexpr std::string_view no_density = "its profile has no density within the air";
+
+std::string resolve_spheres(Layer& layer, Length thickness, std::span<const Length> wavelengths) {
+    LayerParticles& particles = layer.particles;
+    std::vector<Length> needed(wavelengths.begin(), wavelengths.end());
+    if (particles.optical_depth || particles.extinction) needed.push_back(aerosol_wavelength);
+    for (const SphereKind& kind : particles.kinds) {
+        const std::string what = fmt::format("particles `{}` are", kind.particles.name);
+        std::string fault = fault_of_range(what, range_of(kind.particles), needed);
+        if (!fault.empty()) return fault;
+    }
+    if (!particles.optical_depth) return "";
+    const double column_m = density_column(layer, thickness);
+    if (!(column_m > 0)) return std::string(no_density);
+    particles.extinction = InverseLength{*particles.optical_depth / column_m};
+    return "";
+}
+
+}  // namespace
+
 std::string resolve_matter(Layer& layer, Length thickness, std::span<const Length> wavelengths) {
+    if (layer.phase == Phase::mie) return resolve_spheres(layer, thickness, wavelengths);
     if (!layer.gas && !layer.aerosol) return "";
     if (layer.gas) {
-        const WavelengthRange range = range_of(layer.gas->gas);
-        for (const Length wavelength : wavelengths) {
-            if (range.contains(wavelength)) continue;
-            return fmt::format("its gas is not known at {}, but from {} to {}",
-                               wavelength_to_string(wavelength.meters),
-                               wavelength_to_string(range.shortest.meters),
-                               wavelength_to_string(range.longest.meters));
-        }
+        std::string fault = fault_of_range("gas is", range_of(layer.gas->gas), wavelengths);
+        if (!fault.empty()) return fault;
     }
     const double column_m = density_column(layer, thickness);
-    if (!(column_m > 0)) return "its profile has no density within the air";
+    if (!(column_m > 0)) return std::string(no_density);
     layer.scattering.clear();
     layer.extinction.clear();
     for (const Length wavelength : wavelengths) {

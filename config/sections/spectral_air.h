@@ -19,10 +19,10 @@ inline constexpr Length aerosol_wavelength{550e-9};
 // level scatters (0.0116 /km). It is 0 or less for a visibility beyond 337 km.
 InverseLength haze_of_visibility(Length visibility);
 
-// Fills in the scattering and extinction of a layer of a gas or an aerosol, and leaves other layers
-// as they are. `thickness` is that of the air. It returns what is wrong, or an empty text: the gas is
-// not known at a wavelength, the layer has no density within the air, or a coefficient is beyond
-// 1e6 /m.
+// Fills in the scattering and extinction of a layer of a gas or an aerosol, and of spheres with an
+// optical depth the extinction at 550 nm; it leaves other layers as they are. `thickness` is that
+// of the air. It returns what is wrong, or an empty text: a gas or a kind of spheres is not known
+// at a wavelength, the layer has no density within the air, or a coefficient is beyond 1e6 /m.
 std::string resolve_matter(Layer& layer, Length thickness, std::span<const Length> wavelengths);
 
 // Returns the atmosphere, given at some wavelengths, at others. Coefficients that are numbers follow

@@ -2,6 +2,8 @@
 // length cannot be passed as a coefficient. units.h reads and spells them.
 #pragma once
 
+#include <string>
+
 namespace skybake::config {
 
 struct Length {
@@ -44,6 +46,23 @@ struct DensityPoint {
     Length altitude;
     double density = 0;
     bool operator==(const DensityPoint&) const = default;
+};
+
+// This is one entry of a table of refractive indices n + i k: `indices = [["550
+// nm", 1.5, 0.01], ...]`.
+struct IndexPoint {
+    Length wavelength;
+    double real = 1;       // n
+    double imaginary = 0;  // k, which absorbs where it is positive
+    bool operator==(const IndexPoint&) const = default;
+};
+
+// This is one entry of a list of components: `components = [["soot", "8300
+// /cm3"], ...]`.
+struct ComponentNumber {
+    std::string component;
+    NumberDensity number_density;
+    bool operator==(const ComponentNumber&) const = default;
 };
 
 // This is one entry of a height table: `table = [[0, 0.0], [0.2, 1.0]]`.

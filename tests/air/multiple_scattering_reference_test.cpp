@@ -35,7 +35,7 @@ TEST(MultipleScatteringReference, Earth) {
 }
 
 TEST(MultipleScatteringReference, Mars) {
-    const Medium mars = test::preset_medium("mars");
+    const Medium mars = test::preset_medium("mars_rgb");
     for (const double sun : {0.7, 0.0}) expect_agreement(mars, 10, sun, 5e-4);
 }
 

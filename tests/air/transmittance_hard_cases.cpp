@@ -272,7 +272,7 @@ TEST(TransmittanceHardCase, Case17SizesOneTwoAndOdd) {
 }
 
 TEST(TransmittanceHardCase, Case21ThreadsAndOrder) {
-    const config::Recipe recipe = test::recipe_of("preset = \"mars\"\n[bake.transmittance]\n");
+    const config::Recipe recipe = test::recipe_of("preset = \"mars_rgb\"\n[bake.transmittance]\n");
     const auto bake = [&](int threads) {
         return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {threads, Certification::off, nullptr})

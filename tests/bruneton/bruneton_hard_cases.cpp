@@ -48,7 +48,7 @@ double worst_below_zero(const DenseVolume& voxels) {
 }
 
 TEST(BrunetonHardCase, PlanetsOfAllKinds) {
-    for (const std::string preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
+    for (const std::string preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const Table table = table_of(test::preset_atmosphere(preset), {16, 8, 4}, 4);
         hold(preset + ": light", "finite and not below 0", worst_below_zero(table.voxels), 0);
     }

@@ -76,8 +76,9 @@ TEST(ParticleDecoder, LayersOfParticlesAreNamedInTwoWays) {
     const Layer* layer = find_layer(table.parameters, "fog");
     ASSERT_TRUE(layer);
     EXPECT_EQ(layer->phase, Phase::mie);
-    EXPECT_EQ(layer->particles.particles.name, "drops");
-    EXPECT_EQ(layer->particles.number_density.per_cubic_meter, 15e6);
+    ASSERT_EQ(layer->particles.kinds.size(), 1u);
+    EXPECT_EQ(layer->particles.kinds[0].particles.name, "drops");
+    EXPECT_EQ(layer->particles.kinds[0].number_density.per_cubic_meter, 15e6);
     EXPECT_EQ(layer->particles.wavelengths.size(), 3u);
     EXPECT_TRUE(layer->scattering.empty());
     EXPECT_FALSE(has_value(table, "atmosphere.layers.fog.scattering"));
@@ -113,7 +114,7 @@ TEST(ParticleDecoder, TheirParametersAreARecipe) {
 TEST(ParticleDecoder, RefusesWhatCannotBe) {
     EXPECT_EQ(faults(fog + "phase = { mie = 'drips' }\n"), Codes{"E0140 9:17"});
     EXPECT_EQ(faults(fog + "phase = { mie = 'drops', g = 0.8 }\n"), Codes{"E0103 9:9"});
-    EXPECT_EQ(faults(fog + "phase = 'rayleigh'\n"), Codes{"E0111 8:1"});
+    EXPECT_EQ(faults(fog + "phase = 'rayleigh'\n"), Codes{"E0139 8:18"});
     EXPECT_EQ(faults("wavelengths = '5 um'\npreset = 'vacuum'\n[particles.p]\npreset = 'fog'\n"),
               Codes{"E0144 3:12"});
 }

@@ -26,9 +26,11 @@ std::vector<double> per_meter(const std::vector<InverseLength>& coefficients) {
 using Values = std::vector<double>;
 
 TEST(Presets, AreThoseOfTheIssue) {
-    EXPECT_EQ(preset_names(), (std::vector<std::string_view>{
-                                  "dense_earth", "earth", "earth_bruneton", "earth_clear_mountain",
-                                  "earth_hillaire", "mars", "takram", "tiny_planet", "vacuum"}));
+    EXPECT_EQ(preset_names(),
+              (std::vector<std::string_view>{
+                  "dense_earth", "earth", "earth_bruneton", "earth_clear_mountain",
+                  "earth_desert_dust", "earth_hillaire", "earth_maritime", "earth_urban_haze",
+                  "mars", "mars_rgb", "takram", "tiny_planet", "vacuum"}));
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
@@ -54,7 +56,7 @@ TEST(Presets, TheEarthHasMeasuredAir) {
     const Parameters& earth = recipe.parameters;
     const double air_m = 8000 * (1 - std::exp(-100.0 / 8));
     EXPECT_NEAR(find_layer(earth, "air")->scattering[1].per_meter * air_m / 0.0968, 1, 2e-3);
-    EXPECT_NEAR(find_layer(earth, "ozone")->extinction[1].per_meter * 19e3 / 0.02647, 1, 5e-3);
+    EXPECT_NEAR(find_layer(earth, "ozone")->extinction[1].per_meter * 19e3 / 0.02647, 1, 1e-3);
     EXPECT_NEAR(find_layer(earth, "aerosol")->extinction[1].per_meter * 2000, 0.064, 1e-6);
     EXPECT_EQ(preset("earth").wavelengths.size(), 4U);
 }
@@ -226,13 +228,26 @@ TEST(Presets, TinyPlanetHasEightTimesTheCoefficients) {
 }
 
 TEST(Presets, MarsHasDustOfDepthOneHalf) {
-    const Parameters mars = preset("mars");
+    const Parameters mars = preset("mars_rgb");
     const Layer* dust = find_layer(mars, "dust");
     ASSERT_TRUE(dust);
     for (const double depth : zenith_optical_depth(*dust, mars.atmosphere))
         EXPECT_NEAR(depth, 0.5, 1e-3);
     EXPECT_NEAR(dust->scattering[2].per_meter / dust->extinction[2].per_meter, 0.76, 1e-12);
     EXPECT_EQ(dust->g, 0.65);
+}
+
+// Skies of measured spheres are colours of any wavelengths.
+TEST(Presets, OfMeasuredSpheresTakeAnyWavelengths) {
+    for (const char* name : {"earth_maritime", "earth_desert_dust", "earth_urban_haze", "mars"}) {
+        EXPECT_EQ(preset(name).wavelengths.size(), 4U) << name;
+        const Recipe recipe = valid(std::string(find_preset(name)->text), {"wavelengths='best 8'"});
+        const Layer* spheres =
+            find_layer(recipe.parameters, std::string(name) == "mars" ? "dust" : "aerosol");
+        ASSERT_TRUE(spheres) << name;
+        EXPECT_EQ(spheres->phase, Phase::mie) << name;
+        EXPECT_EQ(spheres->particles.wavelengths.size(), 8U) << name;
+    }
 }
 
 TEST(Presets, VacuumHasNoLayers) { EXPECT_TRUE(preset("vacuum").atmosphere.layers.empty()); }

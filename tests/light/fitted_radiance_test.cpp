@@ -196,7 +196,7 @@ Spectrum mean_square(const std::vector<ViewEquations>& views, const FitSample& s
 }
 
 TEST(FittedRadiance, IsBetterThanTheMeanRadianceOnOtherPlanets) {
-    for (const char* preset : {"mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"mars_rgb", "tiny_planet", "dense_earth"}) {
         const SkyMedium medium = make_sky_medium(preset_atmosphere(preset));
         const SolvedLight light = solved(medium, 4, 32);
         const FitAxes axes = twilight_axes(32, 32, medium.air.thickness_km);

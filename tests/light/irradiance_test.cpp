@@ -70,7 +70,7 @@ TEST(SkyIrradiance, PartsAddUp) {
 
 // What surfaces at one altitude share changes nothing.
 TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
-    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet"}) {
+    for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
         const Medium& air = sky.light().medium().air;
         for (const double altitude_km : {0.0, 0.03 * air.thickness_km, 0.4 * air.thickness_km}) {
@@ -115,7 +115,7 @@ TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
 // Dust of an optical depth of 0.5 up to where the air ends: light scattered before is as sharp at
 // the horizon as light scattered once, so that the finest level looks in as many directions.
 TEST(IrradianceTable, HoldsItsErrorInTheDustOfMars) {
-    const SkyLight light(test::preset_atmosphere("mars"), SkyOrders::multiple, {}, {});
+    const SkyLight light(test::preset_atmosphere("mars_rgb"), SkyOrders::multiple, {}, {});
     config::IrradianceBake bake;
     bake.size = {8, 2};
     bake.content = config::IrradianceContent::sky;

@@ -4,11 +4,17 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/ext/vector_double2.hpp>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <string>
 
 #include "bakers/assets/glsl_lookup.h"
 #include "bakers/assets/registry.h"
+#include "bakers/color/spectral_color.h"
+#include "bakers/light/sky_spectra.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {
@@ -52,6 +58,52 @@ TEST(SkyColors, TheSunOutsideTheAirIsWhite) {
         for (const glm::dvec3& weight : colors(mountain(wavelengths)).weights) sum += weight;
         EXPECT_LT(glm::length(sum - glm::dvec3(1)), 0.03) << wavelengths;
     }
+}
+
+// --- Where the eye looks first ---------------------------------------------------------------------
+
+// x and y of the CIE's diagram.
+glm::dvec2 chromaticity(const glm::dvec3& xyz) { return glm::dvec2(xyz) / (xyz.x + xyz.y + xyz.z); }
+
+struct LookedAt {
+    const char* preset;
+    double sun_deg, above_deg, azimuth_deg;
+};
+
+// The chromaticity of the recipe's wavelengths and that of a spectrum at every fifth nm.
+std::array<glm::dvec2, 2> chromaticities(const LookedAt& look) {
+    const config::Parameters parameters = recipe_of(std::string("preset = '") + look.preset + "'\n",
+                                                    {"color.space='xyz'", "color.white='space'"})
+                                              .parameters;
+    const double elevation = look.sun_deg / 180 * std::numbers::pi;
+    const SpectrumView view{
+        {std::sin(elevation), std::cos(elevation)}, look.above_deg, look.azimuth_deg};
+    const Spectra whole =
+        sky_spectra(parameters.atmosphere, parameters.wavelengths, {view}, {.threads = 2});
+    const Spectra few = at_wavelengths(whole, parameters.wavelengths);
+    const SkyColors fitted = colors(parameters);
+    glm::dvec3 sum(0);
+    for (std::size_t i = 0; i < fitted.weights.size(); ++i) sum += few[0][i] * fitted.weights[i];
+    const glm::dvec3 reference =
+        color_of(spectrum_nm(), whole[0], {ColorSpace::xyz, White::own, Sunlight::measured});
+    return {chromaticity(sum), chromaticity(reference)};
+}
+
+// The zenith of twilight is blue because ozone takes yellow light; dust of Mars scatters blue light
+// nearest to the sun's direction.
+TEST(SkyColors, AreRightWhereTheEyeLooksFirst) {
+    for (const LookedAt& look :
+         {LookedAt{"earth", -4, 89, 90}, LookedAt{"mars", 2, 2, 2}, LookedAt{"mars", 30, 60, 120},
+          LookedAt{"earth_desert_dust", 20, 60, 90}, LookedAt{"earth_urban_haze", 20, 60, 90}}) {
+        const auto [found, reference] = chromaticities(look);
+        EXPECT_NEAR(found.x, reference.x, 2e-3) << look.preset << look.sun_deg;
+        EXPECT_NEAR(found.y, reference.y, 2e-3) << look.preset << look.sun_deg;
+    }
+    // The sun is x = 0.326: twilight's zenith is bluer, Mars by day redder, its aureole not.
+    EXPECT_LT(chromaticities({"earth", -4, 89, 90})[1].x, 0.27);
+    const double by_day = chromaticities({"mars", 30, 60, 120})[1].x;
+    EXPECT_GT(by_day, 0.36);
+    EXPECT_LT(chromaticities({"mars", 2, 2, 2})[1].x, by_day - 0.05);
 }
 
 TEST(Packets, HaveFourWavelengthsAtMost) {

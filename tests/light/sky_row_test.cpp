@@ -65,7 +65,7 @@ bool comes_down_to_resolved_air(const Medium& air, const SkyRay& ray) {
 }
 
 TEST(SkyRow, IsWhatItsRaysAre) {
-    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const config::Atmosphere atmosphere = test::preset_atmosphere(preset);
         const TestSky sky(atmosphere, SkyOrders::all);
         for (const double altitude_share : {0.0, 0.02, 1.0, 5.0}) {
@@ -88,7 +88,7 @@ TEST(SkyRow, IsWhatItsRaysAre) {
 
 // What tables of sky views read in place of exact sunlight.
 TEST(SkyLight, SunlightIsReadAsItIs) {
-    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::single);
         const Medium& air = sky.light().medium().air;
         const Shell shell = sky.light().shell();

@@ -110,7 +110,7 @@ TEST(PathTracer, AbsorptionDarkensTheFurnace) {
 TEST(PathTracer, FirstOrderIsSingleScattering) {
     test::Agreement agreement;
     std::uint32_t ray = 0;
-    for (const char* preset : {"earth_hillaire", "mars", "tiny_planet", "dense_earth"}) {
+    for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const SkyMedium medium = sky_medium(preset);
         const PathTracer tracer(medium);
         const SkyIntegrator integrator(medium, nullptr);

@@ -70,7 +70,7 @@ TEST(PathViews, ALongPartIsTheWholeRay) {
 
 // A camera in space sees what a camera sees where its ray enters the air.
 TEST(PathViews, SpaceIsEmpty) {
-    const SkyMedium medium = sky_medium("mars");
+    const SkyMedium medium = sky_medium("mars_rgb");
     const PathTracer tracer(medium);
     const Shell shell = shell_of(medium.air);
     const View above = view_at(shell.thickness_km + 500, 70, 125, 30);
@@ -94,7 +94,7 @@ TEST(PathViews, SpaceIsEmpty) {
 
 // The first order of the irradiance by paths is what quadrature over the dome finds.
 TEST(PathViews, IrradianceIsTheDomesIntegral) {
-    for (const char* preset : {"earth_hillaire", "mars"}) {
+    for (const char* preset : {"earth_hillaire", "mars_rgb"}) {
         const SkyLight single(sky_medium(preset), config::SkyOrders::single, nullptr);
         const PathTracer tracer(single.medium());
         for (const auto& [altitude_km, zenith] : {std::pair{0.0, 50.0}, {4.0, 88.0}}) {

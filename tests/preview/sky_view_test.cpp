@@ -25,7 +25,7 @@ const test::Sky& earth() {
 // mappings of both tables, both contents, one channel.
 test::Sky peculiar_sky() {
     return test::sky_of(
-        "mars", {"wavelengths=[\"550 nm\"]", "atmosphere.ground_albedo=1",
+        "mars_rgb", {"wavelengths=[\"550 nm\"]", "atmosphere.ground_albedo=1",
                  "atmosphere.layers.rayleigh.scattering=\"2.5e-7 /m\"",
                  "atmosphere.layers.dust.scattering=\"4e-5 /m\"",
                  "atmosphere.layers.dust.single_scattering_albedo=0.9",
@@ -171,8 +171,8 @@ TEST(SkyView, IsNearDirectIntegrationOnOtherPlanets) {
     };
     std::map<std::string, test::Sky> skies;
     for (const Case& at : {Case{"earth_hillaire", 100, 20, 0.01},
-                           Case{"earth_hillaire", 0, 3, 0.01}, Case{"mars", 0.2, 15, 0.01},
-                           Case{"mars", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
+                           Case{"earth_hillaire", 0, 3, 0.01}, Case{"mars_rgb", 0.2, 15, 0.01},
+                           Case{"mars_rgb", 0.2, -5, 0.03}, Case{"tiny_planet", 0.2, 10, 0.015},
                            Case{"dense_earth", 0.2, 40, 0.3}, Case{"vacuum", 0.2, 40, 1e-4}}) {
         if (!skies.contains(at.preset)) {
             std::vector<std::string> settings = test::large_tables();

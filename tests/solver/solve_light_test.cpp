@@ -47,7 +47,7 @@ RC_GTEST_PROP(SolvedLight, IsFiniteAndNotNegative, ()) {
 
 TEST(SolvedLight, LosesNoEnergy) {
     for (const std::string name :
-         {"earth_hillaire", "earth_bruneton", "mars", "tiny_planet", "dense_earth"}) {
+         {"earth_hillaire", "earth_bruneton", "mars_rgb", "tiny_planet", "dense_earth"}) {
         // All but one over ground of a colour, whose channels must not take each other's share.
         const SkyMedium medium = name == "earth_hillaire"
                                      ? preset(name)
@@ -59,7 +59,7 @@ TEST(SolvedLight, LosesNoEnergy) {
 }
 
 TEST(SolvedLight, DoesNotDependOnThreads) {
-    const SkyMedium medium = preset("mars");
+    const SkyMedium medium = preset("mars_rgb");
     const SolvedLight one = solve_light(medium, coarse(), 1);
     const SolvedLight three = solve_light(medium, coarse(), 3);
     EXPECT_EQ(one.light.moments, three.light.moments);

@@ -26,7 +26,7 @@ inline Medium preset_medium(const std::string& name,
 }
 
 inline const std::vector<std::string>& preset_list() {
-    static const std::vector<std::string> names = {"earth_hillaire", "earth_bruneton", "mars",
+    static const std::vector<std::string> names = {"earth_hillaire", "earth_bruneton", "mars_rgb",
                                                    "dense_earth",    "tiny_planet",    "vacuum"};
     return names;
 }

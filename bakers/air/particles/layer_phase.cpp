@@ -9,6 +9,8 @@
 
 #include "bakers/air/particles/particle_scattering.h"
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/air/particles/size_distribution.h"
+#include "bakers/air/particles/sphere_mixture.h"
 
 namespace skybake {
 
@@ -17,9 +19,9 @@ namespace {
 // Of the phase function, far below what tables of the sky hold.
 constexpr double kAccuracy = 3e-3;
 
-std::shared_ptr<const ParticleScattering> scattering_of(const config::LayerParticles& layer,
-                                                        config::Length wavelength) {
-    return remembered_particle_scattering(layer.particles, wavelength, kAccuracy, 1);
+std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticles& layer,
+                                                      config::Length wavelength) {
+    return sphere_scattering(layer, wavelength, kAccuracy, 1);
 }
 
 }  // namespace
@@ -34,7 +36,7 @@ LayerPhase layer_phase(const config::Layer& layer) {
         const auto scattering = scattering_of(layer.particles, wavelength);
         PhaseFunction function;
         function.g = scattering->mean_cosine;
-        function.table = {scattering, &scattering->phase};
+        function.table = scattering->phase;
         result.functions.push_back(std::move(function));
     }
     return result;
@@ -69,13 +71,12 @@ std::vector<Spectrum> legendre_moments(const LayerPhase& phase, int degree) {
 
 config::Layer with_coefficients(config::Layer layer) {
     if (layer.phase != config::Phase::mie) return layer;
-    const double per_m3 = layer.particles.number_density.per_cubic_meter;
     layer.scattering.clear();
     layer.extinction.clear();
     for (const config::Length wavelength : layer.particles.wavelengths) {
         const auto scattering = scattering_of(layer.particles, wavelength);
-        layer.scattering.push_back({per_m3 * scattering->scattering_cross_section_m2});
-        layer.extinction.push_back({per_m3 * scattering->extinction_cross_section_m2});
+        layer.scattering.push_back({scattering->scattering_per_m});
+        layer.extinction.push_back({scattering->extinction_per_m});
     }
     return layer;
 }
@@ -94,14 +95,31 @@ config::Diagnostic problem(std::string message, std::string label) {
     return found;
 }
 
+// Whether any spheres that count are within the bounds of radii.
+bool has_spheres(const config::Particles& particles, config::Length wavelength) {
+    if (particles.sizes == config::SizeDistribution::monodisperse) return true;
+    const auto range = RadiusDistribution(particles).scattering_range(wavelength);
+    return range.first < range.last;
+}
+
 }  // namespace
 
 std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters) {
     std::vector<config::Diagnostic> problems;
     for (const config::Particles& particles : parameters.particles) {
         double largest = 0;
+        bool is_empty = false;
         for (const config::Length wavelength : parameters.wavelengths) {
+            is_empty = is_empty || !has_spheres(particles, wavelength);
             largest = std::max(largest, largest_size_parameter(particles, wavelength));
+        }
+        if (is_empty) {
+            problems.push_back(problem(
+                fmt::format("[particles.{}]: no spheres that scatter light have radii within "
+                            "smallest_radius and largest_radius",
+                            particles.name),
+                "give wider bounds, or leave them out"));
+            continue;
         }
         if (largest <= kLargestSizeParameter) continue;
         problems.push_back(problem(

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <tuple>
 #include <utility>
+#include <vector>
 
 #include "bakers/air/particles/angle_nodes.h"
 #include "bakers/air/particles/lorenz_mie.h"
@@ -110,7 +111,7 @@ double error_of_radii(const CrossSectionSums& before, const PhaseHalves& phase_b
 }
 
 // The rule over radii: adds every step-th of the nodes between the ends, which have no weight to
-// speak of, from the first on.
+// speak of unless the distribution has bounds, from the first on.
 class RadiusRule {
   public:
     RadiusRule(const RadiusDistribution& distribution, config::Length wavelength)
@@ -120,10 +121,14 @@ class RadiusRule {
     bool has_large_spheres() const { return center_ > kLargeSpheres; }
 
     void add_nodes(int intervals, int step, WeightedSpheres& to) const {
-        for (int i = 1; i < intervals; i += step) {
-            const auto [u, per_step] = nodes_.at(static_cast<double>(i) / intervals);
-            to.add(wave_number_ * exponential(u), per_step * distribution_.per_log_radius(u));
-        }
+        for (int i = 1; i < intervals; i += step)
+            add_node(static_cast<double>(i) / intervals, 1, to);
+    }
+    // The ends of a distribution with bounds, which have weight: half that of
+    // others.
+    void add_ends(WeightedSpheres& to) const {
+        if (!distribution_.has_bounds()) return;
+        for (const double position : {0.0, 1.0}) add_node(position, 0.5, to);
     }
     void add_groups(int intervals, int step, WeightedSpheres& to) const {
         for (int i = 1; i < intervals; i += step) {
@@ -140,6 +145,11 @@ class RadiusRule {
     }
 
   private:
+    void add_node(double position, double weight, WeightedSpheres& to) const {
+        const auto [u, per_step] = nodes_.at(position);
+        to.add(wave_number_ * exponential(u), weight * per_step * distribution_.per_log_radius(u));
+    }
+
     RadiusRule(const RadiusDistribution& distribution, config::Length wavelength,
                const RadiusDistribution::LogRange& range)
         : distribution_(distribution),
@@ -185,6 +195,7 @@ SizeAverage distributed_average(const RadiusDistribution& distribution, config::
             rule.add_nodes(intervals, step, result.spheres);
         }
     };
+    rule.add_ends(result.spheres);
     add_nodes(kFewestRadii, 1);
     add_spheres(0, result);
     for (int intervals = 2 * kFewestRadii;; intervals *= 2) {
@@ -203,9 +214,32 @@ SizeAverage distributed_average(const RadiusDistribution& distribution, config::
 
 }  // namespace
 
+namespace {
+
+// Linear between entries, constant beyond them.
+ComplexNumber tabulated_index(const std::vector<config::IndexPoint>& indices,
+                              config::Length wavelength) {
+    const auto above = std::upper_bound(indices.begin(), indices.end(), wavelength.meters,
+                                        [](double meters, const config::IndexPoint& point) {
+                                            return meters < point.wavelength.meters;
+                                        });
+    if (above == indices.begin()) return {above->real, above->imaginary};
+    const config::IndexPoint& low = *(above - 1);
+    if (above == indices.end()) return {low.real, low.imaginary};
+    const double share = (wavelength.meters - low.wavelength.meters) /
+                         (above->wavelength.meters - low.wavelength.meters);
+    return {low.real + share * (above->real - low.real),
+            low.imaginary + share * (above->imaginary - low.imaginary)};
+}
+
+}  // namespace
+
 ComplexNumber refractive_index(const config::Particles& particles, config::Length wavelength) {
     if (particles.material == config::ParticleMaterial::water) {
         return water_refractive_index(wavelength);
+    }
+    if (particles.material == config::ParticleMaterial::tabulated) {
+        return tabulated_index(particles.indices, wavelength);
     }
     return {particles.refractive_index, particles.absorption_index};
 }
@@ -247,9 +281,20 @@ ParticleScattering particle_scattering(const config::Particles& particles,
 
 namespace {
 
+std::vector<double> numbers_of(const std::vector<config::IndexPoint>& indices) {
+    std::vector<double> numbers;
+    for (const config::IndexPoint& point : indices) {
+        numbers.insert(numbers.end(), {point.wavelength.meters, point.real, point.imaginary});
+    }
+    return numbers;
+}
+
 // All that the result depends on.
 auto key_of(const config::Particles& particles, config::Length wavelength, double accuracy) {
-    return std::tuple{particles.material,
+    return std::tuple{numbers_of(particles.indices),
+                      particles.smallest_radius.meters,
+                      particles.largest_radius.meters,
+                      particles.material,
                       particles.refractive_index,
                       particles.absorption_index,
                       particles.sizes,

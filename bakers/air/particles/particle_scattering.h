@@ -54,13 +54,14 @@ constexpr double kLargestSizeParameter = 3e5;
 double largest_size_parameter(const config::Particles& particles, config::Length wavelength);
 
 // Returns the refractive index of the particles' material. For water the wavelength must be within
-// the limits of water_refractive_index.h.
+// the limits of water_refractive_index.h; of a table it is linear between entries and constant
+// beyond.
 ComplexNumber refractive_index(const config::Particles& particles, config::Length wavelength);
 
-// The largest size parameter must be at most kLargestSizeParameter, the refractive index at least
-// 1e-6 from 1 (spheres of index 1 scatter nothing, so that they have no phase function), and
-// 1e-6 <= accuracy < 1. The bits are the same for any number of threads; 0 threads means all
-// processors.
+// There must be spheres within the bounds of radii (RadiusDistribution::scattering_range), the
+// largest size parameter must be at most kLargestSizeParameter, the refractive index at least 1e-6
+// from 1 (spheres of index 1 scatter nothing, so that they have no phase function), and 1e-6 <=
+// accuracy < 1. The bits are the same for any number of threads; 0 threads means all processors.
 ParticleScattering particle_scattering(const config::Particles& particles,
                                        config::Length wavelength, double accuracy, int threads);
 

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bakers/air/particles/particle_scattering.h"
+#include "bakers/air/particles/sphere_mixture.h"
 #include "config/assets/phase.h"
 
 namespace skybake {
@@ -20,9 +21,12 @@ constexpr double kAccuracyOfSmall = 1e-5;
 constexpr double kAccuracyOfLarge = 3e-3;
 
 // A tenth of the error that the table may have, where that is more than the usual.
-double accuracy_for(const config::Particles& particles, config::Length wavelength,
+double accuracy_for(const config::LayerParticles& spheres, config::Length wavelength,
                     const std::optional<double>& max_error) {
-    const bool small = largest_size_parameter(particles, wavelength) < kSmallSpheres;
+    const bool small = std::all_of(
+        spheres.kinds.begin(), spheres.kinds.end(), [&](const config::SphereKind& kind) {
+            return largest_size_parameter(kind.particles, wavelength) < kSmallSpheres;
+        });
     const double usual = small ? kAccuracyOfSmall : kAccuracyOfLarge;
     return max_error ? std::clamp(*max_error / 10, 1e-5, usual) : usual;
 }
@@ -36,16 +40,19 @@ const T* find_named(const std::vector<T>& things, const std::string& name) {
     return found == things.end() ? nullptr : &*found;
 }
 
-PhaseSource source_of_particles(const config::Particles& particles,
-                                const std::vector<config::Length>& wavelengths,
-                                const std::optional<double>& max_error, int threads) {
+PhaseSource source_of_spheres(const config::LayerParticles& spheres,
+                              const std::vector<config::Length>& wavelengths,
+                              const std::optional<double>& max_error, int threads) {
     PhaseSource source;
+    // Their mean cross-section does not depend on how many there are.
+    config::LayerParticles own = spheres;
+    own.extinction.reset();
     for (const config::Length wavelength : wavelengths) {
-        const auto scattering = remembered_particle_scattering(
-            particles, wavelength, accuracy_for(particles, wavelength, max_error), threads);
+        const auto scattering = sphere_scattering(
+            own, wavelength, accuracy_for(spheres, wavelength, max_error), threads);
         PhaseFunction function;
         function.g = scattering->mean_cosine;
-        function.table = {scattering, &scattering->phase};
+        function.table = scattering->phase;
         source.tables.push_back(function.table);
         source.functions.push_back(std::move(function));
         source.error = std::max(source.error, scattering->error);
@@ -53,9 +60,10 @@ PhaseSource source_of_particles(const config::Particles& particles,
         const auto add = [&](const char* name, double value) {
             source.facts.emplace_back(name + at, to_digits(value, 9));
         };
-        add("extinction_cross_section_um2", scattering->extinction_cross_section_m2 * 1e12);
+        add("extinction_cross_section_um2",
+            scattering->extinction_per_m / spheres_per_m3(own) * 1e12);
         add("single_scattering_albedo",
-            scattering->scattering_cross_section_m2 / scattering->extinction_cross_section_m2);
+            scattering->scattering_per_m / scattering->extinction_per_m);
     }
     return source;
 }
@@ -81,17 +89,19 @@ PhaseSource phase_source(const config::Parameters& parameters, const config::Pha
                          int threads) {
     PhaseSource source;
     if (!bake.particles.empty()) {
-        source = source_of_particles(*find_named(parameters.particles, bake.particles),
-                                     parameters.wavelengths, bake.max_error, threads);
+        const config::Particles& particles = *find_named(parameters.particles, bake.particles);
+        config::LayerParticles alone;
+        alone.kinds = {{particles, {1}}};
+        source = source_of_spheres(alone, parameters.wavelengths, bake.max_error, threads);
         source.text = "particles " + bake.particles;
         return source;
     }
     const config::Layer& layer = *find_named(parameters.atmosphere.layers, bake.layer);
-    source = layer.phase == config::Phase::mie
-                 ? source_of_particles(layer.particles.particles, parameters.wavelengths,
-                                       bake.max_error, threads)
-                 : source_of_closed_form(make_phase_function(layer.phase, layer.g),
-                                         parameters.wavelengths.size());
+    source =
+        layer.phase == config::Phase::mie
+            ? source_of_spheres(layer.particles, parameters.wavelengths, bake.max_error, threads)
+            : source_of_closed_form(make_phase_function(layer.phase, layer.g),
+                                    parameters.wavelengths.size());
     source.text = "layer " + bake.layer;
     return source;
 }

@@ -83,6 +83,10 @@ double cut(const Concave& f, double top, double direction, double share) {
 }  // namespace
 
 RadiusDistribution::RadiusDistribution(const config::Particles& particles) {
+    if (particles.smallest_radius.meters > 0) {
+        smallest_ = logarithm(particles.smallest_radius.meters);
+    }
+    if (particles.largest_radius.meters > 0) largest_ = logarithm(particles.largest_radius.meters);
     switch (particles.sizes) {
         case config::SizeDistribution::log_normal:
             log_normal_ = true;
@@ -122,9 +126,13 @@ RadiusDistribution::LogRange RadiusDistribution::scattering_range(config::Length
     const auto area = [&](double u) { return log_density(u) + 2 * (u - center_); };
     const auto scattering = [&](double u) { return area(u) + 4 * std::min(u - unit_size, 0.0); };
     const double center = maximum_of(scattering, center_);
-    return {cut(area, maximum_of(area, center_), -1, kLeftOut),
-            cut(scattering, center, 1, kLeftOut), center,
-            0.5 * (e_fold(scattering, center, -1) + e_fold(scattering, center, 1))};
+    LogRange range = {cut(area, maximum_of(area, center_), -1, kLeftOut),
+                      cut(scattering, center, 1, kLeftOut), center,
+                      0.5 * (e_fold(scattering, center, -1) + e_fold(scattering, center, 1))};
+    range.first = std::max(range.first, smallest_);
+    range.last = std::min(range.last, largest_);
+    if (range.first < range.last) range.center = std::clamp(center, range.first, range.last);
+    return range;
 }
 
 namespace {

@@ -27,13 +27,18 @@ class RadiusDistribution {
     // The particles must not be monodisperse, since those have no n(r).
     explicit RadiusDistribution(const config::Particles& particles);
 
-    // Returns r n(r), the share of particles per unit of u = ln(r / metre).
+    // Whether spheres beyond some radius are missing.
+    bool has_bounds() const { return smallest_ > kNoBound || largest_ < -kNoBound; }
+
+    // Returns r n(r), the share of particles per unit of u = ln(r / metre), as if
+    // there were no bounds.
     double per_log_radius(double log_radius) const;
 
-    // The range of ln(r / metre) within which particles count. A sphere scatters about as
-    // r^2 min(1, x^4), with x = 2 pi r / wavelength, and absorbs as r^2 min(1, x). The part above
-    // the range is below 1e-9 of the sum weighted by r^2 min(1, x^4); the part below it is below
-    // 1e-9 of the sum weighted by r^2, which is the larger weight there.
+    // The range of ln(r / metre) within which particles count. A sphere scatters about as r^2
+    // min(1, x^4), with x = 2 pi r / wavelength, and absorbs as r^2 min(1, x). The part above the
+    // range is below 1e-9 of the sum weighted by r^2 min(1, x^4); the part below it is below 1e-9
+    // of the sum weighted by r^2, which is the larger weight there. The range ends at the bounds;
+    // it is empty (first >= last) if no sphere that counts is within them.
     struct LogRange {
         double first = 0;
         double last = 0;
@@ -51,6 +56,10 @@ class RadiusDistribution {
     double power_ = 1;      // alpha + 1
     double gamma_ = 1;
     double log_norm_ = 0;
+
+    static constexpr double kNoBound = -1e9;
+    double smallest_ = kNoBound;  // ln of the radii
+    double largest_ = -kNoBound;
 };
 
 // --- Spheres of all sizes ------------------------------------------------------------------------

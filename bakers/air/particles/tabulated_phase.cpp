@@ -156,6 +156,34 @@ TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double>
     return phase;
 }
 
+namespace {
+
+void add_half(double weight, const std::vector<double>& half, std::vector<double>& sum) {
+    const int cells = static_cast<int>(sum.size()) - 1;
+    const int own_cells = static_cast<int>(half.size()) - 1;
+    for (int i = 0; i <= cells; ++i) {
+        sum[static_cast<std::size_t>(i)] +=
+            weight * half_value(half, own_cells, node_offset(i, cells));
+    }
+}
+
+}  // namespace
+
+std::shared_ptr<const TabulatedPhase> mixed_phase(std::span<const WeightedPhase> phases) {
+    assert(!phases.empty());
+    if (phases.size() == 1) return phases.front().phase;
+    int cells = 0;
+    for (const WeightedPhase& one : phases) cells = std::max(cells, one.phase->cells);
+    std::vector<double> forward(static_cast<std::size_t>(cells) + 1, 0.0);
+    std::vector<double> backward = forward;
+    for (const auto& [weight, phase] : phases) {
+        add_half(weight, phase->forward, forward);
+        add_half(weight, phase->backward, backward);
+    }
+    return std::make_shared<const TabulatedPhase>(
+        normalised_phase(std::move(forward), std::move(backward)));
+}
+
 double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosine,
                              double one_plus_cosine) {
     return one_minus_cosine <= one_plus_cosine

@@ -16,6 +16,8 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace skybake {
@@ -37,6 +39,17 @@ struct TabulatedPhase {
 // Makes a table from values at the nodes, which are positive and have an arbitrary scale. Both
 // vectors have cells + 1 values.
 TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double> backward);
+
+// One phase function of several, and its weight, which is above 0.
+struct WeightedPhase {
+    double weight = 0;
+    std::shared_ptr<const TabulatedPhase> phase;
+};
+
+// Returns the weighted mean of phase functions, of which there is at least one:
+// exactly, since the nodes of the finest table are nodes of all or lie on their
+// lines. One alone is returned itself.
+std::shared_ptr<const TabulatedPhase> mixed_phase(std::span<const WeightedPhase> phases);
 
 // Returns p at an angle, in 1/sr.
 double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosine,
