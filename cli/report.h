@@ -17,6 +17,7 @@ namespace options {
 config::Outcome<std::int64_t> read_truth_paths(const std::string& text);
 
 inline const Option<bool> truth{"truth"};
+inline const Option<bool> colors{"colors"};
 inline const Option<std::int64_t> truth_paths{"truth-paths", 0, "N", {}, read_truth_paths};
 inline const Option<bool> quick{"quick"};
 inline const Option<bool> csv{"csv"};
@@ -35,5 +36,11 @@ ExitCode write_report_files(const std::vector<ReportFile>& files,
 // Runs `report --truth`, which compares the sky of a recipe by each method of multiple scattering
 // with path tracing.
 ExitCode report_truth(const Invocation& invocation, Console& console);
+
+// Runs `report --colors`, which compares numbers of wavelengths and ways of using them.
+ExitCode report_color(const Invocation& invocation, Console& console);
+
+// Writes a percentage with three digits, but at most two decimals.
+std::string percent_text(double share);
 
 }  // namespace skybake::cli

@@ -198,6 +198,7 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
         return console.report(std::array{usage_error("--json and --csv exclude each other",
                                                      "the folder gets both in any case")});
     }
+    if (invocation[options::colors]) return report_color(invocation, console);
     if (invocation[options::truth]) return report_truth(invocation, console);
     if (invocation.has(options::truth_paths)) {
         return console.report(std::array{usage_error(
@@ -283,6 +284,7 @@ Command report_command() {
                                     "report"),
                     set_row(), options::only("report on [bake.NAME] only"),
                     options::truth("compare each method of multiple scattering with path tracing"),
+                    options::colors("compare numbers of wavelengths by their colours and times"),
                     options::truth_paths(
                         "trace N paths per direction on average (default: 131072)"),
                     cache_row(), options::quick("use fewer repetitions, sizes, points and paths"),
@@ -293,7 +295,9 @@ Command report_command() {
                      {"skybake report earth.toml --only transmittance --quick --csv > earth.csv",
                       "measures one asset in seconds, for a spreadsheet"},
                      {"skybake report --truth earth.toml",
-                      "measures the error of the sky and keeps the traced reference"}},
+                      "measures the error of the sky and keeps the traced reference"},
+                     {"skybake report --colors earth.toml",
+                      "measures what 3, 4, 8 and 16 wavelengths cost"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_report};
 }

@@ -41,13 +41,12 @@ config::Outcome<std::int64_t> options::read_truth_paths(const std::string& text)
                        fmt::format("it takes a number from {} to {}", fewest, most))}};
 }
 
-namespace {
-
-// Writes a percentage with three digits, but at most two decimals.
-std::string percent(double share) {
+std::string percent_text(double share) {
     const double value = 100 * share;
     return fmt::format("{:.{}f}", value, value < 10 ? 2 : value < 100 ? 1 : 0);
 }
+
+namespace {
 
 std::string method_time_text(const SkyErrorRow& row) {
     if (!row.method.takes_time()) return "-";
@@ -56,9 +55,9 @@ std::string method_time_text(const SkyErrorRow& row) {
 
 void add_figures(const SkyErrorFigures& error, int channels, std::vector<std::string>& cells) {
     for (const double figure : {error.median, error.p90, error.max}) {
-        cells.push_back(percent(figure));
+        cells.push_back(percent_text(figure));
     }
-    for (const Spectrum& rms : error.dome_rms) cells.push_back(percent(joined(rms, channels)));
+    for (const Spectrum& rms : error.dome_rms) cells.push_back(percent_text(joined(rms, channels)));
 }
 
 namespace fs = std::filesystem;
@@ -209,6 +208,16 @@ ExitCode add_pictures(const TruthRequest& request, const std::vector<MadeSkyMeth
     return ExitCode::done;
 }
 
+std::string ladder_text(const std::vector<LadderStep>& ladder) {
+    TextTable table({Align::left, Align::right, Align::right, Align::left});
+    table.add_row({"the ladder", "typical", "high %", ""});
+    for (const LadderStep& step : ladder) {
+        table.add_row({step.name, step.size ? percent_text(step.size->typical) : "-",
+                       step.size ? percent_text(step.size->high) : "-", step.sentence});
+    }
+    return "\n" + table.text();
+}
+
 std::string sky_truth_table(const SkyErrorReport& report) {
     std::vector<Align> alignment = {Align::left, Align::left};
     std::vector<std::string> heading = {
@@ -248,7 +257,7 @@ std::string sky_truth_table(const SkyErrorReport& report) {
             ? ""
             : fmt::format("  {} values are left out, because they are black in the reference\n",
                           report.black),
-        table.text());
+        table.text() + ladder_text(report.ladder));
 }
 
 }  // namespace
@@ -272,6 +281,8 @@ ExitCode report_truth(const Invocation& invocation, Console& console) {
     SkyErrorReport report = measure_sky_errors(request.value->medium, *methods, truth, repetitions,
                                                request.value->threads);
     report.mean_paths = request.value->mean_paths;
+    report.ladder = error_ladder(request.value->recipe.parameters, method_errors(report),
+                                 {.threads = request.value->threads});
     const std::string csv = sky_truth_report_csv(report);
     const std::string json = sky_truth_report_json(report);
     std::vector<ReportFile> files = {{"sky_error.csv", csv},

@@ -52,28 +52,18 @@ struct CountedError {
     double standard_error = 0;
 };
 
-// The weights of an asset's wavelengths in its channels; empty if channels are wavelengths.
-std::vector<Spectrum> weights_of(const Baked& baked) {
-    std::vector<Spectrum> weights;
-    const auto& color = baked.conventions.color;
-    if (!color || !color->is_applied) return weights;
-    for (std::size_t i = 0; i + 2 < color->weights.size(); i += 3) {
-        weights.emplace_back(color->weights[i], color->weights[i + 1], color->weights[i + 2], 0);
-    }
-    return weights;
-}
-
 // The colours that the weights make of the light of all packets.
 PathTracedRadiance in_colors(const std::vector<PathTracedRadiance>& packets,
-                             const std::vector<Spectrum>& weights) {
+                             const std::vector<glm::dvec3>& weights) {
     PathTracedRadiance sum;
     for (std::size_t i = 0; i < weights.size(); ++i) {
         const PathTracedRadiance& packet = packets[i / kMaxChannels];
         const std::size_t c = i % kMaxChannels;
-        sum.radiance += packet.radiance[c] * weights[i];
-        sum.walked += packet.walked[c] * weights[i];
+        const Spectrum weight(weights[i], 0);
+        sum.radiance += packet.radiance[c] * weight;
+        sum.walked += packet.walked[c] * weight;
         for (std::size_t r = 0; r < kPathReplicates; ++r) {
-            sum.replicates[r] += packet.replicates[r][c] * weights[i];
+            sum.replicates[r] += packet.replicates[r][c] * weight;
         }
     }
     for (const PathTracedRadiance& packet : packets) sum.flights += packet.flights;
@@ -85,7 +75,7 @@ class SkyComparison {
   public:
     SkyComparison(const TracedLight& light, const Baked& baked, const BakeOptions& options)
         : light_(light),
-          weights_(weights_of(baked)),
+          weights_(weights_of(baked.conventions)),
           options_(options),
           found_(light.found(baked, options.threads)),
           places_(light.places.size()) {}
@@ -262,7 +252,7 @@ class SkyComparison {
     }
 
     const TracedLight& light_;
-    const std::vector<Spectrum> weights_;  // of colours, one per wavelength; or none
+    const std::vector<glm::dvec3> weights_;  // of colours, one per wavelength; or none
     const BakeOptions& options_;
     std::vector<Spectrum> found_;
     std::vector<TracedPlace> places_;

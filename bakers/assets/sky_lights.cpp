@@ -16,30 +16,6 @@ ColorRequest request_of(const config::Parameters& parameters) {
     return {parameters.wavelengths, *parameters.color, parameters.atmosphere};
 }
 
-// Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
-// light of packet i, which has channels[i] wavelengths.
-template <class Write>
-void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
-                  std::size_t places, const Write& write_packet, double* values) {
-    std::fill_n(values, places * kColorChannels, 0.0);
-    std::vector<double> light;
-    const glm::dvec3* weight = weights.data();
-    for (std::size_t packet = 0; packet < channels.size(); ++packet) {
-        light.resize(places * channels[packet]);
-        write_packet(packet, light.data());
-        for (std::size_t i = 0; i < places; ++i) {
-            for (std::size_t c = 0; c < channels[packet]; ++c) {
-                const glm::dvec3 color = light[i * channels[packet] + c] * weight[c];
-                double* to = values + i * kColorChannels;
-                to[0] += color.x;
-                to[1] += color.y;
-                to[2] += color.z;
-            }
-        }
-        weight += channels[packet];
-    }
-}
-
 // Makes colours of rows whose channels are wavelengths.
 class RowColors {
   public:
@@ -66,8 +42,27 @@ class RowColors {
 
 }  // namespace
 
-bool holds_colors(const config::Parameters& parameters) {
-    return parameters.color && parameters.color->space != config::ColorSpace::none;
+void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
+                  std::size_t places,
+                  const std::function<void(std::size_t packet, double* light)>& write_packet,
+                  double* values) {
+    std::fill_n(values, places * kColorChannels, 0.0);
+    std::vector<double> light;
+    const glm::dvec3* weight = weights.data();
+    for (std::size_t packet = 0; packet < channels.size(); ++packet) {
+        light.resize(places * channels[packet]);
+        write_packet(packet, light.data());
+        for (std::size_t i = 0; i < places; ++i) {
+            for (std::size_t c = 0; c < channels[packet]; ++c) {
+                const glm::dvec3 color = light[i * channels[packet] + c] * weight[c];
+                double* to = values + i * kColorChannels;
+                to[0] += color.x;
+                to[1] += color.y;
+                to[2] += color.z;
+            }
+        }
+        weight += channels[packet];
+    }
 }
 
 std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters) {
@@ -76,8 +71,7 @@ std::vector<config::Atmosphere> light_packets(const config::Parameters& paramete
 }
 
 int light_channels(const config::Parameters& parameters) {
-    return holds_colors(parameters) ? kColorChannels
-                                    : static_cast<int>(parameters.atmosphere.ground_albedo.size());
+    return static_cast<int>(config::channels_of_light(parameters));
 }
 
 namespace {

@@ -17,9 +17,6 @@
 
 namespace skybake {
 
-// Whether tables of light hold colours in place of wavelengths.
-bool holds_colors(const config::Parameters& parameters);
-
 // Returns the air at the wavelengths that are computed together: all of them, unless tables of light
 // hold colours.
 std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters);
@@ -38,6 +35,13 @@ ColorConvention color_convention(const config::Color& color, const SkyColors& co
 
 // What fitting the colours needs, if the recipe has any.
 std::vector<Need> color_needs(const config::Parameters& parameters);
+
+// Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
+// light of packet i, which has channels[i] wavelengths.
+void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
+                  std::size_t places,
+                  const std::function<void(std::size_t packet, double* light)>& write_packet,
+                  double* values);
 
 class SkyLights {
   public:

@@ -91,6 +91,16 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
     };
 }
 
+std::vector<glm::dvec3> weights_of(const Conventions& conventions) {
+    std::vector<glm::dvec3> weights;
+    const auto& color = conventions.color;
+    if (!color || !color->is_applied) return weights;
+    for (std::size_t i = 0; i + 2 < color->weights.size(); i += 3) {
+        weights.emplace_back(color->weights[i], color->weights[i + 1], color->weights[i + 2]);
+    }
+    return weights;
+}
+
 std::vector<TraceOfPlace> traces_of_packets(
     const config::Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <glm/ext/vector_double3.hpp>
 #include <memory>
 #include <vector>
 
@@ -65,6 +66,9 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
 std::vector<TraceOfPlace> traces_of_packets(
     const config::Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of);
+
+// Returns the weight of each wavelength in channels that are colours; none if channels are wavelengths.
+std::vector<glm::dvec3> weights_of(const Conventions& conventions);
 
 // The light of an asset at some places, in the asset's unit for a solar irradiance of 1.
 struct TracedLight {

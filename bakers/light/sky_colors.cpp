@@ -99,11 +99,23 @@ class ColorSamples {
     std::vector<double> luminances_;
 };
 
-ColorError error_of(const ColorSamples& samples, std::size_t views,
-                    const std::vector<glm::dvec3>& weights) {
+}  // namespace
+
+ColorSkies::ColorSkies(const config::Atmosphere& atmosphere,
+                       const std::vector<config::Length>& given, const BakeOptions& options) {
+    const std::vector<SpectrumView> views = spectrum_views();
+    views_ = views.size();
+    spectra_ = sky_spectra(atmosphere, given, views, options);
+}
+
+ColorError ColorSkies::error(const std::vector<config::Length>& wavelengths,
+                             const config::Color& color,
+                             const std::vector<glm::dvec3>& weights) const {
+    const Spectra few = at_wavelengths(spectra_, wavelengths);
+    const ColorSamples samples(spectra_, few, spectrum_nm(), target_of(color));
     ColorError error;
     std::vector<double> errors;
-    for (std::size_t i = 0; i < views; ++i) {
+    for (std::size_t i = 0; i < views_; ++i) {
         if (!is_fitted(i)) errors.push_back(samples.error(i, weights));
     }
     std::sort(errors.begin(), errors.end());
@@ -115,33 +127,84 @@ ColorError error_of(const ColorSamples& samples, std::size_t views,
         const auto at =
             std::find(kSpectrumDiscs_deg.begin(), kSpectrumDiscs_deg.end(), kMeasuredDiscs_deg[d]);
         error.disc[d] = samples.error(
-            views + static_cast<std::size_t>(at - kSpectrumDiscs_deg.begin()), weights);
+            views_ + static_cast<std::size_t>(at - kSpectrumDiscs_deg.begin()), weights);
     }
     return error;
 }
 
-SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
-    const std::vector<SpectrumView> views = spectrum_views();
-    const Spectra spectra = sky_spectra(request.atmosphere, request.wavelengths, views, options);
-    if (options.cancelled()) return {};
+namespace {
+
+// The light to which weights are fitted: `views` views and the discs.
+std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t views,
+                                        const std::vector<config::Length>& wavelengths,
+                                        const ColorTarget& target) {
     const std::vector<double> all_nm = spectrum_nm();
-    const Spectra few = at_wavelengths(spectra, request.wavelengths);
-    const ColorTarget target = target_of(request.color);
+    const Spectra few = at_wavelengths(spectra, wavelengths);
     const ColorSamples samples(spectra, few, all_nm, target);
     std::vector<ColorSample> fitted;
     for (std::size_t i = 0; i < spectra.size(); ++i) {
-        const bool is_disc = i >= views.size();
-        const bool is_used =
-            is_disc ? !is_measured(kSpectrumDiscs_deg[i - views.size()]) : is_fitted(i);
+        const bool is_disc = i >= views;
+        const bool is_used = is_disc ? !is_measured(kSpectrumDiscs_deg[i - views]) : is_fitted(i);
         if (is_used) fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc : 1));
     }
     // The sun outside the air.
     glm::dvec3 white(0);
     for (const glm::dvec3& weight : color_weights(all_nm, target)) white += weight;
-    fitted.push_back({std::vector<double>(request.wavelengths.size(), 1.0), white, kWeightOfDisc});
+    fitted.push_back({std::vector<double>(wavelengths.size(), 1.0), white, kWeightOfDisc});
+    return fitted;
+}
+
+}  // namespace
+
+std::vector<glm::dvec3> ColorSkies::fitted_weights(const std::vector<config::Length>& wavelengths,
+                                                   const config::Color& color) const {
+    const ColorTarget target = target_of(color);
+    return fit_color_weights(in_nm(wavelengths),
+                             fitted_samples(spectra_, views_, wavelengths, target), target);
+}
+
+std::vector<glm::dvec3> ColorSkies::fitted_factors(const std::vector<config::Length>& wavelengths,
+                                                   const config::Color& color,
+                                                   std::vector<glm::dvec3> weights) const {
+    // Of each channel alone: the factor is sum(found wanted) / sum(found^2).
+    glm::dvec3 products(0);
+    glm::dvec3 squares(0);
+    for (const ColorSample& sample :
+         fitted_samples(spectra_, views_, wavelengths, target_of(color))) {
+        glm::dvec3 found(0);
+        for (std::size_t i = 0; i < weights.size(); ++i) found += sample.light[i] * weights[i];
+        products += sample.weight * sample.weight * found * sample.color;
+        squares += sample.weight * sample.weight * found * found;
+    }
+    for (glm::dvec3& weight : weights) weight *= products / squares;
+    return weights;
+}
+
+std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
+                                             const config::Color& color) {
+    return fit_color_weights(in_nm(wavelengths), {}, target_of(color));
+}
+
+std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths) {
+    std::vector<glm::dvec3> weights;
+    for (const config::Length one : wavelengths) {
+        std::size_t longer = 0;
+        for (const config::Length other : wavelengths) longer += other.meters > one.meters ? 1 : 0;
+        glm::dvec3 weight(0);
+        weight[longer] = 1;
+        weights.push_back(weight);
+    }
+    return weights;
+}
+
+namespace {
+
+SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
+    const ColorSkies skies(request.atmosphere, request.wavelengths, options);
+    if (options.cancelled()) return {};
     SkyColors colors;
-    colors.weights = fit_color_weights(in_nm(request.wavelengths), fitted, target);
-    colors.error = error_of(samples, views.size(), colors.weights);
+    colors.weights = skies.fitted_weights(request.wavelengths, request.color);
+    colors.error = skies.error(request.wavelengths, request.color, colors.weights);
     return colors;
 }
 

@@ -11,11 +11,13 @@
 // matters. Other suns, which the fit has not seen, tell the error.
 #pragma once
 
+#include <cstddef>
 #include <glm/ext/vector_double3.hpp>
 #include <memory>
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/light/sky_spectra.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/sections/atmosphere.h"
@@ -27,6 +29,41 @@ struct SkyColors {
     std::vector<glm::dvec3> weights;  // one per wavelength, in the recipe's order
     ColorError error;
 };
+
+// The skies of an air, to which weights are fitted and by which they are measured.
+class ColorSkies {
+  public:
+    // Solves for the spectra of air that is given at some wavelengths. After an interruption it must
+    // not be used.
+    ColorSkies(const config::Atmosphere& atmosphere, const std::vector<config::Length>& given,
+               const BakeOptions& options);
+
+    // Returns the weights of wavelengths in any order, fitted to the views under every second sun
+    // and to the sun's disc.
+    std::vector<glm::dvec3> fitted_weights(const std::vector<config::Length>& wavelengths,
+                                           const config::Color& color) const;
+
+    // Returns three weights times factors, one for each channel, that fit the same light best.
+    std::vector<glm::dvec3> fitted_factors(const std::vector<config::Length>& wavelengths,
+                                           const config::Color& color,
+                                           std::vector<glm::dvec3> weights) const;
+
+    // Returns the error of any weights, in the other views and of the sun's disc.
+    ColorError error(const std::vector<config::Length>& wavelengths, const config::Color& color,
+                     const std::vector<glm::dvec3>& weights) const;
+
+  private:
+    std::size_t views_ = 0;
+    Spectra spectra_;
+};
+
+// Returns the weights for spectra that are linear between wavelengths of any order, each of which
+// stands there once (bakers/color/spectral_color.h).
+std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
+                                             const config::Color& color);
+
+// Returns the weights by which the longest of three wavelengths is red and the shortest blue.
+std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths);
 
 // What the weights follow from. The space must not be `none`.
 struct ColorRequest {

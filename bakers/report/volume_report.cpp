@@ -103,6 +103,7 @@ using config::BrunetonTable;
 
 config::Outcome<AssetReport> report_bruneton(const config::Recipe& recipe, const config::Bake& bake,
                                              const ReportOptions& options) {
+    if (config::holds_colors(recipe.parameters)) return nothing_to_compare(bake);
     const auto& asked = bake.as<BrunetonBake>();
     const bool is_flat =
         asked.table == BrunetonTable::transmittance || asked.table == BrunetonTable::irradiance;

@@ -33,7 +33,6 @@ using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, D
 // What an asset does with the wavelengths of a recipe.
 enum class UseOfLight {
     none,
-    rgb,       // one channel for each: one or three
     channels,  // one channel or number for each, at most four: what a runtime multiplies
     colors,    // light of any number of wavelengths, turned into colours
 };

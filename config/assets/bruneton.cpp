@@ -200,7 +200,7 @@ std::vector<std::string> peaked_layers(const Atmosphere& atmosphere) {
 }
 
 void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
-    const auto problem = takram_problem(recipe.atmosphere, recipe.wavelengths.size());
+    const auto problem = takram_problem(recipe.atmosphere, channels_of_light(recipe));
     if (!problem) return;
     const DecodedField& convention = bake.at("convention");
     decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
@@ -241,9 +241,12 @@ void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
         "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
 
-std::vector<double> default_solar_irradiance(BrunetonConvention convention, std::size_t channels) {
+// The colours of sunlight are 1 already.
+std::vector<double> default_solar_irradiance(BrunetonConvention convention,
+                                             const Parameters& recipe) {
+    const std::size_t channels = channels_of_light(recipe);
     const bool takram = convention == BrunetonConvention::takram;
-    if (takram && channels == takram_solar_irradiance.size()) {
+    if (takram && !holds_colors(recipe) && channels == takram_solar_irradiance.size()) {
         return {takram_solar_irradiance.begin(), takram_solar_irradiance.end()};
     }
     return std::vector<double>(channels, 1);
@@ -266,8 +269,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
         derive(bake.at("mie_layers"), peaked_layers(recipe.atmosphere));
     }
     if (has_light) {
-        derive(bake.at("solar_irradiance"),
-               default_solar_irradiance(*convention, recipe.wavelengths.size()));
+        derive(bake.at("solar_irradiance"), default_solar_irradiance(*convention, recipe));
     }
     resolve_axes_and_files(bake, is_flat ? 2 : 3, 4, decoder);
     if (!is_flat && bake.at("size").value) {
@@ -294,7 +296,7 @@ const AssetKind& asset_kind(Tag<BrunetonBake>) {
             .name = "bruneton",
             .documentation = "a table of Bruneton's precomputed scattering",
             .needs_atmosphere = true,
-            .use_of_light = UseOfLight::rgb,
+            .use_of_light = UseOfLight::colors,
         },
         std::span<const BrunetonField>(rows), reads_of, resolve_bruneton);
     return kind;

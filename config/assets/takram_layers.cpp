@@ -35,7 +35,7 @@ const Layer* TakramLayers::*kind_of(const Layer& layer) {
 }  // namespace
 
 std::optional<std::string> takram_problem(const Atmosphere& atmosphere, std::size_t channels) {
-    if (channels != 3) return "takram's tables have three wavelengths";
+    if (channels != 3) return "takram's tables have three wavelengths, or colours";
     TakramLayers found;
     for (const Layer& layer : atmosphere.layers) {
         const auto kind = kind_of(layer);

@@ -346,10 +346,9 @@ constexpr std::array codes = {
         "Tables of transmittance, multiple scattering and phase functions hold one channel for "
         "each "
         "wavelength, and files have at most four; optical_depth states extinctions for as many. "
-        "Light itself (sky_view, environment, irradiance, aerial_perspective) is held as colours "
-        "made of any number of wavelengths if the recipe has [color] or asks for the best ones; "
-        "one "
-        "wavelength alone has no colour. Bruneton's tables hold one or three wavelengths.",
+        "Light itself (sky_view, environment, irradiance, aerial_perspective, bruneton) is held as "
+        "colours made of any number of wavelengths if the recipe has [color] or asks for the best "
+        "ones; one wavelength alone has no colour.",
         "preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 5 nm\"\n"
         "[atmosphere.layers.rayleigh]\nscattering = \"1e-5 /m\"\n"
         "[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n[bake.transmittance]",

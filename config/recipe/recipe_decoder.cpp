@@ -164,8 +164,7 @@ std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
     constexpr std::size_t most_channels = 4;
     const std::size_t count = recipe.wavelengths.size();
     const bool is_rgb = count == 1 || count == 3;
-    const bool is_colored = recipe.color && recipe.color->space != ColorSpace::none;
-    if (use == UseOfLight::colors && is_colored) {
+    if (use == UseOfLight::colors && holds_colors(recipe)) {
         if (count == 1) return "cannot make a colour of one wavelength";
         const bool is_visible =
             std::all_of(recipe.wavelengths.begin(), recipe.wavelengths.end(),
@@ -176,8 +175,7 @@ std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
         return count <= most_channels ? "" : "holds at most four wavelengths, one per channel";
     }
     if (use == UseOfLight::none || is_rgb) return "";
-    return use == UseOfLight::rgb ? "holds one or three wavelengths"
-                                  : "holds one or three wavelengths unless [color] has a space";
+    return "holds one or three wavelengths unless [color] has a space";
 }
 
 // Reports assets that cannot hold the recipe's wavelengths.
@@ -197,6 +195,18 @@ void check_wavelengths(const Table& root, const Parameters& recipe, const Source
     }
 }
 
+// Decodes the bakes, whose lists of one value per channel are those of tables of light.
+std::vector<Bake> decode_bakes_of_channels(const Table& root, const Parameters& parameters,
+                                           Decoder& decoder) {
+    const std::optional<int> wavelengths = decoder.channels;
+    if (holds_colors(parameters)) {
+        decoder.channels = static_cast<int>(channels_of_light(parameters));
+    }
+    std::vector<Bake> bakes = decode_bakes(root, parameters, decoder);
+    decoder.channels = wavelengths;
+    return bakes;
+}
+
 }  // namespace
 
 Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
@@ -214,7 +224,7 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     parameters.scene = decode_scene(root, decoder);
     parameters.noises = decode_noises(root, decoder);
     parameters.clouds = decode_clouds(root, parameters.noises, decoder);
-    parameters.bakes = decode_bakes(root, parameters, decoder);
+    parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
     check_atmosphere(root, parameters, source, decoder);
     check_wavelengths(root, parameters, source, decoder);
     return parameters;

@@ -14,6 +14,14 @@ const Section& named(const std::vector<Section>& sections, std::string_view name
 
 }  // namespace
 
+bool holds_colors(const Parameters& parameters) {
+    return parameters.color && parameters.color->space != ColorSpace::none;
+}
+
+std::size_t channels_of_light(const Parameters& parameters) {
+    return holds_colors(parameters) ? 3 : parameters.wavelengths.size();
+}
+
 const Noise& noise_named(const Parameters& parameters, std::string_view name) {
     return named(parameters.noises, name);
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <any>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -59,6 +60,11 @@ struct Parameters {
     std::vector<Cloud> clouds;         // sorted by name
     std::vector<Bake> bakes;           // in the order of the file
 };
+
+// Whether tables of light hold colours in place of wavelengths.
+bool holds_colors(const Parameters& parameters);
+// Returns the number of channels of tables of light.
+std::size_t channels_of_light(const Parameters& parameters);
 
 // These return sections that other sections name. load_recipe has made sure that they exist.
 const Noise& noise_named(const Parameters& parameters, std::string_view name);

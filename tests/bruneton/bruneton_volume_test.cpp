@@ -31,7 +31,7 @@ Baked baked(const std::string& preset, const std::string& keys, int threads = 2)
     BakeOptions options{.threads = threads, .certification = Certification::off};
     Baked volume;
     volume.name = "a";
-    const auto outcome = bake_bruneton(test::preset_atmosphere(preset), bake_of(preset, keys),
+    const auto outcome = bake_bruneton({{test::preset_atmosphere(preset)}}, bake_of(preset, keys),
                                        options, std::move(volume));
     for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
     return outcome.value.value_or(Baked{});

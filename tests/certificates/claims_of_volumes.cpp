@@ -57,20 +57,22 @@ Claim claim_of_single_mie(RandomCase& random) {
     bake.solar_irradiance = {1, 1, 1};
     bake.pixel_type = config::PixelType::float32;
     const SkyMedium medium = make_sky_medium(atmosphere);
-    const Baked volume =
-        value_of(bake_scattering(atmosphere, medium, nullptr, bake, kClaimOptions, empty_table()));
+    const Baked volume = value_of(
+        bake_scattering({{atmosphere, medium, nullptr}}, {}, bake, kClaimOptions, empty_table()));
     const auto& table = static_cast<const DenseVolume&>(*volume.levels[0].voxels);
     const ScatteringContent content(medium, bake);
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
     const ScatteringRows rows(medium, nullptr, make_sunlight(medium.air, kClaimOptions.threads));
     const ScatteringReference reference(medium, content, nullptr);
-    const ExactTexel exact = exact_texel(content, reference);
+    const TableContent table_content({&content}, {}, bake.solar_irradiance);
+    const ExactTexel exact = exact_texel(table_content, {&reference});
     const Certificate even = measure_scattering(table, mapping, exact, largest_values(table),
                                                 config::PixelType::float32, 64, kClaimOptions);
-    return {volume.certificate.lookup,
-            DenseScattering(mapping, table, texel_row(content, rows), exact, random).figures(),
-            even.lookup};
+    return {
+        volume.certificate.lookup,
+        DenseScattering(mapping, table, texel_row(table_content, {&rows}), exact, random).figures(),
+        even.lookup};
 }
 
 Claim claim_of_aerial_perspective(RandomCase& random) {

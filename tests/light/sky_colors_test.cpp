@@ -1,6 +1,7 @@
 // Colours made of a few wavelengths, against those of whole spectra.
 #include "bakers/light/sky_colors.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,12 +10,16 @@
 #include <glm/ext/vector_double2.hpp>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <random>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bakers/assets/glsl_lookup.h"
 #include "bakers/assets/registry.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
+#include "config/fields/wavelength_reader.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake::test {
@@ -44,6 +49,50 @@ TEST(SkyColors, FewWavelengthsComeNearWholeSpectra) {
         EXPECT_LT(error.median, bar.median) << bar.wavelengths;
         EXPECT_LT(error.ninth_decile, bar.ninth_decile) << bar.wavelengths;
         for (const double disc : error.disc) EXPECT_LT(disc, bar.disc) << bar.wavelengths;
+    }
+}
+
+// Air between that of a mountain and that of a city, under any ozone and over any ground: none of
+// these airs had a part in the choice of wavelengths (config/fields/wavelength_reader.cpp).
+config::Parameters random_air(std::mt19937& generator, const std::string& wavelengths) {
+    const auto uniform = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(generator()) / 4294967296.0;
+    };
+    const double optical_depth = std::exp(uniform(std::log(0.01), std::log(1.0)));
+    const std::string recipe = fmt::format(
+        "wavelengths = '{}'\n[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\n"
+        "ground_albedo = {}\n[atmosphere.layers.air]\ngas = 'air'\npressure = '{} hPa'\n"
+        "profile = 'exponential'\nscale_height = '{} km'\nphase = 'rayleigh'\n"
+        "[atmosphere.layers.ozone]\ngas = 'ozone'\ncolumn = '{} DU'\nprofile = 'tent'\n"
+        "center_altitude = '22 km'\nhalf_width = '{} km'\n[atmosphere.layers.haze]\n"
+        "optical_depth = {}\nangstrom_exponent = {}\nsingle_scattering_albedo = {}\n"
+        "profile = 'exponential'\nscale_height = '{} km'\nphase = 'cornette_shanks'\ng = {}\n",
+        wavelengths, uniform(0, 0.8), uniform(550, 1040), uniform(7.3, 8.6), uniform(100, 500),
+        uniform(12, 19), optical_depth, uniform(0, 2), uniform(0.8, 1), uniform(0.6, 4),
+        uniform(0.5, 0.8));
+    return recipe_of(recipe).parameters;
+}
+
+TEST(SkyColors, WavelengthsSuitAirsThatTheyWereNotChosenFor) {
+    std::mt19937 generator(11);
+    for (int i = 0; i < 3; ++i) {
+        const config::Parameters air = random_air(generator, "best 4");
+        const ColorSkies skies(air.atmosphere, air.wavelengths, {.threads = 2});
+        for (const auto& [count, bar] :
+             {std::pair{4, Bar{"", 5e-3, 1.5e-2, 2e-2}}, {8, Bar{"", 1e-3, 3e-3, 5e-3}}}) {
+            std::vector<config::Length> wavelengths;
+            for (const double nm : config::best_wavelengths_nm(count)) {
+                wavelengths.push_back({nm / 1e9});
+            }
+            const config::Color& color = *air.color;
+            const ColorError error =
+                skies.error(wavelengths, color, skies.fitted_weights(wavelengths, color));
+            EXPECT_LT(error.median, bar.median) << i << ", best " << count;
+            EXPECT_LT(error.ninth_decile, bar.ninth_decile) << i << ", best " << count;
+            for (const double disc : error.disc) {
+                EXPECT_LT(disc, bar.disc) << i << ", best " << count;
+            }
+        }
     }
 }
 

@@ -90,6 +90,16 @@ def check_truth(program, folder):
 
     kept.write_bytes(truth[:-1])
     (sky / "sky_truth.csv").unlink()
+    # The ladder: five steps, each with a sentence and, for this Earth of papers, a size.
+    names = ["colour", "air", "polarisation", "closure", "table"]
+    assert [step["step"] for step in result["ladder"]] == names, result["ladder"]
+    for step in result["ladder"]:
+        assert 0 < step["typical"] <= step["high"] < 10, step
+        assert step["sentence"].endswith("."), step
+        (line,) = [line for line in run.stdout.splitlines() if step["sentence"] in line]
+        assert line.split()[0] == step["step"], line
+        assert abs(float(line.split()[2]) - 100 * step["high"]) <= 0.5, line
+
     run = report(program, folder, *few, "--json")
     assert run.returncode == 0 and json.loads(run.stdout)["directions"] == 178, run.stderr
     assert kept.read_bytes() == truth == (sky / "sky_truth.csv").read_bytes()
@@ -104,6 +114,36 @@ def check_truth(program, folder):
     assert cells.returncode == 2 and "E0105" in cells.stderr, cells.stderr
     (sky / "sky_truth.csv").write_text("h,sun\n")
     assert report(program, folder, *few).returncode == 3
+
+
+def check_colors(program, folder):
+    """Wavelengths and ways of using them, by their colours and times."""
+    out = folder / "colours"
+    run = report(program, folder, "--colors", "-o", str(out))
+    assert run.returncode == 0, run.stderr
+    assert sorted(path.name for path in out.iterdir()) == [
+        "color_error.csv", "color_error.json", "color_error.svg"]
+    check_svg(out / "color_error.svg")
+    result = json.loads((out / "color_error.json").read_text())
+    assert result["space"] == "linear_srgb", result
+    with open(out / "color_error.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) == len(result["rows"]) >= 12, rows
+    for row, entry in zip(rows, result["rows"]):
+        assert None not in row and None not in row.values(), row
+        assert float(row["error_p90"]) == entry["error"]["p90"] > 0, row
+        assert int(row["wavelengths"]) == len(entry["wavelengths_nm"]), row
+        assert float(row["time_ms"]) > 0 and row["variant"] in run.stdout, row
+    error = {(row["family"], row["variant"]): float(row["error_median"]) for row in rows}
+    plain = error["as R, G, B", "680, 550, 440 nm"]
+    assert plain > 5 * error["fitted matrix", "best 4"] > 5 * error["fitted matrix", "best 8"]
+    assert error["linear spectrum", "best 4"] > error["fitted matrix", "best 4"]
+    again = report(program, folder, "--colors", "-o", str(out), "--csv")
+    assert again.returncode == 0 and again.stdout.startswith("way,family,"), again.stderr
+    assert report(program, folder, "--colors", "--truth").returncode == 2
+    assert report(program, folder, "--colors", "--only", "air").returncode == 2
+    (out / "color_error.csv").write_text("h,sun\n")
+    assert report(program, folder, "--colors", "-o", str(out)).returncode == 3
 
 
 def main():
@@ -148,6 +188,7 @@ def main():
         assert report(program, folder, "-j", "none").returncode == 2
         assert report(program, folder, "-o", str(folder / "small.toml")).returncode == 3
         check_truth(program, folder)
+        check_colors(program, folder)
         # Accounts of farms have neither a home nor settings of fonts; no library may complain.
         plot = (out / "air.svg").stat().st_mtime_ns
         bare = subprocess.run([program, "report", str(folder / "small.toml"), "--quick", "-q",

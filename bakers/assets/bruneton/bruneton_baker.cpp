@@ -15,6 +15,8 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
+#include "bakers/assets/bruneton/table_content.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/sky_view_mapping.h"
@@ -34,20 +36,31 @@ constexpr auto kAtTexelCentres = TexelConvention::end_points_on_texel_centres;
 
 Outcome<Baked> bake(const Parameters& parameters, const BrunetonBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    return bake_bruneton(parameters.atmosphere, asset, options,
-                         labelled_sky_volume(parameters, std::move(label)));
+    PacketsOfAir air{light_packets(parameters)};
+    if (holds_colors(parameters)) {
+        const auto colors = colors_of(parameters, options);
+        if (!colors) return {};
+        air.weights = colors->weights;
+    }
+    return bake_bruneton(air, asset, options, labelled_sky_volume(parameters, std::move(label)));
 }
 
 std::vector<Need> needs(const Parameters& parameters, const BrunetonBake& asset, Certification) {
-    return needs_of_bruneton(parameters.atmosphere, asset);
+    std::vector<Need> needs;
+    for (const config::Atmosphere& packet : light_packets(parameters)) {
+        for (Need& need : needs_of_bruneton(packet, asset)) needs.push_back(std::move(need));
+    }
+    return needs;
 }
 
-Estimate estimate(const Parameters&, const BrunetonBake& asset) {
+Estimate estimate(const Parameters& parameters, const BrunetonBake& asset) {
     const bool has_light = asset.table != BrunetonTable::transmittance;
     Estimate result = estimate_volume(asset, asset.size, 4, has_light ? 4e-6 : 2e-7);
     if (has_light) result.seconds += kSecondsToSolve;
+    const auto packets = static_cast<double>(light_packets(parameters).size());
+    result.seconds *= packets;
     constexpr double kBytesPerVoxel = 4 * sizeof(float);  // all are held
-    result.memory_mib += voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
+    result.memory_mib += packets * voxels_of(asset.size, 1) * kBytesPerVoxel / kMebibyte;
     return result;
 }
 
@@ -127,7 +140,6 @@ AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
 
 std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
                                              const BrunetonBake& asset) {
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
     const auto found = [=, &parameters, &asset](const Baked& baked, int threads) {
         const auto places_in = [&](const StoredTexels& stored) {
@@ -142,10 +154,11 @@ std::optional<TracedLight> traced_irradiance(const Parameters& parameters,
         }
         return light;
     };
-    return TracedLight{air->medium().air.channels,
-                       places_of(samples),
-                       found,
-                       {trace_of_irradiance(air, samples, config::SkyOrders::all)}};
+    return TracedLight{light_channels(parameters), places_of(samples), found,
+                       traces_of_packets(parameters, [&](std::shared_ptr<const TracedAir> air) {
+                           return trace_of_irradiance(std::move(air), samples,
+                                                      config::SkyOrders::all);
+                       })};
 }
 
 // Cameras near the ground, in the middle of the air and high above, under suns of the table.
@@ -201,7 +214,6 @@ TraceOfPlace trace_of_table(std::shared_ptr<const TracedAir> air, std::vector<Sk
 std::optional<TracedLight> traced_scattering(const Parameters& parameters,
                                              const BrunetonBake& asset) {
     const Shell shell = shell_of(parameters.atmosphere);
-    const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<SkySample> samples = samples_of(shell, asset);
     std::vector<Place> at;
     std::vector<double> cosines;
@@ -213,8 +225,18 @@ std::optional<TracedLight> traced_scattering(const Parameters& parameters,
                       {"nu", cosines.back()},
                       {"ground", sample.above_horizon_deg < 0 ? 1 : 0}});
     }
+    std::vector<std::shared_ptr<const TracedAir>> airs;
+    const auto traces = traces_of_packets(parameters, [&](std::shared_ptr<const TracedAir> air) {
+        airs.push_back(air);
+        return trace_of_table(std::move(air), samples, asset);
+    });
     const auto found = [=, &parameters, &asset](const Baked& baked, int) {
-        const ScatteringContent content(air->medium(), asset);
+        std::vector<ScatteringContent> packets;
+        for (const auto& air : airs) packets.emplace_back(air->medium(), asset);
+        std::vector<const ScatteringContent*> contents;
+        for (const ScatteringContent& packet : packets) contents.push_back(&packet);
+        const TableContent content(std::move(contents), weights_of(baked.conventions),
+                                   asset.solar_irradiance);
         std::vector<Spectrum> light;
         for (const auto& channels : look_up_places(baked, places(parameters, asset, {}), at)) {
             Texel texel{};
@@ -223,10 +245,7 @@ std::optional<TracedLight> traced_scattering(const Parameters& parameters,
         }
         return light;
     };
-    return TracedLight{air->medium().air.channels,
-                       places_of(samples),
-                       found,
-                       {trace_of_table(air, samples, asset)}};
+    return TracedLight{light_channels(parameters), places_of(samples), found, traces};
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const BrunetonBake& asset) {

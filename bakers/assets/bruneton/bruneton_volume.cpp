@@ -14,6 +14,7 @@
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
+#include "bakers/assets/bruneton/table_content.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"
@@ -50,9 +51,10 @@ std::optional<LightRequest> light_request(const config::Atmosphere& atmosphere,
     return LightRequest{.atmosphere = atmosphere, .orders = last > 0 ? last - 1 : 0};
 }
 
-std::vector<std::string> channel_names(const SkyMedium& medium, const BrunetonBake& bake) {
+std::vector<std::string> channel_names(const PacketsOfAir& air, const BrunetonBake& bake) {
+    const bool is_grey = air.weights.empty() && air.packets.front().ground_albedo.size() == 1;
     std::vector<std::string> names = {"R", "G", "B"};
-    if (medium.air.channels == 1) names = {"Y"};
+    if (is_grey) names = {"Y"};
     const bool combined = bake.table == BrunetonTable::scattering && bake.combined;
     if (combined || bake.convention == BrunetonConvention::takram) names.emplace_back("A");
     return names;
@@ -69,16 +71,63 @@ void describe_light(const BrunetonBake& bake, Conventions& conventions) {
     conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
 }
 
-Outcome<Baked> bake_irradiance(SkyMedium medium, const SolvedLight* light, const BrunetonBake& bake,
-                               const BakeOptions& options, Baked volume) {
-    const SkyMedium of_orders = medium;
+// The air of one packet, and its light; null: no higher orders.
+struct Packet {
+    SkyMedium air;
+    SkyMedium medium;  // without forward peaks
+    std::shared_ptr<const SolvedLight> light;
+};
+
+glm::dvec3 factors_of(const BrunetonBake& bake) {
+    return {bake.solar_irradiance[0], bake.solar_irradiance[1], bake.solar_irradiance[2]};
+}
+
+// Returns the sum of the weights: the colour of light that is 1 at all wavelengths.
+glm::dvec3 white_of(const std::vector<glm::dvec3>& weights) {
+    glm::dvec3 sum(0);
+    for (const glm::dvec3& weight : weights) sum += weight;
+    return sum;
+}
+
+// Colours of transmittance are the shares of sunlight's colours.
+Outcome<Baked> bake_transmittance(const std::vector<Packet>& packets,
+                                  const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
+                                  const BakeOptions& options, Baked volume) {
+    std::vector<FlatTable> tables;
+    for (const Packet& packet : packets) tables.push_back(flat_transmittance(packet.air.air));
+    const FlatTable table = weights.empty()
+                                ? std::move(tables.front())
+                                : flat_colors(std::move(tables), weights, 1.0 / white_of(weights));
+    return bake_bruneton_transmittance(table, shell_of(packets.front().air.air), bake, options,
+                                       std::move(volume));
+}
+
+std::unique_ptr<const SkyLight> sky_light_of(const Packet& packet, const BakeOptions& options) {
     std::unique_ptr<const HigherOrders> higher;
-    if (light != nullptr) {
-        higher = std::make_unique<SolvedOrders>(of_orders, *light, light->degree());
+    if (packet.light) {
+        higher =
+            std::make_unique<SolvedOrders>(packet.medium, *packet.light, packet.light->degree());
     }
-    const auto orders = light != nullptr ? config::SkyOrders::all : config::SkyOrders::single;
-    const SkyLight sky(std::move(medium), orders, std::move(higher), options.threads);
-    return bake_bruneton_irradiance(sky, bake, options, std::move(volume));
+    const auto orders = packet.light ? config::SkyOrders::all : config::SkyOrders::single;
+    return std::make_unique<SkyLight>(packet.medium, orders, std::move(higher), options.threads);
+}
+
+Outcome<Baked> bake_irradiance(const std::vector<Packet>& packets,
+                               const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
+                               const BakeOptions& options, Baked volume) {
+    const std::vector<double> sun =
+        weights.empty() ? bake.solar_irradiance : std::vector<double>(kMaxChannels, 1);
+    std::vector<std::unique_ptr<const SkyLight>> lights;
+    std::vector<FlatTable> tables;
+    for (const Packet& packet : packets) {
+        lights.push_back(sky_light_of(packet, options));
+        tables.push_back(flat_irradiance(*lights.back(), sun));
+    }
+    const FlatTable table = weights.empty()
+                                ? std::move(tables.front())
+                                : flat_colors(std::move(tables), weights, factors_of(bake));
+    return bake_bruneton_irradiance(table, lights.front()->shell(), bake, options,
+                                    std::move(volume));
 }
 
 }  // namespace
@@ -108,39 +157,50 @@ std::optional<SolverSettings> light_settings(const SkyMedium& medium, const Brun
     return settings;
 }
 
-Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& asked,
+Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
                              const BakeOptions& options, Baked volume) {
     BrunetonBake bake = asked;
     bake.orders = last_order(bake);
-    const SkyMedium air = make_sky_medium(atmosphere);
-    SkyMedium medium = without_forward_peaks(air);
+    std::vector<Packet> packets;
+    for (const config::Atmosphere& atmosphere : air.packets) {
+        SkyMedium medium = make_sky_medium(atmosphere);
+        SkyMedium smooth = without_forward_peaks(medium);
+        packets.push_back({std::move(medium), std::move(smooth), nullptr});
+    }
     volume.kind = "bruneton";
-    volume.channel_names = channel_names(medium, bake);
+    volume.channel_names = channel_names(air, bake);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
     volume.up_axis = "+z";
     describe_light(bake, volume.conventions);
     set_files(bake, volume);
     if (config::has_companion(bake)) {
-        volume.companion = CompanionFile{"json", takram_parameters(atmosphere, bake)};
+        volume.companion = CompanionFile{"json", takram_parameters(air, bake)};
     }
     if (bake.table == BrunetonTable::transmittance) {
-        return bake_bruneton_transmittance(air.air, bake, options, std::move(volume));
+        return bake_transmittance(packets, air.weights, bake, options, std::move(volume));
     }
     const auto start = std::chrono::steady_clock::now();
-    const std::optional<LightRequest> request = light_request(atmosphere, bake);
-    const auto light = request ? light_of(*request, medium, options) : nullptr;
-    if (options.cancelled()) return {};
-    if (light && bake.orders == 0) {
-        if (const auto problem = check_light(energy_balance(medium, *light), *light, volume.name)) {
+    for (std::size_t p = 0; p < packets.size(); ++p) {
+        Packet& packet = packets[p];
+        const std::optional<LightRequest> request = light_request(air.packets[p], bake);
+        packet.light = request ? light_of(*request, packet.medium, options) : nullptr;
+        if (options.cancelled()) return {};
+        if (!packet.light || bake.orders != 0) continue;
+        if (const auto problem = check_light(energy_balance(packet.medium, *packet.light),
+                                             *packet.light, volume.name)) {
             return {{}, {*problem}};
         }
     }
     volume.bake_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (bake.table == BrunetonTable::irradiance) {
-        return bake_irradiance(std::move(medium), light.get(), bake, options, std::move(volume));
+        return bake_irradiance(packets, air.weights, bake, options, std::move(volume));
     }
-    return bake_scattering(atmosphere, medium, light, bake, options, std::move(volume));
+    std::vector<ScatteringPacket> of_table;
+    for (std::size_t p = 0; p < packets.size(); ++p) {
+        of_table.push_back({air.packets[p], packets[p].medium, packets[p].light});
+    }
+    return bake_scattering(of_table, air.weights, bake, options, std::move(volume));
 }
 
 using config::Layer;
@@ -195,13 +255,47 @@ std::string per_km(const Layer* layer, std::vector<config::InverseLength> Layer:
     return vector(values);
 }
 
+// Returns the air of one set of three channels whose coefficients are those of the colours of
+// sunlight: their means by weight over all wavelengths.
+config::Atmosphere colored_air(const PacketsOfAir& air) {
+    config::Atmosphere colored = air.packets.front();
+    const glm::dvec3 white = white_of(air.weights);
+    const auto mean = [&](const auto& value) {
+        glm::dvec3 sum(0);
+        const glm::dvec3* weight = air.weights.data();
+        for (const config::Atmosphere& packet : air.packets) {
+            for (std::size_t c = 0; c < packet.ground_albedo.size(); ++c) {
+                sum += value(packet, c) * *weight++;
+            }
+        }
+        return sum / white;
+    };
+    const glm::dvec3 albedo =
+        mean([](const config::Atmosphere& of, std::size_t c) { return of.ground_albedo[c]; });
+    colored.ground_albedo = {albedo.x, albedo.y, albedo.z};
+    for (std::size_t k = 0; k < colored.layers.size(); ++k) {
+        for (const auto coefficients : {&Layer::scattering, &Layer::extinction}) {
+            const glm::dvec3 one = mean([&](const config::Atmosphere& of, std::size_t c) {
+                return (of.layers[k].*coefficients)[c].per_meter;
+            });
+            (colored.layers[k].*coefficients) = {{one.x}, {one.y}, {one.z}};
+        }
+    }
+    return colored;
+}
+
 }  // namespace
 
-std::string takram_parameters(const config::Atmosphere& atmosphere,
-                              const config::BrunetonBake& bake) {
+std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake) {
+    const bool is_colored = !air.weights.empty();
+    const config::Atmosphere atmosphere = is_colored ? colored_air(air) : air.packets.front();
+    std::vector<double> sun = bake.solar_irradiance;
+    for (std::size_t c = 0; is_colored && c < kColors; ++c) {
+        sun[c] *= white_of(air.weights)[static_cast<glm::length_t>(c)];
+    }
     const config::TakramLayers layers = config::takram_layers(atmosphere);
     const std::vector<std::pair<const char*, std::string>> members = {
-        {"solarIrradiance", vector(bake.solar_irradiance)},
+        {"solarIrradiance", vector(sun)},
         {"bottomRadius", fmt::format("{}", atmosphere.ground_radius.meters)},
         {"topRadius", fmt::format("{}", atmosphere.top_radius.meters)},
         {"rayleighDensity", exponential_profile(layers.rayleigh)},

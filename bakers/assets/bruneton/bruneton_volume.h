@@ -1,6 +1,7 @@
 // The tables of Bruneton & Neyret 2008 as in their implementation of 2017 (asset = "bruneton").
 #pragma once
 
+#include <glm/ext/vector_double3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,14 +16,20 @@
 
 namespace skybake {
 
+// The air at the wavelengths that are computed together, and the weights of all of them: tables hold
+// their colours, or the wavelengths of one packet without weights.
+struct PacketsOfAir {
+    std::vector<config::Atmosphere> packets;
+    std::vector<glm::dvec3> weights = {};
+};
+
 // Bakes one table. `volume` comes with name, parameters and details. Returns E0405 if the light
 // cannot be solved for.
-config::Outcome<Baked> bake_bruneton(const config::Atmosphere& atmosphere,
-                                     const config::BrunetonBake& bake, const BakeOptions& options,
-                                     Baked volume);
+config::Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const config::BrunetonBake& bake,
+                                     const BakeOptions& options, Baked volume);
 
-// Returns what a table is made from and shares with others: solved light, sunlight, and light that
-// was scattered once or more often.
+// Returns what the table of one packet is made from and shares with others: solved light, sunlight,
+// and light that was scattered once or more often.
 std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
                                     const config::BrunetonBake& bake);
 
@@ -34,8 +41,8 @@ std::optional<SolverSettings> light_settings(const SkyMedium& medium,
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their
 // units: radii in metres, coefficients per km, profiles over altitude in km, vectors as arrays. The
-// atmosphere must have no problem (config/assets/takram_layers.h).
-std::string takram_parameters(const config::Atmosphere& atmosphere,
-                              const config::BrunetonBake& bake);
+// atmosphere must have no problem (config/assets/takram_layers.h). Of colours, coefficients are those
+// of sunlight through very little air, and the irradiance is the sun's colour.
+std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake);
 
 }  // namespace skybake

@@ -11,6 +11,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"
@@ -163,7 +164,32 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
     return {row_of(kFlatNodes), row_of(kReferenceNodes), colours};
 }
 
-config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
+namespace {
+
+// Returns the row of colours of the packets' rows that `row_of` names.
+FlatRow row_of_colors(const std::shared_ptr<const std::vector<FlatTable>>& packets,
+                      const std::vector<glm::dvec3>& weights, FlatRow FlatTable::*row_of) {
+    std::vector<std::size_t> channels;
+    for (const FlatTable& packet : *packets) channels.push_back(packet.colours);
+    return [=](double y, const std::vector<double>& x, double* values) {
+        write_colors(
+            weights, channels, x.size(),
+            [&](std::size_t packet, double* light) { ((*packets)[packet].*row_of)(y, x, light); },
+            values);
+    };
+}
+
+}  // namespace
+
+FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> weights,
+                      const glm::dvec3& factors) {
+    for (glm::dvec3& weight : weights) weight *= factors;
+    const auto shared = std::make_shared<const std::vector<FlatTable>>(std::move(packets));
+    return {row_of_colors(shared, weights, &FlatTable::row),
+            row_of_colors(shared, weights, &FlatTable::reference), 3};
+}
+
+config::Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
                                                    const config::BrunetonBake& bake,
                                                    const BakeOptions& options, Baked volume) {
     volume.content = "transmittance from a point to the top of the atmosphere (dimensionless)";
@@ -175,25 +201,25 @@ config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
                     {"altitude_km",
                      "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at "
                      "the top",
-                     kConventionText, 0, medium.thickness_km},
+                     kConventionText, 0, shell.thickness_km},
                     {"none", "one texel", kConventionText, 0, 0}}};
-    describe_flat_axes(shell_of(medium), volume);
+    describe_flat_axes(shell, volume);
     volume.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
-    const auto place = [shell = shell_of(medium)](double& x, double& y) {
+    const auto place = [shell](double& x, double& y) {
         const UnitCoordinates off = off_the_horizon(shell, {x, y});
         x = off.x_mu;
         y = off.x_r;
         const TransmittanceRay ray = transmittance_ray(shell, off);
         return Place{{"altitude_km", ray.altitude_km}, {"cos_zenith", cos_zenith_of(shell, ray)}};
     };
-    return bake_flat(flat_transmittance(medium), place, bake, options, std::move(volume));
+    return bake_flat(table, place, bake, options, std::move(volume));
 }
 
-config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
+config::Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
                                                 const config::BrunetonBake& bake,
                                                 const BakeOptions& options, Baked volume) {
-    const double thickness_km = light.shell().thickness_km;
+    const double thickness_km = shell.thickness_km;
     volume.content =
         "irradiance of a level surface that faces up, by the sky without the sun, times the "
         "solar irradiance";
@@ -202,13 +228,12 @@ config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
         {{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},
          {"altitude_km", "x = altitude / (R_top - R_ground)", kConventionText, 0, thickness_km},
          {"none", "one texel", kConventionText, 0, 0}}};
-    describe_flat_axes(light.shell(), volume);
+    describe_flat_axes(shell, volume);
     volume.certificate.reference = "the same integral over more directions";
     const auto place = [thickness_km](double& x, double& y) {
         return Place{{"altitude_km", y * thickness_km}, {"sun_cos_zenith", 2 * x - 1}};
     };
-    return bake_flat(flat_irradiance(light, bake.solar_irradiance), place, bake, options,
-                     std::move(volume));
+    return bake_flat(table, place, bake, options, std::move(volume));
 }
 
 }  // namespace skybake

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <glm/ext/vector_double3.hpp>
 #include <vector>
 
 #include "bakers/assets/bruneton/scattering_table.h"
@@ -31,6 +32,11 @@ FlatTable flat_transmittance(const Medium& medium);
 // The table of irradiance by the orders of `light`. `light` and `solar_irradiance` must outlive it.
 FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& solar_irradiance);
 
+// Returns the table of the colours that the weights of all packets' wavelengths make of their tables,
+// times `factors`.
+FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> weights,
+                      const glm::dvec3& factors);
+
 // Makes the texels. Channels after the colours hold 1.
 DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
                         std::size_t channels, const BakeOptions& options);
@@ -41,12 +47,12 @@ VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>&
 
 // Bakes the transmittance. `volume` comes with name, parameters, details and channels; takram's has
 // a channel A of 1.
-config::Outcome<Baked> bake_bruneton_transmittance(const Medium& medium,
+config::Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
                                                    const config::BrunetonBake& bake,
                                                    const BakeOptions& options, Baked volume);
 
-// Bakes the irradiance by the orders of `light`, multiplied by the solar irradiance.
-config::Outcome<Baked> bake_bruneton_irradiance(const SkyLight& light,
+// Bakes the irradiance.
+config::Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
                                                 const config::BrunetonBake& bake,
                                                 const BakeOptions& options, Baked volume);
 

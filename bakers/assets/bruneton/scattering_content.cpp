@@ -23,28 +23,6 @@ Spectrum true_phase_at(const SkyLayer& layer, double nu) {
     return phase_values(has_peak ? layer.first_phase : layer.phase, 1 - nu, 1 + nu);
 }
 
-// Returns the scattering coefficients at the ground of the Mie layers, or of all other layers.
-Spectrum coefficients_at_ground(const SkyMedium& medium, const std::vector<bool>& is_mie,
-                                bool wanted) {
-    Spectrum sum{};
-    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-        if (!medium.layers[k].scatters || is_mie[k] != wanted) continue;
-        sum += scattering_at(medium.layers[k].alone, 0);
-    }
-    return sum;
-}
-
-Spectrum mie_colours(const SkyMedium& medium, const std::vector<bool>& is_mie) {
-    const Spectrum mie = coefficients_at_ground(medium, is_mie, true);
-    const Spectrum others = coefficients_at_ground(medium, is_mie, false);
-    Spectrum colours{};
-    for (std::size_t c = 0; c < kMaxChannels; ++c) {
-        const double red = mie[0] * others[c];
-        colours[c] = red > 0 ? mie[c] * others[0] / red : 0;
-    }
-    return colours;
-}
-
 double not_negative(double value) { return value > 0 ? value : 0; }
 
 }  // namespace
@@ -64,7 +42,16 @@ ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::Brun
         is_mie_.push_back(std::find(bake.mie_layers.begin(), bake.mie_layers.end(), layer.name) !=
                           bake.mie_layers.end());
     }
-    mie_colours_ = mie_colours(medium, is_mie_);
+    mie_colours_ = mie_colours(coefficients_at_ground(true), coefficients_at_ground(false));
+}
+
+Spectrum ScatteringContent::coefficients_at_ground(bool of_mie) const {
+    Spectrum sum{};
+    for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
+        if (!medium_.layers[k].scatters || is_mie_[k] != of_mie) continue;
+        sum += scattering_at(medium_.layers[k].alone, 0);
+    }
+    return sum;
 }
 
 std::size_t ScatteringContent::measured_channels() const {
@@ -102,19 +89,31 @@ ScatteringParts ScatteringContent::parts(const ScatteringRow& row, std::size_t s
     return parts;
 }
 
-Texel ScatteringContent::texel(const ScatteringParts& parts) const {
-    Texel texel{};
+Spectrum ScatteringContent::light(const ScatteringParts& parts) const {
+    Spectrum result{};
     for (std::size_t c = 0; c < colours_; ++c) {
         const double higher = not_negative(parts.higher[c]);
         const double light = table_ == BrunetonTable::single_mie      ? parts.mie[c]
                              : table_ == BrunetonTable::higher_orders ? higher
                                                                       : parts.air[c] + higher;
-        texel[c] = not_negative(light) * solar_irradiance_[c];
+        result[c] = not_negative(light);
     }
+    return result;
+}
+
+Spectrum ScatteringContent::mie_light(const ScatteringParts& parts) {
+    Spectrum result{};
+    for (std::size_t c = 0; c < kMaxChannels; ++c) result[c] = not_negative(parts.mie[c]);
+    return result;
+}
+
+Texel ScatteringContent::texel(const ScatteringParts& parts) const {
+    Texel texel{};
+    const Spectrum light = this->light(parts);
+    for (std::size_t c = 0; c < colours_; ++c) texel[c] = light[c] * solar_irradiance_[c];
     if (has_alpha()) {
-        texel[colours_] = table_ == BrunetonTable::scattering
-                              ? not_negative(parts.mie[0]) * solar_irradiance_[0]
-                              : constant_alpha_;
+        texel[colours_] =
+            holds_mie() ? mie_light(parts)[0] * solar_irradiance_[0] : constant_alpha_;
     }
     return texel;
 }
@@ -124,22 +123,29 @@ Spectrum ScatteringContent::radiance(const ScatteringParts& parts, double nu) co
 }
 
 Spectrum ScatteringContent::radiance(const Texel& texel, double nu) const {
-    const Spectrum phase =
-        table_ == BrunetonTable::single_mie ? mie_phase(nu) : Spectrum(rayleigh_phase(nu));
-    const Spectrum mie = combined_ ? mie_of_red(texel) * mie_phase(nu) : Spectrum{};
-    Spectrum light{};
-    for (std::size_t c = 0; c < colours_; ++c) {
-        light[c] = (texel[c] * phase[c] + mie[c]) / solar_irradiance_[c];
-    }
-    return light;
+    const Spectrum mie = mie_phase(nu);
+    const Spectrum phase = table_ == BrunetonTable::single_mie ? mie : Spectrum(rayleigh_phase(nu));
+    return RuntimeTexel{colours_, combined_, phase, mie, mie_colours_, solar_irradiance_}.radiance(
+        texel);
 }
 
-Spectrum ScatteringContent::mie_of_red(const Texel& texel) const {
-    Spectrum mie{};
-    for (std::size_t c = 0; c < colours_ && texel[0] > 0; ++c) {
-        mie[c] = texel[colours_] * texel[c] / texel[0] * mie_colours_[c];
+Spectrum mie_colours(const Spectrum& mie, const Spectrum& others) {
+    Spectrum colours{};
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        const double red = mie[0] * others[c];
+        colours[c] = red > 0 ? mie[c] * others[0] / red : 0;
     }
-    return mie;
+    return colours;
+}
+
+Spectrum RuntimeTexel::radiance(const Texel& texel) const {
+    Spectrum light{};
+    for (std::size_t c = 0; c < colours; ++c) {
+        const double mie =
+            combined && texel[0] > 0 ? texel[colours] * texel[c] / texel[0] * mie_colours[c] : 0;
+        light[c] = (texel[c] * phase[c] + mie * mie_phase[c]) / solar_irradiance[c];
+    }
+    return light;
 }
 
 }  // namespace skybake

@@ -18,7 +18,7 @@
 
 namespace skybake {
 
-inline constexpr std::size_t kMostTexelChannels = 4;
+inline constexpr std::size_t kMostTexelChannels = kMaxChannels + 1;
 using Texel = std::array<double, kMostTexelChannels>;
 
 // The parts whose sum is a texel, for a solar irradiance of 1.
@@ -33,18 +33,33 @@ class ScatteringContent {
     // `medium` must outlive this object.
     ScatteringContent(const SkyMedium& medium, const config::BrunetonBake& bake);
 
+    const SkyMedium& medium() const { return medium_; }
+    config::BrunetonTable table() const { return table_; }
+    bool is_combined() const { return combined_; }
+    std::size_t wavelengths() const { return colours_; }
     std::size_t channels() const { return channels_; }
     // Returns the number of channels that hold light, which are the first ones.
     std::size_t measured_channels() const;
     bool has_alpha() const { return channels_ > colours_; }
+    // Whether A holds the Mie layers' light.
+    bool holds_mie() const { return has_alpha() && table_ == config::BrunetonTable::scattering; }
     bool wants_single() const;
     bool wants_higher() const;
 
     // Returns the parts for one sun of a row.
     ScatteringParts parts(const ScatteringRow& row, std::size_t sun, double nu) const;
-    // Returns the channels of a texel. Negative light becomes 0; moments that end at a degree, and
-    // polynomials along rays in the shadow, may leave it where there is hardly any light.
+    // Return the light of a texel's colours, and that of the Mie layers which a combined table holds
+    // in A, of each wavelength for a solar irradiance of 1. Negative light becomes 0; moments that
+    // end at a degree, and polynomials along rays in the shadow, may leave it where there is hardly
+    // any light.
+    Spectrum light(const ScatteringParts& parts) const;
+    static Spectrum mie_light(const ScatteringParts& parts);
+
+    // Returns the channels of a texel.
     Texel texel(const ScatteringParts& parts) const;
+
+    // Returns the value of A where it holds no light.
+    double constant_alpha() const { return constant_alpha_; }
 
     // Returns the radiance in 1/sr that a runtime computes from the parts.
     Spectrum radiance(const ScatteringParts& parts, double nu) const;
@@ -57,9 +72,10 @@ class ScatteringContent {
     const std::vector<bool>& is_mie() const { return is_mie_; }  // by layer of the medium
     Spectrum mie_phase(double nu) const;                         // of the first Mie layer
 
-  private:
-    Spectrum mie_of_red(const Texel& texel) const;
+    // Returns the scattering coefficients at the ground of the Mie layers, or of all other layers.
+    Spectrum coefficients_at_ground(bool of_mie) const;
 
+  private:
     const SkyMedium& medium_;
     config::BrunetonTable table_;
     bool combined_;
@@ -69,7 +85,24 @@ class ScatteringContent {
     double constant_alpha_ = 0;
     std::vector<bool> is_mie_;
     std::vector<double> solar_irradiance_;
-    Spectrum mie_colours_{};  // (others_red / mie_red) (mie_colour / others_colour) at the ground
+    Spectrum mie_colours_{};
+};
+
+// Returns (others_red / mie_red) (mie_colour / others_colour), by which runtimes tell the colours of
+// the Mie layers' light from its red, or 0 where that is not known.
+Spectrum mie_colours(const Spectrum& mie, const Spectrum& others);
+
+// How a runtime computes radiance from a texel: the phase functions by which it multiplies R, G, B
+// and A, and what else it knows.
+struct RuntimeTexel {
+    std::size_t colours = 0;
+    bool combined = false;
+    Spectrum phase{};
+    Spectrum mie_phase{};
+    Spectrum mie_colours{};
+    const std::vector<double>& solar_irradiance;
+
+    Spectrum radiance(const Texel& texel) const;
 };
 
 }  // namespace skybake

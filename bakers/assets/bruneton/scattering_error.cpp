@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_table.h"
@@ -177,9 +178,15 @@ class ScatteringErrors {
 
 }  // namespace
 
-ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReference& reference) {
-    return [&content, &reference](const ScatteringView& view, double sun_cos_zenith, double nu) {
-        return content.texel(reference.parts(view, sun_cos_zenith, nu));
+ExactTexel exact_texel(const TableContent& content,
+                       std::vector<const ScatteringReference*> references) {
+    return [&content, references = std::move(references)](const ScatteringView& view,
+                                                          double sun_cos_zenith, double nu) {
+        std::vector<ScatteringParts> parts;
+        for (const ScatteringReference* reference : references) {
+            parts.push_back(reference->parts(view, sun_cos_zenith, nu));
+        }
+        return content.texel(parts, nu);
     };
 }
 
@@ -247,13 +254,20 @@ std::vector<double> view_edges(int half_size) {
 
 }  // namespace
 
-TexelRow texel_row(const ScatteringContent& content, const ScatteringRows& rows) {
-    return [&content, &rows](const ScatteringView& view, const std::vector<double>& suns,
-                             const std::vector<double>& nu) {
-        const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
+TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows*> rows) {
+    return [&content, rows = std::move(rows)](const ScatteringView& view,
+                                              const std::vector<double>& suns,
+                                              const std::vector<double>& nu) {
+        const SunBundle bundle(suns, nu);
+        std::vector<ScatteringRow> packets;
+        for (const ScatteringRows* each : rows) packets.push_back(each->row(view, bundle));
         std::vector<Texel> texels;
+        std::vector<ScatteringParts> parts(packets.size());
         for (std::size_t i = 0; i < suns.size(); ++i) {
-            texels.push_back(content.texel(content.parts(row, i, nu[i])));
+            for (std::size_t p = 0; p < packets.size(); ++p) {
+                parts[p] = content.packets()[p]->parts(packets[p], i, nu[i]);
+            }
+            texels.push_back(content.texel(parts, nu[i]));
         }
         return texels;
     };

@@ -10,6 +10,7 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/bruneton/table_content.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
@@ -41,8 +42,9 @@ class ScatteringReference {
 using ExactTexel =
     std::function<Texel(const ScatteringView& view, double sun_cos_zenith, double nu)>;
 
-// Makes that function. `content` and `reference` must outlive it.
-ExactTexel exact_texel(const ScatteringContent& content, const ScatteringReference& reference);
+// Makes that function, of the references of all packets. They and `content` must outlive it.
+ExactTexel exact_texel(const TableContent& content,
+                       std::vector<const ScatteringReference*> references);
 
 // Returns the largest value of each channel of a table. Where there is hardly any light, errors are
 // relative to a share of it.
@@ -56,8 +58,9 @@ int scattering_points(Certification certification);
 using TexelRow = std::function<std::vector<Texel>(
     const ScatteringView& view, const std::vector<double>& suns, const std::vector<double>& nu)>;
 
-// Makes that function of the rows that texels are made of. The arguments must outlive it.
-TexelRow texel_row(const ScatteringContent& content, const ScatteringRows& rows);
+// Makes that function of the rows, one per packet, that texels are made of. They and `content` must
+// outlive it.
+TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows*> rows);
 
 // Searches the errors of lookups (error_search.h) over the same measure as measure_scattering, in
 // place of its lookups. `row` is the estimate that is searched.

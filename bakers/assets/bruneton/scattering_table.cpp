@@ -40,17 +40,21 @@ std::vector<ScatteringParts> parts_of_row(const ScatteringRows& rows,
     return parts;
 }
 
+ScatteringParts TableParts::at(std::size_t texel) const {
+    ScatteringParts parts;
+    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+        if (first) parts.air[c] = first->air[texel][c];
+        if (first) parts.mie[c] = first->mie[texel][c];
+        if (higher) parts.higher[c] = (*higher)[texel][c];
+    }
+    return parts;
+}
+
 DenseVolume scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
                               const TableParts& parts) {
     DenseVolume table(mapping.size(), content.channels());
     for (std::size_t i = 0; i < table.channel(0).size(); ++i) {
-        ScatteringParts at;
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            if (parts.first) at.air[c] = parts.first->air[i][c];
-            if (parts.first) at.mie[c] = parts.first->mie[i][c];
-            if (parts.higher) at.higher[c] = (*parts.higher)[i][c];
-        }
-        const Texel texel = content.texel(at);
+        const Texel texel = content.texel(parts.at(i));
         for (std::size_t c = 0; c < content.channels(); ++c) {
             table.channel(c)[i] = static_cast<float>(texel[c]);
         }
@@ -101,7 +105,8 @@ double DenseVolume::largest(std::size_t channel) const {
 namespace {
 
 StoredSpectrum stored(const Spectrum& value) {
-    return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z)};
+    return {static_cast<float>(value.x), static_cast<float>(value.y), static_cast<float>(value.z),
+            static_cast<float>(value.w)};
 }
 
 }  // namespace

@@ -59,6 +59,8 @@ using HigherOrderParts = std::vector<StoredSpectrum>;
 struct TableParts {
     std::shared_ptr<const FirstOrderParts> first;    // null if not wanted
     std::shared_ptr<const HigherOrderParts> higher;  // null if not wanted
+
+    ScatteringParts at(std::size_t texel) const;  // 0 where not wanted
 };
 
 // Makes the parts. If `light` is null there are no higher orders, if `sunlight` is null there is no

@@ -13,9 +13,9 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
-#include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/bruneton/table_content.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
@@ -30,7 +30,7 @@ namespace {
 
 constexpr const char* kScatteringConvention = "end points on texel centres; clamps";
 
-std::string content_text(const BrunetonBake& bake, const ScatteringContent& content) {
+std::string content_text(const BrunetonBake& bake, const TableContent& content) {
     const std::string single = "single scattering by all other layers";
     const std::string higher = bake.orders == 0 ? std::string("all higher orders")
                                                 : fmt::format("orders 2 to {}", bake.orders);
@@ -42,7 +42,7 @@ std::string content_text(const BrunetonBake& bake, const ScatteringContent& cont
     if (bake.table == BrunetonTable::higher_orders) return fmt::format("{} {}", higher, over);
     const std::string light =
         bake.orders == 1 ? single + " " + over : fmt::format("{} and {} {}", single, higher, over);
-    if (!content.has_alpha()) return light;
+    if (!content.first().has_alpha()) return light;
     return fmt::format(
         "colours: {}; A: single scattering by the Mie layers over their phase "
         "function, of the first colour",
@@ -60,7 +60,7 @@ void describe_axes(const ScatteringMapping& mapping, Baked& volume) {
     along_u.emplace_back("largest_share", mapping.largest_share());
 }
 
-void describe(const BrunetonBake& bake, const ScatteringContent& content,
+void describe(const BrunetonBake& bake, const TableContent& content,
               const ScatteringMapping& mapping, Baked& volume) {
     volume.content = content_text(bake, content);
     volume.mapping = "bruneton_scattering";
@@ -94,55 +94,98 @@ void describe(const BrunetonBake& bake, const ScatteringContent& content,
     volume.details.emplace_back("sun_cos_zenith_min", bake.sun_cos_zenith_min);
 }
 
-}  // namespace
+// One packet of wavelengths: what its texels are made of and measured by.
+struct PacketTable {
+    PacketTable(const ScatteringPacket& packet, const BrunetonBake& bake)
+        : content(packet.medium, bake) {}
 
-config::Outcome<Baked> bake_scattering(const config::Atmosphere& atmosphere,
-                                       const SkyMedium& medium,
-                                       const std::shared_ptr<const SolvedLight>& light,
-                                       const BrunetonBake& bake, const BakeOptions& options,
-                                       Baked volume) {
-    const ScatteringContent content(medium, bake);
-    const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
-                                    bake.sun_cos_zenith_min);
-    describe(bake, content, mapping, volume);
-    const auto start = std::chrono::steady_clock::now();
-    const SolvedLight* wanted = content.wants_higher() ? light.get() : nullptr;
-    const bool iterated = wanted != nullptr && bake.method == config::BrunetonMethod::iterated;
-    const std::shared_ptr<const TransmittanceField> sunlight =
-        content.wants_single() ? sunlight_of({atmosphere}, medium.air, options) : nullptr;
-    TableParts parts = shared_parts(atmosphere, bake, medium, iterated ? nullptr : wanted, sunlight,
-                                    content, mapping, options);
-    if (options.cancelled()) return {};
-    if (iterated) {
+    // Makes the parts of the texels. After an interruption they must not be used.
+    void make_parts(const ScatteringPacket& packet, const BrunetonBake& bake,
+                    const ScatteringMapping& mapping, const BakeOptions& options) {
+        const SkyMedium& medium = packet.medium;
+        light = content.wants_higher() ? packet.light.get() : nullptr;
+        if (content.wants_single()) {
+            sunlight = sunlight_of({packet.atmosphere}, medium.air, options);
+        }
+        const bool iterated = bake.method == config::BrunetonMethod::iterated;
+        parts = shared_parts(packet.atmosphere, bake, medium, iterated ? nullptr : light, sunlight,
+                             content, mapping, options);
+        if (!iterated || light == nullptr || options.cancelled()) return;
         parts.higher = std::make_shared<const HigherOrderParts>(
             over_rayleigh(iterated_scattering(medium, mapping, bake.orders, options), mapping));
     }
-    if (options.cancelled()) return {};
-    const auto table = std::make_shared<DenseVolume>(scattering_texels(content, mapping, parts));
+
+    void make_reference(const SkyMedium& medium) {
+        if (light != nullptr) {
+            higher = std::make_unique<SolvedOrders>(medium, *light, light->degree());
+        }
+        reference = std::make_unique<ScatteringReference>(medium, content, higher.get());
+        rows = std::make_unique<ScatteringRows>(medium, light, sunlight);
+    }
+
+    ScatteringContent content;
+    const SolvedLight* light = nullptr;
+    std::shared_ptr<const TransmittanceField> sunlight;
+    TableParts parts;
+    std::unique_ptr<const SolvedOrders> higher;
+    std::unique_ptr<const ScatteringReference> reference;
+    std::unique_ptr<const ScatteringRows> rows;
+};
+
+// Returns of each packet what `part` returns.
+template <class Part>
+auto of_each(std::vector<std::unique_ptr<PacketTable>>& packets, const Part& part) {
+    std::vector<decltype(part(*packets.front()))> all;
+    for (const auto& packet : packets) all.push_back(part(*packet));
+    return all;
+}
+
+}  // namespace
+
+config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
+                                       const std::vector<glm::dvec3>& weights,
+                                       const BrunetonBake& bake, const BakeOptions& options,
+                                       Baked volume) {
+    std::vector<std::unique_ptr<PacketTable>> tables;
+    for (const ScatteringPacket& packet : packets) {
+        tables.push_back(std::make_unique<PacketTable>(packet, bake));
+    }
+    const TableContent content(
+        of_each(tables, [](PacketTable& one) -> const ScatteringContent* { return &one.content; }),
+        weights, bake.solar_irradiance);
+    const ScatteringMapping mapping(shell_of(packets.front().medium.air), bake.size, bake.nu_size,
+                                    bake.sun_cos_zenith_min);
+    describe(bake, content, mapping, volume);
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t p = 0; p < packets.size(); ++p) {
+        tables[p]->make_parts(packets[p], bake, mapping, options);
+        if (options.cancelled()) return {};
+    }
     // The baseline's texels stay as they are.
-    if (!iterated) fit_lookups(mapping, content.measured_channels(), options, *table);
+    const bool fits = !(content.first().wants_higher() && packets.front().light &&
+                        bake.method == config::BrunetonMethod::iterated);
+    const auto table = std::make_shared<DenseVolume>(
+        table_texels(content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }),
+                     fits, options));
     volume.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    std::unique_ptr<const SolvedOrders> higher;
-    if (wanted != nullptr) {
-        higher = std::make_unique<SolvedOrders>(medium, *wanted, wanted->degree());
-    }
-    const ScatteringReference reference(medium, content, higher.get());
+    for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);
     VolumeFinish finish;
     for (std::size_t c = 0; c < content.channels(); ++c) {
         const double largest = table->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
     finish.measure = [&](const Baked& baked, const BakeOptions& how) {
-        const ExactTexel exact = exact_texel(content, reference);
+        const ExactTexel exact = exact_texel(
+            content, of_each(tables, [](PacketTable& one) { return one.reference.get(); }));
         const std::vector<double> largest = largest_values(*table);
         Certificate certificate =
             measure_scattering(*table, mapping, exact, largest, baked.pixel_type,
                                scattering_points(how.certification), how);
         if (how.cancelled()) return certificate;
-        const ScatteringRows rows(medium, wanted, sunlight);
-        search_scattering(*table, mapping, exact, texel_row(content, rows), largest,
-                          baked.pixel_type, how, certificate);
+        const TexelRow row =
+            texel_row(content, of_each(tables, [](PacketTable& one) { return one.rows.get(); }));
+        search_scattering(*table, mapping, exact, row, largest, baked.pixel_type, how, certificate);
         return certificate;
     };
     finish.probe_place = [&mapping](const std::array<double, 3>& uvw, int) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <glm/ext/vector_double3.hpp>
 #include <memory>
+#include <vector>
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
@@ -16,11 +18,17 @@
 
 namespace skybake {
 
-// Bakes the volume. `volume` comes with name, parameters, details and channels. If `light` is null
-// there are no higher orders.
-config::Outcome<Baked> bake_scattering(const config::Atmosphere& atmosphere,
-                                       const SkyMedium& medium,
-                                       const std::shared_ptr<const SolvedLight>& light,
+// The air at the wavelengths that are computed together, and its light; null: no higher orders.
+struct ScatteringPacket {
+    const config::Atmosphere& atmosphere;
+    const SkyMedium& medium;
+    std::shared_ptr<const SolvedLight> light;
+};
+
+// Bakes the volume: of the wavelengths of one packet, or of the colours that `weights` make of those
+// of all packets. `volume` comes with name, parameters, details and channels.
+config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
+                                       const std::vector<glm::dvec3>& weights,
                                        const config::BrunetonBake& bake, const BakeOptions& options,
                                        Baked volume);
 

@@ -258,4 +258,12 @@ double joined(const Spectrum& channels, int count) {
     return std::sqrt(squares / count);
 }
 
+MethodErrors method_errors(const SkyErrorReport& report) {
+    MethodErrors errors;
+    for (const SkyErrorRow& row : report.rows) {
+        errors.push_back({row.method.key, {row.error.median, row.error.p90}});
+    }
+    return errors;
+}
+
 }  // namespace skybake

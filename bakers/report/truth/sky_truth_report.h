@@ -10,6 +10,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/report/truth/error_ladder.h"
 #include "bakers/report/truth/sky_methods.h"
 
 namespace skybake {
@@ -57,7 +58,11 @@ struct SkyErrorReport {
     int repetitions = 0;          // each time is the median of this many
     SkyErrorFigures truth_error;  // the standard errors of the truth itself
     std::vector<SkyErrorRow> rows;
+    std::vector<LadderStep> ladder;  // filled in by the caller (error_ladder.h)
 };
+
+// Returns the errors of all methods, as the ladder takes them.
+MethodErrors method_errors(const SkyErrorReport& report);
 
 // Measures the errors of all methods. `truth` has each channel of each direction once, in any
 // order.
@@ -80,6 +85,9 @@ std::vector<double> dome_shares(const std::vector<SkyTruthDirection>& directions
 
 // Returns the RMS over the channels, as one figure for a sun.
 double joined(const Spectrum& channels, int count);
+
+// Returns a text in quotes, or nothing of none. It must not contain quotes.
+std::string csv_quoted(const std::string& text);
 
 // Returns CSV with one row per method and one row for the standard error of the truth. The first
 // line names the columns. An error of 1 means 100 %. dome_rms_SUN_CHANNEL is that of

@@ -8,12 +8,11 @@
 
 namespace skybake {
 
+std::string csv_quoted(const std::string& text) { return text.empty() ? "" : '"' + text + '"'; }
+
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-// Quotes a text. Texts of methods contain no quotes, and only those of baselines contain commas.
-std::string quoted(const std::string& text) { return text.empty() ? "" : '"' + text + '"'; }
 
 std::string figures_cells(const SkyErrorFigures& error, int channels) {
     std::string cells = fmt::format("{},{},{}", error.median, error.p90, error.max);
@@ -50,8 +49,8 @@ std::string sky_truth_report_csv(const SkyErrorReport& report) {
     text += '\n';
     for (const SkyErrorRow& row : report.rows) {
         text +=
-            fmt::format("{},{},{},{},{},{},{},{}\n", row.method.key, quoted(row.method.family),
-                        quoted(row.method.name), quoted(row.method.baseline), row.time_ms,
+            fmt::format("{},{},{},{},{},{},{},{}\n", row.method.key, csv_quoted(row.method.family),
+                        csv_quoted(row.method.name), csv_quoted(row.method.baseline), row.time_ms,
                         row.time_ratio, row.on_front, figures_cells(row.error, report.channels));
     }
     return text + fmt::format("truth,\"standard error\",,,,,,{}\n",
@@ -70,6 +69,13 @@ std::string sky_truth_report_json(const SkyErrorReport& report) {
                         {"on_front", row.on_front},
                         {"error", to_json(row.error, report.channels)}});
     }
+    Json ladder = Json::array();
+    for (const LadderStep& step : report.ladder) {
+        ladder.push_back({{"step", step.name},
+                          {"typical", step.size ? Json(step.size->typical) : Json(nullptr)},
+                          {"high", step.size ? Json(step.size->high) : Json(nullptr)},
+                          {"sentence", step.sentence}});
+    }
     const Json json = {{"report", {{"tool", tool_name()}, {"version", release()}, {"format", 1}}},
                        {"channels", report.channels},
                        {"sun_zenith_degrees", report.sun_zenith_degrees},
@@ -78,6 +84,7 @@ std::string sky_truth_report_json(const SkyErrorReport& report) {
                        {"black", report.black},
                        {"repetitions", report.repetitions},
                        {"truth_error", to_json(report.truth_error, report.channels)},
+                       {"ladder", std::move(ladder)},
                        {"rows", std::move(rows)}};
     return json.dump(2) + "\n";
 }

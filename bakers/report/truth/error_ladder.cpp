@@ -1,0 +1,205 @@
+#include "bakers/report/truth/error_ladder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "bakers/air/medium.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/light/sky_colors.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/sections/spectral_air.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Parameters;
+
+// --- Colour -------------------------------------------------------------------------------------
+
+LadderStep color_step(const Parameters& parameters, const BakeOptions& options) {
+    const std::vector<config::Length>& wavelengths = parameters.wavelengths;
+    const bool is_visible = std::all_of(
+        wavelengths.begin(), wavelengths.end(),
+        [](config::Length one) { return one.meters >= 380e-9 && one.meters <= 780e-9; });
+    const bool is_plain = !parameters.color && wavelengths.size() == 3;
+    if (!is_visible || (!parameters.color && !is_plain) || wavelengths.size() < 2) {
+        return {"colour", std::nullopt, "The recipe's wavelengths are not shown as colours."};
+    }
+    config::Color color = parameters.color.value_or(config::Color());
+    if (color.space == config::ColorSpace::none) color.space = config::ColorSpace::linear_srgb;
+    const ColorSkies skies(parameters.atmosphere, wavelengths, options);
+    if (options.cancelled()) return {};
+    const ColorError error = skies.error(
+        wavelengths, color,
+        is_plain ? weights_as_rgb(wavelengths) : skies.fitted_weights(wavelengths, color));
+    return {"colour", LadderSize{error.median, error.ninth_decile},
+            is_plain ? std::string("Three wavelengths shown as red, green and blue differ so much "
+                                   "from the colours of whole spectra, over luminance.")
+                     : fmt::format("Colours made of {} wavelengths differ so much from those of "
+                                   "whole spectra, over luminance.",
+                                   wavelengths.size())};
+}
+
+// --- Air ----------------------------------------------------------------------------------------
+
+// What the table of ozone and Bucholtz's formula leave (examples/colors.md).
+constexpr LadderSize kMeasuredAir = {0.001, 0.001};
+
+bool is_of_earth(const config::Atmosphere& atmosphere) {
+    return std::fabs(atmosphere.ground_radius.kilometers() / 6371 - 1) < 0.01;
+}
+
+// Returns how far the coefficients of a layer of air are from those of a column of 1013.25 hPa, at
+// each wavelength.
+std::vector<double> off_from_measured(const config::Layer& layer,
+                                      const config::Atmosphere& atmosphere,
+                                      const std::vector<config::Length>& wavelengths) {
+    config::Layer measured = layer;
+    measured.gas = config::GasAmount{config::Gas::air, {config::air_column_per_m2()}};
+    const config::Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
+    if (!config::resolve_matter(measured, thickness, wavelengths).empty()) return {};
+    std::vector<double> off;
+    for (std::size_t c = 0; c < wavelengths.size(); ++c) {
+        const double wanted = measured.scattering[c].per_meter;
+        off.push_back(std::fabs(layer.scattering[c].per_meter / wanted - 1));
+    }
+    return off;
+}
+
+LadderStep air_step(const Parameters& parameters) {
+    const config::Atmosphere& atmosphere = parameters.atmosphere;
+    const auto is_air = [](const config::Layer& layer) {
+        return layer.phase == config::Phase::rayleigh;
+    };
+    const auto air = std::find_if(atmosphere.layers.begin(), atmosphere.layers.end(), is_air);
+    if (!is_of_earth(atmosphere) || air == atmosphere.layers.end()) {
+        return {"air", std::nullopt, "There is no measured air of this planet to compare with."};
+    }
+    if (air->gas) {
+        return {"air", kMeasuredAir, "The coefficients of its gases are measured ones."};
+    }
+    const std::vector<double> off = off_from_measured(*air, atmosphere, parameters.wavelengths);
+    if (off.empty()) return {"air", std::nullopt, "Air is not known at these wavelengths."};
+    double sum = 0;
+    for (const double one : off) sum += one;
+    return {"air",
+            LadderSize{sum / static_cast<double>(off.size()),
+                       *std::max_element(off.begin(), off.end())},
+            fmt::format("The optical depth of the layer `{}` differs so much from that of the "
+                        "Earth's air at 1013.25 hPa.",
+                        air->name)};
+}
+
+// --- Polarisation -------------------------------------------------------------------------------
+
+// What light taken as unpolarised is off by in the median of the dome, in air without particles over
+// black ground: from the best sun to the worst, by the zenith optical depth of the air at 680, 550
+// and 440 nm.
+struct PolarisationRow {
+    double depth, low, high;
+};
+constexpr std::array<PolarisationRow, 3> kPolarisation = {
+    {{0.0409, 0.007, 0.021}, {0.0968, 0.013, 0.038}, {0.2423, 0.027, 0.061}}};
+
+// It is linear in the logarithm of the depth. The second order, where it begins, is in proportion to
+// the depth; deeper air than in the table is taken as its last.
+PolarisationRow polarisation_at(double depth) {
+    const PolarisationRow& first = kPolarisation.front();
+    if (depth <= first.depth) {
+        const double share = depth / first.depth;
+        return {depth, first.low * share, first.high * share};
+    }
+    for (std::size_t i = 1; i < kPolarisation.size(); ++i) {
+        const PolarisationRow& a = kPolarisation[i - 1];
+        const PolarisationRow& b = kPolarisation[i];
+        if (depth > b.depth) continue;
+        const double share = std::log(depth / a.depth) / std::log(b.depth / a.depth);
+        return {depth, a.low + share * (b.low - a.low), a.high + share * (b.high - a.high)};
+    }
+    return kPolarisation.back();
+}
+
+LadderStep polarisation_step(const Parameters& parameters) {
+    std::vector<double> depths(parameters.wavelengths.size(), 0.0);
+    std::size_t first = 0;
+    for (const config::Atmosphere& packet : packets_of(parameters.atmosphere)) {
+        const SkyMedium medium = make_sky_medium(packet);
+        for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+            if (packet.layers[k].phase != config::Phase::rayleigh) continue;
+            const Spectrum depth = optical_depth_along(medium.layers[k].alone, 0, 1,
+                                                       medium.layers[k].alone.thickness_km);
+            for (std::size_t c = 0; c < packet.ground_albedo.size(); ++c) {
+                depths[first + c] += depth[c];
+            }
+        }
+        first += packet.ground_albedo.size();
+    }
+    LadderSize size;
+    for (const double depth : depths) {
+        const PolarisationRow at = polarisation_at(depth);
+        size.typical += (at.low + at.high) / 2 / static_cast<double>(depths.size());
+        size.high = std::max(size.high, at.high);
+    }
+    return {"polarisation", size,
+            "Light is taken as unpolarised; by vector transport in clean air over black ground, an "
+            "estimate from its optical depth."};
+}
+
+// --- Closure and table --------------------------------------------------------------------------
+
+LadderStep closure_step(const MethodErrors& methods) {
+    if (methods.empty()) return {"closure", std::nullopt, "No method was compared."};
+    return {
+        "closure", methods.back().second,
+        "The light of all orders, as it is solved for, differs so much from traced paths, whose "
+        "noise is part of it."};
+}
+
+// Returns how the keys of methods that are like this table begin (sky_methods.h).
+std::string_view method_like(const config::MultipleScatteringBake& bake) {
+    using config::MultipleScatteringContent;
+    using config::MultipleScatteringMethod;
+    if (bake.method == MultipleScatteringMethod::as_in_paper) return "as_in_paper";
+    if (bake.method == MultipleScatteringMethod::converged) return "converged";
+    if (bake.content == MultipleScatteringContent::moments) return "moments";
+    return bake.content == MultipleScatteringContent::fitted ? "fitted" : "mean_radiance";
+}
+
+LadderStep table_step(const Parameters& parameters, const MethodErrors& methods) {
+    for (const config::Bake& bake : parameters.bakes) {
+        const auto* asset = bake.find<config::MultipleScatteringBake>();
+        if (!asset) continue;
+        const std::string_view like = method_like(*asset);
+        const bool is_twilight = asset->mapping == config::MultipleScatteringMapping::twilight;
+        const std::pair<std::string, LadderSize>* found = nullptr;
+        for (const auto& method : methods) {
+            if (!method.first.starts_with(like)) continue;
+            // Of several, the one with the same mapping; of moments, the highest degree.
+            const bool fits = is_twilight == method.first.ends_with("twilight");
+            if (!found || fits || like == "moments") found = &method;
+        }
+        if (!found) continue;
+        return {"table", found->second,
+                fmt::format("The sky of a runtime that marches with a table like `{}` differs so "
+                            "much from traced paths.",
+                            bake.name)};
+    }
+    return {"table", std::nullopt,
+            "The recipe has no table of multiple scattering; each asset's `error.lookup` says what "
+            "its own texels add."};
+}
+
+}  // namespace
+
+std::vector<LadderStep> error_ladder(const Parameters& parameters, const MethodErrors& methods,
+                                     const BakeOptions& options) {
+    return {color_step(parameters, options), air_step(parameters), polarisation_step(parameters),
+            closure_step(methods), table_step(parameters, methods)};
+}
+
+}  // namespace skybake
