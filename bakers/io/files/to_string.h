@@ -14,6 +14,7 @@ namespace skybake {
 std::string_view to_string(config::PixelType type);  // "float", "half", "unorm8", "unorm16"
 std::string_view to_string(config::Compression compression);     // "none", "zip", "zips", "piz"
 std::string_view to_string(config::VdbCompression compression);  // "none", "zip", "blosc"
+std::string_view to_string(config::Ktx2Compression compression);  // "none", "zstd"
 std::string_view to_string(config::FileFormat format);           // "exr", "vdb", "bin"
 std::string_view to_string(config::SheetLayout layout);          // "stack", "atlas"
 
