@@ -16,7 +16,7 @@ packages=(
 if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     packages+=(
         clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev
-        librapidcheck-dev locales-all make openexr python3 python3-jsonschema
+        librapidcheck-dev libsquish-dev locales-all make openexr python3 python3-jsonschema
     )
     if command -v npm >/dev/null; then
         packages+=(chromium)
@@ -26,7 +26,7 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
-            blender ffmpeg fish groff libopenvdb-tools munge openimageio-tools python3-openvdb slurm-wlm zsh
+            blender ffmpeg fish groff libnanovdb-tools libopenvdb-tools munge openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
         )
     fi
 fi
