@@ -22,12 +22,11 @@ double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
         if (files.compression == config::Compression::none) return kCopy;
         return files.compression == config::Compression::piz ? kDeflate : kExrDeflate;
     }
-    const bool deflates =
-        config::facts_of(format).deflates ||
-        (format == config::FileFormat::vdb &&
-         files.vdb_compression == config::VdbCompression::zip) ||
-        (format == config::FileFormat::ktx2 &&
-         files.ktx2_compression == config::Ktx2Compression::zstd);
+    const bool deflates = config::facts_of(format).deflates ||
+                          (format == config::FileFormat::vdb &&
+                           files.vdb_compression == config::VdbCompression::zip) ||
+                          (format == config::FileFormat::ktx2 &&
+                           files.ktx2_compression == config::Ktx2Compression::zstd);
     return deflates ? kDeflate : kCopy;
 }
 

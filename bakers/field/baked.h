@@ -184,7 +184,7 @@ struct Level {
     std::array<bool, 3> repeats{true, true, true};  // for lookups; other axes are clamped
     std::shared_ptr<const VoxelSource> voxels;
     std::shared_ptr<const VoxelSource> uncoded = {};  // before coding in blocks (block_voxels.h)
-    std::vector<ValueStatistics> statistics;  // one per channel
+    std::vector<ValueStatistics> statistics;          // one per channel
     std::string content_hash;  // xxh3 of the voxels as stored, in x, y, z order, interleaved
     std::vector<Probe> probes;
     std::vector<std::string> catches;  // wrong lookups that the probes detect (wrong_lookups.h)

@@ -84,9 +84,7 @@ class Levels {
     HWY_INLINE hn::Mask<Floats> is_end(Vector t, Vector place, Vector k) const {
         return hn::Lt(from_ends(t), hn::Abs(hn::Sub(place, k)));
     }
-    HWY_INLINE Vector squared(Vector steps) const {
-        return hn::Mul(steps, hn::Mul(step_, step_));
-    }
+    HWY_INLINE Vector squared(Vector steps) const { return hn::Mul(steps, hn::Mul(step_, step_)); }
 
   private:
     Vector step_;
@@ -403,8 +401,7 @@ HWY_INLINE void encode_lanes(const Block& block, std::size_t first, std::size_t 
     auto may_be_six = hn::Lt(hn::Mul(apart, apart), eight.error);
     if (hn::AllFalse(kFloats, may_be_six)) return;
     const Candidate tried = inner_extremes(block, 0);
-    may_be_six =
-        hn::And(may_be_six, hn::Lt(tried.error, hn::Mul(eight.error, set(kHopeless))));
+    may_be_six = hn::And(may_be_six, hn::Lt(tried.error, hn::Mul(eight.error, set(kHopeless))));
     if (!hn::AllFalse(kFloats, may_be_six)) pending.add(block, eight, may_be_six, first, blocks);
 }
 
@@ -452,8 +449,7 @@ std::array<float, 16> decode_bc4(const std::uint8_t* block) {
     const int steps = first > second ? 7 : 5;
     for (int i = 1; i < steps; ++i) {
         values[static_cast<std::size_t>(i + 1)] =
-            static_cast<float>((steps - i) * first + i * second) /
-            static_cast<float>(255 * steps);
+            static_cast<float>((steps - i) * first + i * second) / static_cast<float>(255 * steps);
     }
     if (steps == 5) {
         values[6] = 0;

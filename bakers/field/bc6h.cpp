@@ -18,7 +18,8 @@ struct Mode {
     int precision;   // bits of the first end point
     int difference;  // bits of the second one; below `precision` it is a difference
 };
-constexpr std::array<Mode, 4> modes = {{{0x03, 10, 10}, {0x07, 11, 9}, {0x0B, 12, 8}, {0x0F, 16, 4}}};
+constexpr std::array<Mode, 4> modes = {
+    {{0x03, 10, 10}, {0x07, 11, 9}, {0x0B, 12, 8}, {0x0F, 16, 4}}};
 
 using Color = std::array<int, 3>;
 using RealColor = std::array<double, 3>;
@@ -292,8 +293,8 @@ void encode_bc6h(const std::array<TexelPlane, 3>& planes, std::uint8_t* out) {
     for (std::size_t b = 0; b < first.blocks_x * first.blocks_y; ++b) {
         HdrBlock block;
         for (std::size_t i = 0; i < texels; ++i) {
-            const std::size_t at = (b / first.blocks_x * 4 + i / 4) * first.pitch +
-                                   b % first.blocks_x * 4 + i % 4;
+            const std::size_t at =
+                (b / first.blocks_x * 4 + i / 4) * first.pitch + b % first.blocks_x * 4 + i % 4;
             for (std::size_t c = 0; c < 3; ++c) {
                 // -0 is stored as 0.
                 const int half = half_of_float(planes[c].texels[at]) & 0x7FFF;

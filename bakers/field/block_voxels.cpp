@@ -189,9 +189,8 @@ class DecodedVoxels : public VoxelSource {
                             for (int j = 0; j < std::min(leaf_edge, size[1] - y); ++j) {
                                 float* row = planes.row(channel, y + j, z + k) + x;
                                 for (int i = 0; i < std::min(leaf_edge, size[0] - x); ++i) {
-                                    work(row[i],
-                                         static_cast<std::size_t>((k * leaf_edge + j) * leaf_edge +
-                                                                  i));
+                                    work(row[i], static_cast<std::size_t>(
+                                                     (k * leaf_edge + j) * leaf_edge + i));
                                 }
                             }
                         }
@@ -199,10 +198,11 @@ class DecodedVoxels : public VoxelSource {
                     visit([&](float value, std::size_t i) {
                         values[i] = range_of(type_).contains(value) ? value : 0;
                     });
-                    const LeafCodes leaf = quantize_leaf(values.data(), values.size(),
-                                                         type_ == PixelType::fp8 ? 8 : 16,
-                                                         codes.data());
-                    visit([&](float& value, std::size_t i) { replace(leaf.value(codes[i]), value); });
+                    const LeafCodes leaf =
+                        quantize_leaf(values.data(), values.size(),
+                                      type_ == PixelType::fp8 ? 8 : 16, codes.data());
+                    visit(
+                        [&](float& value, std::size_t i) { replace(leaf.value(codes[i]), value); });
                 }
             }
         }

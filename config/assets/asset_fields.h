@@ -74,8 +74,10 @@ inline constexpr auto format_choices = []<std::size_t... i>(std::index_sequence<
 inline constexpr std::array pixel_type_choices = {
     Choice{PixelType::float32, "float", "32 bits per channel"},
     Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
-    Choice{PixelType::unorm8, "unorm8", "8 bits per channel for 0 to 1; bin, dds, ktx2, npy, png and tga"},
-    Choice{PixelType::unorm16, "unorm16", "16 bits per channel for 0 to 1; bin, dds, ktx2, npy and png"},
+    Choice{PixelType::unorm8, "unorm8",
+           "8 bits per channel for 0 to 1; bin, dds, ktx2, npy, png and tga"},
+    Choice{PixelType::unorm16, "unorm16",
+           "16 bits per channel for 0 to 1; bin, dds, ktx2, npy and png"},
     Choice{PixelType::bc4, "bc4", "BC4: 4 bits per texel of one channel, 0 to 1; dds and ktx2"},
     Choice{PixelType::bc5, "bc5", "BC5: 8 bits per texel of two channels, 0 to 1; dds and ktx2"},
     Choice{PixelType::bc6h, "bc6h", "BC6H: 8 bits per texel of R G B, half; dds and ktx2"},

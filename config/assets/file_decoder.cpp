@@ -256,12 +256,11 @@ void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& d
     const DecodedField& decoded = bake.at("pixel_type");
     const auto type = pixel_type_of(bake);
     if (!type || !is_block_coded(*type)) return;
-    decoder.diagnostics.error(
-        "E0131", decoded.source->place,
-        fmt::format("`{}`: {} codes blocks of volumes, and [{}] is {}",
-                    join_path(bake.path, "pixel_type"), choice_name(*decoded.field, *type),
-                    bake.path, what),
-        "float, half, unorm8 and unorm16 hold each value by itself");
+    decoder.diagnostics.error("E0131", decoded.source->place,
+                              fmt::format("`{}`: {} codes blocks of volumes, and [{}] is {}",
+                                          join_path(bake.path, "pixel_type"),
+                                          choice_name(*decoded.field, *type), bake.path, what),
+                              "float, half, unorm8 and unorm16 hold each value by itself");
 }
 
 void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,

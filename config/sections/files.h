@@ -64,11 +64,11 @@ struct FormatFacts {
     std::string_view name;         // used in recipes and as the end of a file's name
     std::string_view description;  // helps a user to choose
     PixelTypes pixel_types;
-    bool is_image = false;          // holds the slices of a volume in one image
-    bool only_volumes = false;      // it cannot hold tables
-    bool has_all_levels = false;    // one file holds all levels of detail
-    bool deflates = false;          // always deflates; EXR and VDB follow their `compression`
-    bool only_refers = false;       // has no texels: it names the asset's VDB files
+    bool is_image = false;        // holds the slices of a volume in one image
+    bool only_volumes = false;    // it cannot hold tables
+    bool has_all_levels = false;  // one file holds all levels of detail
+    bool deflates = false;        // always deflates; EXR and VDB follow their `compression`
+    bool only_refers = false;     // has no texels: it names the asset's VDB files
 
     constexpr bool holds(PixelType type) const { return pixel_types.contains(type); }
 };
@@ -96,15 +96,17 @@ inline constexpr std::array file_formats = {
                 .deflates = true},
     FormatFacts{.format = FileFormat::dds,
                 .name = "dds",
-                .description = "DirectDraw Surface with all mips, a texture as GPUs load it; numbers "
-                               "or blocks",
+                .description =
+                    "DirectDraw Surface with all mips, a texture as GPUs load it; numbers "
+                    "or blocks",
                 .pixel_types = texture_types,
                 .has_all_levels = true},
-    FormatFacts{.format = FileFormat::ktx2,
-                .name = "ktx2",
-                .description = "Khronos texture with all mips and its description; numbers or blocks",
-                .pixel_types = texture_types,
-                .has_all_levels = true},
+    FormatFacts{
+        .format = FileFormat::ktx2,
+        .name = "ktx2",
+        .description = "Khronos texture with all mips and its description; numbers or blocks",
+        .pixel_types = texture_types,
+        .has_all_levels = true},
     FormatFacts{.format = FileFormat::nvdb,
                 .name = "nvdb",
                 .description = "NanoVDB, a grid per channel; float, half, fp8 or fp16",

@@ -39,8 +39,8 @@ using Texels = std::array<float, 16>;
 double uniform(Random& random) { return static_cast<double>(random.below(1 << 24)) / (1 << 24); }
 
 enum class Kind { noise, ramp, rough_ramp, clipped_ramp, gaps, bright, almost_flat };
-constexpr std::array kKinds = {Kind::noise,        Kind::ramp, Kind::rough_ramp, Kind::clipped_ramp,
-                               Kind::gaps, Kind::bright,     Kind::almost_flat};
+constexpr std::array kKinds = {Kind::noise, Kind::ramp,   Kind::rough_ramp, Kind::clipped_ramp,
+                               Kind::gaps,  Kind::bright, Kind::almost_flat};
 
 Texels sample_block(Kind kind, Random& random) {
     const double centre = uniform(random);
@@ -191,11 +191,17 @@ struct TableMode {
 const std::vector<TableMode>& table_modes() {
     static const std::vector<TableMode> all = {
         {3, 10, 0, {"rw0:9", "gw0:9", "bw0:9", "rx0:9", "gx0:9", "bx0:9"}},
-        {7, 11, 9,
+        {7,
+         11,
+         9,
          {"rw0:9", "gw0:9", "bw0:9", "rx0:8", "rw10:10", "gx0:8", "gw10:10", "bx0:8", "bw10:10"}},
-        {11, 12, 8,
+        {11,
+         12,
+         8,
          {"rw0:9", "gw0:9", "bw0:9", "rx0:7", "rw11:10", "gx0:7", "gw11:10", "bx0:7", "bw11:10"}},
-        {15, 16, 4,
+        {15,
+         16,
+         4,
          {"rw0:9", "gw0:9", "bw0:9", "rx0:3", "rw15:10", "gx0:3", "gw15:10", "bx0:3", "bw15:10"}}};
     return all;
 }
@@ -238,8 +244,8 @@ std::array<std::array<int, 3>, 16> decoded_by_table(const std::uint8_t* block) {
                     const long q = ends[e][c];
                     const long top = (1L << mode.bits) - 1;
                     wide[e] = mode.bits == 16 || q == 0 ? q
-                              : q == top               ? 65535
-                                                       : ((q << 16) + 32768) >> mode.bits;
+                              : q == top                ? 65535
+                                                        : ((q << 16) + 32768) >> mode.bits;
                 }
                 const long mixed =
                     (wide[0] * (64 - weight[index]) + wide[1] * weight[index] + 32) >> 6;
@@ -295,7 +301,8 @@ double bc6h_error(const std::vector<std::array<Texels, 3>>& blocks, std::vector<
         for (std::size_t i = 0; i < 16; ++i) {
             for (std::size_t c = 0; c < 3; ++c) {
                 const double value = double{blocks[b][c][i]};
-                const double found = double{float_of_half(static_cast<std::uint16_t>(decoded[i][c]))};
+                const double found =
+                    double{float_of_half(static_cast<std::uint16_t>(decoded[i][c]))};
                 sum += std::pow(value == 0 ? found : found / value - 1, 2);
             }
         }
@@ -314,9 +321,9 @@ TEST(Bc6h, SmoothColoursAreFine) {
         for (std::size_t c = 0; c < 3; ++c) {
             const double tint = 0.3 + uniform(random);
             for (std::size_t i = 0; i < 16; ++i) {
-                block[c][i] = static_cast<float>(
-                    level * tint *
-                    (1 + along_x * static_cast<double>(i % 4) + along_y * static_cast<double>(i / 4)));
+                block[c][i] = static_cast<float>(level * tint *
+                                                 (1 + along_x * static_cast<double>(i % 4) +
+                                                  along_y * static_cast<double>(i / 4)));
             }
         }
         blocks.push_back(block);
@@ -369,9 +376,11 @@ TEST(CodedVoxels, DoNotDependOnTheBox) {
         PixelType type;
         int channels;
     };
-    for (const auto& [type, channels] :
-         {Case{PixelType::bc4, 1}, {PixelType::bc5, 2}, {PixelType::bc6h, 3}, {PixelType::fp8, 2},
-          {PixelType::fp16, 1}}) {
+    for (const auto& [type, channels] : {Case{PixelType::bc4, 1},
+                                         {PixelType::bc5, 2},
+                                         {PixelType::bc6h, 3},
+                                         {PixelType::fp8, 2},
+                                         {PixelType::fp16, 1}}) {
         const Baked volume = coded_volume(size, channels, type);
         const auto count = static_cast<std::size_t>(channels);
         const VoxelSource& source = *volume.levels[0].voxels;
@@ -383,8 +392,8 @@ TEST(CodedVoxels, DoNotDependOnTheBox) {
         }
         EXPECT_GT(largest, 0) << static_cast<int>(type);
         EXPECT_LT(largest, type == PixelType::fp16 ? 1e-5 : 0.05) << static_cast<int>(type);
-        for (const VoxelBox box : {VoxelBox{{3, 2, 1}, {2, 2, 2}}, {{0, 0, 8}, {13, 10, 1}},
-                                   {{12, 9, 0}, {1, 1, 9}}}) {
+        for (const VoxelBox box :
+             {VoxelBox{{3, 2, 1}, {2, 2, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
             const std::vector<float> part = voxels_of(source, box, count);
             std::size_t i = 0;
             for (std::size_t c = 0; c < count; ++c) {

@@ -44,9 +44,9 @@ class MemoryFile {
     }
     std::string bytes() const {
         std::string bytes(static_cast<std::size_t>(lseek(descriptor_, 0, SEEK_END)), '\0');
-        require(pread(descriptor_, bytes.data(), bytes.size(), 0) ==
-                    static_cast<ssize_t>(bytes.size()),
-                "the file can be read");
+        require(
+            pread(descriptor_, bytes.data(), bytes.size(), 0) == static_cast<ssize_t>(bytes.size()),
+            "the file can be read");
         return bytes;
     }
 
@@ -136,7 +136,8 @@ void read_all(const Sample& sample, const std::string& path) {
         const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
             require(first == next && count > 0, "voxels come in order");
             next += count;
-            volatile float last = values[static_cast<std::size_t>(count) * sample.shape.channels - 1];
+            volatile float last =
+                values[static_cast<std::size_t>(count) * sample.shape.channels - 1];
             static_cast<void>(last);
             return true;
         };

@@ -259,8 +259,8 @@ TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
             formats.insert(fs::path(path).extension().string());
         }
     }
-    EXPECT_EQ(formats, (std::set<std::string>{".bin", ".dds", ".exr", ".json", ".ktx2", ".npy", ".nvdb",
-                                              ".png", ".tga", ".usda", ".vdb", ".vol"}));
+    EXPECT_EQ(formats, (std::set<std::string>{".bin", ".dds", ".exr", ".json", ".ktx2", ".npy",
+                                              ".nvdb", ".png", ".tga", ".usda", ".vdb", ".vol"}));
 }
 
 // The lines `key = value` of a baker's own sections, by their keys, of all recipes.

@@ -155,8 +155,8 @@ TEST(Ktx2, ZstdFramesAreThoseOfTheLibrary) {
     for (const bool is_noise : {false, true}) {
         Baked volume = volume_of({64, 64, 40}, 1, PixelType::float32, Ktx2Compression::zstd);
         if (!is_noise) {
-            volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(
-                [](int, int, int, int) { return 0.0F; });
+            volume.levels[0].voxels =
+                std::make_shared<testing::FunctionVoxels>([](int, int, int, int) { return 0.0F; });
         }
         const std::string bytes = written(folder, kFormat, volume, 2);
         const std::string as_it_is = [&] {
@@ -217,9 +217,10 @@ TEST(Ktx2, HoldsAllLevelsTheSmallestFirst) {
         }
         // A runtime computes the sizes of levels itself.
         volume.levels[1].size = {5, 3, 3};
-        EXPECT_EQ(testing::first_code(
-                      testing::write_as(kFormat, volume, 1, nullptr, folder / "a.file").diagnostics),
-                  "E0500");
+        EXPECT_EQ(
+            testing::first_code(
+                testing::write_as(kFormat, volume, 1, nullptr, folder / "a.file").diagnostics),
+            "E0500");
     }
 }
 
@@ -248,10 +249,9 @@ TEST(Ktx2, RefusesFramesOfAnotherLength) {
     const auto visit = [](std::int64_t, std::int64_t, const float*) { return true; };
     const auto code_of = [&](const std::string& bytes) {
         testing::write_bytes(folder / "other", bytes);
-        return testing::first_code(
-            format_of(kFormat)
-                .read(folder / "other", testing::shape_of(volume), 0, visit)
-                .diagnostics);
+        return testing::first_code(format_of(kFormat)
+                                       .read(folder / "other", testing::shape_of(volume), 0, visit)
+                                       .diagnostics);
     };
     EXPECT_EQ(code_of(whole), "");
     const auto with = [&](std::size_t offset, std::uint64_t value, std::string bytes) {

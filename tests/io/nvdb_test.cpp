@@ -61,8 +61,8 @@ void expect_grid(const nanovdb::GridHandle<>& handle, const Baked& volume, int c
     for (int z = -1; z <= size[2]; ++z) {
         for (int y = -1; y <= size[1]; ++y) {
             for (int x = -1; x <= size[0]; ++x) {
-                const bool is_inside = x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] &&
-                                       z < size[2];
+                const bool is_inside =
+                    x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
                 float wanted = 0;
                 if (is_inside) {
                     volume.levels[0].voxels->fill({{x, y, z}, {1, 1, 1}}, out);
@@ -135,14 +135,15 @@ TEST(Nvdb, SparseVolumesHaveOnlyLeavesWithVoxels) {
     std::int64_t next = 0;
     const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
         for (std::int64_t i = 0; i < count; ++i, ++next) {
-            const float wanted = blobs(static_cast<int>(next % 170), static_cast<int>(next / 170 % 140),
-                                       static_cast<int>(next / 170 / 140), 0);
+            const float wanted =
+                blobs(static_cast<int>(next % 170), static_cast<int>(next / 170 % 140),
+                      static_cast<int>(next / 170 / 140), 0);
             wrong += values[i] == wanted ? 0 : 1;
         }
         return true;
     };
-    EXPECT_EQ(
-        format_of(kFormat).read(folder / "a.file", testing::shape_of(volume), 0, visit).value, true);
+    EXPECT_EQ(format_of(kFormat).read(folder / "a.file", testing::shape_of(volume), 0, visit).value,
+              true);
     EXPECT_EQ(wrong, 0);
     EXPECT_EQ(next, 170 * 140 * 70);
 }
@@ -166,9 +167,9 @@ TEST(Nvdb, LibraryReadsCodes) {
     const TemporaryFolder folder;
     for (const bool is_sparse : {false, true}) {
         for (const PixelType type : {PixelType::fp8, PixelType::fp16}) {
-            Baked volume = placed_volume({41, 20, 19}, 1, type,
-                                         is_sparse ? testing::FunctionVoxels::Function(blobs)
-                                                   : testing::sample_voxel);
+            Baked volume = placed_volume(
+                {41, 20, 19}, 1, type,
+                is_sparse ? testing::FunctionVoxels::Function(blobs) : testing::sample_voxel);
             volume.sparse = is_sparse;
             written(folder, kFormat, volume, 2);
             const auto grids = grids_of(folder);

@@ -26,7 +26,6 @@ using testing::wrong_values;
 
 constexpr auto kTypes = testing::kPixelTypes;
 
-
 // --- PNG ----------------------------------------------------------------------------------------
 
 TEST(Png, HoldsEachVoxelInItsPlace) {

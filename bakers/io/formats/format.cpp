@@ -23,7 +23,7 @@
 namespace skybake {
 
 std::span<const Format> formats() {
-    static const std::array all = {exr_format(), vdb_format(), bin_format(), png_format(),
+    static const std::array all = {exr_format(), vdb_format(),  bin_format(),  png_format(),
                                    dds_format(), ktx2_format(), nvdb_format(), vol_format(),
                                    npy_format(), tga_format(),  usda_format()};
     return all;
@@ -117,8 +117,7 @@ TexelSink texel_sink(FileOutput& output) {
     };
 }
 
-bool write_texels(const FileContent& content, int level, TexelPadding padding,
-                  FileOutput& output) {
+bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output) {
     return write_texels(content, level, padding, texel_sink(output));
 }
 

@@ -128,8 +128,7 @@ struct StoredTexelRange {
 };
 
 // Reads the next bytes of stored texels, or says why they cannot be read.
-using TexelInput =
-    std::function<std::optional<config::Diagnostic>(char* bytes, std::size_t count)>;
+using TexelInput = std::function<std::optional<config::Diagnostic>(char* bytes, std::size_t count)>;
 
 // Reads texels as Format::read does; diagnostics are those of `next`. The range's offset is unused.
 config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& range,

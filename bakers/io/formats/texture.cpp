@@ -28,9 +28,8 @@ class BlockBoxes {
     BlockBoxes(const std::array<int, 3>& size, std::size_t channels) : size_(size) {
         const std::int64_t row =
             std::int64_t{texture_block_edge} * size[0] * static_cast<std::int64_t>(channels);
-        rows_ = texture_block_edge *
-                static_cast<int>(std::clamp<std::int64_t>(BoxSequence::kFloats / row, 1,
-                                                          blocks_along(size[1])));
+        rows_ = texture_block_edge * static_cast<int>(std::clamp<std::int64_t>(
+                                         BoxSequence::kFloats / row, 1, blocks_along(size[1])));
         parts_ = (size[1] - 1) / rows_ + 1;
     }
     int count() const { return parts_ * size_[2]; }
@@ -86,8 +85,7 @@ void put_block(const std::uint8_t* block, PixelType type, std::size_t channels, 
 }
 
 config::Outcome<bool> read_blocks(const TexelInput& next, const std::array<int, 3>& size,
-                                  PixelType type, std::size_t channels,
-                                  const VoxelVisitor& visit) {
+                                  PixelType type, std::size_t channels, const VoxelVisitor& visit) {
     std::vector<std::uint8_t> blocks(static_cast<std::size_t>(blocks_along(size[0])) *
                                      bytes_per_block(type));
     std::vector<float> values;
@@ -116,8 +114,8 @@ config::Outcome<bool> read_blocks(const TexelInput& next, const std::array<int, 
 std::uint32_t texel_code(std::span<const TexelCodes> rows, PixelType type, std::size_t channels) {
     const auto row = std::find_if(rows.begin(), rows.end(),
                                   [type](const TexelCodes& entry) { return entry.type == type; });
-    const auto column = std::find(channels_of_codes.begin(), channels_of_codes.end(),
-                                  stored_channels(channels));
+    const auto column =
+        std::find(channels_of_codes.begin(), channels_of_codes.end(), stored_channels(channels));
     if (row == rows.end() || column == channels_of_codes.end()) return 0;
     return row->codes[static_cast<std::size_t>(column - channels_of_codes.begin())];
 }

@@ -121,8 +121,9 @@ config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const M
                              file.layout.value_or(SheetGrid{}), file.levels};
     const Format& format = *find_format(file.format);
     if (format.read != nullptr) return format.read(path, shape, level, visit);
-    return {{}, {file_error("E0304", path.string(),
-                            fmt::format("`{}` has no voxels of its own", path.string()))}};
+    return {{},
+            {file_error("E0304", path.string(),
+                        fmt::format("`{}` has no voxels of its own", path.string()))}};
 }
 
 }  // namespace skybake

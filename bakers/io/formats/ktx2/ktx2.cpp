@@ -61,8 +61,8 @@ struct LevelPlace {
 
 constexpr std::uint32_t uncompressed = 0;
 constexpr std::uint32_t zstandard = 2;
-constexpr std::uint32_t most_levels = 32;            // of any texture
-constexpr std::uint32_t most_values = 64U << 20;     // bytes of keys and values that are read
+constexpr std::uint32_t most_levels = 32;         // of any texture
+constexpr std::uint32_t most_values = 64U << 20;  // bytes of keys and values that are read
 constexpr std::uint32_t most_descriptor = 64U << 10;
 
 // VkFormat values.
@@ -143,8 +143,8 @@ std::string data_format_descriptor(PixelType type, std::size_t stored) {
     append_number(bytes, color_model(type));
     append_number(bytes, unspecified_linear_straight);
     append_number(bytes, std::array<std::uint8_t, 4>{last, last});
-    append_number(bytes, std::array<std::uint8_t, 8>{
-                             static_cast<std::uint8_t>(texel_bytes(type, stored))});
+    append_number(
+        bytes, std::array<std::uint8_t, 8>{static_cast<std::uint8_t>(texel_bytes(type, stored))});
     for (const Sample& sample : samples) {
         append_number(bytes, static_cast<std::uint16_t>(sample.first_bit));
         append_number(bytes, static_cast<std::uint8_t>(sample.bits - 1));
@@ -170,8 +170,8 @@ std::uint64_t aligned_level(std::uint64_t offset, PixelType type, std::size_t st
 }
 
 // Returns the header of a texture, but for what is said of keys and values.
-Ktx2Header ktx2_header(const std::array<int, 3>& size, bool is_flat, std::size_t stored, PixelType type,
-                 std::size_t levels) {
+Ktx2Header ktx2_header(const std::array<int, 3>& size, bool is_flat, std::size_t stored,
+                       PixelType type, std::size_t levels) {
     Ktx2Header header;
     header.vk_format = texel_code(vulkan, type, stored);
     const int number = config::is_block_coded(type) ? 1 : bytes_per_value(type);
@@ -180,8 +180,8 @@ Ktx2Header ktx2_header(const std::array<int, 3>& size, bool is_flat, std::size_t
     header.height = static_cast<std::uint32_t>(size[1]);
     header.depth = is_flat ? 0 : static_cast<std::uint32_t>(size[2]);
     header.levels = static_cast<std::uint32_t>(levels);
-    header.descriptor_offset = static_cast<std::uint32_t>(sizeof(Ktx2Header) +
-                                                          levels * sizeof(LevelPlace));
+    header.descriptor_offset =
+        static_cast<std::uint32_t>(sizeof(Ktx2Header) + levels * sizeof(LevelPlace));
     header.descriptor_bytes =
         static_cast<std::uint32_t>(data_format_descriptor(type, stored).size());
     header.values_offset = header.descriptor_offset + header.descriptor_bytes;
@@ -220,7 +220,7 @@ class Ktx2Writer {
         append_ktx2_value("KTXwriter", fmt::format("{} {}", tool_name(), release()), values);
         append_ktx2_value(metadata_name, content_.metadata, values);
         Ktx2Header header = ktx2_header(baked_.levels.front().size, baked_.is_table(), stored_,
-                                  baked_.pixel_type, places_.size());
+                                        baked_.pixel_type, places_.size());
         header.compression = is_compressed() ? zstandard : uncompressed;
         header.values_bytes = static_cast<std::uint32_t>(values.size());
         output_.write({reinterpret_cast<const char*>(&header), sizeof header});
@@ -230,8 +230,8 @@ class Ktx2Writer {
     }
 
     void write_places() {
-        output_.write({reinterpret_cast<const char*>(places_.data()),
-                       places_.size() * sizeof(LevelPlace)});
+        output_.write(
+            {reinterpret_cast<const char*>(places_.data()), places_.size() * sizeof(LevelPlace)});
     }
 
     bool write_level(std::size_t level) {
@@ -325,7 +325,8 @@ class Ktx2File {
         if (!index) return file_.diagnostic();
         if (*index < bytes) return damaged_ktx2_file(path_, "it ends within its index of levels");
         for (const LevelPlace& place : places_) {
-            if (place.offset <= file_.size() && place.bytes <= file_.size() - place.offset) continue;
+            if (place.offset <= file_.size() && place.bytes <= file_.size() - place.offset)
+                continue;
             return damaged_ktx2_file(path_, "a level lies beyond its end");
         }
         return std::nullopt;
@@ -383,7 +384,9 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
     const auto descriptor =
         file.value->part(header.descriptor_offset, header.descriptor_bytes, most_descriptor);
     if (descriptor != data_format_descriptor(*facts.pixel_type, facts.channels)) {
-        return {{}, {damaged_ktx2_file(path, "its data format descriptor is not that of its VkFormat")}};
+        return {
+            {},
+            {damaged_ktx2_file(path, "its data format descriptor is not that of its VkFormat")}};
     }
     const auto values = file.value->part(header.values_offset, header.values_bytes, most_values);
     if (!values) return {{}, {damaged_ktx2_file(path, "it ends within its keys and values")}};
@@ -401,7 +404,7 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
 bool fits_ktx2(const Ktx2Header& header, const FileShape& shape) {
     const bool is_flat = header.depth == 0 && shape.size[2] == 1;
     const Ktx2Header wanted = ktx2_header(shape.size, is_flat, stored_channels(shape.channels),
-                                    shape.pixel_type, static_cast<std::size_t>(shape.levels));
+                                          shape.pixel_type, static_cast<std::size_t>(shape.levels));
     return header.vk_format == wanted.vk_format && header.type_size == wanted.type_size &&
            header.width == wanted.width && header.height == wanted.height &&
            header.depth == wanted.depth && header.levels == wanted.levels;
@@ -443,8 +446,9 @@ Format ktx2_format() {
             .write = write_ktx2_file,
             .inspect = inspect_ktx2,
             .read = read_ktx2_file,
-            .compression =
-                [](const config::AssetFiles& files) { return to_string(files.ktx2_compression); }};
+            .compression = [](const config::AssetFiles& files) {
+                return to_string(files.ktx2_compression);
+            }};
 }
 
 }  // namespace skybake

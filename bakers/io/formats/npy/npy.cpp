@@ -30,9 +30,9 @@ std::string npy_head(const std::array<int, 3>& size, bool is_flat, std::size_t c
     const auto row = std::find_if(npy_types.begin(), npy_types.end(),
                                   [type](const NpyType& entry) { return entry.type == type; });
     const std::string slices = is_flat ? "" : fmt::format("{}, ", size[2]);
-    std::string text = fmt::format(
-        "{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}, {}, {}), }}", row->word, slices,
-        size[1], size[0], channels);
+    std::string text =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}, {}, {}), }}",
+                    row->word, slices, size[1], size[0], channels);
     constexpr std::size_t before_text = 10;
     text.resize((before_text + text.size() + 1 + 63) / 64 * 64 - before_text - 1, ' ');
     text += '\n';

@@ -30,7 +30,7 @@ struct NvdbGridHead {
     nanovdb::BBox<nanovdb::Vec3d> world_bounds;
     nanovdb::CoordBBox bounds;
     std::array<double, 3> voxel_size{};
-    std::uint32_t name_size = 0;  // with the 0 at its end
+    std::uint32_t name_size = 0;                        // with the 0 at its end
     std::array<std::uint32_t, 4> nodes = {0, 0, 0, 1};  // leaves, lower, upper, root
     std::array<std::uint32_t, 3> tiles{};
     std::uint16_t codec = 0;

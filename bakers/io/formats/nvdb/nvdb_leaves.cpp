@@ -12,7 +12,6 @@
 namespace skybake {
 namespace {
 
-
 // The voxels of a leaf in its order: z fastest, then y, then x. Those outside of the volume are 0.
 struct LeafBlock {
     alignas(64) std::array<float, nvdb_leaf_voxels> values;
@@ -21,16 +20,16 @@ struct LeafBlock {
 
 // Copies the leaf at `at`, in voxels of the box.
 void gather_leaf(const VoxelBox& box, const float* values, const std::array<int, 3>& at,
-            LeafBlock& leaf) {
+                 LeafBlock& leaf) {
     std::array<int, 3> count;
     for (std::size_t a = 0; a < 3; ++a) count[a] = std::min(nvdb_leaf_edge, box.size[a] - at[a]);
     if (count != std::array{nvdb_leaf_edge, nvdb_leaf_edge, nvdb_leaf_edge}) leaf.values.fill(0);
     const auto width = static_cast<std::size_t>(box.size[0]);
     for (int z = 0; z < count[2]; ++z) {
         for (int y = 0; y < count[1]; ++y) {
-            const auto line = static_cast<std::size_t>(at[2] + z) *
-                                  static_cast<std::size_t>(box.size[1]) +
-                              static_cast<std::size_t>(at[1] + y);
+            const auto line =
+                static_cast<std::size_t>(at[2] + z) * static_cast<std::size_t>(box.size[1]) +
+                static_cast<std::size_t>(at[1] + y);
             const float* row = values + line * width + static_cast<std::size_t>(at[0]);
             float* column = leaf.values.data() + nvdb_leaf_edge * y + z;
             if (count[0] == nvdb_leaf_edge) {
@@ -154,7 +153,8 @@ struct CodedLeaves {
 
     bool begin(LeafBlock& block, bool is_sparse) {
         if (is_sparse && is_all_zero(block)) return false;
-        scale = quantize_leaf(block.values.data(), nvdb_leaf_voxels, Leaf::bitWidth(), codes.data());
+        scale =
+            quantize_leaf(block.values.data(), nvdb_leaf_voxels, Leaf::bitWidth(), codes.data());
         for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) block.values[i] = scale.value(codes[i]);
         if (!is_sparse) return true;
         drop_zeros(block);
@@ -181,7 +181,8 @@ void make_leaves(const Baked& volume, const VoxelBox& box, Leaves maker, NvdbSlo
     for (int x = 0; x < edge; ++x) {
         for (int y = 0; y < edge; ++y) {
             for (int z = 0; z < edge; ++z) {
-                const std::array<int, 3> at = {x * nvdb_leaf_edge, y * nvdb_leaf_edge, z * nvdb_leaf_edge};
+                const std::array<int, 3> at = {x * nvdb_leaf_edge, y * nvdb_leaf_edge,
+                                               z * nvdb_leaf_edge};
                 if (at[0] >= box.size[0] || at[1] >= box.size[1] || at[2] >= box.size[2]) continue;
                 gather_leaf(box, slot.values.data(), at, block);
                 if (!maker.begin(block, volume.sparse)) continue;

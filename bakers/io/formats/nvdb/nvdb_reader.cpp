@@ -19,7 +19,7 @@ using config::Outcome;
 namespace fs = std::filesystem;
 
 constexpr std::uint16_t most_grids = 64;
-constexpr std::uint32_t most_name = 4096;            // bytes
+constexpr std::uint32_t most_name = 4096;             // bytes
 constexpr std::uint64_t most_description = 64 << 20;  // bytes
 
 config::Diagnostic damaged_nvdb_file(const fs::path& path, const std::string& reason) {
@@ -84,7 +84,7 @@ class NvdbInput {
         }
         if (segment.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER) {
             throw NvdbDamage{fmt::format("its version is {}.{}", segment.version.getMajor(),
-                                     segment.version.getMinor())};
+                                         segment.version.getMinor())};
         }
         if (segment.codec != 0) throw NvdbDamage{"it is compressed"};
         if (segment.grids == 0 || segment.grids > most_grids) {
@@ -94,7 +94,8 @@ class NvdbInput {
         for (int i = 0; i < segment.grids; ++i) offset = read_head(offset);
         for (NvdbGrid& grid : grids_) {
             grid.begin = offset;
-            if (grid.head.grid_size > file_.size() - offset) throw NvdbDamage{"it ends within a grid"};
+            if (grid.head.grid_size > file_.size() - offset)
+                throw NvdbDamage{"it ends within a grid"};
             offset += grid.head.grid_size;
         }
         if (offset != file_.size()) throw NvdbDamage{"there is more behind its grids"};
@@ -106,7 +107,7 @@ class NvdbInput {
         read(offset, static_cast<void*>(&grid.head), sizeof grid.head);
         if (nvdb_leaf_bytes(grid.head.type) == 0) {
             throw NvdbDamage{fmt::format("its grids are of type {}",
-                                     static_cast<std::uint32_t>(grid.head.type))};
+                                         static_cast<std::uint32_t>(grid.head.type))};
         }
         if (grid.head.name_size == 0 || grid.head.name_size > most_name) {
             throw NvdbDamage{"a grid has no name"};
@@ -161,8 +162,8 @@ class NvdbLeafIndex {
             throw NvdbDamage{"a grid contradicts its head"};
         }
         const auto tree = file_.read<nanovdb::TreeData<3>>(grid_.begin + nvdb_tree_at);
-        const std::uint64_t root = checked(
-            nvdb_tree_at, static_cast<std::int64_t>(tree.mNodeOffset[3]), sizeof(NvdbRoot));
+        const std::uint64_t root =
+            checked(nvdb_tree_at, static_cast<std::int64_t>(tree.mNodeOffset[3]), sizeof(NvdbRoot));
         constexpr std::size_t bounds = 24;  // before the number of tiles
         const auto tiles = file_.read<std::uint32_t>(grid_.begin + root + bounds);
         checked(root, sizeof(NvdbRoot), std::uint64_t{tiles} * sizeof(NvdbRoot::Tile));
@@ -171,7 +172,8 @@ class NvdbLeafIndex {
                                                          i * sizeof(NvdbRoot::Tile));
             const nanovdb::Coord origin = tile.origin();
             read_upper(checked(root, tile.child, sizeof(NvdbUpper)),
-                       {origin[0] / nvdb_leaf_edge, origin[1] / nvdb_leaf_edge, origin[2] / nvdb_leaf_edge});
+                       {origin[0] / nvdb_leaf_edge, origin[1] / nvdb_leaf_edge,
+                        origin[2] / nvdb_leaf_edge});
         }
     }
 
@@ -193,9 +195,9 @@ class NvdbLeafIndex {
     void read_upper(std::uint64_t node, const std::array<int, 3>& origin) {
         constexpr int step = nvdb_lower_edge / nvdb_leaf_edge;
         for_children<NvdbUpper>(node, 5, [&](const std::array<int, 3>& at, std::int64_t offset) {
-            read_lower(checked(node, offset, sizeof(NvdbLower)),
-                       {origin[0] + step * at[0], origin[1] + step * at[1],
-                        origin[2] + step * at[2]});
+            read_lower(
+                checked(node, offset, sizeof(NvdbLower)),
+                {origin[0] + step * at[0], origin[1] + step * at[1], origin[2] + step * at[2]});
         });
     }
 
@@ -230,7 +232,7 @@ class NvdbLeafIndex {
 
 // Reads the 512 values of a leaf.
 void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offset,
-               std::vector<char>& memory, std::array<float, nvdb_leaf_voxels>& values) {
+                    std::vector<char>& memory, std::array<float, nvdb_leaf_voxels>& values) {
     memory.resize(nvdb_leaf_bytes(type));
     file.read(offset, memory.data(), memory.size());
     const auto decode = [&]<class Build>(Build) {
@@ -264,12 +266,14 @@ bool visit_nvdb_slabs(NvdbInput& file, const FileShape& shape, const VoxelVisito
                 if (offset == 0) continue;
                 read_nvdb_leaf(file, file.grids()[c].head.type, offset, memory, values);
                 for (int k = 0; k < depth; ++k) {
-                    for (int j = 0; j < std::min(nvdb_leaf_edge, shape.size[1] - y * nvdb_leaf_edge); ++j) {
-                        const std::int64_t row = k * slice +
-                                                 std::int64_t{y * nvdb_leaf_edge + j} * shape.size[0] +
-                                                 x * nvdb_leaf_edge;
+                    for (int j = 0;
+                         j < std::min(nvdb_leaf_edge, shape.size[1] - y * nvdb_leaf_edge); ++j) {
+                        const std::int64_t row =
+                            k * slice + std::int64_t{y * nvdb_leaf_edge + j} * shape.size[0] +
+                            x * nvdb_leaf_edge;
                         float* out = &slab[static_cast<std::size_t>(row) * shape.channels + c];
-                        for (int i = 0; i < std::min(nvdb_leaf_edge, shape.size[0] - x * nvdb_leaf_edge);
+                        for (int i = 0;
+                             i < std::min(nvdb_leaf_edge, shape.size[0] - x * nvdb_leaf_edge);
                              ++i, out += shape.channels) {
                             *out = values[static_cast<std::size_t>(64 * i + 8 * j + k)];
                         }

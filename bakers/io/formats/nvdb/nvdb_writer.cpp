@@ -26,7 +26,8 @@ using NodePlace = std::array<int, 3>;
 template <class T>
 class NvdbRecord {
   public:
-    explicit NvdbRecord(std::size_t bytes = sizeof(T)) : memory_((bytes + 31) / 32), bytes_(bytes) {}
+    explicit NvdbRecord(std::size_t bytes = sizeof(T))
+        : memory_((bytes + 31) / 32), bytes_(bytes) {}
     T& operator*() { return *reinterpret_cast<T*>(memory_.data()); }
     T* operator->() { return &**this; }
     char* data() { return reinterpret_cast<char*>(memory_.data()); }
@@ -89,7 +90,7 @@ struct NvdbUpperNode {
 class NvdbGridWriter {
   public:
     NvdbGridWriter(const FileContent& content, std::size_t channel, const NvdbNodes& nodes,
-               FileOutput& output)
+                   FileOutput& output)
         : content_(content),
           volume_(content.baked),
           level_(volume_.levels[static_cast<std::size_t>(content.level)]),
@@ -234,13 +235,12 @@ class NvdbGridWriter {
             const NodePlace& at = uppers_[i].place;
             tile.key = NvdbRoot::CoordToKey(nanovdb::Coord(
                 at[0] * nvdb_upper_edge, at[1] * nvdb_upper_edge, at[2] * nvdb_upper_edge));
-            tile.child = static_cast<std::int64_t>(uppers_at_ + i * sizeof(NvdbUpper) -
-                                                   nvdb_root_at);
+            tile.child =
+                static_cast<std::int64_t>(uppers_at_ + i * sizeof(NvdbUpper) - nvdb_root_at);
         }
         // Magic number and checksum are not in the checksum.
         const std::string_view summed = grid.bytes().substr(16);
-        grid->mChecksum =
-            0xFFFFFFFF00000000U | libdeflate_crc32(0, summed.data(), summed.size());
+        grid->mChecksum = 0xFFFFFFFF00000000U | libdeflate_crc32(0, summed.data(), summed.size());
         output_.seek(begin_);
         output_.write(grid.bytes());
         fill_file_head(*grid, tree, name);
@@ -316,8 +316,8 @@ class NvdbGridWriter {
         static_assert(sizeof node->mChildMask == sizeof made.children);
         std::memcpy(static_cast<void*>(&node->mChildMask), made.children.data(),
                     sizeof made.children);
-        std::uint64_t leaf = leaves_at_ + made.first_leaf * leaf_bytes_ -
-                             (lowers_at_ + index * sizeof(NvdbLower));
+        std::uint64_t leaf =
+            leaves_at_ + made.first_leaf * leaf_bytes_ - (lowers_at_ + index * sizeof(NvdbLower));
         for (std::uint32_t word = 0; word < made.children.size(); ++word) {
             for (std::uint64_t left = made.children[word]; left != 0; left &= left - 1) {
                 const auto bit = static_cast<std::uint32_t>(std::countr_zero(left));

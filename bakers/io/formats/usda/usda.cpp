@@ -33,8 +33,7 @@ std::string usd_scene(const Baked& volume) {
     const std::string prim = usd_identifier(volume.name);
     std::array<double, 3> last;
     for (std::size_t a = 0; a < 3; ++a) {
-        last[a] =
-            volume.minimum_m[a] + volume.voxel_size_m[a] * volume.levels.front().size[a];
+        last[a] = volume.minimum_m[a] + volume.voxel_size_m[a] * volume.levels.front().size[a];
     }
     std::string text = fmt::format(
         "#usda 1.0\n(\n    defaultPrim = \"{}\"\n    metersPerUnit = 1\n    upAxis = \"{}\"\n)\n\n"

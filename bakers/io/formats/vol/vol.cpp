@@ -49,8 +49,8 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
     FileOutput output(path);
     output.write({reinterpret_cast<const char*>(&header), sizeof header});
     std::string floats;
-    const bool complete = write_texels(
-        content, content.level, TexelPadding::none, [&](std::string_view texels) {
+    const bool complete =
+        write_texels(content, content.level, TexelPadding::none, [&](std::string_view texels) {
             const auto bytes = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
             const std::size_t count = texels.size() / bytes;
             floats.resize(count * sizeof(float));
