@@ -22,9 +22,11 @@ double seconds_per_byte(config::FileFormat format, const AssetFiles& files) {
         if (files.compression == config::Compression::none) return kCopy;
         return files.compression == config::Compression::piz ? kDeflate : kExrDeflate;
     }
-    const bool deflates =
-        config::facts_of(format).deflates ||
-        (format == config::FileFormat::vdb && files.vdb_compression == config::VdbCompression::zip);
+    const bool deflates = config::facts_of(format).deflates ||
+                          (format == config::FileFormat::vdb &&
+                           files.vdb_compression == config::VdbCompression::zip) ||
+                          (format == config::FileFormat::ktx2 &&
+                           files.ktx2_compression == config::Ktx2Compression::zstd);
     return deflates ? kDeflate : kCopy;
 }
 
@@ -73,7 +75,8 @@ Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size
 Estimate estimate_volume(const AssetFiles& files, const Size& size, std::size_t channels,
                          double seconds_per_voxel) {
     const double voxels = voxels_of(size, files.mips);
-    const double bytes = voxels * static_cast<double>(channels) * bytes_per_value(files.pixel_type);
+    const double bytes =
+        voxels * static_cast<double>(channels) * bits_per_value(files.pixel_type) / 8;
     const auto formats = static_cast<double>(files.formats.size());
     Estimate result;
     result.size.assign(size.begin(), size.end());

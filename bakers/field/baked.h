@@ -183,7 +183,8 @@ struct Level {
     std::array<int, 3> size{};                      // voxels along u, v, w; a table has one along w
     std::array<bool, 3> repeats{true, true, true};  // for lookups; other axes are clamped
     std::shared_ptr<const VoxelSource> voxels;
-    std::vector<ValueStatistics> statistics;  // one per channel
+    std::shared_ptr<const VoxelSource> uncoded = {};  // before coding in blocks (block_voxels.h)
+    std::vector<ValueStatistics> statistics;          // one per channel
     std::string content_hash;  // xxh3 of the voxels as stored, in x, y, z order, interleaved
     std::vector<Probe> probes;
     std::vector<std::string> catches;  // wrong lookups that the probes detect (wrong_lookups.h)

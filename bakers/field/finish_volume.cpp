@@ -10,6 +10,7 @@
 #include <memory>
 #include <utility>
 
+#include "bakers/field/block_voxels.h"
 #include "bakers/field/held_voxels.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
@@ -113,6 +114,7 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
 config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
                                      const BakeOptions& options) {
     config::Outcome<Baked> outcome;
+    code_levels(volume);
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (options.cancelled()) return outcome;
         const auto start = std::chrono::steady_clock::now();

@@ -24,6 +24,8 @@ float round_to_pixel_type(double value, PixelType type) {
             return static_cast<float>(std::floor(single * 255.0 + 0.5) / 255);
         case PixelType::unorm16:
             return static_cast<float>(std::floor(single * 65535.0 + 0.5) / 65535);
+        default:
+            break;
     }
     return single;
 }
@@ -32,11 +34,16 @@ PixelRange range_of(PixelType type) {
     constexpr float kLargest = std::numeric_limits<float>::max();
     if (type == PixelType::float32) return {-kLargest, kLargest};
     if (type == PixelType::half) return {-kLargestHalf, kLargestHalf};
+    if (type == PixelType::bc6h) return {0, kLargestHalf};
+    // The difference of two values must be finite.
+    if (config::is_leaf_coded(type)) return {-kLargest / 2, kLargest / 2};
     return {0, 1};
 }
 
 const char* range_text(PixelType type) {
     if (type == PixelType::float32) return "the finite numbers";
+    if (type == PixelType::bc6h) return "[0, 65504]";
+    if (config::is_leaf_coded(type)) return "[-1.7e38, 1.7e38]";
     return type == PixelType::half ? "[-65504, 65504]" : "[0, 1]";
 }
 
@@ -50,8 +57,25 @@ int bytes_per_value(PixelType type) {
             return 1;
         case PixelType::unorm16:
             return 2;
+        default:
+            return 4;
     }
-    return 4;
+}
+
+double bits_per_value(PixelType type) {
+    switch (type) {
+        case PixelType::bc4:
+        case PixelType::bc5:
+            return 4;
+        case PixelType::bc6h:
+            return 8.0 / 3;
+        case PixelType::fp8:
+            return 8 + 96 * 8 / 512.0;  // leaves have a head of 96 bytes
+        case PixelType::fp16:
+            return 16 + 96 * 8 / 512.0;
+        default:
+            return 8 * bytes_per_value(type);
+    }
 }
 
 double smallest_normal(PixelType type) {
@@ -69,8 +93,9 @@ double rounding_error(PixelType type) {
             return 0.5 / 255;
         case PixelType::unorm16:
             return 0.5 / 65535;
+        default:
+            return 0x1p-24;  // of the decoded float
     }
-    return 0;
 }
 
 float store(double value, PixelType type, RangeCounts& counts) {
@@ -120,6 +145,8 @@ void with_conversion(PixelType type, const Work& work) {
             return work(AsUnorm<std::uint8_t, 255>{});
         case PixelType::unorm16:
             return work(AsUnorm<std::uint16_t, 65535>{});
+        default:  // decoded
+            return work(AsFloat{});
     }
 }
 
@@ -176,7 +203,7 @@ void load_values(const char* bytes, std::size_t count, PixelType type, float* ou
 }
 
 void round_values(float* values, std::size_t count, PixelType type) {
-    if (type == PixelType::float32) return;
+    if (type == PixelType::float32 || config::is_block_coded(type)) return;
     constexpr std::size_t kPiece = 4096;
     std::array<char, kPiece * 2> stored;
     for (std::size_t i = 0; i < count; i += kPiece) {

@@ -16,7 +16,8 @@ namespace skybake {
 // nearest: for half, ties go to even; for unorm8 and unorm16, the result is the float nearest to a
 // multiple of 1/255 or 1/65535, and ties go upwards. The result is infinite if a half overflows. A
 // unorm type expects values in [0, 1] and does not clamp others, so check range_of() before
-// storing.
+// storing. Types that code blocks hold decoded values, which are not rounded further
+// (block_voxels.h): they are stored as floats wherever this header stores values.
 float round_to_pixel_type(double value, config::PixelType type);
 
 // The range of a pixel type. Every value within these bounds fits and is finite.
@@ -30,12 +31,15 @@ PixelRange range_of(config::PixelType type);
 // Returns the range in words: "[0, 1]".
 const char* range_text(config::PixelType type);
 
-// The number of bytes per value.
+// The number of bytes per value; of types that code blocks, per decoded value.
 int bytes_per_value(config::PixelType type);
 
 // The smallest positive value that the type holds in full precision; 0 for unorm, whose steps are
 // equal.
 double smallest_normal(config::PixelType type);
+
+// Returns the bits that a value takes in a file without compression. Blocks are whole.
+double bits_per_value(config::PixelType type);
 
 // The largest rounding error: relative to a normal value for float and half (half a unit in the
 // last place), absolute for unorm (half a step).

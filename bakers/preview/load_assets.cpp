@@ -56,7 +56,8 @@ const ManifestFile* file_of_level(const ManifestAsset& entry, int level) {
     const ManifestFile* found = nullptr;
     for (const ManifestFile& file : entry.files) {
         const bool is_held = file.level <= level && level < file.level + file.levels;
-        if (!is_held || find_format(file.format) == nullptr) continue;
+        const Format* format = find_format(file.format);
+        if (!is_held || format == nullptr || format->read == nullptr) continue;
         if (found == nullptr || found->format == "vdb") found = &file;
     }
     return found;

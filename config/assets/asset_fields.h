@@ -74,8 +74,15 @@ inline constexpr auto format_choices = []<std::size_t... i>(std::index_sequence<
 inline constexpr std::array pixel_type_choices = {
     Choice{PixelType::float32, "float", "32 bits per channel"},
     Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
-    Choice{PixelType::unorm8, "unorm8", "8 bits per channel for 0 to 1; bin, dds and png"},
-    Choice{PixelType::unorm16, "unorm16", "16 bits per channel for 0 to 1; bin, dds and png"},
+    Choice{PixelType::unorm8, "unorm8",
+           "8 bits per channel for 0 to 1; bin, dds, ktx2, npy, png and tga"},
+    Choice{PixelType::unorm16, "unorm16",
+           "16 bits per channel for 0 to 1; bin, dds, ktx2, npy and png"},
+    Choice{PixelType::bc4, "bc4", "BC4: 4 bits per texel of one channel, 0 to 1; dds and ktx2"},
+    Choice{PixelType::bc5, "bc5", "BC5: 8 bits per texel of two channels, 0 to 1; dds and ktx2"},
+    Choice{PixelType::bc6h, "bc6h", "BC6H: 8 bits per texel of R G B, half; dds and ktx2"},
+    Choice{PixelType::fp8, "fp8", "NanoVDB's 8 bits between the extremes of 8 x 8 x 8 voxels"},
+    Choice{PixelType::fp16, "fp16", "NanoVDB's 16 bits between the extremes of 8 x 8 x 8 voxels"},
 };
 inline constexpr std::array layout_choices = {
     Choice{SheetLayout::stack, "stack", "slices below each other, slice 0 first"},
@@ -85,6 +92,10 @@ inline constexpr std::array vdb_compression_choices = {
     Choice{VdbCompression::none, "none", "no compression"},
     Choice{VdbCompression::zip, "zip", "deflate"},
     Choice{VdbCompression::blosc, "blosc", "Blosc with LZ4: fast"},
+};
+inline constexpr std::array ktx2_compression_choices = {
+    Choice{Ktx2Compression::none, "none", "no compression"},
+    Choice{Ktx2Compression::zstd, "zstd", "Zstandard, which loaders undo"},
 };
 inline constexpr std::string_view atlas[] = {"atlas"};
 
@@ -171,6 +182,13 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
           .documentation = "compression of the VDB file, always lossless",
           .role = Role::files},
          &AssetFiles::vdb_compression},
+        {{.key = "ktx2_compression",
+          .kind = Kind::choice,
+          .choices = ktx2_compression_choices,
+          .fallback = R"("zstd")",
+          .documentation = "compression of the KTX2 file, always lossless",
+          .role = Role::files},
+         &AssetFiles::ktx2_compression},
     };
     rows.insert(rows.end(), std::begin(file_rows), std::end(file_rows));
     return rows;

@@ -19,6 +19,7 @@ std::int64_t voxels_of(const VoxelCounts& size) {
     return std::int64_t{size[0]} * size[1] * size[2];
 }
 
+// Rounded up.
 int bytes_of(PixelType type) {
     switch (type) {
         case PixelType::float32:
@@ -27,7 +28,13 @@ int bytes_of(PixelType type) {
         case PixelType::unorm16:
             return 2;
         case PixelType::unorm8:
+        case PixelType::bc4:
+        case PixelType::bc5:
+        case PixelType::bc6h:
+        case PixelType::fp8:
             return 1;
+        case PixelType::fp16:
+            return 2;
     }
     return 0;
 }
@@ -176,6 +183,18 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
     if (*asked == 0) decoded.value = levels;
 }
 
+// Reports formats that refer to VDB files of an asset that has none.
+void check_references(const DecodedSection& bake, Decoder& decoder) {
+    for (const FileFormat format : formats_of(bake)) {
+        if (!facts_of(format).only_refers || has_format(bake, FileFormat::vdb)) continue;
+        decoder.diagnostics.error(
+            "E0131", bake.at("formats").source->place,
+            fmt::format("`{}`: {} files refer to VDB files, and [{}] has none",
+                        join_path(bake.path, "formats"), facts_of(format).name, bake.path),
+            "add \"vdb\"");
+    }
+}
+
 // Reports axes that the table does not have, and axes with fewer than the two texels that their
 // ends need.
 void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, Decoder& decoder) {
@@ -206,6 +225,7 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     for (const FileFormat format : formats_of(bake)) {
         if (!facts_of(format).holds(*type)) without.push_back(facts_of(format).name);
     }
+    check_references(bake, decoder);
     if (without.empty()) return;
     std::vector<std::string_view> with;
     for (const FormatFacts& facts : file_formats) {
@@ -216,6 +236,31 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
         fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
                     fmt::join(without, " and "), choice_name(*decoded.field, *type)),
         fmt::format("{} hold it", fmt::join(with, ", ")));
+}
+
+void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("pixel_type");
+    const auto type = pixel_type_of(bake);
+    if (!type) return;
+    const std::size_t coded = coded_channels(*type);
+    if (coded == 0 || coded == channels) return;
+    decoder.diagnostics.error(
+        "E0131", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}`: {} codes {} channel{}, and [{}] has {}",
+                    join_path(bake.path, "pixel_type"), choice_name(*decoded.field, *type), coded,
+                    coded == 1 ? "" : "s", bake.path, channels),
+        "bc4 codes one channel, bc5 two, bc6h three");
+}
+
+void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("pixel_type");
+    const auto type = pixel_type_of(bake);
+    if (!type || !is_block_coded(*type)) return;
+    decoder.diagnostics.error("E0131", decoded.source->place,
+                              fmt::format("`{}`: {} codes blocks of volumes, and [{}] is {}",
+                                          join_path(bake.path, "pixel_type"),
+                                          choice_name(*decoded.field, *type), bake.path, what),
+                              "float, half, unorm8 and unorm16 hold each value by itself");
 }
 
 void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
@@ -241,6 +286,7 @@ void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
 
 void check_voxel_count(const DecodedSection& bake, const VoxelCounts& size, std::size_t channels,
                        const Place& size_place, Decoder& decoder) {
+    check_channels(bake, channels, decoder);
     const std::int64_t voxels = voxels_of(size);
     const auto type = pixel_type_of(bake);
     if (voxels <= most_voxels || !type) return;
@@ -292,8 +338,9 @@ void check_table_formats(const DecodedSection& bake, Decoder& decoder) {
             "E0131", bake.at("formats").source->place,
             fmt::format("`{}`: {} files hold volumes, and [{}] is a table",
                         join_path(bake.path, "formats"), facts_of(format).name, bake.path),
-            "every other format holds tables");
+            "most other formats hold tables");
     }
+    refuse_blocks(bake, "a table", decoder);
 }
 
 }  // namespace

@@ -13,8 +13,15 @@ using VoxelCounts = std::array<int, 3>;  // along x, y and z
 // Spells a size: "512x512x128".
 std::string voxels_to_string(const VoxelCounts& size);
 
-// Reports pixel types that a format does not have (E0131).
+// Reports pixel types that a format does not have, and formats that refer to files which the asset
+// does not have (E0131).
 void check_pixel_type(const DecodedSection& bake, Decoder& decoder);
+
+// Reports pixel types that code blocks of another number of channels (E0131).
+void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& decoder);
+
+// Reports a pixel type that codes blocks (E0131) where `what`, as in "a table", cannot have it.
+void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& decoder);
 
 // Says whether halving the size of one level rounds down or up to get that of the next.
 enum class Halving { down, up };

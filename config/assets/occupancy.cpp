@@ -240,6 +240,7 @@ struct OccupancyResolver {
 void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const OccupancyResolver resolver{bake, recipe, decoder};
     check_pixel_type(bake, decoder);
+    refuse_blocks(bake, "occupancy, whose empty cells must stay empty", decoder);
     const std::size_t contents = resolver.check_contents();
     const CloudVolumeBake* volume = resolver.find_volume();
     if (!volume) return;

@@ -4,72 +4,145 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 namespace skybake::config {
 
-enum class PixelType { float32, half, unorm8, unorm16 };
+// Types up to unorm16 hold each number by itself. The others code blocks of texels: bc4, bc5 and bc6h are
+// blocks of 4 x 4 texels that GPUs decode; fp8 and fp16 are leaves of NanoVDB grids.
+enum class PixelType { float32, half, unorm8, unorm16, bc4, bc5, bc6h, fp8, fp16 };
 enum class Compression { none, zip, zips, piz };
 
-enum class FileFormat { exr, vdb, bin, png, dds };
+enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda };
 enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
+enum class Ktx2Compression { none, zstd };
+
+constexpr bool is_block_coded(PixelType type) { return type >= PixelType::bc4; }
+
+// Returns how many channels a type codes, or 0 if it takes any number.
+constexpr std::size_t coded_channels(PixelType type) {
+    if (type == PixelType::bc4) return 1;
+    if (type == PixelType::bc5) return 2;
+    return type == PixelType::bc6h ? 3 : 0;
+}
+
+constexpr bool is_leaf_coded(PixelType type) { return type >= PixelType::fp8; }
+
+// A set of pixel types.
+class PixelTypes {
+  public:
+    template <class... T>
+    constexpr explicit PixelTypes(T... types) : bits_((0U | ... | bit(types))) {}
+    constexpr bool contains(PixelType type) const { return (bits_ & bit(type)) != 0; }
+
+  private:
+    static constexpr unsigned bit(PixelType type) { return 1U << static_cast<unsigned>(type); }
+    unsigned bits_;
+};
+
+inline constexpr PixelTypes floating_types(PixelType::float32, PixelType::half);
+inline constexpr PixelTypes unorm_types(PixelType::unorm8, PixelType::unorm16);
+inline constexpr PixelTypes number_types(PixelType::float32, PixelType::half, PixelType::unorm8,
+                                         PixelType::unorm16);
+inline constexpr PixelTypes texture_types(PixelType::float32, PixelType::half, PixelType::unorm8,
+                                          PixelType::unorm16, PixelType::bc4, PixelType::bc5,
+                                          PixelType::bc6h);
+inline constexpr PixelTypes nanovdb_types(PixelType::float32, PixelType::half, PixelType::fp8,
+                                          PixelType::fp16);
+inline constexpr PixelTypes all_types(PixelType::float32, PixelType::half, PixelType::unorm8,
+                                      PixelType::unorm16, PixelType::bc4, PixelType::bc5,
+                                      PixelType::bc6h, PixelType::fp8, PixelType::fp16);
 
 // These facts say what files of a format can hold. The code of a format adds further facts
 // (bakers/io/formats).
 struct FormatFacts {
     FileFormat format;
-    std::string_view name;            // used in recipes and as the end of a file's name
-    std::string_view description;     // helps a user to choose
-    std::array<bool, 4> pixel_types;  // in the order of PixelType
-    bool is_image = false;            // holds the slices of a volume in one image
-    bool only_volumes = false;        // it cannot hold tables
-    bool has_all_levels = false;      // one file holds all levels of detail
-    bool deflates = false;            // always deflates; EXR and VDB follow their `compression`
+    std::string_view name;         // used in recipes and as the end of a file's name
+    std::string_view description;  // helps a user to choose
+    PixelTypes pixel_types;
+    bool is_image = false;        // holds the slices of a volume in one image
+    bool only_volumes = false;    // it cannot hold tables
+    bool has_all_levels = false;  // one file holds all levels of detail
+    bool deflates = false;        // always deflates; EXR and VDB follow their `compression`
+    bool only_refers = false;     // has no texels: it names the asset's VDB files
 
-    constexpr bool holds(PixelType type) const {
-        return pixel_types[static_cast<std::size_t>(type)];
-    }
+    constexpr bool holds(PixelType type) const { return pixel_types.contains(type); }
 };
 
 inline constexpr std::array file_formats = {
-    FormatFacts{FileFormat::exr,
-                "exr",
-                "OpenEXR, slices in one image; float or half",
-                {true, true, false, false},
-                true},
-    FormatFacts{FileFormat::vdb,
-                "vdb",
-                "OpenVDB, a grid per channel; float or half",
-                {true, true, false, false},
-                false,
-                true},
-    FormatFacts{FileFormat::bin,
-                "bin",
-                "texels alone, little-endian, x fastest; any pixel type",
-                {true, true, true, true}},
-    FormatFacts{FileFormat::png,
-                "png",
-                "PNG, slices in one image; unorm8 or unorm16",
-                {false, false, true, true},
-                true,
-                false,
-                false,
-                true},
-    FormatFacts{FileFormat::dds,
-                "dds",
-                "DirectDraw Surface with all mips, a texture as GPUs load it; any pixel type",
-                {true, true, true, true},
-                false,
-                false,
-                true},
+    FormatFacts{.format = FileFormat::exr,
+                .name = "exr",
+                .description = "OpenEXR, slices in one image; float or half",
+                .pixel_types = floating_types,
+                .is_image = true},
+    FormatFacts{.format = FileFormat::vdb,
+                .name = "vdb",
+                .description = "OpenVDB, a grid per channel; float or half",
+                .pixel_types = floating_types,
+                .only_volumes = true},
+    FormatFacts{.format = FileFormat::bin,
+                .name = "bin",
+                .description = "texels alone, little-endian, x fastest; any type of numbers",
+                .pixel_types = number_types},
+    FormatFacts{.format = FileFormat::png,
+                .name = "png",
+                .description = "PNG, slices in one image; unorm8 or unorm16",
+                .pixel_types = unorm_types,
+                .is_image = true,
+                .deflates = true},
+    FormatFacts{.format = FileFormat::dds,
+                .name = "dds",
+                .description =
+                    "DirectDraw Surface with all mips, a texture as GPUs load it; numbers "
+                    "or blocks",
+                .pixel_types = texture_types,
+                .has_all_levels = true},
+    FormatFacts{
+        .format = FileFormat::ktx2,
+        .name = "ktx2",
+        .description = "Khronos texture with all mips and its description; numbers or blocks",
+        .pixel_types = texture_types,
+        .has_all_levels = true},
+    FormatFacts{.format = FileFormat::nvdb,
+                .name = "nvdb",
+                .description = "NanoVDB, a grid per channel; float, half, fp8 or fp16",
+                .pixel_types = nanovdb_types,
+                .only_volumes = true},
+    FormatFacts{.format = FileFormat::vol,
+                .name = "vol",
+                .description = "Mitsuba's grid volume of floats; float or half",
+                .pixel_types = floating_types,
+                .only_volumes = true},
+    FormatFacts{.format = FileFormat::npy,
+                .name = "npy",
+                .description = "NumPy's array, of shape z, y, x, channel; any type of numbers",
+                .pixel_types = number_types},
+    FormatFacts{.format = FileFormat::tga,
+                .name = "tga",
+                .description = "Targa without compression, slices in one image; unorm8",
+                .pixel_types = PixelTypes(PixelType::unorm8),
+                .is_image = true},
+    FormatFacts{.format = FileFormat::usda,
+                .name = "usda",
+                .description = "USD scene that refers to the asset's VDB files, which it needs",
+                .pixel_types = all_types,
+                .only_volumes = true,
+                .only_refers = true},
 };
 
 constexpr const FormatFacts& facts_of(FileFormat format) {
     return *std::find_if(file_formats.begin(), file_formats.end(),
                          [format](const FormatFacts& facts) { return facts.format == format; });
+}
+
+// Returns how many files of a format hold an asset of so many levels.
+constexpr int files_of_levels(FileFormat format, int levels) {
+    const FormatFacts& facts = facts_of(format);
+    return facts.has_all_levels || facts.only_refers ? 1 : levels;
 }
 
 // These keys say what the files of one asset are like.
@@ -82,6 +155,7 @@ struct AssetFiles {
     int mips = 1;                                // levels of detail, including the asset itself
     Compression compression = Compression::zip;  // for EXR
     VdbCompression vdb_compression = VdbCompression::blosc;
+    Ktx2Compression ktx2_compression = Ktx2Compression::zstd;
 };
 
 // The rest of this header is about the cells of an image in which the slices of a volume are laid

@@ -1,4 +1,4 @@
-"""ffmpeg decodes PNG and DDS textures to the texels that stand bare in the files beside them.
+"""ffmpeg decodes PNG, TGA and DDS textures to the texels that stand bare in the files beside them.
 
 Of DDS textures ffmpeg reads those of four channels; up to release 5.1 it exchanges red and blue.
 """
@@ -65,7 +65,7 @@ def main():
                 )
             failures.expect(found == wanted, True, f"{file['path']}: whether all texels are there")
             formats.add(file["format"])
-    failures.expect(formats, {"png", "dds"}, "the set of formats that were read")
+    failures.expect(formats, {"png", "dds", "tga"}, "the set of formats that were read")
     failures.exit()
 
 

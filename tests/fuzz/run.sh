@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 
-fuzzers=(recipe units setting)
+fuzzers=(recipe units setting reader)
 seconds=$((${1:-60} / 2))
 examples/install_packages.sh --tests
 cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON >/dev/null

@@ -335,9 +335,10 @@ TEST(Manifest, ClaimsItsFilesAndItself) {
 TEST(Manifest, SchemaTravelsInTheProgram) {
     const std::string schema = manifest_schema();
     EXPECT_NE(schema.find("\"title\": \"skybake manifest\""), std::string::npos);
-    EXPECT_NE(schema.find(R"("enum": ["exr", "vdb", "bin", "png", "dds", "json"])"),
+    EXPECT_NE(schema.find(R"("enum": ["exr", "vdb", "bin", "png", "dds", "ktx2", "nvdb", "vol", )"
+                          R"("npy", "tga", "usda", "json"])"),
               std::string::npos);
-    EXPECT_NE(schema.find(R"("enum": ["exr", "png"])"), std::string::npos);
+    EXPECT_NE(schema.find(R"("enum": ["exr", "png", "tga"])"), std::string::npos);
 }
 
 TEST(Manifest, MissingOneIsNotADamagedOne) {

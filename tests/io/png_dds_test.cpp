@@ -10,6 +10,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
 #include "tests/io/files.h"
+#include "tests/io/format_checks.h"
 
 namespace skybake {
 namespace {
@@ -18,50 +19,12 @@ using config::FileFormat;
 using config::PixelType;
 using testing::plain_volume;
 using testing::sample_voxel;
+using testing::stored;
 using testing::TemporaryFolder;
+using testing::written;
+using testing::wrong_values;
 
-constexpr std::array<PixelType, 4> kTypes = {PixelType::float32, PixelType::half, PixelType::unorm8,
-                                             PixelType::unorm16};
-
-std::string written(const TemporaryFolder& folder, FileFormat format, const Baked& baked,
-                    int threads) {
-    const auto path = folder / "a.file";
-    testing::write_bytes(path, "what was there before");
-    const auto result = testing::write_as(format, baked, threads, nullptr, path);
-    EXPECT_EQ(result.value, true);
-    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return testing::read_bytes(path);
-}
-
-// The value that a file of a volume of sample_voxel holds.
-float stored(const std::array<int, 3>& voxel, int channel, PixelType type) {
-    return round_to_pixel_type(sample_voxel(voxel[0], voxel[1], voxel[2], channel), type);
-}
-
-// Reads level 0 by the format's reader; how many values are not those of sample_voxel.
-long wrong_values(FileFormat format, const Baked& baked, const std::filesystem::path& path) {
-    const FileShape shape = testing::shape_of(baked);
-    const auto channels = static_cast<int>(shape.channels);
-    std::int64_t next = 0;
-    long wrong = 0;
-    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
-        EXPECT_EQ(first, next);
-        for (; next < first + count; ++next) {
-            const std::array<int, 3> voxel = {
-                static_cast<int>(next % shape.size[0]),
-                static_cast<int>(next / shape.size[0] % shape.size[1]),
-                static_cast<int>(next / shape.size[0] / shape.size[1])};
-            for (int c = 0; c < channels; ++c) {
-                wrong += *values++ == stored(voxel, c, shape.pixel_type) ? 0 : 1;
-            }
-        }
-        return true;
-    };
-    const auto read = format_of(format).read(path, shape, 0, visit);
-    EXPECT_EQ(read.value, true);
-    EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
-    return wrong;
-}
+constexpr auto kTypes = testing::kPixelTypes;
 
 // --- PNG ----------------------------------------------------------------------------------------
 

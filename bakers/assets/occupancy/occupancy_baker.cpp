@@ -13,6 +13,7 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
+#include "bakers/field/block_voxels.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"
@@ -39,8 +40,9 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
     Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    const Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
+    Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
     if (options.cancelled()) return {};
+    code_levels(voxels);
     volume.bake_seconds = voxels.bake_seconds;
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
 }

@@ -12,6 +12,7 @@
 #include <variant>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
@@ -156,9 +157,11 @@ const ManifestAsset* asset_named(const Manifest& manifest, const std::string& na
 
 // The file of the volume itself.
 const ManifestFile* first_file(const ManifestAsset& asset) {
-    const auto found = std::find_if(
-        asset.files.begin(), asset.files.end(),
-        [](const ManifestFile& file) { return file.level == 0 && file.format != "json"; });
+    const auto found =
+        std::find_if(asset.files.begin(), asset.files.end(), [](const ManifestFile& file) {
+            const Format* format = find_format(file.format);
+            return file.level == 0 && format != nullptr && format->read != nullptr;
+        });
     return found != asset.files.end() ? &*found : nullptr;
 }
 

@@ -143,7 +143,7 @@ std::vector<std::string> file_names(const config::Bake& bake) {
     const config::AssetFiles& files = config::files_of(bake);
     std::vector<std::string> names;
     for (const config::FileFormat format : files.formats) {
-        const int count = config::facts_of(format).has_all_levels ? 1 : files.mips;
+        const int count = config::files_of_levels(format, files.mips);
         for (int level = 0; level < count; ++level) {
             names.push_back(file_name(bake.name, format, level));
         }

@@ -53,6 +53,10 @@ std::string_view to_string(config::VdbCompression compression) {
     return word_of("vdb_compression", compression);
 }
 
+std::string_view to_string(config::Ktx2Compression compression) {
+    return word_of("ktx2_compression", compression);
+}
+
 std::string_view to_string(config::FileFormat format) { return config::facts_of(format).name; }
 
 std::string_view to_string(config::SheetLayout layout) { return word_of("layout", layout); }

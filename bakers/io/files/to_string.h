@@ -12,10 +12,11 @@
 namespace skybake {
 
 std::string_view to_string(config::PixelType type);  // "float", "half", "unorm8", "unorm16"
-std::string_view to_string(config::Compression compression);     // "none", "zip", "zips", "piz"
-std::string_view to_string(config::VdbCompression compression);  // "none", "zip", "blosc"
-std::string_view to_string(config::FileFormat format);           // "exr", "vdb", "bin"
-std::string_view to_string(config::SheetLayout layout);          // "stack", "atlas"
+std::string_view to_string(config::Compression compression);      // "none", "zip", "zips", "piz"
+std::string_view to_string(config::VdbCompression compression);   // "none", "zip", "blosc"
+std::string_view to_string(config::Ktx2Compression compression);  // "none", "zstd"
+std::string_view to_string(config::FileFormat format);            // "exr", "vdb", "bin"
+std::string_view to_string(config::SheetLayout layout);           // "stack", "atlas"
 
 std::string_view to_string(TexelConvention end_points);  // "texel_centres", "texture_edges"
 std::string_view to_string(AxisWrap wrap);               // "clamp", "repeat"

@@ -9,16 +9,23 @@
 #include "bakers/io/formats/bin/bin.h"
 #include "bakers/io/formats/dds/dds.h"
 #include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/ktx2/ktx2.h"
+#include "bakers/io/formats/npy/npy.h"
+#include "bakers/io/formats/nvdb/nvdb_file.h"
 #include "bakers/io/formats/png/png_file.h"
+#include "bakers/io/formats/tga/tga.h"
+#include "bakers/io/formats/usda/usda.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/formats/vol/vol.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
 
 std::span<const Format> formats() {
-    static const std::array all = {exr_format(), vdb_format(), bin_format(), png_format(),
-                                   dds_format()};
+    static const std::array all = {exr_format(), vdb_format(),  bin_format(),  png_format(),
+                                   dds_format(), ktx2_format(), nvdb_format(), vol_format(),
+                                   npy_format(), tga_format(),  usda_format()};
     return all;
 }
 
@@ -77,7 +84,7 @@ void drop_padding(const std::vector<float>& stored, const StoredTexelRange& rang
 }  // namespace
 
 bool write_texels(const FileContent& content, int level_number, TexelPadding padding,
-                  FileOutput& output) {
+                  const TexelSink& put) {
     const Level& level = content.baked.levels[static_cast<std::size_t>(level_number)];
     const std::size_t channels = content.baked.channel_names.size();
     const bool pads = padding == TexelPadding::three_to_four && channels == 3;
@@ -94,13 +101,24 @@ bool write_texels(const FileContent& content, int level_number, TexelPadding pad
         [&](int i, int slot) {
             complete = !is_cancelled(content.progress);
             if (!complete) return false;
-            output.write(slots[static_cast<std::size_t>(slot)].bytes);
+            const bool goes_on = put(slots[static_cast<std::size_t>(slot)].bytes);
             if (content.progress != nullptr) {
                 content.progress->advance("write", (i + 1.0) / boxes.count());
             }
-            return output.error() == 0;
+            return goes_on;
         });
     return complete;
+}
+
+TexelSink texel_sink(FileOutput& output) {
+    return [&output](std::string_view bytes) {
+        output.write(bytes);
+        return output.error() == 0;
+    };
+}
+
+bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output) {
+    return write_texels(content, level, padding, texel_sink(output));
 }
 
 std::uint64_t StoredTexelRange::bytes() const {
@@ -108,7 +126,7 @@ std::uint64_t StoredTexelRange::bytes() const {
            static_cast<std::uint64_t>(bytes_per_value(type));
 }
 
-config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& range,
                                   const VoxelVisitor& visit) {
     const std::int64_t voxels = VoxelBox{{}, range.size}.count();
     const auto stored = static_cast<std::int64_t>(range.stored_channels);
@@ -122,15 +140,28 @@ config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range
         count = std::min(most, voxels - first);
         bytes.resize(static_cast<std::size_t>(count) * voxel_bytes);
         values.resize(static_cast<std::size_t>(count * stored));
-        const auto done = file.read(range.offset + static_cast<std::uint64_t>(first) * voxel_bytes,
-                                    bytes.data(), bytes.size());
-        if (!done || *done < bytes.size()) return {{}, {file.diagnostic()}};
+        if (const auto problem = next(bytes.data(), bytes.size())) return {{}, {*problem}};
         load_values(bytes.data(), values.size(), range.type, values.data());
         const bool padded = range.channels != range.stored_channels;
         if (padded) drop_padding(values, range, wanted);
         if (!visit(first, count, padded ? wanted.data() : values.data())) return {false, {}};
     }
     return {true, {}};
+}
+
+TexelInput texel_input(FileInput& file, std::uint64_t offset) {
+    return [&file, offset](char* bytes,
+                           std::size_t count) mutable -> std::optional<config::Diagnostic> {
+        const auto done = file.read(offset, bytes, count);
+        offset += count;
+        if (done && *done == count) return std::nullopt;
+        return file.diagnostic();
+    };
+}
+
+config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,
+                                  const VoxelVisitor& visit) {
+    return read_texels(texel_input(file, range.offset), range, visit);
 }
 
 }  // namespace skybake

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -64,7 +65,7 @@ struct Format {
 
     // Passes all voxels of a level of the file to `visit`, piece after piece. Returns false once
     // visit has returned false. E0300 if the file cannot be read; E0304 if it is damaged or not of
-    // this shape.
+    // this shape. Null if files of the format have no voxels.
     config::Outcome<bool> (*read)(const std::filesystem::path& path, const FileShape& shape,
                                   int level, const VoxelVisitor& visit);
 
@@ -103,8 +104,16 @@ enum class TexelPadding {
     three_to_four,  // three channels are stored as four, the fourth of which is 1
 };
 
-// Makes the texels of a level in parallel and appends them in the order x, y, z, channels
-// interleaved. Returns false once progress->cancelled(). `output` keeps errors.
+// Receives texels, piece after piece; the pieces are the same in every run. If it returns false,
+// writing ends.
+using TexelSink = std::function<bool(std::string_view bytes)>;
+
+// Makes the texels of a level in parallel and passes them on in the order x, y, z, channels
+// interleaved. Returns false once progress->cancelled().
+bool write_texels(const FileContent& content, int level, TexelPadding padding,
+                  const TexelSink& put);
+
+// Does the same and appends them to a file, which keeps errors.
 bool write_texels(const FileContent& content, int level, TexelPadding padding, FileOutput& output);
 
 // Where the texels of a level are in a file.
@@ -117,6 +126,19 @@ struct StoredTexelRange {
 
     std::uint64_t bytes() const;
 };
+
+// Reads the next bytes of stored texels, or says why they cannot be read.
+using TexelInput = std::function<std::optional<config::Diagnostic>(char* bytes, std::size_t count)>;
+
+// Reads texels as Format::read does; diagnostics are those of `next`. The range's offset is unused.
+config::Outcome<bool> read_texels(const TexelInput& next, const StoredTexelRange& range,
+                                  const VoxelVisitor& visit);
+
+// Reads the bytes of a file from `offset` on. E0300 if it ends early.
+TexelInput texel_input(FileInput& file, std::uint64_t offset);
+
+// Appends texels to a file, which keeps errors.
+TexelSink texel_sink(FileOutput& output);
 
 // Reads texels as Format::read does. E0300 if the file ends early.
 config::Outcome<bool> read_texels(FileInput& file, const StoredTexelRange& range,

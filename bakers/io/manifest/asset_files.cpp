@@ -71,8 +71,7 @@ config::Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& 
 ManifestAsset describe_with_files(const Baked& baked) {
     ManifestAsset asset = describe(baked);
     for (const config::FileFormat format : baked.formats) {
-        const bool whole = config::facts_of(format).has_all_levels;
-        const auto files = whole ? 1 : static_cast<int>(baked.levels.size());
+        const int files = config::files_of_levels(format, static_cast<int>(baked.levels.size()));
         for (int level = 0; level < files; ++level) {
             asset.files.push_back(make_file(baked, format_of(format), level));
         }
@@ -120,7 +119,11 @@ config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const M
     const FileShape shape = {asset.levels[static_cast<std::size_t>(file.level)].size,
                              asset.channels.size(), file.pixel_type,
                              file.layout.value_or(SheetGrid{}), file.levels};
-    return find_format(file.format)->read(path, shape, level, visit);
+    const Format& format = *find_format(file.format);
+    if (format.read != nullptr) return format.read(path, shape, level, visit);
+    return {{},
+            {file_error("E0304", path.string(),
+                        fmt::format("`{}` has no voxels of its own", path.string()))}};
 }
 
 }  // namespace skybake

@@ -215,7 +215,7 @@ void check_content(Examination& examination, const std::filesystem::path& path,
             check_metadata(examination, facts.value->metadata, file_entry_json(asset, file));
         }
     }
-    check_voxels(examination, path, asset, file);
+    if (format->read != nullptr) check_voxels(examination, path, asset, file);
 }
 
 void check_further(VerifyReport& report, const ManifestAsset& asset,

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/field/block_voxels.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
@@ -31,6 +33,10 @@ namespace {
 void advance_sweep(const ReportOptions& options, std::string_view step, double fraction) {
     if (options.progress != nullptr) options.progress->advance(step, fraction);
 }
+
+constexpr std::array kTypes = {PixelType::float32, PixelType::half, PixelType::unorm16,
+                               PixelType::unorm8,  PixelType::bc4,  PixelType::bc5,
+                               PixelType::bc6h,    PixelType::fp16, PixelType::fp8};
 
 double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
 
@@ -147,8 +153,7 @@ class VolumeMeasurement {
         const auto stored = std::make_shared<StoredSource>(
             *voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
             BakeOptions{.threads = options_.threads}, "voxels");
-        for (const PixelType type :
-             {PixelType::float32, PixelType::half, PixelType::unorm16, PixelType::unorm8}) {
+        for (const PixelType type : kTypes) {
             std::vector<std::size_t> variants;
             for (std::size_t i = 0; i < sweep_.variants.size(); ++i) {
                 const VolumeVariant& variant = sweep_.variants[i];
@@ -186,6 +191,8 @@ class VolumeMeasurement {
         Level& level = volume.levels.front();
         level.size = voxels.size;
         level.voxels = stored;
+        level.uncoded = nullptr;
+        code_levels(volume);
         if (is_cancelled(options_.progress)) return false;
         const BakeOptions quiet{.threads = options_.threads};
         const std::vector<Diagnostic> problems = survey_level(volume, 0, histogram_ranges_, quiet);

@@ -26,6 +26,7 @@ class StorageSweep {
     VolumeSweep make() {
         add_compressions();
         add_sizes();
+        add_blocks();
         return std::move(sweep_);
     }
 
@@ -35,11 +36,10 @@ class StorageSweep {
                                                     format) != files_.formats.end();
     }
 
-    // EXR and VDB do not have unorm. If the recipe asks for unorm, they are shown with half.
+    // EXR and VDB hold float and half. If the recipe asks for another type, they are shown with half.
     void add_compressions() {
-        const bool has_unorm =
-            files_.pixel_type == PixelType::unorm8 || files_.pixel_type == PixelType::unorm16;
-        const PixelType type = has_unorm ? PixelType::half : files_.pixel_type;
+        const bool is_held = config::floating_types.contains(files_.pixel_type);
+        const PixelType type = is_held ? files_.pixel_type : PixelType::half;
         for (const Compression compression :
              {Compression::none, Compression::zip, Compression::zips, Compression::piz}) {
             VolumeVariant& variant = add_variant(sweep_, fmt::format("exr, {}", to_string(type)),
@@ -95,6 +95,29 @@ class StorageSweep {
                 variant.of_recipe =
                     own_size && is_asked_for(FileFormat::bin) && type == files_.pixel_type;
             }
+        }
+    }
+
+    // Adds the types that code blocks and have as many channels, in the size of the recipe: bytes on
+    // the GPU that cost accuracy, as fewer voxels do.
+    void add_blocks() {
+        struct Blocks {
+            FileFormat format;
+            PixelType type;
+        };
+        for (const auto& [format, type] :
+             {Blocks{FileFormat::dds, PixelType::bc4}, Blocks{FileFormat::dds, PixelType::bc5},
+              Blocks{FileFormat::dds, PixelType::bc6h}, Blocks{FileFormat::nvdb, PixelType::fp16},
+              Blocks{FileFormat::nvdb, PixelType::fp8}}) {
+            const std::size_t channels = config::coded_channels(type);
+            const bool fits =
+                channels == 0 || static_cast<std::int64_t>(channels) == subject_.channels;
+            if (!fits) continue;
+            VolumeVariant& variant =
+                add_variant(sweep_, fmt::format("{}, {}", to_string(format), to_string(type)),
+                            size_text(subject_.size), own_, subject_.size, type);
+            variant.format = format;
+            variant.of_recipe = is_asked_for(format) && type == files_.pixel_type;
         }
     }
 

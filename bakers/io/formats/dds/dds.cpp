@@ -13,6 +13,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/texture.h"
 
 namespace skybake {
 namespace {
@@ -31,7 +32,7 @@ struct Header {
     std::uint32_t flags = 0;
     std::uint32_t height = 0;
     std::uint32_t width = 0;
-    std::uint32_t pitch = 0;  // bytes per row of level 0
+    std::uint32_t pitch = 0;  // bytes per row of level 0, or per slice of blocks
     std::uint32_t depth = 0;
     std::uint32_t levels = 0;
     std::array<std::uint32_t, 11> reserved{};
@@ -53,6 +54,7 @@ static_assert(sizeof(Header) == header_bytes);
 
 constexpr std::uint32_t has_caps_height_width_format = 0x1007;
 constexpr std::uint32_t has_pitch = 0x8;
+constexpr std::uint32_t has_slice_bytes = 0x80000;
 constexpr std::uint32_t has_mip_count = 0x20000;
 constexpr std::uint32_t has_depth = 0x800000;
 constexpr std::uint32_t has_four_characters = 0x4;
@@ -65,39 +67,29 @@ constexpr std::uint32_t texture_3d = 4;
 constexpr std::uint32_t alpha_is_opaque = 3;
 constexpr std::uint32_t alpha_is_custom = 4;
 
-// The DXGI_FORMAT values of a pixel type for one, two and four channels.
-struct Dxgi {
-    PixelType type;
-    std::array<std::uint32_t, 3> formats;
-};
-constexpr std::array<Dxgi, 4> dxgi = {{
+// DXGI_FORMAT values.
+constexpr std::array<TexelCodes, 7> dxgi = {{
     {PixelType::float32, {41, 16, 2}},
     {PixelType::half, {54, 34, 10}},
     {PixelType::unorm8, {61, 49, 28}},
     {PixelType::unorm16, {56, 35, 11}},
+    {PixelType::bc4, {80, 0, 0}},
+    {PixelType::bc5, {0, 83, 0}},
+    {PixelType::bc6h, {0, 0, 95}},
 }};
-constexpr std::array<std::size_t, 3> stored_channels = {1, 2, 4};
-
-std::size_t stored_for(std::size_t channels) { return channels == 3 ? 4 : channels; }
-
-std::uint32_t dxgi_format_of(PixelType type, std::size_t channels) {
-    const auto row = std::find_if(dxgi.begin(), dxgi.end(),
-                                  [type](const Dxgi& entry) { return entry.type == type; });
-    const auto column =
-        std::find(stored_channels.begin(), stored_channels.end(), stored_for(channels));
-    return row->formats[static_cast<std::size_t>(column - stored_channels.begin())];
-}
 
 Header header_of(const Baked& baked) {
     const std::array<int, 3>& size = baked.levels.front().size;
     const bool flat = baked.is_table();
     const std::size_t channels = baked.channel_names.size();
     Header header;
-    header.flags = has_caps_height_width_format | has_pitch | has_mip_count;
+    const bool is_coded = config::is_block_coded(baked.pixel_type);
+    header.flags =
+        has_caps_height_width_format | (is_coded ? has_slice_bytes : has_pitch) | has_mip_count;
     header.width = static_cast<std::uint32_t>(size[0]);
     header.height = static_cast<std::uint32_t>(size[1]);
-    header.pitch = header.width * static_cast<std::uint32_t>(stored_for(channels)) *
-                   static_cast<std::uint32_t>(bytes_per_value(baked.pixel_type));
+    header.pitch = static_cast<std::uint32_t>(
+        texture_bytes({size[0], is_coded ? size[1] : 1, 1}, baked.pixel_type, channels));
     header.levels = static_cast<std::uint32_t>(baked.levels.size());
     header.format_flags = has_four_characters;
     header.capabilities = is_texture;
@@ -108,33 +100,23 @@ Header header_of(const Baked& baked) {
         header.capabilities |= is_complex;
         header.capabilities_2 = is_volume;
     }
-    header.dxgi_format = dxgi_format_of(baked.pixel_type, channels);
+    header.dxgi_format = texel_code(dxgi, baked.pixel_type, channels);
     header.dimension = flat ? texture_2d : texture_3d;
     header.alpha_mode = channels == 4 ? alpha_is_custom : alpha_is_opaque;
     return header;
 }
 
-// Returns what DDS files cannot hold of the asset, in words, or nothing.
-std::optional<std::string> dds_obstacle(const Baked& baked) {
-    if (baked.channel_names.size() > 4) return "DDS files hold at most four channels";
-    for (std::size_t i = 1; i < baked.levels.size(); ++i) {
-        if (baked.levels[i].size != next_mip_size(baked.levels[i - 1].size)) {
-            return "each level of a DDS file has half the size of the one before, rounded down";
-        }
-    }
-    return std::nullopt;
-}
-
 Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
-    if (const auto reason = dds_obstacle(content.baked))
+    if (const auto reason = texture_obstacle(content.baked, "DDS")) {
         return {{}, {contradiction(path, *reason)}};
+    }
     FileOutput output(path);
     const Header header = header_of(content.baked);
     output.write({reinterpret_cast<const char*>(&header), header_bytes});
     bool complete = true;
     for (int level = 0; complete && level < static_cast<int>(content.baked.levels.size());
          ++level) {
-        complete = write_texels(content, level, TexelPadding::three_to_four, output);
+        complete = write_texture(content, level, texel_sink(output));
     }
     if (!output.finish()) return {{}, {output.diagnostic()}};
     return {complete, {}};
@@ -172,18 +154,14 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     FileFacts facts;
-    for (const Dxgi& row : dxgi) {
-        for (std::size_t i = 0; i < row.formats.size(); ++i) {
-            if (row.formats[i] != header.value->dxgi_format) continue;
-            facts.pixel_type = row.type;
-            facts.channels = stored_channels[i];
-        }
-    }
-    if (!facts.pixel_type) {
+    const auto kind = texel_kind(dxgi, header.value->dxgi_format);
+    if (!kind) {
         return {{},
                 {damaged_dds_file(
                     path, fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
     }
+    facts.pixel_type = kind->type;
+    facts.channels = kind->channels;
     return {std::move(facts), {}};
 }
 
@@ -195,7 +173,7 @@ bool fits(const Header& header, const FileShape& shape) {
            header.height == static_cast<std::uint32_t>(shape.size[1]) &&
            depth == static_cast<std::uint32_t>(shape.size[2]) &&
            header.levels == static_cast<std::uint32_t>(shape.levels) &&
-           header.dxgi_format == dxgi_format_of(shape.pixel_type, shape.channels);
+           header.dxgi_format == texel_code(dxgi, shape.pixel_type, shape.channels);
 }
 
 Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int level,
@@ -205,16 +183,20 @@ Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int le
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
-    StoredTexelRange range = {header_bytes, shape.size, shape.channels, stored_for(shape.channels),
-                              shape.pixel_type};
-    StoredTexelRange wanted = range;
-    for (int i = 0; i < shape.levels; ++i) {
-        if (i == level) wanted = range;
-        range.offset += range.bytes();
-        range.size = next_mip_size(range.size);
+    std::uint64_t offset = header_bytes;
+    std::uint64_t wanted = 0;
+    std::array<int, 3> size = shape.size;
+    std::array<int, 3> wanted_size{};
+    for (int i = 0; i < shape.levels; ++i, size = next_mip_size(size)) {
+        if (i == level) {
+            wanted = offset;
+            wanted_size = size;
+        }
+        offset += texture_bytes(size, shape.pixel_type, shape.channels);
     }
-    if (file.value->size() != range.offset) return {{}, {other_size(path)}};
-    return read_texels(*file.value, wanted, visit);
+    if (file.value->size() != offset) return {{}, {other_size(path)}};
+    return read_texture(texel_input(*file.value, wanted), wanted_size, shape.pixel_type,
+                        shape.channels, visit);
 }
 
 }  // namespace

@@ -1,0 +1,84 @@
+#include "bakers/io/formats/npy/npy.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "bakers/io/files/file_io.h"
+
+namespace skybake {
+namespace {
+
+using config::Outcome;
+using config::PixelType;
+namespace fs = std::filesystem;
+
+struct NpyType {
+    PixelType type;
+    std::string_view word;
+};
+constexpr std::array<NpyType, 4> npy_types = {{{PixelType::float32, "<f4"},
+                                               {PixelType::half, "<f2"},
+                                               {PixelType::unorm8, "|u1"},
+                                               {PixelType::unorm16, "<u2"}}};
+
+// Returns what stands before the texels, padded to a multiple of 64 bytes.
+std::string npy_head(const std::array<int, 3>& size, bool is_flat, std::size_t channels,
+                     PixelType type) {
+    const auto row = std::find_if(npy_types.begin(), npy_types.end(),
+                                  [type](const NpyType& entry) { return entry.type == type; });
+    const std::string slices = is_flat ? "" : fmt::format("{}, ", size[2]);
+    std::string text =
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}{}, {}, {}), }}",
+                    row->word, slices, size[1], size[0], channels);
+    constexpr std::size_t before_text = 10;
+    text.resize((before_text + text.size() + 1 + 63) / 64 * 64 - before_text - 1, ' ');
+    text += '\n';
+    std::string head = {'\x93', 'N', 'U', 'M', 'P', 'Y', '\1', '\0'};
+    head += static_cast<char>(text.size() & 0xFF);
+    head += static_cast<char>(text.size() >> 8);
+    return head + text;
+}
+
+Outcome<bool> write_npy_file(const FileContent& content, const fs::path& path) {
+    const Baked& baked = content.baked;
+    FileOutput output(path);
+    output.write(npy_head(baked.levels[static_cast<std::size_t>(content.level)].size,
+                          baked.is_table(), baked.channel_names.size(), baked.pixel_type));
+    const bool complete = write_texels(content, content.level, TexelPadding::none, output);
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {complete, {}};
+}
+
+// A file of another program may say the same in other words; skybake reads its own.
+Outcome<bool> read_npy_file(const fs::path& path, const FileShape& shape, int,
+                            const VoxelVisitor& visit) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    for (const bool is_flat : {false, true}) {
+        const std::string head = npy_head(shape.size, is_flat, shape.channels, shape.pixel_type);
+        std::string found(head.size(), '\0');
+        const auto done = file.value->read(0, found.data(), found.size());
+        if (!done) return {{}, {file.value->diagnostic()}};
+        if (found != head || (is_flat && shape.size[2] != 1)) continue;
+        const StoredTexelRange range = {head.size(), shape.size, shape.channels, shape.channels,
+                                        shape.pixel_type};
+        if (file.value->size() != range.offset + range.bytes()) break;
+        return read_texels(*file.value, range, visit);
+    }
+    return {{}, {other_size(path)}};
+}
+
+}  // namespace
+
+Format npy_format() {
+    return {.format = config::FileFormat::npy,
+            .has_metadata = false,
+            .write = write_npy_file,
+            .inspect = nullptr,
+            .read = read_npy_file};
+}
+
+}  // namespace skybake

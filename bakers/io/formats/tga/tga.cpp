@@ -1,0 +1,216 @@
+#include "bakers/io/formats/tga/tga.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/sheet.h"
+
+namespace skybake {
+namespace {
+
+using config::Outcome;
+using config::PixelType;
+namespace fs = std::filesystem;
+
+constexpr std::size_t head_size = 18;
+constexpr std::size_t extension_size = 495;
+constexpr std::size_t alpha_kind_at = 494;  // in the extension area
+constexpr char alpha_of_data = 3;           // present, and not multiplied with
+constexpr std::string_view signature("TRUEVISION-XFILE.\0", 18);
+constexpr std::size_t foot_size = 8 + signature.size();
+constexpr std::uint16_t description_tag = 32768;
+constexpr int largest_tga_edge = 65535;
+
+void append_little(std::uint64_t number, int bytes, std::string& to) {
+    for (int i = 0; i < bytes; ++i) to += static_cast<char>(number >> 8 * i & 0xFF);
+}
+
+std::uint32_t little(std::string_view bytes, std::size_t at, std::size_t count) {
+    std::uint32_t number = 0;
+    for (std::size_t i = count; i-- > 0;) {
+        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
+    }
+    return number;
+}
+
+std::string tga_head(int width, int height, std::size_t channels) {
+    constexpr char true_colour = 2;
+    constexpr char grey = 3;
+    constexpr char from_top = 0x20;
+    std::string head = {0, 0, channels == 1 ? grey : true_colour};
+    head.resize(12);  // no palette, and the origin is (0, 0)
+    append_little(static_cast<std::uint64_t>(width), 2, head);
+    append_little(static_cast<std::uint64_t>(height), 2, head);
+    head += static_cast<char>(8 * channels);
+    head += static_cast<char>(from_top | (channels == 4 ? 8 : 0));  // bits of alpha
+    return head;
+}
+
+// Returns what follows the image: description, developer area, extension area and foot.
+std::string tga_tail(std::uint64_t offset, const std::string& description, bool has_alpha) {
+    std::string tail = description;
+    const std::uint64_t directory = offset + tail.size();
+    append_little(1, 2, tail);
+    append_little(description_tag, 2, tail);
+    append_little(offset, 4, tail);
+    append_little(description.size(), 4, tail);
+    const std::uint64_t extension = offset + tail.size();
+    std::string area;
+    append_little(extension_size, 2, area);
+    area.resize(extension_size);
+    constexpr std::string_view program = "skybake";
+    constexpr std::size_t program_at = 426;
+    std::copy(program.begin(), program.end(), area.begin() + program_at);
+    area[alpha_kind_at] = has_alpha ? alpha_of_data : '\0';
+    tail += area;
+    append_little(extension, 4, tail);
+    append_little(directory, 4, tail);
+    return tail + std::string(signature);
+}
+
+// Interleaves the channels of a row in the order of the format.
+void interleave_row(const SheetRows& rows, int y, std::size_t width, std::size_t channels,
+                    std::string& row) {
+    row.resize(width * channels);
+    for (std::size_t c = 0; c < channels; ++c) {
+        const std::size_t at = channels >= 3 && c < 3 ? 2 - c : c;
+        const char* from = rows.texels + c * rows.plane + static_cast<std::size_t>(y) * width;
+        for (std::size_t x = 0; x < width; ++x) row[x * channels + at] = from[x];
+    }
+}
+
+// Returns what TGA files cannot hold of the asset, in words, or nothing.
+std::optional<std::string> tga_obstacle(const Baked& baked, int level) {
+    const std::size_t channels = baked.channel_names.size();
+    if (channels != 1 && channels != 3 && channels != 4) {
+        return "TGA files hold one, three or four channels";
+    }
+    if (baked.pixel_type != PixelType::unorm8) return "TGA files hold unorm8";
+    const std::array<int, 3>& size = baked.levels[static_cast<std::size_t>(level)].size;
+    const auto [width, height] = image_size(size, sheet_grid(size, baked));
+    if (width <= largest_tga_edge && height <= largest_tga_edge) return std::nullopt;
+    return fmt::format("an image of {} x {} texels is too large", width, height);
+}
+
+Outcome<bool> write_tga_file(const FileContent& content, const fs::path& path) {
+    const Baked& baked = content.baked;
+    if (const auto reason = tga_obstacle(baked, content.level)) {
+        return {{}, {contradiction(path, *reason)}};
+    }
+    const std::size_t channels = baked.channel_names.size();
+    SheetWriter sheet(baked, content.level, content.threads, content.progress);
+    FileOutput output(path);
+    output.write(tga_head(sheet.width(), sheet.height(), channels));
+    std::string row;
+    const bool complete = sheet.write([&](const SheetRows& rows, int) {
+        for (int y = 0; y < rows.count; ++y) {
+            interleave_row(rows, y, static_cast<std::size_t>(sheet.width()), channels, row);
+            output.write(row);
+        }
+    });
+    output.write(tga_tail(output.position(), content.metadata, channels == 4));
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {complete, {}};
+}
+
+config::Diagnostic damaged_tga_file(const fs::path& path, const char* reason) {
+    return file_error(
+        "E0304", path.string(),
+        fmt::format("`{}` is no TGA file that skybake reads: {}", path.string(), reason));
+}
+
+// Returns bytes of the file, or nothing if it does not have them.
+std::optional<std::string> bytes_of(FileInput& file, std::uint64_t offset, std::uint64_t count) {
+    if (offset > file.size() || count > file.size() - offset) return std::nullopt;
+    std::string bytes(count, '\0');
+    const auto done = file.read(offset, bytes.data(), count);
+    if (!done || *done < count) return std::nullopt;
+    return bytes;
+}
+
+// Returns the description, or nothing if the areas behind the image are not those of skybake.
+std::optional<std::string> tga_description(FileInput& file) {
+    if (file.size() < foot_size) return std::nullopt;
+    const auto foot = bytes_of(file, file.size() - foot_size, foot_size);
+    if (!foot || foot->substr(8) != signature) return std::nullopt;
+    const auto directory = bytes_of(file, little(*foot, 4, 4), 12);
+    if (!directory || little(*directory, 0, 2) != 1 ||
+        little(*directory, 2, 2) != description_tag) {
+        return std::nullopt;
+    }
+    return bytes_of(file, little(*directory, 4, 4), little(*directory, 8, 4));
+}
+
+Outcome<FileFacts> inspect_tga_file(FileInput& file, const fs::path& path) {
+    const auto head = bytes_of(file, 0, head_size);
+    if (!head) return {{}, {damaged_tga_file(path, "it ends within its head")}};
+    FileFacts facts;
+    facts.pixel_type = PixelType::unorm8;
+    facts.image_size = {little(*head, 12, 2), little(*head, 14, 2)};
+    facts.channels = little(*head, 16, 1) / 8;
+    if (*head != tga_head(static_cast<int>(facts.image_size[0]),
+                          static_cast<int>(facts.image_size[1]), facts.channels)) {
+        return {{}, {damaged_tga_file(path, "its head is that of another kind of image")}};
+    }
+    const auto description = tga_description(file);
+    if (!description) return {{}, {damaged_tga_file(path, "it ends early")}};
+    facts.metadata = *description;
+    return {std::move(facts), {}};
+}
+
+Outcome<FileFacts> inspect_tga(const fs::path& path) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    return inspect_tga_file(*file.value, path);
+}
+
+Outcome<bool> read_tga_file(const fs::path& path, const FileShape& shape, int,
+                            const VoxelVisitor& visit) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const Outcome<FileFacts> facts = inspect_tga_file(*file.value, path);
+    if (!facts.value) return {{}, facts.diagnostics};
+    const auto [width, height] = image_size(shape.size, shape.grid);
+    const std::uint64_t row =
+        static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(shape.channels);
+    if (facts.value->image_size != std::array{width, height} ||
+        facts.value->channels != shape.channels || shape.pixel_type != PixelType::unorm8 ||
+        file.value->size() < head_size + row * static_cast<std::uint64_t>(height)) {
+        return {{}, {other_size(path)}};
+    }
+    std::string bytes;
+    const auto read = [&](int first, int count,
+                          float* texels) -> std::optional<config::Diagnostic> {
+        bytes.resize(row * static_cast<std::uint64_t>(count));
+        const auto done = file.value->read(head_size + row * static_cast<std::uint64_t>(first),
+                                           bytes.data(), bytes.size());
+        if (!done || *done < bytes.size()) return file.value->diagnostic();
+        for (std::size_t i = 0; shape.channels >= 3 && i < bytes.size(); i += shape.channels) {
+            std::swap(bytes[i], bytes[i + 2]);
+        }
+        load_values(bytes.data(), bytes.size(), PixelType::unorm8, texels);
+        return std::nullopt;
+    };
+    return read_sheet({static_cast<int>(width), static_cast<int>(height), shape.channels, 16, read},
+                      shape.size, shape.grid, visit);
+}
+
+}  // namespace
+
+Format tga_format() {
+    return {.format = config::FileFormat::tga,
+            .write = write_tga_file,
+            .inspect = inspect_tga,
+            .read = read_tga_file};
+}
+
+}  // namespace skybake

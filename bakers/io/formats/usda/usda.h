@@ -1,0 +1,17 @@
+// USD scenes that place the VDB files of a volume: a Volume with one OpenVDBAsset per grid.
+//
+// The file has no voxels. It names NAME.vdb beside it, and says what a scene needs to know before it
+// opens that: the bounds in metres (`extent`), the unit (`metersPerUnit` = 1), the axis that points
+// up, and the type of the grids. It refers to level 0 alone. Solaris, Omniverse and Unreal's importer
+// read it.
+//
+// Source: Pixar, "UsdVol: USD Volume Schema".
+#pragma once
+
+#include "bakers/io/formats/format.h"
+
+namespace skybake {
+
+Format usda_format();
+
+}  // namespace skybake

@@ -1,0 +1,126 @@
+#include "bakers/io/formats/vol/vol.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/files/file_io.h"
+
+namespace skybake {
+namespace {
+
+using config::Outcome;
+namespace fs = std::filesystem;
+
+static_assert(std::endian::native == std::endian::little,
+              "headers are stored as they lie in memory");
+
+struct VolHeader {
+    std::array<char, 3> magic = {'V', 'O', 'L'};
+    std::uint8_t version = 3;
+    std::int32_t encoding = 1;  // float
+    std::array<std::int32_t, 3> size{};
+    std::int32_t channels = 0;
+    std::array<float, 3> first{};  // the bounds
+    std::array<float, 3> last{};
+};
+static_assert(sizeof(VolHeader) == 48);
+
+VolHeader vol_header(const std::array<int, 3>& size, std::size_t channels) {
+    VolHeader header;
+    header.size = size;
+    header.channels = static_cast<std::int32_t>(channels);
+    return header;
+}
+
+Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
+    const Baked& volume = content.baked;
+    const Level& level = volume.levels[static_cast<std::size_t>(content.level)];
+    VolHeader header = vol_header(level.size, volume.channel_names.size());
+    const bool has_place = volume.voxel_size_m[0] > 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double length = volume.voxel_size_m[a] * volume.levels.front().size[a];
+        header.first[a] = has_place ? static_cast<float>(volume.minimum_m[a]) : 0;
+        header.last[a] = has_place ? static_cast<float>(volume.minimum_m[a] + length) : 1;
+    }
+    FileOutput output(path);
+    output.write({reinterpret_cast<const char*>(&header), sizeof header});
+    std::string floats;
+    const bool complete =
+        write_texels(content, content.level, TexelPadding::none, [&](std::string_view texels) {
+            const auto bytes = static_cast<std::size_t>(bytes_per_value(volume.pixel_type));
+            const std::size_t count = texels.size() / bytes;
+            floats.resize(count * sizeof(float));
+            load_values(texels.data(), count, volume.pixel_type,
+                        reinterpret_cast<float*>(floats.data()));
+            output.write(floats);
+            return output.error() == 0;
+        });
+    if (!output.finish()) return {{}, {output.diagnostic()}};
+    return {complete, {}};
+}
+
+config::Diagnostic damaged_vol_file(const fs::path& path, const std::string& reason) {
+    return file_error("E0304", path.string(),
+                      fmt::format("`{}` is no grid volume of Mitsuba that skybake reads: {}",
+                                  path.string(), reason));
+}
+
+Outcome<VolHeader> read_vol_header(FileInput& file, const fs::path& path) {
+    VolHeader header;
+    const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
+    if (!done) return {{}, {file.diagnostic()}};
+    if (*done < sizeof header) return {{}, {damaged_vol_file(path, "it ends within its head")}};
+    if (header.magic != VolHeader{}.magic || header.version != VolHeader{}.version) {
+        return {{}, {damaged_vol_file(path, "it does not begin with `VOL` and version 3")}};
+    }
+    if (header.encoding != VolHeader{}.encoding) {
+        return {{}, {damaged_vol_file(path, fmt::format("its encoding is {}", header.encoding))}};
+    }
+    for (std::size_t a = 0; a < 3; ++a) {
+        if (std::isfinite(header.first[a]) && header.last[a] > header.first[a]) continue;
+        return {{}, {damaged_vol_file(path, "its bounds are empty")}};
+    }
+    return {header, {}};
+}
+
+Outcome<FileFacts> inspect_vol(const fs::path& path) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const Outcome<VolHeader> header = read_vol_header(*file.value, path);
+    if (!header.value) return {{}, header.diagnostics};
+    FileFacts facts;
+    facts.channels = static_cast<std::size_t>(std::max(0, header.value->channels));
+    return {std::move(facts), {}};
+}
+
+Outcome<bool> read_vol_file(const fs::path& path, const FileShape& shape, int,
+                            const VoxelVisitor& visit) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const Outcome<VolHeader> header = read_vol_header(*file.value, path);
+    if (!header.value) return {{}, header.diagnostics};
+    const VolHeader wanted = vol_header(shape.size, shape.channels);
+    const StoredTexelRange range = {sizeof(VolHeader), shape.size, shape.channels, shape.channels,
+                                    config::PixelType::float32};
+    if (header.value->size != wanted.size || header.value->channels != wanted.channels ||
+        file.value->size() != sizeof(VolHeader) + range.bytes()) {
+        return {{}, {other_size(path)}};
+    }
+    return read_texels(*file.value, range, visit);
+}
+
+}  // namespace
+
+Format vol_format() {
+    return {.format = config::FileFormat::vol,
+            .has_metadata = false,
+            .write = write_vol_file,
+            .inspect = inspect_vol,
+            .read = read_vol_file};
+}
+
+}  // namespace skybake

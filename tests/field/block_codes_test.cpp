@@ -1,0 +1,434 @@
+// BC4, BC5 and BC6H: the encoders against exhaustive searches, the decoders against libsquish and
+// against one that is written from the tables of the format.
+#include <gtest/gtest.h>
+#include <squish.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bakers/field/bc4.h"
+#include "bakers/field/bc6h.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/field/survey_volume.h"
+#include "bakers/math/half_conversion.h"
+#include "tests/support/volumes.h"
+
+namespace skybake {
+namespace {
+
+using config::PixelType;
+// The same numbers everywhere.
+class Random {
+  public:
+    explicit Random(std::uint32_t seed) : engine_(seed) {}
+    std::size_t below(std::size_t bound) { return engine_() % bound; }
+
+  private:
+    std::mt19937 engine_;
+};
+
+using Texels = std::array<float, 16>;
+
+double uniform(Random& random) { return static_cast<double>(random.below(1 << 24)) / (1 << 24); }
+
+enum class Kind { noise, ramp, rough_ramp, clipped_ramp, gaps, bright, almost_flat };
+constexpr std::array kKinds = {Kind::noise, Kind::ramp,   Kind::rough_ramp, Kind::clipped_ramp,
+                               Kind::gaps,  Kind::bright, Kind::almost_flat};
+
+Texels sample_block(Kind kind, Random& random) {
+    const double centre = uniform(random);
+    const double steepness = uniform(random) * 0.3;
+    const double along_x = (uniform(random) - 0.5) * steepness;
+    const double along_y = (uniform(random) - 0.5) * steepness;
+    Texels texels;
+    for (int i = 0; i < 16; ++i) {
+        const double noise = uniform(random);
+        const double ramp = centre + along_x * (i % 4) + along_y * (i / 4);
+        double value = noise;
+        if (kind == Kind::ramp) value = ramp;
+        if (kind == Kind::rough_ramp) value = ramp + 0.02 * (noise - 0.5);
+        if (kind == Kind::clipped_ramp) value = 3 * (ramp - centre) + centre - 0.5 + 0.1 * noise;
+        if (kind == Kind::gaps) value = noise < steepness * 3 ? 0 : centre + 0.1 * noise;
+        if (kind == Kind::bright) value = ramp + 0.4 * noise;
+        if (kind == Kind::almost_flat) value = centre + 0.004 * noise;
+        texels[static_cast<std::size_t>(i)] = static_cast<float>(std::clamp(value, 0.0, 1.0));
+    }
+    return texels;
+}
+
+// Encodes blocks that lie beside each other, as a plane.
+std::vector<std::uint8_t> encoded(const std::vector<Texels>& blocks) {
+    const std::size_t pitch = 4 * blocks.size();
+    std::vector<float> plane(4 * pitch + bc4_padding);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        for (std::size_t i = 0; i < 16; ++i) plane[i / 4 * pitch + 4 * b + i % 4] = blocks[b][i];
+    }
+    std::vector<std::uint8_t> bytes(bc4_bytes * blocks.size());
+    encode_bc4({plane.data(), pitch, blocks.size(), 1}, bytes.data(), bc4_bytes);
+    return bytes;
+}
+
+// The least sum of squares of all 65536 pairs of end points.
+double exhaustive_error(const Texels& texels) {
+    double best = 1e9;
+    for (int first = 0; first < 256; ++first) {
+        for (int second = 0; second < 256; ++second) {
+            std::array<double, 8> values;
+            const int steps = first > second ? 7 : 5;
+            for (int k = 0; k <= steps; ++k) {
+                values[static_cast<std::size_t>(k)] =
+                    ((steps - k) * first + k * second) / (255.0 * steps);
+            }
+            if (steps == 5) values[6] = 0;
+            if (steps == 5) values[7] = 1;
+            double error = 0;
+            for (std::size_t i = 0; i < 16 && error < best; ++i) {
+                double least = 1;
+                for (const double value : values) {
+                    least = std::min(least, std::abs(value - double{texels[i]}));
+                }
+                error += least * least;
+            }
+            best = std::min(best, error);
+        }
+    }
+    return best;
+}
+
+double error_of(const Texels& texels, const std::uint8_t* block) {
+    const Texels decoded = decode_bc4(block);
+    double error = 0;
+    for (std::size_t i = 0; i < 16; ++i) {
+        error += std::pow(double{decoded[i]} - double{texels[i]}, 2);
+    }
+    return error;
+}
+
+TEST(Bc4, IsAlmostAsGoodAsAnExhaustiveSearch) {
+    Random random(11);
+    double found_in_all = 0;
+    double least_in_all = 0;
+    for (const Kind kind : kKinds) {
+        std::vector<Texels> blocks;
+        for (int i = 0; i < 12; ++i) blocks.push_back(sample_block(kind, random));
+        const std::vector<std::uint8_t> bytes = encoded(blocks);
+        double found = 0;
+        double least = 0;
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            found += error_of(blocks[b], &bytes[b * bc4_bytes]);
+            least += exhaustive_error(blocks[b]);
+        }
+        EXPECT_LT(std::sqrt(found / least), 1.06) << static_cast<int>(kind);
+        EXPECT_GE(found, least * (1 - 1e-6));
+        found_in_all += found;
+        least_in_all += least;
+    }
+    std::printf("BC4: RMS %.4f of that of an exhaustive search\n",
+                std::sqrt(found_in_all / least_in_all));
+    EXPECT_LT(std::sqrt(found_in_all / least_in_all), 1.03);
+}
+
+TEST(Bc4, HoldsWhatItCanHoldExactly) {
+    std::vector<Texels> blocks;
+    for (const float value : {0.0F, 1.0F, 51.0F / 255}) {
+        Texels texels;
+        texels.fill(value);
+        blocks.push_back(texels);
+    }
+    Texels mixed;
+    for (std::size_t i = 0; i < 16; ++i) {
+        mixed[i] = i % 3 == 0 ? 0 : i % 3 == 1 ? 1 : 100.0F / 255;
+    }
+    blocks.push_back(mixed);
+    for (std::size_t i = 0; i < 16; ++i) mixed[i] = static_cast<float>(10 + 7 * (i % 8)) / 255;
+    blocks.push_back(mixed);
+    const std::vector<std::uint8_t> bytes = encoded(blocks);
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const Texels decoded = decode_bc4(&bytes[b * bc4_bytes]);
+        for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(decoded[i], blocks[b][i]) << b << " " << i;
+    }
+}
+
+// libsquish rounds values down to 8 bits.
+TEST(Bc4, SquishDecodesTheSame) {
+    Random random(5);
+    for (int i = 0; i < 3000; ++i) {
+        std::array<std::uint8_t, 16> blocks;
+        for (auto& byte : blocks) byte = static_cast<std::uint8_t>(random.below(256));
+        if (i % 3 == 0) blocks[0] = blocks[1];
+        std::array<std::uint8_t, 64> rgba{};
+        squish::Decompress(rgba.data(), blocks.data(), squish::kBc5);
+        const Texels red = decode_bc4(blocks.data());
+        const Texels green = decode_bc4(blocks.data() + 8);
+        for (std::size_t t = 0; t < 16; ++t) {
+            EXPECT_NEAR(255 * double{red[t]}, rgba[4 * t], 1.001);
+            EXPECT_NEAR(255 * double{green[t]}, rgba[4 * t + 1], 1.001);
+        }
+        squish::Decompress(rgba.data(), blocks.data(), squish::kBc4);
+        for (std::size_t t = 0; t < 16; ++t) {
+            EXPECT_NEAR(255 * double{red[t]}, rgba[4 * t], 1.001);
+        }
+    }
+}
+
+// --- BC6H ---------------------------------------------------------------------------------------
+
+// A decoder from the format's tables. Each row says in its order which bits of which number follow
+// the five bits of the mode: w is the first end point, x the second one; [a:b] counts from a to b.
+struct TableMode {
+    int word;
+    int bits;
+    int difference;
+    std::vector<std::string> fields;
+};
+const std::vector<TableMode>& table_modes() {
+    static const std::vector<TableMode> all = {
+        {3, 10, 0, {"rw0:9", "gw0:9", "bw0:9", "rx0:9", "gx0:9", "bx0:9"}},
+        {7,
+         11,
+         9,
+         {"rw0:9", "gw0:9", "bw0:9", "rx0:8", "rw10:10", "gx0:8", "gw10:10", "bx0:8", "bw10:10"}},
+        {11,
+         12,
+         8,
+         {"rw0:9", "gw0:9", "bw0:9", "rx0:7", "rw11:10", "gx0:7", "gw11:10", "bx0:7", "bw11:10"}},
+        {15,
+         16,
+         4,
+         {"rw0:9", "gw0:9", "bw0:9", "rx0:3", "rw15:10", "gx0:3", "gw15:10", "bx0:3", "bw15:10"}}};
+    return all;
+}
+
+bool bit_at(const std::uint8_t* block, int at) { return (block[at / 8] >> at % 8 & 1) != 0; }
+
+// Half bits of channel c of each texel.
+std::array<std::array<int, 3>, 16> decoded_by_table(const std::uint8_t* block) {
+    std::array<std::array<int, 3>, 16> texels{};
+    for (const TableMode& mode : table_modes()) {
+        if ((block[0] & 31) != mode.word) continue;
+        int at = 5;
+        std::array<std::array<long, 3>, 2> ends{};
+        for (const std::string& field : mode.fields) {
+            const std::size_t channel = std::string("rgb").find(field[0]);
+            const std::size_t end = field[1] == 'w' ? 0 : 1;
+            const int from = std::stoi(field.substr(2, field.find(':') - 2));
+            const int to = std::stoi(field.substr(field.find(':') + 1));
+            for (int bit = from;; bit += from < to ? 1 : -1) {
+                if (bit_at(block, at++)) ends[end][channel] |= 1L << bit;
+                if (bit == to) break;
+            }
+        }
+        EXPECT_EQ(at, 65);
+        for (std::size_t c = 0; c < 3; ++c) {
+            if (mode.difference == 0) continue;
+            if (ends[1][c] >= 1L << (mode.difference - 1)) ends[1][c] -= 1L << mode.difference;
+            ends[1][c] = (ends[0][c] + ends[1][c]) & ((1L << mode.bits) - 1);
+        }
+        const std::array<long, 16> weight = {0,  4,  9,  13, 17, 21, 26, 30,
+                                             34, 38, 43, 47, 51, 55, 60, 64};
+        for (std::size_t t = 0; t < 16; ++t) {
+            std::size_t index = 0;
+            for (int bit = 0; bit < (t == 0 ? 3 : 4); ++bit) {
+                index |= std::size_t{bit_at(block, at++)} << bit;
+            }
+            for (std::size_t c = 0; c < 3; ++c) {
+                std::array<long, 2> wide;
+                for (std::size_t e = 0; e < 2; ++e) {
+                    const long q = ends[e][c];
+                    const long top = (1L << mode.bits) - 1;
+                    wide[e] = mode.bits == 16 || q == 0 ? q
+                              : q == top                ? 65535
+                                                        : ((q << 16) + 32768) >> mode.bits;
+                }
+                const long mixed =
+                    (wide[0] * (64 - weight[index]) + wide[1] * weight[index] + 32) >> 6;
+                texels[t][c] = static_cast<int>(mixed * 31 / 64);
+            }
+        }
+        EXPECT_EQ(at, 128);
+    }
+    return texels;
+}
+
+TEST(Bc6h, DecodesByTheTables) {
+    Random random(9);
+    for (int i = 0; i < 4000; ++i) {
+        std::array<std::uint8_t, 16> block;
+        for (auto& byte : block) byte = static_cast<std::uint8_t>(random.below(256));
+        if (i % 2 == 0) {
+            constexpr std::array words = {3, 7, 11, 15};
+            block[0] = static_cast<std::uint8_t>((block[0] & ~31) | words[random.below(4)]);
+        }
+        const auto wanted = decoded_by_table(block.data());
+        const auto found = decode_bc6h(block.data());
+        for (std::size_t t = 0; t < 16; ++t) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                ASSERT_EQ(std::bit_cast<std::uint32_t>(found[c][t]),
+                          std::bit_cast<std::uint32_t>(
+                              float_of_half(static_cast<std::uint16_t>(wanted[t][c]))));
+            }
+        }
+    }
+}
+
+// Relative RMS error of blocks of colours; the encoder's own measure is close to it.
+double bc6h_error(const std::vector<std::array<Texels, 3>>& blocks, std::vector<int>* words) {
+    const std::size_t pitch = 4 * blocks.size();
+    std::array<std::vector<float>, 3> planes;
+    std::array<TexelPlane, 3> texels;
+    for (std::size_t c = 0; c < 3; ++c) {
+        planes[c].resize(4 * pitch + bc4_padding);
+        for (std::size_t b = 0; b < blocks.size(); ++b) {
+            for (std::size_t i = 0; i < 16; ++i) {
+                planes[c][i / 4 * pitch + 4 * b + i % 4] = blocks[b][c][i];
+            }
+        }
+        texels[c] = {planes[c].data(), pitch, blocks.size(), 1};
+    }
+    std::vector<std::uint8_t> bytes(16 * blocks.size());
+    encode_bc6h(texels, bytes.data());
+    double sum = 0;
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        if (words != nullptr) words->push_back(bytes[16 * b] & 31);
+        const auto decoded = decoded_by_table(&bytes[16 * b]);
+        for (std::size_t i = 0; i < 16; ++i) {
+            for (std::size_t c = 0; c < 3; ++c) {
+                const double value = double{blocks[b][c][i]};
+                const double found =
+                    double{float_of_half(static_cast<std::uint16_t>(decoded[i][c]))};
+                sum += std::pow(value == 0 ? found : found / value - 1, 2);
+            }
+        }
+    }
+    return std::sqrt(sum / (48.0 * static_cast<double>(blocks.size())));
+}
+
+TEST(Bc6h, SmoothColoursAreFine) {
+    Random random(4);
+    std::vector<std::array<Texels, 3>> blocks;
+    for (int b = 0; b < 64; ++b) {
+        std::array<Texels, 3> block;
+        const double level = std::pow(2.0, 20 * uniform(random) - 10);
+        const double along_x = 0.02 * (uniform(random) - 0.5);
+        const double along_y = 0.02 * (uniform(random) - 0.5);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const double tint = 0.3 + uniform(random);
+            for (std::size_t i = 0; i < 16; ++i) {
+                block[c][i] = static_cast<float>(level * tint *
+                                                 (1 + along_x * static_cast<double>(i % 4) +
+                                                  along_y * static_cast<double>(i / 4)));
+            }
+        }
+        blocks.push_back(block);
+    }
+    std::vector<int> words;
+    const double error = bc6h_error(blocks, &words);
+    std::printf("BC6H: relative RMS %.5f of smooth colours\n", error);
+    EXPECT_LT(error, 0.002);
+    // Differences win where colours are near to each other.
+    EXPECT_GT(std::count_if(words.begin(), words.end(), [](int word) { return word != 3; }), 32);
+}
+
+TEST(Bc6h, EqualColoursAreAlmostExactAndZeroIsZero) {
+    for (const float value : {0.0F, 1.0F, 0.001F, 60000.0F, 65504.0F, 6e-8F}) {
+        std::array<Texels, 3> block;
+        for (Texels& channel : block) channel.fill(value);
+        block[1].fill(value / 2);
+        const double error = bc6h_error({block}, nullptr);
+        EXPECT_LE(error, value < 1e-4F ? 1.0 : 0.0005) << value;
+        if (value == 0) EXPECT_EQ(error, 0);
+    }
+}
+
+// --- Volumes ------------------------------------------------------------------------------------
+
+Baked coded_volume(const std::array<int, 3>& size, int channels, PixelType type) {
+    Baked volume = testing::plain_volume(size, channels, type, [](int x, int y, int z, int c) {
+        return static_cast<float>(0.5 + 0.3 * std::sin(0.2 * x + 0.1 * c) * std::cos(0.3 * y) +
+                                  0.002 * z);
+    });
+    if (channels == 2) volume.channel_names = {"R", "G"};
+    code_levels(volume);
+    return volume;
+}
+
+std::vector<float> voxels_of(const VoxelSource& source, const VoxelBox& box, std::size_t channels) {
+    std::vector<float> values(static_cast<std::size_t>(box.count()) * channels);
+    std::vector<float*> planes;
+    for (std::size_t c = 0; c < channels; ++c) {
+        planes.push_back(&values[c * static_cast<std::size_t>(box.count())]);
+    }
+    source.fill(box, planes);
+    return values;
+}
+
+// A box of voxels is cut from whole blocks, wherever it begins: each voxel is the same in all boxes.
+TEST(CodedVoxels, DoNotDependOnTheBox) {
+    const std::array<int, 3> size = {13, 10, 9};
+    struct Case {
+        PixelType type;
+        int channels;
+    };
+    for (const auto& [type, channels] : {Case{PixelType::bc4, 1},
+                                         {PixelType::bc5, 2},
+                                         {PixelType::bc6h, 3},
+                                         {PixelType::fp8, 2},
+                                         {PixelType::fp16, 1}}) {
+        const Baked volume = coded_volume(size, channels, type);
+        const auto count = static_cast<std::size_t>(channels);
+        const VoxelSource& source = *volume.levels[0].voxels;
+        const std::vector<float> whole = voxels_of(source, {{}, size}, count);
+        const std::vector<float> raw = voxels_of(*volume.levels[0].uncoded, {{}, size}, count);
+        double largest = 0;
+        for (std::size_t i = 0; i < whole.size(); ++i) {
+            largest = std::max(largest, std::abs(double{whole[i]} - double{raw[i]}));
+        }
+        EXPECT_GT(largest, 0) << static_cast<int>(type);
+        EXPECT_LT(largest, type == PixelType::fp16 ? 1e-5 : 0.05) << static_cast<int>(type);
+        for (const VoxelBox box :
+             {VoxelBox{{3, 2, 1}, {2, 2, 2}}, {{0, 0, 8}, {13, 10, 1}}, {{12, 9, 0}, {1, 1, 9}}}) {
+            const std::vector<float> part = voxels_of(source, box, count);
+            std::size_t i = 0;
+            for (std::size_t c = 0; c < count; ++c) {
+                for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+                    for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                        for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x, ++i) {
+                            const auto at = static_cast<std::size_t>(
+                                ((static_cast<int>(c) * size[2] + z) * size[1] + y) * size[0] + x);
+                            ASSERT_EQ(part[i], whole[at]);
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+// A survey finds what the type cannot hold, because it stays as it is.
+TEST(CodedVoxels, KeepWhatTheyCannotHold) {
+    for (const PixelType type : {PixelType::bc4, PixelType::fp8}) {
+        const float bad = type == PixelType::bc4 ? 1.5F : std::nanf("");
+        Baked volume = testing::plain_volume({9, 9, 9}, 1, type, [bad](int x, int y, int z, int) {
+            return x == 5 && y == 6 && z == 7 ? bad : 0.25F;
+        });
+        code_levels(volume);
+        const std::vector<float> voxel =
+            voxels_of(*volume.levels[0].voxels, {{5, 6, 7}, {1, 1, 1}}, 1);
+        EXPECT_TRUE(voxel[0] == bad || (std::isnan(bad) && std::isnan(voxel[0])));
+        EXPECT_EQ(voxels_of(*volume.levels[0].voxels, {{4, 6, 7}, {1, 1, 1}}, 1)[0] < 1, true);
+        const auto problems = survey_level(volume, 0, {{0, 1}}, {2});
+        ASSERT_EQ(problems.size(), 1U);
+        EXPECT_EQ(problems[0].code, type == PixelType::bc4 ? "E0402" : "E0401");
+        EXPECT_NE(problems[0].message.find("(5, 6, 7)"), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,98 @@
+// What the tests of several formats ask of a file: every voxel in its place, and no damaged file
+// taken for a whole one.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/format.h"
+#include "tests/io/files.h"
+
+namespace skybake::testing {
+
+inline constexpr std::array<config::PixelType, 4> kPixelTypes = {
+    config::PixelType::float32, config::PixelType::half, config::PixelType::unorm8,
+    config::PixelType::unorm16};
+
+// Writes an asset over the file `a.file` and returns its bytes.
+inline std::string written(const TemporaryFolder& folder, config::FileFormat format,
+                           const Baked& baked, int threads) {
+    const auto path = folder / "a.file";
+    write_bytes(path, "what was there before");
+    const auto result = write_as(format, baked, threads, nullptr, path);
+    EXPECT_EQ(result.value, true);
+    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return read_bytes(path);
+}
+
+// The value that a file of a volume of sample_voxel holds.
+inline float stored(const std::array<int, 3>& voxel, int channel, config::PixelType type) {
+    return round_to_pixel_type(sample_voxel(voxel[0], voxel[1], voxel[2], channel), type);
+}
+
+// Reads level 0 by the format's reader; how many values are not those of sample_voxel.
+inline long wrong_values(config::FileFormat format, const Baked& baked,
+                         const std::filesystem::path& path) {
+    const FileShape shape = shape_of(baked);
+    const auto channels = static_cast<int>(shape.channels);
+    std::int64_t next = 0;
+    long wrong = 0;
+    const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
+        EXPECT_EQ(first, next);
+        for (; next < first + count; ++next) {
+            const std::array<int, 3> voxel = {
+                static_cast<int>(next % shape.size[0]),
+                static_cast<int>(next / shape.size[0] % shape.size[1]),
+                static_cast<int>(next / shape.size[0] / shape.size[1])};
+            for (int c = 0; c < channels; ++c) {
+                wrong += *values++ == stored(voxel, c, shape.pixel_type) ? 0 : 1;
+            }
+        }
+        return true;
+    };
+    const auto read = format_of(format).read(path, shape, 0, visit);
+    EXPECT_EQ(read.value, true);
+    for (const auto& diagnostic : read.diagnostics) ADD_FAILURE() << diagnostic.message;
+    EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
+    return wrong;
+}
+
+// Reads the asset's file cut short, changed in a byte, and as one of another shape.
+inline void expect_refuses_damage(config::FileFormat format, const Baked& volume) {
+    const TemporaryFolder folder;
+    const auto visit = [](std::int64_t, std::int64_t, const float*) { return true; };
+    const Format& row = format_of(format);
+    Random random(7);
+    const FileShape shape = shape_of(volume);
+    const std::string whole = written(folder, format, volume, 1);
+    const auto code_of = [&](const std::string& name, const FileShape& as) {
+        return first_code(row.read(folder / name, as, 0, visit).diagnostics);
+    };
+    EXPECT_EQ(code_of("a.file", shape), "");
+    for (std::size_t size = 0; size < whole.size(); size += 1 + random.below(whole.size() / 40)) {
+        write_bytes(folder / "cut", whole.substr(0, size));
+        EXPECT_EQ(code_of("cut", shape), "E0304") << size;
+    }
+    for (int i = 0; i < 300; ++i) {
+        std::string bytes = whole;
+        bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
+        write_bytes(folder / "changed", bytes);
+        // Any answer is right but a crash.
+        if (row.inspect) static_cast<void>(row.inspect(folder / "changed"));
+        static_cast<void>(row.read(folder / "changed", shape, 0, visit));
+    }
+    FileShape other = shape;
+    other.size[0] += 1;
+    EXPECT_EQ(code_of("a.file", other), "E0304");
+    EXPECT_EQ(code_of("absent", shape), "E0300");
+    if (row.inspect) {
+        EXPECT_EQ(first_code(row.inspect(folder / "absent").diagnostics), "E0300");
+    }
+}
+
+}  // namespace skybake::testing

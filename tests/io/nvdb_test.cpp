@@ -1,0 +1,261 @@
+// NanoVDB files, read back by the library's own readers and by the format's reader.
+#include <fmt/format.h>
+#include <nanovdb/util/GridValidator.h>
+#include <nanovdb/util/IO.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "bakers/field/block_voxels.h"
+#include "bakers/field/leaf_codes.h"
+#include "bakers/field/stored_voxels.h"
+#include "bakers/io/formats/format.h"
+#include "tests/io/files.h"
+#include "tests/io/format_checks.h"
+
+namespace skybake {
+namespace {
+
+using config::FileFormat;
+using config::PixelType;
+using testing::plain_volume;
+using testing::TemporaryFolder;
+using testing::written;
+
+constexpr FileFormat kFormat = FileFormat::nvdb;
+
+Baked placed_volume(const std::array<int, 3>& size, int channels, PixelType type,
+                    testing::FunctionVoxels::Function function = testing::sample_voxel) {
+    Baked volume = plain_volume(size, channels, type, std::move(function));
+    volume.voxel_size_m = {10, 20, 5};
+    volume.minimum_m = {-100, 300, 1000};
+    code_levels(volume);
+    return volume;
+}
+
+std::vector<nanovdb::GridHandle<>> grids_of(const TemporaryFolder& folder) {
+    return nanovdb::io::readGrids((folder / "a.file").string());
+}
+
+// Whether a voxel of a sparse volume has a value: blobs with empty leaves and nodes between them.
+float blobs(int x, int y, int z, int channel) {
+    const bool is_inside = (x / 40 + y / 40 + z / 20 + channel) % 3 == 0 && x % 7 != 3;
+    return is_inside ? 0.25F + testing::sample_voxel(x, y, z, channel) / 2 : 0.0F;
+}
+
+template <class Build>
+void expect_grid(const nanovdb::GridHandle<>& handle, const Baked& volume, int channel) {
+    const auto* grid = handle.grid<Build>();
+    ASSERT_NE(grid, nullptr);
+    EXPECT_TRUE(nanovdb::isValid(*grid, true, true));
+    const std::array<int, 3>& size = volume.levels[0].size;
+    const auto accessor = grid->getAccessor();
+    std::vector<float> value(volume.channel_names.size());
+    std::vector<float*> out;
+    for (float& v : value) out.push_back(&v);
+    long wrong = 0;
+    std::uint64_t active = 0;
+    float least = 1e9F;
+    float largest = -1e9F;
+    nanovdb::CoordBBox bounds;
+    for (int z = -1; z <= size[2]; ++z) {
+        for (int y = -1; y <= size[1]; ++y) {
+            for (int x = -1; x <= size[0]; ++x) {
+                const bool is_inside =
+                    x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
+                float wanted = 0;
+                if (is_inside) {
+                    volume.levels[0].voxels->fill({{x, y, z}, {1, 1, 1}}, out);
+                    wanted = round_to_pixel_type(value[static_cast<std::size_t>(channel)],
+                                                 volume.pixel_type);
+                }
+                const nanovdb::Coord at(x, y, z);
+                const bool is_active = is_inside && (!volume.sparse || wanted != 0);
+                wrong += accessor.getValue(at) == wanted ? 0 : 1;
+                wrong += accessor.isActive(at) == is_active ? 0 : 1;
+                if (!is_active) continue;
+                ++active;
+                least = std::min(least, wanted);
+                largest = std::max(largest, wanted);
+                bounds.expand(at);
+            }
+        }
+    }
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(grid->activeVoxelCount(), active);
+    EXPECT_EQ(grid->tree().bbox(), bounds);
+    EXPECT_EQ(grid->tree().root().minimum(), least);
+    EXPECT_EQ(grid->tree().root().maximum(), largest);
+}
+
+TEST(Nvdb, LibraryReadsFloatsAndHalves) {
+    const TemporaryFolder folder;
+    for (const PixelType type : {PixelType::float32, PixelType::half}) {
+        for (const std::array<int, 3> size :
+             {std::array{1, 1, 1}, {9, 17, 8}, {130, 33, 12}, {16, 16, 140}}) {
+            const Baked volume = placed_volume(size, 3, type);
+            written(folder, kFormat, volume, 2);
+            const auto grids = grids_of(folder);
+            ASSERT_EQ(grids.size(), 3U);
+            for (int c = 0; c < 3; ++c) {
+                expect_grid<float>(grids[static_cast<std::size_t>(c)], volume, c);
+            }
+            EXPECT_EQ(testing::wrong_values(kFormat, volume, folder / "a.file"), 0);
+        }
+    }
+}
+
+TEST(Nvdb, SparseVolumesHaveOnlyLeavesWithVoxels) {
+    const TemporaryFolder folder;
+    Baked volume = placed_volume({170, 140, 70}, 1, PixelType::float32, blobs);
+    volume.sparse = true;
+    const std::string bytes = written(folder, kFormat, volume, 1);
+    EXPECT_TRUE(written(folder, kFormat, volume, 3) == bytes);
+    const auto grids = grids_of(folder);
+    ASSERT_EQ(grids.size(), 1U);
+    expect_grid<float>(grids[0], volume, 0);
+    const auto& tree = grids[0].grid<float>()->tree();
+    long leaves = 0;
+    for (int z = 0; z < 70; z += 8) {
+        for (int y = 0; y < 140; y += 8) {
+            for (int x = 0; x < 170; x += 8) {
+                bool any = false;
+                for (int i = 0; i < 512; ++i) {
+                    const std::array<int, 3> at = {x + i % 8, y + i / 8 % 8, z + i / 64};
+                    any = any || (at[0] < 170 && at[1] < 140 && at[2] < 70 &&
+                                  blobs(at[0], at[1], at[2], 0) != 0);
+                }
+                leaves += any ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_EQ(tree.nodeCount(0), leaves);
+    EXPECT_LT(leaves, 22 * 18 * 9);
+    long wrong = 0;
+    std::int64_t next = 0;
+    const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
+        for (std::int64_t i = 0; i < count; ++i, ++next) {
+            const float wanted =
+                blobs(static_cast<int>(next % 170), static_cast<int>(next / 170 % 140),
+                      static_cast<int>(next / 170 / 140), 0);
+            wrong += values[i] == wanted ? 0 : 1;
+        }
+        return true;
+    };
+    EXPECT_EQ(format_of(kFormat).read(folder / "a.file", testing::shape_of(volume), 0, visit).value,
+              true);
+    EXPECT_EQ(wrong, 0);
+    EXPECT_EQ(next, 170 * 140 * 70);
+}
+
+TEST(Nvdb, EmptyVolumesAreEmptyTrees) {
+    const TemporaryFolder folder;
+    Baked volume =
+        placed_volume({20, 20, 20}, 1, PixelType::half, [](int, int, int, int) { return 0.0F; });
+    volume.sparse = true;
+    written(folder, kFormat, volume, 1);
+    const auto grids = grids_of(folder);
+    ASSERT_EQ(grids.size(), 1U);
+    const auto* grid = grids[0].grid<float>();
+    EXPECT_TRUE(nanovdb::isValid(*grid, true, true));
+    EXPECT_EQ(grid->activeVoxelCount(), 0U);
+    EXPECT_EQ(grid->tree().getValue({3, 3, 3}), 0.0F);
+}
+
+// The library's decoding of codes gives the voxels that the asset has.
+TEST(Nvdb, LibraryReadsCodes) {
+    const TemporaryFolder folder;
+    for (const bool is_sparse : {false, true}) {
+        for (const PixelType type : {PixelType::fp8, PixelType::fp16}) {
+            Baked volume = placed_volume(
+                {41, 20, 19}, 1, type,
+                is_sparse ? testing::FunctionVoxels::Function(blobs) : testing::sample_voxel);
+            volume.sparse = is_sparse;
+            written(folder, kFormat, volume, 2);
+            const auto grids = grids_of(folder);
+            ASSERT_EQ(grids.size(), 1U);
+            if (type == PixelType::fp8) expect_grid<nanovdb::Fp8>(grids[0], volume, 0);
+            if (type == PixelType::fp16) expect_grid<nanovdb::Fp16>(grids[0], volume, 0);
+        }
+    }
+}
+
+// No value is further from its own than half a step of its leaf, and the ends are exact.
+TEST(Nvdb, CodesAreNearest) {
+    testing::Random random(3);
+    for (const int bits : {8, 16}) {
+        for (int round = 0; round < 200; ++round) {
+            std::array<float, 512> values;
+            const float scale = std::ldexp(1.0F, static_cast<int>(random.below(60)) - 30);
+            const float offset = static_cast<float>(random.below(3)) - 1;
+            for (float& value : values) {
+                value = (offset + static_cast<float>(random.below(1 << 20)) / (1 << 20)) * scale;
+            }
+            std::array<std::uint16_t, 512> codes;
+            const LeafCodes leaf = quantize_leaf(values.data(), values.size(), bits, codes.data());
+            const float largest = *std::max_element(values.begin(), values.end());
+            const double step = (double{largest} - double{leaf.minimum}) / ((1 << bits) - 1);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                EXPECT_LE(codes[i], (1 << bits) - 1);
+                const double rounding = 2 * 0x1p-23 * (std::abs(double{largest}) + double{scale});
+                EXPECT_LE(std::abs(double{leaf.value(codes[i])} - double{values[i]}),
+                          step * 0.5001 + rounding);
+            }
+        }
+    }
+}
+
+TEST(Nvdb, PlacesVoxelsAsVdbFilesDo) {
+    const TemporaryFolder folder;
+    written(folder, kFormat, placed_volume({9, 17, 8}, 1, PixelType::float32), 1);
+    const auto grids = grids_of(folder);
+    const auto& grid = *grids.at(0).grid<float>();
+    EXPECT_STREQ(grid.gridName(), "density");
+    EXPECT_TRUE(grid.isFogVolume());
+    EXPECT_TRUE(grid.isBreadthFirst());
+    const nanovdb::Vec3d centre = grid.indexToWorld(nanovdb::Vec3d(2, 3, 4));
+    EXPECT_EQ(centre[0], -100 + 2.5 * 10);
+    EXPECT_EQ(centre[1], 300 + 3.5 * 20);
+    EXPECT_EQ(centre[2], 1000 + 4.5 * 5);
+    EXPECT_EQ(grid.voxelSize()[1], 20);
+    EXPECT_EQ(grid.worldBBox()[1][2] - grid.worldBBox()[0][2], 8 * 5);
+    const auto heads = nanovdb::io::readGridMetaData((folder / "a.file").string());
+    ASSERT_EQ(heads.size(), 1U);
+    EXPECT_EQ(heads[0].voxelCount, 9U * 17 * 8);
+    EXPECT_EQ(heads[0].gridName, "density");
+    EXPECT_TRUE(nanovdb::io::hasGrid((folder / "a.file").string(), "density"));
+    const std::string bytes = testing::read_bytes(folder / "a.file");
+    EXPECT_EQ(bytes.substr(0, 8), "NanoVDB0");
+}
+
+TEST(Nvdb, SaysWhatItHolds) {
+    const TemporaryFolder folder;
+    written(folder, kFormat, placed_volume({9, 17, 8}, 3, PixelType::fp16), 1);
+    const auto facts = format_of(kFormat).inspect(folder / "a.file");
+    ASSERT_TRUE(facts.value.has_value());
+    EXPECT_EQ(facts.value->metadata, "{}");
+    EXPECT_EQ(facts.value->names, (std::vector<std::string>{"R", "G", "B"}));
+    EXPECT_EQ(facts.value->pixel_type, PixelType::fp16);
+    const auto grids = grids_of(folder);
+    const auto* grid = grids.at(0).grid<nanovdb::Fp16>();
+    ASSERT_EQ(grid->blindDataCount(), 1U);
+    EXPECT_STREQ(grid->blindMetaData(0).mName, "skybake/asset");
+    EXPECT_EQ(std::memcmp(grid->blindData(0), "{}", 2), 0);
+}
+
+TEST(Nvdb, DoesNotDependOnThreads) {
+    const TemporaryFolder folder;
+    const Baked volume = placed_volume({300, 140, 20}, 1, PixelType::half);
+    const std::string bytes = written(folder, kFormat, volume, 1);
+    EXPECT_TRUE(written(folder, kFormat, volume, 3) == bytes);
+    EXPECT_EQ(testing::wrong_values(kFormat, volume, folder / "a.file"), 0);
+}
+
+TEST(Nvdb, RefusesDamagedFiles) {
+    for (const PixelType type : {PixelType::float32, PixelType::fp8}) {
+        testing::expect_refuses_damage(kFormat, placed_volume({9, 7, 3}, 1, type));
+    }
+}
+
+}  // namespace
+}  // namespace skybake
