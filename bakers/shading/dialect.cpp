@@ -50,6 +50,40 @@ constexpr std::array<FunctionRow, 13> kFunctions = {{
     same("sqrt"),
 }};
 
+struct TextureRow {
+    std::string_view name, type, result;
+    std::array<std::string_view, kLanguages> forms;
+};
+constexpr std::string_view kSize = "textureSize({0}, {2})";
+constexpr std::string_view kSampled = "texture({0}, {2})";
+constexpr std::array<TextureRow, 5> kTextureFunctions = {{
+    {"texture",
+     "sampler2D",
+     "vec4",
+     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+    {"texture",
+     "sampler3D",
+     "vec4",
+     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+    {"texelFetch",
+     "sampler3D",
+     "vec4",
+     {"texelFetch({0}, {2}, {3})", "{0}.Load(int4({2}, {3}))", "{0}.read(uint3({2}), {3})",
+      "textureLoad({0}, {2}, {3})", "texelFetch({0}, {2}, {3})"}},
+    {"textureSize",
+     "sampler2D",
+     "ivec2",
+     {kSize, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
+      "vec2i(textureDimensions({0}, {2}))", kSize}},
+    {"textureSize",
+     "sampler3D",
+     "ivec3",
+     {kSize, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_depth())",
+      "vec3i(textureDimensions({0}, {2}))", kSize}},
+}};
+
 // Names in lookups that a language keeps for itself: WGSL's reserved words, Godot's constants.
 struct ReservedWord {
     std::string_view word;
@@ -92,6 +126,15 @@ DialectFunction spelt_function(std::string_view name, ShadingLanguage language) 
                      [&](const FunctionRow& one) { return one.words[0] == name; });
     if (row == kFunctions.end()) return {};
     return {row->words[static_cast<std::size_t>(language)], row->result};
+}
+
+TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
+                                       ShadingLanguage language) {
+    const auto* const row =
+        std::find_if(kTextureFunctions.begin(), kTextureFunctions.end(),
+                     [&](const TextureRow& one) { return one.name == name && one.type == type; });
+    if (row == kTextureFunctions.end()) return {};
+    return {row->forms[static_cast<std::size_t>(language)], row->result};
 }
 
 std::string allowed_name(std::string_view name, ShadingLanguage language) {

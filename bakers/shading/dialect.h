@@ -28,6 +28,15 @@ struct DialectFunction {
 };
 DialectFunction spelt_function(std::string_view name, ShadingLanguage language);
 
+struct TextureFunction {
+    // With {0} for the texture, {1} for its sampler, {2} and {3} for the other arguments.
+    std::string_view form;
+    std::string_view result;
+};
+// Of a texture of that type. The form is empty if it is none.
+TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
+                                       ShadingLanguage language);
+
 // A name that the language does not keep for itself.
 std::string allowed_name(std::string_view name, ShadingLanguage language);
 
