@@ -28,7 +28,15 @@ namespace skybake::cli {
 
 namespace options {
 inline const Option<bool> lookup{"lookup"};
+
+std::vector<Choice<ShadingLanguage>> language_choices() {
+    std::vector<Choice<ShadingLanguage>> choices;
+    for (const ShadingLanguageName& one : shading_languages)
+        choices.push_back({one.word, one.language});
+    return choices;
 }
+inline const Option<ShadingLanguage> language{"language", 0, "LANGUAGE", language_choices()};
+}  // namespace options
 
 namespace {
 
@@ -307,7 +315,13 @@ ExitCode show_manifest(const fs::path& folder, bool json, Console& console) {
 ExitCode run_info(const Invocation& invocation, Console& console) {
     const fs::path path = invocation.arguments()[0];
     const bool json = console.display().json;
-    if (invocation[options::lookup]) return show_lookup(path, json, console);
+    if (invocation[options::lookup]) {
+        return show_lookup(path, invocation[options::language], json, console);
+    }
+    if (invocation.has(options::language)) {
+        return console.report(
+            std::array{usage_error("--language needs --lookup", "a lookup is written in it")});
+    }
     std::error_code error;
     if (fs::is_directory(path, error)) return show_manifest(path, json, console);
     if (path.filename() == manifest_name) {
@@ -333,12 +347,17 @@ Command info_command() {
         .arguments = {{.name = "path",
                        .help =
                            "an EXR, PNG or VDB file, a folder of a bake, or its manifest.json"}},
-        .options = {options::lookup("print GLSL that reads this file, which may be of any format")},
+        .options =
+            {options::lookup(
+                 "print a shader's functions that read this file, which may be of any format"),
+             options::language("what they are written in", "glsl")},
         .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
                      {"skybake info out/transmittance.exr",
                       "shows the mapping, units and parameters of a file"},
                      {"skybake info --lookup out/transmittance.exr",
-                      "prints the file's lookup with its own radii and sizes"}},
+                      "prints the file's lookup with its own radii and sizes"},
+                     {"skybake info --lookup --language hlsl out/transmittance.exr",
+                      "prints it for Direct3D"}},
         .exit_codes = {ExitCode::io},
         .run = run_info};
 }

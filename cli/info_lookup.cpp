@@ -121,12 +121,21 @@ std::string levels_line(const ManifestAsset& asset, int levels) {
     return fmt::format("{}, for one texture; sizes are those of its level 0", levels);
 }
 
+// How the functions differ from GLSL's, in which a texture has its sampler with it.
+std::string language_line(ShadingLanguage language) {
+    if (language == ShadingLanguage::glsl) return "";
+    const std::string_view name = row_of(language).name;
+    if (language == ShadingLanguage::godot) return std::string(name);
+    return fmt::format("{}; a texture's sampler follows it, and level 0 is read", name);
+}
+
 // What a runtime must know of the file besides the functions.
 std::string heading(const DescribedFile& described, const fs::path& path, const config::Bake& bake,
-                    const AssetLookup& lookup) {
+                    const AssetLookup& lookup, ShadingLanguage language) {
     const auto& [asset, file] = described;
     const int levels = config::files_of(bake).mips;
     FactLines lines = {
+        {"Language", language_line(language)},
         {"Texels", asset.content},
         {"Units", units_line(asset.conventions)},
         {"Values", values_line(asset, asset.levels[static_cast<std::size_t>(file.level)])},
@@ -151,7 +160,7 @@ std::string heading(const DescribedFile& described, const fs::path& path, const 
 
 }  // namespace
 
-ExitCode show_lookup(const fs::path& path, bool json, Console& console) {
+ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, Console& console) {
     const auto file = described(path);
     if (!file.value) return console.report(file.diagnostics);
     const auto& [asset, shape] = *file.value;
@@ -168,15 +177,17 @@ ExitCode show_lookup(const fs::path& path, bool json, Console& console) {
         baker_of(*own).lookup(recipe.value->parameters, *own,
                               {asset.mapping, size_of(asset, shape), asset.channels.size()});
     const std::string name = glsl_name(own->name);
-    std::string text = heading(*file.value, path, *own, lookup) + lookup_glsl(lookup, name);
+    std::string text =
+        heading(*file.value, path, *own, lookup, language) + lookup_glsl(lookup, name);
     const auto& color = asset.conventions.color;
     if (color && !color->is_applied && asset.conventions.wavelengths_nm.size() > 1) {
         text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm, name);
     }
+    text = translated(text, language);
     console.result(json ? event_line({{"event", "lookup"},
                                       {"path", path.string()},
                                       {"function", name},
-                                      {"glsl", text}})
+                                      {row_of(language).word, text}})
                         : text);
     return ExitCode::done;
 }

@@ -1,16 +1,18 @@
-// skybake info --lookup: GLSL that reads a baked file.
+// skybake info --lookup: functions of a shader that read a baked file.
 #pragma once
 
 #include <filesystem>
 
+#include "bakers/shading/shading_language.h"
 #include "cli/console.h"
 
 namespace skybake::cli {
 
-// Prints the lookup of the file's asset with the numbers of its bake filled in, below a comment
-// that says what a runtime must know of the file. A file that carries no metadata is described by
+// Prints the lookup of the file's asset in that language with the numbers of its bake filled in, below
+// a comment that says what a runtime must know of the file. A file that carries no metadata is described by
 // the manifest.json beside it. E0001 of a folder or a manifest, E0300, and E0304 of a file that
 // skybake did not write.
-ExitCode show_lookup(const std::filesystem::path& path, bool json, Console& console);
+ExitCode show_lookup(const std::filesystem::path& path, ShadingLanguage language, bool json,
+                     Console& console);
 
 }  // namespace skybake::cli

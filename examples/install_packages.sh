@@ -19,9 +19,9 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
         librapidcheck-dev libsquish-dev locales-all make openexr python3 python3-jsonschema
     )
     if command -v npm >/dev/null; then
-        packages+=(chromium)
+        packages+=(chromium spirv-cross)
     elif [[ "$1" != --tests ]]; then
-        packages+=(chromium nodejs npm)
+        packages+=(chromium nodejs npm spirv-cross)
     fi
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then

@@ -139,20 +139,19 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
 std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,
                        const std::string& name) {
     const std::size_t count = wavelengths_nm.size();
-    std::vector<std::string> columns;
+    std::vector<std::string> terms;
     for (std::size_t i = 0; i < count; ++i) {
         const double* weights = color.weights.data() + 3 * i;
-        columns.push_back(glsl_vector({weights[0], weights[1], weights[2]}));
+        terms.push_back(fmt::format("light.{} * {}", "xyzw"[i],
+                                    glsl_vector({weights[0], weights[1], weights[2]})));
     }
     return glsl_comment(fmt::format(
                "Returns the colour ({}, white is the {}) of light at {} nm. March with the "
                "wavelengths, for a solar irradiance of 1 at each, and call this at the end.",
                color.space, color.white == "sun" ? "sun outside the air" : "space's own",
                fmt::join(wavelengths_nm, ", "))) +
-           fmt::format(
-               "vec3 {}_color(vec{} light) {{\n    return mat{}(\n        {}) * light;\n}}\n", name,
-               count, count == 3 ? "3" : fmt::format("{}x3", count),
-               fmt::join(columns, ",\n        "));
+           fmt::format("vec3 {}_color(vec{} light) {{\n    return {};\n}}\n", name, count,
+                       fmt::join(terms, "\n         + "));
 }
 
 std::string glsl_comment(std::string_view text) {

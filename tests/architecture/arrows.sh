@@ -54,6 +54,7 @@ room bakers/noise math field
 room bakers/clouds math field noise
 room bakers/occupancy math field
 room bakers/assets math color field io air light noise clouds occupancy
+room bakers/shading
 room bakers/workspace math field io assets
 room bakers/plot field io
 room bakers/render math color field io air light occupancy plot

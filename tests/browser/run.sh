@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Drives a skybake program through Chromium by a script of this folder.
-#   tests/browser/run.sh preview_page.js build/dev/cli/skybake build/dev/tests/browser
+#   tests/browser/run.sh preview_page.js build/dev/cli/skybake build/dev/tests/browser [ARGUMENTS]
 # Ends with 77 where that cannot be done here.
 set -euo pipefail
 script=$1
@@ -22,4 +22,4 @@ if ! cmp -s "$here/package-lock.json" "$folder/installed.json"; then
         skip "npm cannot install the packages"
     cp "$here/package-lock.json" "$folder/installed.json"
 fi
-NODE_PATH="$folder/node_modules" exec node "$here/$script" "$program" "$folder"
+NODE_PATH="$folder/node_modules" exec node "$here/$script" "$program" "$folder" "${@:4}"

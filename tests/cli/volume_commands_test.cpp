@@ -156,6 +156,39 @@ TEST_F(VolumeBake, InfoPrintsTheLookupOfAFile) {
     EXPECT_EQ(event["glsl"], moved.out);
 }
 
+TEST_F(VolumeBake, InfoPrintsTheLookupInTheLanguageThatIsAskedFor) {
+    ASSERT_EQ(bake().code, 0);
+    const std::vector<std::pair<std::string, std::string>> functions = {
+        {"hlsl",
+         "\nfloat3 baked_wisps(Texture3D table, SamplerState table_sampler, float3 p, float3 tile) "
+         "{\n"},
+        {"msl", "\ninline float3 baked_wisps(texture3d<float> table, sampler table_sampler,"},
+        {"wgsl", "\nfn baked_wisps(table: texture_3d<f32>, table_sampler: sampler, p: vec3f,"},
+        {"godot", "\nvec3 baked_wisps(sampler3D table, vec3 p, vec3 tile) {\n"}};
+    const Result glsl = run_words({"info", "--lookup", file("wisps.exr")});
+    EXPECT_FALSE(contains(glsl.out, "// Language:"));
+    EXPECT_EQ(run_words({"info", "--lookup", "--language", "glsl", file("wisps.exr")}).out,
+              glsl.out);
+    for (const auto& [language, function] : functions) {
+        const std::vector<std::string> words = {"info", "--lookup", "--language", language,
+                                                file("wisps.exr")};
+        const Result result = run_words(words);
+        EXPECT_EQ(result.code, 0) << result.error;
+        EXPECT_TRUE(contains(result.out, function)) << result.out;
+        EXPECT_TRUE(contains(result.out, "// Language: ")) << result.out;
+        std::vector<std::string> as_json = words;
+        as_json.push_back("--json");
+        EXPECT_EQ(json::parse(run_words(as_json).out)[language], result.out);
+    }
+    const Result unknown = run_words({"info", "--lookup", "--language", "cg", file("wisps.exr")});
+    EXPECT_EQ(unknown.code, 2);
+    EXPECT_TRUE(contains(unknown.error, "use one of glsl, hlsl, msl, wgsl, godot"))
+        << unknown.error;
+    const Result alone = run_words({"info", "--language", "hlsl", file("wisps.exr")});
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_TRUE(contains(alone.error, "--language needs --lookup")) << alone.error;
+}
+
 TEST_F(VolumeBake, InfoSaysOfWhatItPrintsNoLookup) {
     ASSERT_EQ(bake().code, 0);
     for (const std::string& path : {out_, file("manifest.json")}) {

@@ -277,14 +277,15 @@ TEST(TablesOfWavelengths, HaveFourChannelsAndTheWeights) {
     EXPECT_EQ(table.conventions.color->weights.size(), 12u);
 }
 
-TEST(ColorGlsl, HasTheWeightsOfEachWavelengthAsAColumn) {
+TEST(ColorGlsl, HasTheWeightsOfEachWavelengthAsAVector) {
     const ColorConvention color = {"linear_srgb", "sun", "measured",
                                    "cie_1931",    false, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12.5}};
     const std::string text = color_glsl(color, {446, 525, 576, 637}, "baked_sky");
     EXPECT_NE(
-        text.find("vec3 baked_sky_color(vec4 light) {\n    return mat4x3(\n"
-                  "        vec3(1.0, 2.0, 3.0),\n        vec3(4.0, 5.0, 6.0),\n"
-                  "        vec3(7.0, 8.0, 9.0),\n        vec3(10.0, 11.0, 12.5)) * light;\n}"),
+        text.find("vec3 baked_sky_color(vec4 light) {\n    return light.x * vec3(1.0, 2.0, 3.0)\n"
+                  "         + light.y * vec3(4.0, 5.0, 6.0)\n"
+                  "         + light.z * vec3(7.0, 8.0, 9.0)\n"
+                  "         + light.w * vec3(10.0, 11.0, 12.5);\n}"),
         std::string::npos)
         << text;
     EXPECT_NE(text.find("light at 446, 525, 576, 637"), std::string::npos) << text;

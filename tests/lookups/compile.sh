@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Every published lookup compiles alone and with all others, as GLSL of OpenGL 4.5, of Vulkan and of
-# WebGL 2 (ES 3.00).
+# WebGL 2 (ES 3.00); in a folder of HLSL, as HLSL; in one of Godot's language, of which no compiler is
+# packaged, as GLSL of ES 3.00, on which it rests.
 #   compile.sh FOLDER [alone]      alone: not with all others
 set -euo pipefail
 if ! command -v glslangValidator >/dev/null; then
@@ -15,7 +16,7 @@ compile() {
     shift 3
     local answer
     # shellcheck disable=SC2086
-    if ! answer=$({ printf '%b' "$head"; cat "$@"; echo 'void main() {}'; } |
+    if ! answer=$({ printf '%b' "$head"; cat "$@"; echo "$main"; } |
             glslangValidator $options --stdin -S frag 2>&1); then
         printf '%s as %s:\n%s\n' "$*" "$name" "$answer" >&2
         failures=$((failures + 1))
@@ -26,16 +27,24 @@ compile() {
 }
 
 compile_everywhere() {
-    compile "OpenGL 4.5" '#version 450 core\n' "" "$@"
-    compile "Vulkan" '#version 450\n' "-V -o /dev/null" "$@"
+    local main='void main() {}'
+    if [[ $1 == *.hlsl ]]; then
+        main='float4 main() : SV_Target { return float4(0.0, 0.0, 0.0, 0.0); }'
+        compile "HLSL" "" "-D -V -e main -o /dev/null" "$@"
+        return
+    fi
+    if [[ $1 == *.glsl ]]; then
+        compile "OpenGL 4.5" '#version 450 core\n' "" "$@"
+        compile "Vulkan" '#version 450\n' "-V -o /dev/null" "$@"
+    fi
     compile "ES 3.00" '#version 300 es\nprecision highp float;\nprecision highp sampler3D;\n' "" "$@"
 }
 
 count=0
-for file in "$1"/*.glsl; do
+for file in "$1"/*.*; do
     compile_everywhere "$file"
     count=$((count + 1))
 done
-[[ ${2:-} == alone ]] || compile_everywhere "$1"/*.glsl
+[[ ${2:-} == alone ]] || compile_everywhere "$1"/*.*
 echo "$count lookups"
 ((count >= 10 && failures == 0))

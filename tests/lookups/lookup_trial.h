@@ -150,15 +150,27 @@ inline void expect_probe(const gpu::vec4& found, const std::vector<double>& valu
 
 // A lookup that finds the column of a path is one of a texel within the probe's tolerance. Both
 // ends of it are rounded to float, as the columns of some kinds are below all of its numbers.
-inline void expect_column(const gpu::vec4& column, double length_km, const Probe& probe) {
+struct ColumnRange {
+    std::vector<double> low, high;
+};
+inline ColumnRange column_range(double length_km, const Probe& probe) {
+    const auto column_of = [length_km](double stored) {
+        return static_cast<float>(mean_density_of_stored(std::max(stored, 0.0)) * length_km);
+    };
+    ColumnRange range;
     for (std::size_t k = 0; k < probe.value.size(); ++k) {
-        const auto column_of = [length_km](double stored) {
-            return static_cast<float>(mean_density_of_stored(std::max(stored, 0.0)) * length_km);
-        };
+        range.low.push_back(column_of(probe.value[k] - probe.tolerance[k]));
+        range.high.push_back(column_of(probe.value[k] + probe.tolerance[k]));
+    }
+    return range;
+}
+inline void expect_column(const gpu::vec4& column, double length_km, const Probe& probe) {
+    const ColumnRange range = column_range(length_km, probe);
+    for (std::size_t k = 0; k < probe.value.size(); ++k) {
         const float found = column[static_cast<gpu::vec4::length_type>(k)];
         const std::string where = ::testing::PrintToString(probe.at) + ", channel ";
-        EXPECT_GE(found, column_of(probe.value[k] - probe.tolerance[k])) << where << k;
-        EXPECT_LE(found, column_of(probe.value[k] + probe.tolerance[k])) << where << k;
+        EXPECT_GE(found, range.low[k]) << where << k;
+        EXPECT_LE(found, range.high[k]) << where << k;
     }
 }
 

@@ -1,8 +1,12 @@
-# Bakes a recipe and prints the lookup of every file of it: FOLDER/glsl has each as GLSL, and HEADER
-# all as C++, each in a namespace that is named as its file.
-#   cmake -DSKYBAKE=skybake -DRECIPE=printed.toml -DFOLDER=printed -DHEADER=printed/lookups.h
-#         -P print_lookups.cmake
-set(text "// Made of what `skybake info --lookup` prints.\n")
+# Bakes a recipe and prints the lookup of every file of it in every language: FOLDER/glsl has each as
+# GLSL, FOLDER/hlsl as HLSL and so on. lookups.h has all of GLSL as C++, each in a namespace that is
+# named as its file, and lookups_msl.h those of Metal's language. Headers are written only where
+# something else was printed.
+#   cmake -DSKYBAKE=skybake -DRECIPE=printed.toml -DFOLDER=printed -P print_lookups.cmake
+set(languages glsl hlsl msl wgsl godot)
+foreach(language IN LISTS languages)
+    set(text_${language} "// Made of what `skybake info --lookup` prints.\n")
+endforeach()
 
 # Runs the program and fails as it does.
 function(skybake result)
@@ -23,18 +27,25 @@ function(print_lookups baked prefix)
             continue()
         endif()
         string(MAKE_C_IDENTIFIER ${prefix}${name} name)
-        skybake(lookup info --lookup ${file})
-        file(WRITE ${FOLDER}/glsl/${name}.glsl "${lookup}")
-        execute_process(COMMAND ${CMAKE_COMMAND} -DFROM=${FOLDER}/glsl/${name}.glsl
-            -DTO=${FOLDER}/as_cpp.h -P ${CMAKE_CURRENT_LIST_DIR}/glsl_to_cpp.cmake
-            COMMAND_ERROR_IS_FATAL ANY)
-        file(READ ${FOLDER}/as_cpp.h as_cpp)
-        string(APPEND text "namespace ${name} {\n${as_cpp}}\n")
+        foreach(language IN LISTS languages)
+            skybake(lookup info --lookup --language ${language} ${file})
+            set(printed ${FOLDER}/${language}/${name}.${language})
+            file(WRITE ${printed} "${lookup}")
+            if(language MATCHES "^(glsl|msl)$")
+                execute_process(COMMAND ${CMAKE_COMMAND} -DFROM=${printed} -DTO=${FOLDER}/as_cpp.h
+                    -P ${CMAKE_CURRENT_LIST_DIR}/glsl_to_cpp.cmake COMMAND_ERROR_IS_FATAL ANY)
+                file(READ ${FOLDER}/as_cpp.h as_cpp)
+                string(APPEND text_${language} "namespace ${name} {\n${as_cpp}}\n")
+            endif()
+        endforeach()
     endforeach()
-    set(text "${text}" PARENT_SCOPE)
+    set(text_glsl "${text_glsl}" PARENT_SCOPE)
+    set(text_msl "${text_msl}" PARENT_SCOPE)
 endfunction()
 
-file(REMOVE_RECURSE ${FOLDER}/glsl)
+foreach(language IN LISTS languages)
+    file(REMOVE_RECURSE ${FOLDER}/${language})
+endforeach()
 skybake(said bake ${RECIPE} -o ${FOLDER}/colours --certify=off --prune)
 print_lookups(${FOLDER}/colours "")
 # Files of one wavelength have other channels.
@@ -44,4 +55,5 @@ skybake(said bake ${RECIPE} -o ${FOLDER}/one_colour --certify=off --prune
     --set "atmosphere.layers.ozone.absorption=\"1.88e-6 /m\""
     --only transmittance --only air --only sky)
 print_lookups(${FOLDER}/one_colour "one_colour_")
-file(WRITE ${HEADER} "${text}")
+file(CONFIGURE OUTPUT ${FOLDER}/lookups.h CONTENT "${text_glsl}" @ONLY)
+file(CONFIGURE OUTPUT ${FOLDER}/lookups_msl.h CONTENT "${text_msl}" @ONLY)

@@ -6,7 +6,11 @@
 
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/io/manifest/asset_files.h"
-#include "tests/lookups/lookup_trial.h"
+#include "tests/lookups/printed_call.h"
+
+namespace metal::printed {
+#include "printed/lookups_msl.h"
+}
 
 namespace skybake {
 namespace gpu::printed {
@@ -16,7 +20,6 @@ namespace gpu::printed {
 namespace {
 
 namespace fs = std::filesystem;
-namespace printed = gpu::printed;
 using gpu::vec2;
 using gpu::vec3;
 using gpu::vec4;
@@ -24,10 +27,11 @@ using gpu::vec4;
 const fs::path kFolder = SKYBAKE_PRINTED_FOLDER;
 constexpr double kDegree = std::numbers::pi / 180;
 
-// Of a value with fewer channels.
-vec4 widened(float value) { return vec4(value, 0, 0, 1); }
-vec4 widened(const vec3& value) { return vec4(value, 1); }
-vec4 widened(const vec4& value) { return value; }
+using test::widened;
+
+#define SKYBAKE_CALL(file, function, ...)                                                          \
+    test::called(#file, #function, gpu::printed::file::function, ::metal::printed::file::function, \
+                 __VA_ARGS__)
 
 // Read once.
 const Manifest& manifest_of(const std::string& folder) {
@@ -60,8 +64,7 @@ class BakedFile {
     void holds(const Lookup& lookup) const {
         EXPECT_FALSE(probes_.empty());
         for (const Probe& probe : probes_) {
-            test::expect_probe(widened(lookup(texture_, probe)), probe.value, probe.tolerance,
-                               ::testing::PrintToString(probe.at));
+            test::expect_probe_of_call(widened(lookup(texture_, probe)), probe);
         }
     }
     // A constant of the asset's mapping.
@@ -77,6 +80,7 @@ class BakedFile {
         texture_.size = level.size;
         texture_.channels = static_cast<int>(asset.channels.size());
         texture_.repeats = repeating_axes(asset.axes);
+        texture_.name = folder.filename().string() + "_" + file.path;
         const auto keep = [&](std::int64_t, std::int64_t count, const float* values) {
             texture_.texels.insert(texture_.texels.end(), values,
                                    values + count * texture_.channels);
@@ -111,33 +115,34 @@ TEST(PrintedLookups, AreHereForEveryAsset) {
 
 TEST(PrintedLookups, Transmittance) {
     BakedFile("transmittance.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::transmittance_exr::baked_transmittance({table}, altitude(at), cosine(at));
+        return SKYBAKE_CALL(transmittance_exr, baked_transmittance, table, altitude(at),
+                            cosine(at));
     });
     BakedFile("transmittance.exr", "one_colour").holds([](const Texture& table, const Probe& at) {
-        return printed::one_colour_transmittance_exr::baked_transmittance({table}, altitude(at),
-                                                                          cosine(at));
+        return SKYBAKE_CALL(one_colour_transmittance_exr, baked_transmittance, table, altitude(at),
+                            cosine(at));
     });
     BakedFile("transmittance_ue.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::transmittance_ue_exr::baked_transmittance_ue({table}, altitude(at),
-                                                                     cosine(at));
+        return SKYBAKE_CALL(transmittance_ue_exr, baked_transmittance_ue, table, altitude(at),
+                            cosine(at));
     });
     BakedFile("transmittance_ue.dds").holds([](const Texture& table, const Probe& at) {
-        return printed::transmittance_ue_dds::baked_transmittance_ue({table}, altitude(at),
-                                                                     cosine(at));
+        return SKYBAKE_CALL(transmittance_ue_dds, baked_transmittance_ue, table, altitude(at),
+                            cosine(at));
     });
 }
 
 TEST(PrintedLookups, MultipleScattering) {
     BakedFile("hillaire.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::hillaire_exr::baked_hillaire({table}, altitude(at), sun_cosine(at));
+        return SKYBAKE_CALL(hillaire_exr, baked_hillaire, table, altitude(at), sun_cosine(at));
     });
     BakedFile("twilight.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::twilight_exr::baked_twilight({table}, altitude(at), sun_cosine(at));
+        return SKYBAKE_CALL(twilight_exr, baked_twilight, table, altitude(at), sun_cosine(at));
     });
     const BakedFile cropped("cropped.exr");
     EXPECT_GT(cropped.constant(0, "first"), 0);
     cropped.holds([](const Texture& table, const Probe& at) {
-        return printed::cropped_exr::baked_cropped({table}, altitude(at), sun_cosine(at));
+        return SKYBAKE_CALL(cropped_exr, baked_cropped, table, altitude(at), sun_cosine(at));
     });
 }
 
@@ -149,29 +154,32 @@ int part_of(const Probe& probe) {
 TEST(PrintedLookups, Moments) {
     const BakedFile moments("moments.exr");
     moments.holds([](const Texture& table, const Probe& at) {
-        return printed::moments_exr::baked_moments({table}, altitude(at), sun_cosine(at),
-                                                   part_of(at));
+        return SKYBAKE_CALL(moments_exr, baked_moments, table, altitude(at), sun_cosine(at),
+                            part_of(at));
     });
     BakedFile("moments-of-degree-3.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::moments_of_degree_3_exr::baked_moments_of_degree_3(
-            {table}, altitude(at), sun_cosine(at), part_of(at));
+        return SKYBAKE_CALL(moments_of_degree_3_exr, baked_moments_of_degree_3, table, altitude(at),
+                            sun_cosine(at), part_of(at));
     });
     // The mean radiance is what a layer that scatters alike in all directions sees.
     for (const Probe& probe : moments.probes()) {
-        const vec3 scattered = printed::moments_exr::baked_moments_scattered(
-            {moments.texture()}, altitude(probe), sun_cosine(probe), 0.3f, 0.6f, vec3(1, 0, 0));
-        EXPECT_EQ(scattered, printed::moments_exr::baked_moments(
+        if (part_of(probe) != 0) continue;
+        const vec3 scattered =
+            SKYBAKE_CALL(moments_exr, baked_moments_scattered, moments.texture(), altitude(probe),
+                         sun_cosine(probe), 0.3f, 0.6f, vec3(1, 0, 0));
+        EXPECT_EQ(scattered, gpu::printed::moments_exr::baked_moments(
                                  {moments.texture()}, altitude(probe), sun_cosine(probe), 0));
+        test::expect_probe_of_call(widened(scattered), probe);
     }
 }
 
 TEST(PrintedLookups, Irradiance) {
     BakedFile("irradiance.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::irradiance_exr::baked_irradiance({table}, altitude(at), sun_cosine(at));
+        return SKYBAKE_CALL(irradiance_exr, baked_irradiance, table, altitude(at), sun_cosine(at));
     });
     BakedFile("irradiance_hillaire.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::irradiance_hillaire_exr::baked_irradiance_hillaire({table}, altitude(at),
-                                                                           sun_cosine(at));
+        return SKYBAKE_CALL(irradiance_hillaire_exr, baked_irradiance_hillaire, table, altitude(at),
+                            sun_cosine(at));
     });
 }
 
@@ -199,8 +207,7 @@ void expect_sky(const BakedFile& file, const Lookup& lookup) {
         const double sun = test::at(probe, "sun_elevation_deg");
         const View view = view_of((above - dip) * kDegree, test::at(probe, "azimuth_deg") * kDegree,
                                   sun * kDegree);
-        test::expect_probe(widened(lookup(file.texture(), view, sun)), probe.value, probe.tolerance,
-                           ::testing::PrintToString(probe.at));
+        test::expect_probe_of_call(widened(lookup(file.texture(), view, sun)), probe);
         ++count;
     }
     EXPECT_GT(count, 20);
@@ -208,15 +215,15 @@ void expect_sky(const BakedFile& file, const Lookup& lookup) {
 
 TEST(PrintedLookups, SkyView) {
     expect_sky(BakedFile("sky.exr"), [](const Texture& table, const View& view, double) {
-        return printed::sky_exr::baked_sky({table}, view.dir, view.up, view.sun);
+        return SKYBAKE_CALL(sky_exr, baked_sky, table, view.dir, view.up, view.sun);
     });
     expect_sky(BakedFile("skies.exr"), [](const Texture& table, const View& view, double sun) {
         const int k = sun > 20 ? 0 : sun < 0 ? 1 : 2;
-        return printed::skies_exr::baked_skies({table}, view.dir, view.up, view.sun, k);
+        return SKYBAKE_CALL(skies_exr, baked_skies, table, view.dir, view.up, view.sun, k);
     });
     expect_sky(
         BakedFile("sky.exr", "one_colour"), [](const Texture& table, const View& view, double) {
-            return printed::one_colour_sky_exr::baked_sky({table}, view.dir, view.up, view.sun);
+            return SKYBAKE_CALL(one_colour_sky_exr, baked_sky, table, view.dir, view.up, view.sun);
         });
 }
 
@@ -224,7 +231,7 @@ TEST(PrintedLookups, Environment) {
     BakedFile("panorama.exr").holds([](const Texture& table, const Probe& at) {
         const View view = view_of(test::at(at, "elevation_deg") * kDegree,
                                   test::at(at, "azimuth_deg") * kDegree, 20 * kDegree);
-        return printed::panorama_exr::baked_panorama({table}, view.dir, view.up, view.sun);
+        return SKYBAKE_CALL(panorama_exr, baked_panorama, table, view.dir, view.up, view.sun);
     });
 }
 
@@ -235,9 +242,8 @@ void expect_air(const BakedFile& file, const Lookup& lookup) {
     for (const Probe& probe : file.probes()) {
         if (probe.uvw[2] < 0.5 / file.texture().size[2]) continue;
         const vec2 picture(test::at(probe, "picture_x"), test::at(probe, "picture_y"));
-        test::expect_probe(
-            widened(lookup(file.texture(), picture, coordinate(probe, "distance_km"))), probe.value,
-            probe.tolerance, ::testing::PrintToString(probe.at));
+        test::expect_probe_of_call(
+            widened(lookup(file.texture(), picture, coordinate(probe, "distance_km"))), probe);
         ++count;
     }
     EXPECT_GT(count, 10);
@@ -245,23 +251,24 @@ void expect_air(const BakedFile& file, const Lookup& lookup) {
 
 TEST(PrintedLookups, AerialPerspective) {
     expect_air(BakedFile("air.exr"), [](const Texture& air, const vec2& picture, float d) {
-        return printed::air_exr::baked_air({air}, picture, d);
+        return SKYBAKE_CALL(air_exr, baked_air, air, picture, d);
     });
     expect_air(BakedFile("air_light.dds"), [](const Texture& air, const vec2& picture, float d) {
-        return printed::air_light_dds::baked_air_light({air}, picture, d);
+        return SKYBAKE_CALL(air_light_dds, baked_air_light, air, picture, d);
     });
     expect_air(
         BakedFile("air_transmittance.bin"), [](const Texture& air, const vec2& picture, float d) {
-            return printed::air_transmittance_bin::baked_air_transmittance({air}, picture, d);
+            return SKYBAKE_CALL(air_transmittance_bin, baked_air_transmittance, air, picture, d);
         });
     expect_air(BakedFile("air.exr", "one_colour"),
                [](const Texture& air, const vec2& picture, float d) {
-                   return printed::one_colour_air_exr::baked_air({air}, picture, d);
+                   return SKYBAKE_CALL(one_colour_air_exr, baked_air, air, picture, d);
                });
     // 60 degrees high, and one and a half times as wide.
-    const vec2 corner = printed::air_exr::baked_air_picture(
-        glm::normalize(vec3(1, -1.5 * std::tan(30 * kDegree), std::tan(30 * kDegree))),
-        vec3(1, 0, 0), vec3(0, -1, 0), vec3(0, 0, 1));
+    const vec2 corner =
+        SKYBAKE_CALL(air_exr, baked_air_picture,
+                     glm::normalize(vec3(1, -1.5 * std::tan(30 * kDegree), std::tan(30 * kDegree))),
+                     vec3(1, 0, 0), vec3(0, -1, 0), vec3(0, 0, 1));
     EXPECT_NEAR(corner.x, 1, 1e-6);
     EXPECT_NEAR(corner.y, 0, 1e-6);
 }
@@ -277,37 +284,37 @@ std::pair<vec3, vec3> pair_of(const Probe& probe) {
 TEST(PrintedLookups, Phase) {
     BakedFile("phase_by_angle.exr").holds([](const Texture& table, const Probe& at) {
         const auto [a, b] = pair_of(at);
-        return printed::phase_by_angle_exr::baked_phase_by_angle({table}, a, b);
+        return SKYBAKE_CALL(phase_by_angle_exr, baked_phase_by_angle, table, a, b);
     });
     BakedFile("phase_by_cosine.exr").holds([](const Texture& table, const Probe& at) {
         const auto [a, b] = pair_of(at);
-        return printed::phase_by_cosine_exr::baked_phase_by_cosine({table}, a, b);
+        return SKYBAKE_CALL(phase_by_cosine_exr, baked_phase_by_cosine, table, a, b);
     });
     BakedFile("phase_by_peaks.exr").holds([](const Texture& table, const Probe& at) {
         const auto [a, b] = pair_of(at);
-        return printed::phase_by_peaks_exr::baked_phase_by_peaks({table}, a, b);
+        return SKYBAKE_CALL(phase_by_peaks_exr, baked_phase_by_peaks, table, a, b);
     });
     BakedFile("sampled_angle.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::sampled_angle_exr::baked_sampled_angle({table}, coordinate(at, "share"));
+        return SKYBAKE_CALL(sampled_angle_exr, baked_sampled_angle, table, coordinate(at, "share"));
     });
 }
 
 // --- Bruneton's tables --------------------------------------------------------------------------
 
-#define SKYBAKE_SCATTERING(name)                                                       \
-    [](const Texture& table, const Probe& at) {                                        \
-        return printed::name##_exr::baked_##name({table}, altitude(at), cosine(at),    \
-                                                 sun_cosine(at), coordinate(at, "nu"), \
-                                                 test::at(at, "ground") != 0);         \
+#define SKYBAKE_SCATTERING(name)                                                                \
+    [](const Texture& table, const Probe& at) {                                                 \
+        return SKYBAKE_CALL(name##_exr, baked_##name, table, altitude(at), cosine(at),          \
+                            sun_cosine(at), coordinate(at, "nu"), test::at(at, "ground") != 0); \
     }
 
 TEST(PrintedLookups, Bruneton) {
     BakedFile("b_transmittance.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::b_transmittance_exr::baked_b_transmittance({table}, altitude(at),
-                                                                   cosine(at));
+        return SKYBAKE_CALL(b_transmittance_exr, baked_b_transmittance, table, altitude(at),
+                            cosine(at));
     });
     BakedFile("b_irradiance.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::b_irradiance_exr::baked_b_irradiance({table}, altitude(at), sun_cosine(at));
+        return SKYBAKE_CALL(b_irradiance_exr, baked_b_irradiance, table, altitude(at),
+                            sun_cosine(at));
     });
     BakedFile("b_scattering.exr").holds(SKYBAKE_SCATTERING(b_scattering));
     BakedFile("b_single_mie.exr").holds(SKYBAKE_SCATTERING(b_single_mie));
@@ -322,35 +329,35 @@ TEST(PrintedLookups, Columns) {
     for (const Probe& probe : to_top.probes()) {
         const double h = test::at(probe, "altitude_km");
         const double s = (shell.ground_radius_km + h) * test::at(probe, "cos_zenith");
-        test::expect_column(widened(printed::to_top_exr::baked_to_top(
-                                {to_top.texture()}, altitude(probe), cosine(probe))),
-                            distance_to_top_km(shell, h, s), probe);
+        test::expect_column_of_call(widened(SKYBAKE_CALL(to_top_exr, baked_to_top, to_top.texture(),
+                                                         altitude(probe), cosine(probe))),
+                                    distance_to_top_km(shell, h, s), probe);
     }
     const BakedFile between("between.exr");
     for (const Probe& probe : between.probes()) {
         const double length_km = test::length_between_km(shell, probe);
-        test::expect_column(
-            widened(printed::between_exr::baked_between(
-                {between.texture()}, coordinate(probe, "low_altitude_km"),
+        test::expect_column_of_call(
+            widened(SKYBAKE_CALL(
+                between_exr, baked_between, between.texture(), coordinate(probe, "low_altitude_km"),
                 coordinate(probe, "high_altitude_km"), static_cast<float>(length_km))),
             length_km, probe);
     }
     const BakedFile along("along.exr");
     for (const Probe& probe : along.probes()) {
-        test::expect_column(
-            widened(printed::along_exr::baked_along({along.texture()}, altitude(probe),
-                                                    cosine(probe), coordinate(probe, "length_km"))),
+        test::expect_column_of_call(
+            widened(SKYBAKE_CALL(along_exr, baked_along, along.texture(), altitude(probe),
+                                 cosine(probe), coordinate(probe, "length_km"))),
             test::at(probe, "length_km"), probe);
     }
 }
 
 TEST(PrintedLookups, DensitiesAndPhasesOfColumns) {
     BakedFile("densities.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::densities_exr::baked_densities({table}, altitude(at));
+        return SKYBAKE_CALL(densities_exr, baked_densities, table, altitude(at));
     });
     BakedFile("phases.exr").holds([](const Texture& table, const Probe& at) {
         const auto [a, b] = pair_of(at);
-        return printed::phases_exr::baked_phases({table}, a, b);
+        return SKYBAKE_CALL(phases_exr, baked_phases, table, a, b);
     });
 }
 
@@ -365,18 +372,18 @@ vec3 noise_place(const Probe& probe) {
 
 TEST(PrintedLookups, Noise) {
     BakedFile("noise.png").holds([](const Texture& table, const Probe& at) {
-        return printed::noise_png::baked_noise({table}, noise_place(at), kTile);
+        return SKYBAKE_CALL(noise_png, baked_noise, table, noise_place(at), kTile);
     });
     BakedFile("noise_at_corners.bin").holds([](const Texture& table, const Probe& at) {
-        return printed::noise_at_corners_bin::baked_noise_at_corners({table}, noise_place(at),
-                                                                     kTile);
+        return SKYBAKE_CALL(noise_at_corners_bin, baked_noise_at_corners, table, noise_place(at),
+                            kTile);
     });
     BakedFile("noise_at_corners.mip1.bin").holds([](const Texture& table, const Probe& at) {
-        return printed::noise_at_corners_mip1_bin::baked_noise_at_corners({table}, noise_place(at),
-                                                                          kTile);
+        return SKYBAKE_CALL(noise_at_corners_mip1_bin, baked_noise_at_corners, table,
+                            noise_place(at), kTile);
     });
     BakedFile("noise_slices.exr").holds([](const Texture& table, const Probe& at) {
-        return printed::noise_slices_exr::baked_noise_slices({table}, noise_place(at), kTile);
+        return SKYBAKE_CALL(noise_slices_exr, baked_noise_slices, table, noise_place(at), kTile);
     });
 }
 
@@ -388,37 +395,40 @@ vec3 cloud_place(const Probe& probe) {
 
 TEST(PrintedLookups, Clouds) {
     BakedFile("cloud.vdb").holds([](const Texture& cloud, const Probe& at) {
-        return printed::cloud_vdb::baked_cloud({cloud}, cloud_place(at));
+        return SKYBAKE_CALL(cloud_vdb, baked_cloud, cloud, cloud_place(at));
     });
     BakedFile("cloud.bin").holds([](const Texture& cloud, const Probe& at) {
-        return printed::cloud_bin::baked_cloud({cloud}, cloud_place(at));
+        return SKYBAKE_CALL(cloud_bin, baked_cloud, cloud, cloud_place(at));
     });
     BakedFile("cloud_parts.vdb").holds([](const Texture& cloud, const Probe& at) {
-        return printed::cloud_parts_vdb::baked_cloud_parts({cloud}, cloud_place(at));
+        return SKYBAKE_CALL(cloud_parts_vdb, baked_cloud_parts, cloud, cloud_place(at));
     });
     const BakedFile open("cloud_open.dds");
     open.holds([](const Texture& cloud, const Probe& at) {
-        return printed::cloud_open_dds::baked_cloud_open({cloud}, cloud_place(at));
+        return SKYBAKE_CALL(cloud_open_dds, baked_cloud_open, cloud, cloud_place(at));
     });
     // Its edge is the recipe's: a threshold of 0.1, 0.05 wide.
     for (const Probe& probe : open.probes()) {
         const double v = std::max(probe.value.front(), 0.0);
         const double x = std::clamp((v - 0.1) / 0.05, 0.0, 1.0);
-        EXPECT_NEAR(
-            printed::cloud_open_dds::baked_cloud_open_density({open.texture()}, cloud_place(probe)),
-            v * x * x * (3 - 2 * x), 31 * probe.tolerance.front());
+        const double density = v * x * x * (3 - 2 * x);
+        const double tolerance = 31 * probe.tolerance.front();
+        EXPECT_NEAR(SKYBAKE_CALL(cloud_open_dds, baked_cloud_open_density, open.texture(),
+                                 cloud_place(probe)),
+                    density, tolerance);
+        test::bound_call(density, tolerance);
     }
 }
 
 TEST(PrintedLookups, CellsOfClouds) {
     BakedFile("cells.exr").holds([](const Texture& cells, const Probe& at) {
-        return printed::cells_exr::baked_cells({cells}, cloud_place(at));
+        return SKYBAKE_CALL(cells_exr, baked_cells, cells, cloud_place(at));
     });
     BakedFile("cells.mip1.exr").holds([](const Texture& cells, const Probe& at) {
-        return printed::cells_mip1_exr::baked_cells({cells}, cloud_place(at));
+        return SKYBAKE_CALL(cells_mip1_exr, baked_cells, cells, cloud_place(at));
     });
     BakedFile("leaps.bin").holds([](const Texture& cells, const Probe& at) {
-        return printed::leaps_bin::baked_leaps({cells}, cloud_place(at));
+        return SKYBAKE_CALL(leaps_bin, baked_leaps, cells, cloud_place(at));
     });
 }
 
@@ -439,52 +449,56 @@ void expect_leaping_march(const std::string& name, const Leap& leap, const March
         double sum = 0;
         for (int k = 0; k < count; ++k) {
             const vec3 p = from + ray * (20.0f * static_cast<float>(k));
-            sum += 20 * double{printed::cloud_bin::baked_cloud({cloud.texture()}, p)};
+            sum += 20 * double{gpu::printed::cloud_bin::baked_cloud({cloud.texture()}, p)};
         }
-        if (leap(cloud.texture(), cells.texture(), from, ray) > 0) ++leaps;
+        const double empty = leap(cloud.texture(), cells.texture(), from, ray);
+        if (empty > 0) ++leaps;
+        test::bound_call(empty, 0.002);  // m; floats of 4000 have steps of 0.0002
         cloud.texture().lookups = 0;
         EXPECT_NEAR(march(cloud.texture(), cells.texture(), from, ray, 20.0f, count), sum,
                     1e-3 * sum + 0.05)
             << name << ", ray " << i;
+        // GPUs filter in steps of 1/256 texel.
+        test::bound_call(sum, 0.01 * sum + 0.05);
         looked += cloud.texture().lookups;
         steps += count;
         total += sum;
     }
     EXPECT_GT(total, 0);
     EXPECT_GT(leaps, 40) << name;
-    EXPECT_LT(looked, 3 * steps / 4) << name;
+    EXPECT_LT(looked, 2 * 3 * steps / 4) << name;  // in two languages
 }
 
 TEST(PrintedLookups, MarchesByLeaps) {
     const auto leap = [](const Texture& cloud, const Texture& cells, const vec3& p,
                          const vec3& ray) {
-        return printed::cells_exr::baked_cells_leap({cloud}, {cells}, p, ray);
+        return SKYBAKE_CALL(cells_exr, baked_cells_leap, cloud, cells, p, ray);
     };
     expect_leaping_march("cells.exr", leap,
                          [](const Texture& cloud, const Texture& cells, const vec3& from,
                             const vec3& ray, float stride, int count) {
-                             return printed::cells_exr::baked_cells_march({cloud}, {cells}, from,
-                                                                          ray, stride, count);
+                             return SKYBAKE_CALL(cells_exr, baked_cells_march, cloud, cells, from,
+                                                 ray, stride, count);
                          });
     expect_leaping_march(
         "cells.mip1.exr",
         [](const Texture& cloud, const Texture& cells, const vec3& p, const vec3& ray) {
-            return printed::cells_mip1_exr::baked_cells_leap({cloud}, {cells}, p, ray);
+            return SKYBAKE_CALL(cells_mip1_exr, baked_cells_leap, cloud, cells, p, ray);
         },
         [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
            float stride, int count) {
-            return printed::cells_mip1_exr::baked_cells_march({cloud}, {cells}, from, ray, stride,
-                                                              count);
+            return SKYBAKE_CALL(cells_mip1_exr, baked_cells_march, cloud, cells, from, ray, stride,
+                                count);
         });
     expect_leaping_march(
         "leaps.bin",
         [](const Texture& cloud, const Texture& cells, const vec3& p, const vec3& ray) {
-            return printed::leaps_bin::baked_leaps_leap({cloud}, {cells}, p, ray);
+            return SKYBAKE_CALL(leaps_bin, baked_leaps_leap, cloud, cells, p, ray);
         },
         [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
            float stride, int count) {
-            return printed::leaps_bin::baked_leaps_march({cloud}, {cells}, from, ray, stride,
-                                                         count);
+            return SKYBAKE_CALL(leaps_bin, baked_leaps_march, cloud, cells, from, ray, stride,
+                                count);
         });
 }
 

@@ -18,6 +18,7 @@ struct Texture {
     std::vector<float> texels;  // x fastest, then y, then z, channels interleaved
     std::array<bool, 3> repeats{};
     mutable long lookups = 0;  // how often it was asked
+    std::string name{};        // of the file that it is from
 
     float texel(const std::array<int, 3>& at, int channel) const {
         const auto row = static_cast<std::size_t>(at[2] * size[1] + at[1]);

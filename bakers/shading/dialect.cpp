@@ -1,0 +1,147 @@
+#include "bakers/shading/dialect.h"
+
+#include <algorithm>
+#include <array>
+
+namespace skybake {
+namespace {
+
+constexpr std::size_t kLanguages = shading_languages.size();
+
+// By language in the order of ShadingLanguage.
+struct TypeRow {
+    std::array<std::string_view, kLanguages> words;
+    std::string_view scalar;
+    int components;  // 0 of textures
+};
+constexpr std::array<TypeRow, 10> kTypes = {{
+    {{"float", "float", "float", "f32", "float"}, "float", 1},
+    {{"vec2", "float2", "float2", "vec2f", "vec2"}, "float", 2},
+    {{"vec3", "float3", "float3", "vec3f", "vec3"}, "float", 3},
+    {{"vec4", "float4", "float4", "vec4f", "vec4"}, "float", 4},
+    {{"int", "int", "int", "i32", "int"}, "int", 1},
+    {{"ivec2", "int2", "int2", "vec2i", "ivec2"}, "int", 2},
+    {{"ivec3", "int3", "int3", "vec3i", "ivec3"}, "int", 3},
+    {{"bool", "bool", "bool", "bool", "bool"}, "bool", 1},
+    {{"sampler2D", "Texture2D", "texture2d<float>", "texture_2d<f32>", "sampler2D"}, "", 0},
+    {{"sampler3D", "Texture3D", "texture3d<float>", "texture_3d<f32>", "sampler3D"}, "", 0},
+}};
+
+struct FunctionRow {
+    std::array<std::string_view, kLanguages> words;
+    FunctionResult result;
+};
+constexpr FunctionRow same(std::string_view name, FunctionResult result = FunctionResult::vector) {
+    return {{name, name, name, name, name}, result};
+}
+constexpr std::array<FunctionRow, 13> kFunctions = {{
+    same("abs"),
+    {{"atan", "atan2", "atan2", "atan2", "atan"}, FunctionResult::vector},  // of two arguments
+    same("clamp"),
+    same("cross"),
+    same("dot", FunctionResult::scalar),
+    same("floor"),
+    same("length", FunctionResult::scalar),
+    same("log"),
+    same("max"),
+    same("min"),
+    {{"mix", "lerp", "mix", "mix", "mix"}, FunctionResult::vector},
+    same("sign"),
+    same("sqrt"),
+}};
+
+struct TextureRow {
+    std::string_view name, type, result;
+    std::array<std::string_view, kLanguages> forms;
+};
+constexpr std::string_view kSize = "textureSize({0}, {2})";
+constexpr std::string_view kSampled = "texture({0}, {2})";
+constexpr std::array<TextureRow, 5> kTextureFunctions = {{
+    {"texture",
+     "sampler2D",
+     "vec4",
+     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+    {"texture",
+     "sampler3D",
+     "vec4",
+     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+    {"texelFetch",
+     "sampler3D",
+     "vec4",
+     {"texelFetch({0}, {2}, {3})", "{0}.Load(int4({2}, {3}))", "{0}.read(uint3({2}), {3})",
+      "textureLoad({0}, {2}, {3})", "texelFetch({0}, {2}, {3})"}},
+    {"textureSize",
+     "sampler2D",
+     "ivec2",
+     {kSize, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
+      "vec2i(textureDimensions({0}, {2}))", kSize}},
+    {"textureSize",
+     "sampler3D",
+     "ivec3",
+     {kSize, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_depth())",
+      "vec3i(textureDimensions({0}, {2}))", kSize}},
+}};
+
+// Names in lookups that a language keeps for itself: WGSL's reserved words, Godot's constants.
+struct ReservedWord {
+    std::string_view word;
+    ShadingLanguage language;
+};
+constexpr std::array<ReservedWord, 2> kReserved = {
+    {{"from", ShadingLanguage::wgsl}, {"PI", ShadingLanguage::godot}}};
+
+const TypeRow* type_row(std::string_view type) {
+    const auto* const row = std::find_if(kTypes.begin(), kTypes.end(),
+                                         [&](const TypeRow& one) { return one.words[0] == type; });
+    return row != kTypes.end() ? row : nullptr;
+}
+
+}  // namespace
+
+std::string_view spelt_type(std::string_view type, ShadingLanguage language) {
+    const TypeRow* const row = type_row(type);
+    return row != nullptr ? row->words[static_cast<std::size_t>(language)] : std::string_view{};
+}
+
+int components_of(std::string_view type) {
+    const TypeRow* const row = type_row(type);
+    return row != nullptr ? row->components : 0;
+}
+
+std::string_view scalar_of(std::string_view type) {
+    const TypeRow* const row = type_row(type);
+    return row != nullptr ? row->scalar : std::string_view{};
+}
+
+std::string vector_of(std::string_view scalar, int components) {
+    if (components == 1) return std::string(scalar);
+    return (scalar == "int" ? "ivec" : "vec") + std::to_string(components);
+}
+
+DialectFunction spelt_function(std::string_view name, ShadingLanguage language) {
+    const auto* const row =
+        std::find_if(kFunctions.begin(), kFunctions.end(),
+                     [&](const FunctionRow& one) { return one.words[0] == name; });
+    if (row == kFunctions.end()) return {};
+    return {row->words[static_cast<std::size_t>(language)], row->result};
+}
+
+TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
+                                       ShadingLanguage language) {
+    const auto* const row =
+        std::find_if(kTextureFunctions.begin(), kTextureFunctions.end(),
+                     [&](const TextureRow& one) { return one.name == name && one.type == type; });
+    if (row == kTextureFunctions.end()) return {};
+    return {row->forms[static_cast<std::size_t>(language)], row->result};
+}
+
+std::string allowed_name(std::string_view name, ShadingLanguage language) {
+    const bool is_reserved = std::any_of(
+        kReserved.begin(), kReserved.end(),
+        [&](const ReservedWord& one) { return one.word == name && one.language == language; });
+    return std::string(name) + (is_reserved ? "_" : "");
+}
+
+}  // namespace skybake

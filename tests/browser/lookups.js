@@ -1,0 +1,194 @@
+'use strict';
+// What `skybake info --lookup --language` prints, run by Chromium without a GPU and held to the probes of the
+// baked files: GLSL and Godot's language in WebGL 2, HLSL there too (by way of glslang, SPIR-V and
+// SPIRV-Cross), WGSL in WebGPU. Metal's language, which nothing here can compile, runs as C++ in tests/lookups.
+//   node lookups.js PROGRAM FOLDER LANGUAGE PRINTED_LOOKUP_TESTS PRINTED_FOLDER
+// PRINTED_LOOKUP_TESTS notes what to call, with what, and between which bounds the result must lie.
+const assert = require('node:assert/strict');
+const {execFileSync, spawnSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+const {browser_with_a_page} = require('./page_of.js');
+
+const [, , , folder, language, printed_tests, printed_folder] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, 'lookups-'));
+
+const is_installed = (program, option) => spawnSync(program, [option]).error === undefined;
+
+// --- Calls --------------------------------------------------------------------------------------
+
+// By function: {file, function, textures, types, channels, calls}.
+function noted_functions() {
+    execFileSync(printed_tests, ['--gtest_brief=1'], {env: {...process.env, SKYBAKE_CALLS: work}});
+    const functions = new Map();
+    for (const call of JSON.parse(fs.readFileSync(path.join(work, 'calls.json'), 'utf8'))) {
+        const key = `${call.file} ${call.function}`;
+        const numbers = call.arguments.filter((one) => !one.texture);
+        if (!functions.has(key)) {
+            functions.set(key, {...call, key, calls: [],
+                textures: call.arguments.filter((one) => one.texture), types: numbers.map((one) => one.type)});
+        }
+        functions.get(key).calls.push({low: call.low, high: call.high,
+            given: numbers.flatMap(({value}) => [0, 1, 2, 3].map((i) => value[i] ?? 0))});
+    }
+    return [...functions.values()];
+}
+
+// The functions whose results are not all within their bounds, with the farthest of each.
+function misses(functions, results) {
+    return functions.flatMap((one, k) => {
+        let count = 0;
+        let farthest = '';
+        one.calls.forEach(({low, high}, i) => {
+            const found = results[k].slice(4 * i, 4 * i + low.length);
+            if (found.every((value, c) => low[c] <= value && value <= high[c])) return;
+            ++count;
+            farthest ||= `call ${i}: ${found} is not from ${low} to ${high}`;
+        });
+        return count > 0 ? [`${one.key}: ${count} of ${one.calls.length}, ${farthest}`] : [];
+    });
+}
+
+// --- Shaders ------------------------------------------------------------------------------------
+
+// The parameters of a function as it is printed, samplers among them.
+function signature_of(code, name) {
+    const list = new RegExp(`\\b${name}\\(([^)]*)\\)[^;{]*\\{`).exec(code)[1];
+    return list.split(',').map((parameter) => parameter.trim().replace(/\s+/g, ' '));
+}
+
+// The call of a function: textures t0, t1 ..., their samplers, and numbers by `number(k)`.
+function call_of(one, signature, number) {
+    let textures = 0, numbers = 0;
+    const list = signature.map((parameter) => {
+        if (/SamplerState|: sampler$/.test(parameter)) return `t${textures - 1}_sampler`;
+        return /[Tt]exture|sampler[23]D/.test(parameter) ? `t${textures++}` : number(numbers++);
+    });
+    return `${one.function}(${list.join(', ')})`;
+}
+const swizzles = {float: 'x', int: 'x', bool: 'x', vec2: 'xy', vec3: 'xyz'};
+const casts = {int: (x) => `int(${x})`, bool: (x) => `(${x} > 0.5)`};
+const typed = (type, texel) => (casts[type] ?? ((x) => x))(`${texel}.${swizzles[type]}`);
+const widened = (value, channels, vec4) =>
+    `${vec4}(${[value, ...['0.0', '0.0', '1.0'].slice(channels - 1)].join(', ')})`;
+
+// Of each texture, whether it is 2-D.
+function flat_textures(signature) {
+    return signature.filter((one) => /[Tt]exture|sampler[23]D/.test(one)).map((one) => /2D|2d/.test(one));
+}
+
+function glsl_shader(one, code) {
+    const signature = signature_of(code, one.function);
+    const call = call_of(one, signature, (k) => typed(one.types[k], `texelFetch(given, ivec2(${k}, i), 0)`));
+    const flat = flat_textures(signature);
+    return {flat, text: `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp sampler3D;
+${code}
+${flat.map((is_flat, i) => `uniform ${is_flat ? 'sampler2D' : 'sampler3D'} t${i};`).join('\n')}
+uniform sampler2D given;
+out vec4 found;
+void main() {
+    int i = int(gl_FragCoord.x);
+    found = ${widened(call, one.channels, 'vec4')};
+}
+`};
+}
+
+function hlsl_shader(one, code) {
+    const signature = signature_of(code, one.function);
+    const call = call_of(one, signature, (k) => typed(one.types[k], `given.Load(int3(${k}, i, 0))`));
+    const flat = flat_textures(signature);
+    const name = path.join(work, one.key.replace(' ', '.'));
+    fs.writeFileSync(`${name}.hlsl`, `${code}
+${flat.map((is_flat, i) => `${is_flat ? 'Texture2D' : 'Texture3D'} t${i} : register(t${i});
+SamplerState t${i}_sampler : register(s${i});`).join('\n')}
+Texture2D given : register(t8);
+float4 main(float4 at : SV_Position) : SV_Target {
+    int i = int(at.x);
+    return ${widened(call, one.channels, 'float4')};
+}
+`);
+    execFileSync('glslangValidator', ['-D', '-V', '-S', 'frag', '-e', 'main', '-o', `${name}.spv`, `${name}.hlsl`]);
+    const text = execFileSync('spirv-cross', ['--es', '--version', '300', `${name}.spv`], {encoding: 'utf8'});
+    return {flat, text: text.replaceAll('mediump', 'highp')};
+}
+
+function wgsl_shader(one, code) {
+    const signature = signature_of(code, one.function);
+    const call = call_of(one, signature, (k) => typed(one.types[k], `given[${one.types.length} * i + ${k}]`)
+        .replace(/\bint\(/, 'i32('));
+    const flat = flat_textures(signature);
+    return {flat, text: `${code}
+@group(0) @binding(0) var<storage, read> given: array<vec4f>;
+@group(0) @binding(1) var<storage, read_write> found: array<vec4f>;
+${flat.map((is_flat, i) => `@group(0) @binding(${2 + 2 * i}) var t${i}: texture_${is_flat ? '2d' : '3d'}<f32>;
+@group(0) @binding(${3 + 2 * i}) var t${i}_sampler: sampler;`).join('\n')}
+@compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
+    let i = i32(id.x);
+    if (i >= ${one.calls.length}) { return; }
+    found[i] = ${widened(call, one.channels, 'vec4f')};
+}
+`};
+}
+
+const languages = {
+    glsl: {shader: glsl_shader, run: 'run_in_webgl'},
+    godot: {shader: glsl_shader, run: 'run_in_webgl'},
+    hlsl: {shader: hlsl_shader, run: 'run_in_webgl',
+        needs: [['glslangValidator', '--version', 'glslang-tools'], ['spirv-cross', '--help', 'spirv-cross']]},
+    wgsl: {shader: wgsl_shader, run: 'run_in_webgpu'},
+};
+
+// --- Tests --------------------------------------------------------------------------------------
+
+// Of each function, what it returns from the files and from the same files the wrong way round.
+async function results_of(page, {shader, run}, functions) {
+    const found = [], reversed = [];
+    for (const one of functions) {
+        const code = fs.readFileSync(path.join(printed_folder, language, `${one.file}.${language}`), 'utf8');
+        const {text, flat} = shader(one, code);
+        const textures = one.textures.map((texture, i) => ({...texture, is_flat: flat[i]}));
+        const job = {name: one.key, text, textures, rows: one.calls.length, columns: one.types.length,
+            given: one.calls.flatMap(({given}) => given)};
+        const results = await page.evaluate(([name, job]) => window.results_of(window[name], job), [run, job]);
+        found.push(results.found);
+        reversed.push(results.reversed);
+    }
+    return {found, reversed};
+}
+
+function skip(reason) {
+    console.log(`skipped: ${reason}`);
+    process.exit(77);
+}
+
+async function main() {
+    const rules = languages[language];
+    for (const [program, option, package_name] of rules.needs ?? []) {
+        if (!is_installed(program, option)) skip(`there is no ${program} (Debian's ${package_name})`);
+    }
+    const functions = noted_functions();
+    assert.ok(functions.length >= 50, `${functions.length} functions`);
+    const {browser, page} = await browser_with_a_page(work, {page: __dirname, calls: work},
+        '<script src="page/lookups_page.js"></script>');
+    const {found, reversed} = await results_of(page, rules, functions);
+    const wrong = misses(functions, found);
+    const calls = functions.reduce((sum, one) => sum + one.calls.length, 0);
+    console.log(`${functions.length} functions, ${calls} calls, wrong: ${wrong.length}`);
+    wrong.forEach((line) => console.log(`      ${line}`));
+    const caught = misses(functions, reversed);
+    const passed = functions.filter(({key}) => !caught.some((line) => line.startsWith(`${key}:`)));
+    passed.forEach(({key}) => console.log(`      ${key} passes with texels in the opposite order`));
+    assert.deepEqual([...wrong, ...passed], []);
+    assert.deepEqual(page.complaints, []);
+    await browser.close();
+    fs.rmSync(work, {recursive: true, force: true});
+}
+
+main().catch((error) => {
+    console.log(error.stack);
+    process.exit(1);
+});

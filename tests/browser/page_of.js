@@ -1,0 +1,40 @@
+'use strict';
+// A Chromium that draws without a GPU, and a page that has what is in some folders and nothing else in
+// the world.
+const {chromium} = require('playwright-core');
+const path = require('node:path');
+
+const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
+const site = 'https://skybake.test/';  // answered from the disk; WebGPU is for secure pages only
+
+// `folders` are the page's, by name; its complaints are in page.complaints.
+async function browser_with_a_page(work, folders, html) {
+    const profile = path.join(work, 'profile');
+    const browser = await chromium.launch({
+        executablePath: '/usr/bin/chromium',
+        timeout: patience,
+        env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
+        args: ['--no-sandbox', '--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader',
+               '--enable-unsafe-swiftshader', '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader',
+               '--disable-quic', '--no-first-run', '--disable-background-networking',
+               '--disable-component-update', '--disable-sync'],
+    });
+    const page = await browser.newPage();
+    page.setDefaultTimeout(patience);
+    page.complaints = [];
+    page.on('console', (message) => {
+        if (message.type() === 'error') page.complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => page.complaints.push(error.stack));
+    await page.route('**/*', (route) => {
+        const url = route.request().url();
+        if (url === site) return route.fulfill({contentType: 'text/html', body: `<link rel="icon" href="data:,">${html}`});
+        const [top, ...rest] = url.slice(site.length).split('/');
+        if (!url.startsWith(site) || !folders[top]) return route.abort();
+        return route.fulfill({path: path.join(folders[top], ...rest)});
+    });
+    await page.goto(site);
+    return {browser, page};
+}
+
+module.exports = {browser_with_a_page, patience, site};

@@ -1,0 +1,84 @@
+'use strict';
+// What examples/runtimes/webgl draws, in Chromium without a GPU, beside what `skybake preview` shows of the same
+// bake from the same camera; and that it is another picture if one of the files is upside down.
+//   node webgl_example.js PROGRAM FOLDER EXAMPLE
+const assert = require('node:assert/strict');
+const {execFileSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+const {browser_with_a_page} = require('./page_of.js');
+
+const [, , program, folder, example] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, 'webgl-'));
+
+// Small pictures have four samples for each pixel in the preview, and so here.
+const size = [128, 72];
+const view = {position: [0, 0, 200], heading: 63, pitch: 15, fov: 70, sun_azimuth: 105, exposure: 12,
+    size: size.map((edge) => 2 * edge)};
+// Root mean squares of differences in bytes of sRGB, a quarter above what is measured. The page's light from
+// sky and ground is that above and below each point alone, where the preview's comes from all around.
+const bounds = {20: 8, 4: 8};
+
+function preview(baked) {
+    const camera = `position=0m,0m,${view.position[2]}m heading=${view.heading}deg pitch=${view.pitch}deg fov=${view.fov}deg`;
+    execFileSync(program, ['preview', baked, '-o', path.join(work, 'preview'), '-q', '--camera', camera,
+        '--size', size.join('x'), '--exposure', String(Math.log2(view.exposure)),
+        '--sun-elevation', Object.keys(bounds).join(','), '--sun-azimuth', String(view.sun_azimuth)]);
+}
+
+// A copy of the bake in which one file has its rows, or a volume its slices, in the opposite order.
+function upside_down(name) {
+    const copy = path.join(work, `flipped_${name}`);
+    fs.cpSync(path.join(work, 'baked'), copy, {recursive: true});
+    const manifest = JSON.parse(fs.readFileSync(path.join(copy, 'manifest.json'), 'utf8'));
+    const count = manifest.assets.find((asset) => asset.name === name).size.at(-1);
+    const file = path.join(copy, `${name}.bin`), bytes = fs.readFileSync(file), length = bytes.length / count;
+    const rows = Array.from({length: count}, (_, i) => bytes.subarray(i * length, (i + 1) * length));
+    fs.writeFileSync(file, Buffer.concat(rows.reverse()));
+    return path.basename(copy);
+}
+
+const draw = (page, folder, sun_elevation) => page.evaluate(async ([url, view]) => {
+    const {renderer} = await import('./example/main.js');
+    const canvas = document.createElement('canvas');
+    (await renderer(canvas, url))(view);
+    return window.reduced(canvas, 2);
+}, [`work/${folder}`, {...view, sun_elevation}]);
+
+function rms(a, b) {
+    let sum = 0;
+    a.forEach((value, i) => { sum += i % 4 < 3 ? (value - b[i]) ** 2 : 0; });
+    return Math.sqrt(sum / (0.75 * a.length));
+}
+
+async function main() {
+    execFileSync(path.join(example, 'bake.sh'), [program, path.join(work, 'baked')], {stdio: 'ignore'});
+    preview(path.join(work, 'baked'));
+    const {browser, page} = await browser_with_a_page(work, {example, work, page: __dirname},
+        '<script src="page/pictures_page.js"></script>');
+    const pictures = {};
+    const wrong = [];
+    const measure = async (folder, sun, is_right) => {
+        const error = rms(await draw(page, folder, sun), pictures[sun]);
+        console.log(`${folder}, sun ${sun} deg: RMS ${error.toFixed(2)} of 255`);
+        if ((error <= bounds[sun]) !== is_right) wrong.push(`${folder}, ${sun}`);
+    };
+    for (const sun of Object.keys(bounds)) {
+        pictures[sun] = await page.evaluate((url) => window.picture(url), `work/preview/cloud_lit_sun_${sun}.png`);
+        await measure('baked', Number(sun), true);
+    }
+    for (const name of ['transmittance', 'multiple_scattering', 'cloud', 'cells']) {
+        await measure(upside_down(name), 20, false);
+    }
+    assert.deepEqual(wrong, []);
+    assert.deepEqual(page.complaints, []);
+    // The page itself, by its own script.
+    await page.goto(page.url() + 'site/index.html');
+    await browser.close();
+    fs.rmSync(work, {recursive: true, force: true});
+}
+
+main().catch((error) => {
+    console.log(error.stack);
+    process.exit(1);
+});
