@@ -8,11 +8,10 @@
 #include <array>
 #include <cassert>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "bakers/noise/cell_kernel.h"
-#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/lattice_planes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -24,7 +23,7 @@ constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 using Integers = hn::RebindToSigned<Floats>;
-constexpr std::size_t kSliceStride = CellCandidates::kSliceStride;
+constexpr std::size_t kLineStride = CellCandidates::kLineStride;
 
 // Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.
 struct Extent {
@@ -208,12 +207,12 @@ std::size_t keep_near(std::size_t count, float bound, CellCandidates& candidates
 }
 
 // The candidates within the bound; more rings of cells than one where the bound asks for them.
-std::size_t near_candidates(const CellField& field, const std::array<Extent, 3>& block, int rings,
+std::size_t near_candidates(const CellField& field, const std::array<Extent, 3>& block,
                             LatticePlanes& planes, CellCandidates& candidates) {
     const bool second = field.feature != config::WorleyFeature::f1;
-    std::size_t count = gather(block, rings, planes, candidates);
+    std::size_t count = gather(block, 1, planes, candidates);
     float bound = bound_of(block, count, second, candidates);
-    if (rings == 1 && !reaches(bound, block)) {
+    if (!reaches(bound, block)) {
         count = gather(block, 2, planes, candidates);
         bound = bound_of(block, count, second, candidates);
     }
@@ -222,222 +221,111 @@ std::size_t near_candidates(const CellField& field, const std::array<Extent, 3>&
 
 // --- Distances ----------------------------------------------------------------------------------
 
-// Squared distance along one axis of lanes at `fraction` in cell `cell` to one point: the
-// specification's ((fraction - point) - offset)^2.
-HWY_INLINE FloatVector squared_along(FloatVector fraction, FloatVector cell, float point,
-                                     float point_cell) {
-    const auto distance = hn::Add(hn::Sub(fraction, hn::Set(kFloats, point)),
-                                  hn::Sub(cell, hn::Set(kFloats, point_cell)));
-    return hn::Mul(distance, distance);
-}
-
-// How the lanes of a vector lie over voxels, and how big blocks are.
-struct BlockShape {
-    std::size_t across = kLanes;  // lanes along x; the others are rows
-    int rows = 8;                 // of a block
-    int depth = 8;                // slices
-    bool prune = true;            // worth it where blocks are smaller than cells
-};
-
-// Positions of a patch's lanes along one axis: in their cells, and these counted from the block's.
-struct LanePositions {
-    FloatVector fraction, cell;
-};
-
-using LaneIndices = decltype(hn::IndicesFromVec(kFloats, hn::Zero(Integers())));
-
-HWY_INLINE LanePositions lane_positions(const AxisCells& axis, int voxel, std::int64_t block_cell,
-                                        LaneIndices lanes) {
-    const Integers integers;
-    const auto at = static_cast<std::size_t>(voxel);
-    const auto cell = hn::Sub(hn::LoadU(integers, axis.cell.data() + at),
-                              hn::Set(integers, static_cast<std::int32_t>(block_cell)));
-    return {hn::TableLookupLanes(hn::LoadU(kFloats, axis.fraction.data() + at), lanes),
-            hn::TableLookupLanes(hn::ConvertTo(kFloats, cell), lanes)};
-}
-
-// Of each lane of a patch, its column and its row.
-HWY_INLINE LaneIndices lane_columns(std::size_t across) {
-    const Integers integers;
-    const auto mask = hn::Set(integers, static_cast<std::int32_t>(across - 1));
-    return hn::IndicesFromVec(kFloats, hn::And(hn::Iota(integers, 0), mask));
-}
-HWY_INLINE LaneIndices lane_rows(std::size_t across) {
-    const Integers integers;
-    const int shift = across == 4 ? 2 : across == 8 ? 3 : 4;
-    return hn::IndicesFromVec(kFloats, hn::ShiftRightSame(hn::Iota(integers, 0), shift));
-}
+// Blocks are as wide as a vector.
+constexpr int kBlockWidth = static_cast<int>(kLanes);
 
 struct Block {
     VoxelBox box;
     std::array<Extent, 3> extent;
 };
 
-template <int kDepth, bool kSecond>
-HWY_INLINE void fill_patch(const CellField& field, const CellCandidates& candidates,
-                           std::size_t count, const LanePositions& rows,
-                           FloatVector* HWY_RESTRICT values, FloatVector& farthest) {
-    const auto infinity = hn::Set(kFloats, std::numeric_limits<float>::infinity());
-    FloatVector nearest[kDepth];
-    FloatVector next[kDepth];
-    for (int z = 0; z < kDepth; ++z) {
-        nearest[z] = infinity;
-        if (kSecond) next[z] = infinity;
+// Squared distances along x of a vector of voxels from each candidate.
+void fill_squared_x(const CellField& field, const Block& block, std::size_t count,
+                    CellCandidates& candidates) {
+    const AxisCells& axis = field.cells[0];
+    const auto first = static_cast<std::size_t>(block.box.origin[0]);
+    const auto fraction = hn::LoadU(kFloats, axis.fraction.data() + first);
+    const Integers integers;
+    const auto cell = hn::ConvertTo(
+        kFloats, hn::Sub(hn::LoadU(integers, axis.cell.data() + first),
+                         hn::Set(integers, static_cast<std::int32_t>(block.extent[0].cell))));
+    for (std::size_t k = 0; k < count; ++k) {
+        const auto offset = hn::Sub(cell, hn::Set(kFloats, candidates.cell_x[k]));
+        const auto squared =
+            squared_along(fraction, hn::Set(kFloats, candidates.point_x[k]), offset);
+        hn::Store(squared, kFloats, candidates.squared_x.data() + k * kLanes);
     }
-    const float* HWY_RESTRICT point_y = candidates.point_y.data();
-    const float* HWY_RESTRICT cell_y = candidates.cell_y.data();
+}
+
+// Squared distances of one row, or slice, of voxels from each candidate.
+void fill_line(const AxisCells& axis, int voxel, const Extent& extent, std::size_t count,
+               const float* HWY_RESTRICT points, const float* HWY_RESTRICT cells,
+               float* HWY_RESTRICT squares) {
+    const auto at = static_cast<std::size_t>(voxel);
+    const auto fraction = hn::Set(kFloats, axis.fraction[at]);
+    const auto cell = hn::Set(kFloats, static_cast<float>(axis.cell[at] - extent.cell));
+    for (std::size_t k = 0; k < count; k += kLanes) {
+        const auto offset = hn::Sub(cell, hn::Load(kFloats, cells + k));
+        hn::Store(squared_along(fraction, hn::Load(kFloats, points + k), offset), kFloats,
+                  squares + k);
+    }
+}
+
+// Fills the block from the candidates. A block of fewer slices than kDepth has its last one again.
+template <int kDepth, bool kSecond>
+void fill_voxels(const CellField& field, const Block& block, std::size_t count,
+                 CellCandidates& candidates, const CellTarget& target) {
+    const auto& [x, first_y, first_z] = block.box.origin;
+    const auto slice = [&](std::size_t i) {
+        return first_z + std::min(static_cast<int>(i), block.box.size[2] - 1);
+    };
+    fill_squared_x(field, block, count, candidates);
+    for (std::size_t i = 0; i < kDepth; ++i) {
+        fill_line(field.cells[2], slice(i), block.extent[2], count, candidates.point_z.data(),
+                  candidates.cell_z.data(), candidates.squared_z.data() + i * kLineStride);
+    }
     const float* HWY_RESTRICT squared_x = candidates.squared_x.data();
+    const float* HWY_RESTRICT squared_y = candidates.squared_y.data();
     const float* HWY_RESTRICT squared_z = candidates.squared_z.data();
-    for (std::size_t k = 0; k < count; ++k) {
-        const auto across = hn::Add(hn::Load(kFloats, squared_x + k * kLanes),
-                                    squared_along(rows.fraction, rows.cell, point_y[k], cell_y[k]));
-        for (int z = 0; z < kDepth; ++z) {
-            const auto squared = hn::Add(
-                across,
-                hn::Set(kFloats, squared_z[static_cast<std::size_t>(z) * kSliceStride + k]));
-            if (kSecond) next[z] = hn::Min(next[z], hn::Max(nearest[z], squared));
-            nearest[z] = hn::Min(nearest[z], squared);
+    for (int y = first_y; y < first_y + block.box.size[1]; ++y) {
+        fill_line(field.cells[1], y, block.extent[1], count, candidates.point_y.data(),
+                  candidates.cell_y.data(), candidates.squared_y.data());
+        CellTile<1, kDepth, kSecond> tile;
+        for (std::size_t k = 0; k < count; ++k) {
+            const auto across =
+                hn::Add(hn::Load(kFloats, squared_x + k * kLanes), hn::Set(kFloats, squared_y[k]));
+            for (std::size_t i = 0; i < kDepth; ++i) {
+                tile.take(0, i, hn::Add(across, hn::Set(kFloats, squared_z[i * kLineStride + k])));
+            }
         }
+        tile.store(field, [&](std::size_t, std::size_t i) { return target.at(x, y, slice(i)); });
     }
-    for (int z = 0; z < kDepth; ++z) {
-        farthest = hn::Max(farthest, kSecond ? next[z] : nearest[z]);
-        values[z] =
-            cell_value(field.feature, field.value_form, nearest[z], kSecond ? next[z] : nearest[z]);
-    }
-}
-
-HWY_INLINE void fill_squares(const CellField& field, const Block& block, const BlockShape& shape,
-                             std::size_t count, CellCandidates& candidates) {
-    const LanePositions columns = lane_positions(field.cells[0], block.box.origin[0],
-                                                 block.extent[0].cell, lane_columns(shape.across));
-    for (std::size_t k = 0; k < count; ++k) {
-        hn::Store(squared_along(columns.fraction, columns.cell, candidates.point_x[k],
-                                candidates.cell_x[k]),
-                  kFloats, candidates.squared_x.data() + k * kLanes);
-    }
-    for (std::size_t slice = 0; slice < static_cast<std::size_t>(block.box.size[2]); ++slice) {
-        const std::size_t voxel = static_cast<std::size_t>(block.box.origin[2]) + slice;
-        const auto fraction = hn::Set(kFloats, field.cells[2].fraction[voxel]);
-        const auto cell =
-            hn::Set(kFloats, static_cast<float>(field.cells[2].cell[voxel] - block.extent[2].cell));
-        float* HWY_RESTRICT squared_z = candidates.squared_z.data() + slice * kSliceStride;
-        for (std::size_t k = 0; k < count; k += kLanes) {
-            const auto distance =
-                hn::Add(hn::Sub(fraction, hn::Load(kFloats, candidates.point_z.data() + k)),
-                        hn::Sub(cell, hn::Load(kFloats, candidates.cell_z.data() + k)));
-            hn::Store(hn::Mul(distance, distance), kFloats, squared_z + k);
-        }
-    }
-}
-
-// Writes one slice of a patch, rows of `across` lanes.
-HWY_INLINE void store_patch(FloatVector value, std::size_t across, int rows, std::size_t row_stride,
-                            float* out) {
-    if (across == kLanes) {
-        hn::StoreU(value, kFloats, out);
-        return;
-    }
-    HWY_ALIGN float lanes[kLanes];
-    hn::Store(value, kFloats, lanes);
-    for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row) {
-        std::memcpy(out + row * row_stride, lanes + row * across, across * sizeof(float));
-    }
-}
-
-// The target of a chunk.
-struct ChunkRows {
-    const VoxelBox& chunk;
-    std::size_t row_stride;
-    float* out;
-    float* at(int x, int y, int z) const {
-        const int row = (z - chunk.origin[2]) * chunk.size[1] + (y - chunk.origin[1]);
-        return out + static_cast<std::size_t>(row) * row_stride +
-               static_cast<std::size_t>(x - chunk.origin[0]);
-    }
-};
-
-// Fills the block from the candidates; the largest of the squared distances that were decisive.
-template <int kDepth, bool kSecond>
-float fill_patches(const CellField& field, const Block& block, const BlockShape& shape,
-                   std::size_t count, CellCandidates& candidates, const ChunkRows& target) {
-    fill_squares(field, block, shape, count, candidates);
-    const auto patch_rows = static_cast<int>(kLanes / shape.across);
-    const auto& [x, first_y, z] = block.box.origin;
-    const int end_y = first_y + block.box.size[1];
-    const LaneIndices row_of_lane = lane_rows(shape.across);
-    auto farthest = hn::Zero(kFloats);
-    for (int y = first_y; y < end_y; y += patch_rows) {
-        const LanePositions rows =
-            lane_positions(field.cells[1], y, block.extent[1].cell, row_of_lane);
-        FloatVector values[kDepth];
-        fill_patch<kDepth, kSecond>(field, candidates, count, rows, values, farthest);
-        for (int slice = 0; slice < block.box.size[2]; ++slice) {
-            store_patch(values[slice], shape.across, std::min(patch_rows, end_y - y),
-                        target.row_stride, target.at(x, y, z + slice));
-        }
-    }
-    return hn::GetLane(hn::MaxOfLanes(kFloats, farthest));
 }
 
 template <int kDepth, bool kSecond>
-void fill_block(const CellField& field, const Block& block, const BlockShape& shape,
-                LatticePlanes& planes, CellCandidates& candidates, const ChunkRows& target) {
-    if (!shape.prune) {
-        const std::size_t count = gather(block.extent, 1, planes, candidates);
-        const float farthest =
-            fill_patches<kDepth, kSecond>(field, block, shape, count, candidates, target);
-        if (reaches(farthest, block.extent)) return;
-    }
-    const int rings = shape.prune ? 1 : 2;
-    const std::size_t count = near_candidates(field, block.extent, rings, planes, candidates);
-    fill_patches<kDepth, kSecond>(field, block, shape, count, candidates, target);
-}
-
-// Blocks of about half a cell where cells are wide, of about a cell or more where they are narrow:
-// there dropping points costs more than looking at them. The bounds are the best of those tried.
-BlockShape shape_of(const CellField& field) {
-    std::array<double, 3> voxels_per_cell;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto voxels = static_cast<double>(field.cells[axis].cell.size() - kLanePadding);
-        voxels_per_cell[axis] = voxels / field.frequency[axis];
-    }
-    const auto& [x, y, z] = voxels_per_cell;
-    BlockShape shape;
-    shape.across = std::min<std::size_t>(kLanes, x >= 6 ? 16 : x >= 3 ? 8 : 4);
-    shape.rows = y >= 24 ? 16 : y >= 6 ? 8 : 4;
-    shape.depth = z >= 6 ? 8 : 4;
-    shape.prune = x * y * z >= 12 * 12 * 12;
-    return shape;
+void fill_block(const CellField& field, const Block& block, LatticePlanes& planes,
+                CellCandidates& candidates, const CellTarget& target) {
+    const std::size_t count = near_candidates(field, block.extent, planes, candidates);
+    fill_voxels<kDepth, kSecond>(field, block, count, candidates, target);
 }
 
 template <bool kSecond>
-void fill_blocks(const CellField& field, const BlockShape& shape, LatticePlanes& planes,
-                 CellCandidates& candidates, const ChunkRows& target) {
-    const VoxelBox& chunk = target.chunk;
-    const auto across = static_cast<int>(shape.across);
+void fill_blocks(const CellField& field, LatticePlanes& planes, CellCandidates& candidates,
+                 const VoxelBox& chunk, const CellTarget& target) {
+    const int block_rows = voxels_per_cell(field, 1) >= 24 ? 16 : 8;
     const auto extent = [&](std::size_t axis, const Block& block) {
         const auto first = static_cast<std::size_t>(block.box.origin[axis]);
         return extent_of(field.cells[axis], first,
                          first + static_cast<std::size_t>(block.box.size[axis]) - 1);
     };
     Block block;
-    for (int z = 0; z < chunk.size[2]; z += shape.depth) {
+    for (int z = 0; z < chunk.size[2]; z += CellCandidates::kDepth) {
         block.box.origin[2] = chunk.origin[2] + z;
-        block.box.size[2] = std::min(shape.depth, chunk.size[2] - z);
+        block.box.size[2] = std::min(CellCandidates::kDepth, chunk.size[2] - z);
         block.extent[2] = extent(2, block);
         const auto fill = block.box.size[2] > 4   ? fill_block<8, kSecond>
                           : block.box.size[2] > 2 ? fill_block<4, kSecond>
                           : block.box.size[2] > 1 ? fill_block<2, kSecond>
                                                   : fill_block<1, kSecond>;
-        for (int y = 0; y < chunk.size[1]; y += shape.rows) {
+        for (int y = 0; y < chunk.size[1]; y += block_rows) {
             block.box.origin[1] = chunk.origin[1] + y;
-            block.box.size[1] = std::min(shape.rows, chunk.size[1] - y);
+            block.box.size[1] = std::min(block_rows, chunk.size[1] - y);
             block.extent[1] = extent(1, block);
-            for (int x = 0; x < chunk.size[0]; x += across) {
+            for (int x = 0; x < chunk.size[0]; x += kBlockWidth) {
                 block.box.origin[0] = chunk.origin[0] + x;
-                block.box.size[0] = std::min(across, chunk.size[0] - x);
+                block.box.size[0] = std::min(kBlockWidth, chunk.size[0] - x);
                 block.extent[0] = extent(0, block);
-                fill(field, block, shape, planes, candidates, target);
+                fill(field, block, planes, candidates, target);
             }
         }
     }
@@ -445,14 +333,12 @@ void fill_blocks(const CellField& field, const BlockShape& shape, LatticePlanes&
 
 }  // namespace
 
-void fill_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                LatticePlanes& planes, CellCandidates& candidates, float* out) {
-    const BlockShape shape = shape_of(field);
-    const ChunkRows target{chunk, row_stride, out};
+void fill_field(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
+                CellCandidates& candidates, const CellTarget& target) {
     if (field.feature == config::WorleyFeature::f1) {
-        fill_blocks<false>(field, shape, planes, candidates, target);
+        fill_blocks<false>(field, planes, candidates, chunk, target);
     } else {
-        fill_blocks<true>(field, shape, planes, candidates, target);
+        fill_blocks<true>(field, planes, candidates, chunk, target);
     }
 }
 
@@ -469,11 +355,11 @@ CellCandidates::CellCandidates() {
     constexpr std::size_t kPadding = kLanePadding;
     constexpr std::size_t kCount = kMost + kPadding;
     for (AlignedFloats* values :
-         {&point_x, &point_y, &point_z, &cell_x, &cell_y, &cell_z, &lower}) {
+         {&point_x, &point_y, &point_z, &cell_x, &cell_y, &cell_z, &lower, &squared_y}) {
         values->resize(kCount);
     }
     squared_x.resize(kCount * kPadding);
-    squared_z.resize(kDepth * kSliceStride);
+    squared_z.resize(kDepth * kLineStride);
 }
 
 LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int chunk_depth) {
@@ -482,11 +368,21 @@ LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int 
                                kRings);
 }
 
-void fill_cell_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                     LatticePlanes& planes, CellCandidates& candidates, float* out) {
-    assert(row_stride % kLanePadding == 0);
-    assert(row_stride >= static_cast<std::size_t>(chunk.size[0]));
-    HWY_DYNAMIC_DISPATCH(fill_field)(field, chunk, row_stride, planes, candidates, out);
+double voxels_per_cell(const CellField& field, std::size_t axis) {
+    const auto voxels = static_cast<double>(field.cells[axis].cell.size() - kLanePadding);
+    return voxels / field.frequency[axis];
+}
+
+bool has_wide_cells(const CellField& field) {
+    const double x = voxels_per_cell(field, 0);
+    const double y = voxels_per_cell(field, 1);
+    const double z = voxels_per_cell(field, 2);
+    return std::min({x, y, z}) >= 6 && x * y * z > 8 * 8 * 8;
+}
+
+void fill_wide_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
+                     CellCandidates& candidates, const CellTarget& target) {
+    HWY_DYNAMIC_DISPATCH(fill_field)(field, chunk, planes, candidates, target);
 }
 
 }  // namespace skybake::noise

@@ -1,4 +1,5 @@
-// Fills boxes of voxels with cellular noise, exactly.
+// Fills boxes of voxels with cellular noise, exactly. narrow_cell_kernel.h does the same where cells
+// are a few voxels wide.
 //
 // A block of voxels smaller than a cell is near only a few of the points around it. Its candidates
 // are the points of the cells around the block. The greatest distance from the block to its nearest
@@ -27,23 +28,44 @@ struct CellCandidates {
     static constexpr int kDepth = 8;  // largest number of slices of a block
     // Not a power of two, so that the rows of different slices do not fall into the same set of the
     // cache.
-    static constexpr std::size_t kSliceStride = kMost + 2 * kLanePadding;
+    static constexpr std::size_t kLineStride = kMost + 2 * kLanePadding;
     CellCandidates();
     // For each candidate, its place in its cell, and that cell, counted from the block's first.
     AlignedFloats point_x, point_y, point_z, cell_x, cell_y, cell_z;
     AlignedFloats lower;      // least squared distance from the block
     AlignedFloats squared_x;  // [candidate][lane]: squared distance along x
+    AlignedFloats squared_y;  // [candidate]: squared distance along y, of one row
     AlignedFloats squared_z;  // [slice][candidate]: squared distance along z
+};
+
+// Describes where values are written: voxel (x, y, z) of a box with this origin goes to
+// out[(z - origin z) * slice_stride + (y - origin y) * row_stride + (x - origin x)]. Rows are
+// written in whole vectors of up to kLanePadding floats, which overwrites the memory between the
+// end of a row and the next.
+struct CellTarget {
+    float* out = nullptr;
+    std::array<int, 3> origin{};
+    std::size_t row_stride = 0;
+    std::size_t slice_stride = 0;
+    float* at(int x, int y, int z) const {
+        return out + (static_cast<std::size_t>(z - origin[2]) * slice_stride +
+                      static_cast<std::size_t>(y - origin[1]) * row_stride +
+                      static_cast<std::size_t>(x - origin[0]));
+    }
 };
 
 // Makes the lattice for the points of the cells of chunks within `box`, of at most `chunk_depth`
 // slices each, and of two rings of cells around them.
 LatticePlanes make_cell_planes(const CellField& field, const VoxelBox& box, int chunk_depth);
 
-// Writes the field over the chunk's voxels to out[(z * chunk.size[1] + y) * row_stride + x].
-// row_stride is a multiple of kLanePadding; the padding at the ends of rows is overwritten. The
-// field has at most one cell per voxel.
-void fill_cell_field(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
-                     LatticePlanes& planes, CellCandidates& candidates, float* out);
+double voxels_per_cell(const CellField& field, std::size_t axis);
+
+// True if dropping points for whole blocks pays: where blocks are smaller than cells. The bounds are
+// the best of those tried.
+bool has_wide_cells(const CellField& field);
+
+// Writes the field, which has wide cells, over the chunk's voxels.
+void fill_wide_cells(const CellField& field, const VoxelBox& chunk, LatticePlanes& planes,
+                     CellCandidates& candidates, const CellTarget& target);
 
 }  // namespace skybake::noise

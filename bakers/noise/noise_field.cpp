@@ -8,6 +8,7 @@
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"
 #include "bakers/noise/gradient_kernel.h"
+#include "bakers/noise/narrow_cell_kernel.h"
 #include "bakers/noise/pointwise_kernel.h"
 
 namespace skybake::noise {
@@ -60,6 +61,7 @@ class BoxFiller {
         fields_.resize(plan_.fields.size());
         rows_.resize(plan_.fields.size());
         combined_.resize(std::max<std::size_t>(4, plan_.channels.size()) * row_stride_);
+        callers_.resize(plan_.fields.size(), nullptr);
         lattices_.resize(plan_.fields.size());
         gradients_.resize(plan_.channels.size());
         gradient_lattices_.resize(plan_.channels.size());
@@ -70,6 +72,10 @@ class BoxFiller {
                 prepare_field(static_cast<std::size_t>(use.field));
             }
             if (!channel.gradient.octaves.empty()) prepare_gradient(c);
+            if (is_one_field(channel)) {
+                float*& caller = callers_[static_cast<std::size_t>(channel.cells.front().field)];
+                if (caller == nullptr) caller = channels_[c];
+            }
             all_direct_ = all_direct_ && is_direct(c);
         }
     }
@@ -97,17 +103,29 @@ class BoxFiller {
     }
 
     void fill_field(std::size_t index, const VoxelBox& chunk) {
-        float* out = fields_[index].data();
-        if (lattices_[index]) {
-            fill_cell_field(plan_.fields[index], chunk, row_stride_, *lattices_[index],
-                            *candidates_, out);
+        const CellField& field = plan_.fields[index];
+        if (!lattices_[index]) {
+            fill_cell_field_pointwise(field, chunk, row_stride_, fields_[index].data());
+            return;
+        }
+        const CellTarget target = cell_target(index, chunk);
+        if (has_wide_cells(field)) {
+            fill_wide_cells(field, chunk, *lattices_[index], *candidates_, target);
         } else {
-            fill_cell_field_pointwise(plan_.fields[index], chunk, row_stride_, out);
+            fill_narrow_cells(field, chunk, *lattices_[index], narrow_, target);
         }
     }
 
-    // Where the channel's gradient sums go: straight to the caller where nothing else becomes of
-    // them and whole vectors end where rows do.
+    CellTarget cell_target(std::size_t index, const VoxelBox& chunk) {
+        if (callers_[index] == nullptr) {
+            const auto rows = static_cast<std::size_t>(chunk.size[1]);
+            return {fields_[index].data(), chunk.origin, row_stride_, rows * row_stride_};
+        }
+        const std::size_t slice = static_cast<std::size_t>(box_.size[1]) * row_stride_;
+        return {callers_[index], box_.origin, row_stride_, slice};
+    }
+
+    // Where the channel's gradient sums go.
     SumTarget sum_target(std::size_t index, const VoxelBox& chunk) {
         const ChannelPlan& channel = plan_.channels[index];
         const SumShift shift = sum_shift(channel);
@@ -121,12 +139,28 @@ class BoxFiller {
                 shift.offset};
     }
 
+    // True if kernels may write a channel's rows straight to the caller: nothing else becomes of
+    // them, and whole vectors end where rows do.
+    bool is_bare(const ChannelPlan& channel) const {
+        return !channel.is_shaped() && plan_.pack == config::NoisePacking::none &&
+               row_stride_ == static_cast<std::size_t>(box_.size[0]);
+    }
+
+    // True if the channel is one field of cells as it is.
+    bool is_one_field(const ChannelPlan& channel) const {
+        if (channel.type != config::NoiseType::worley || channel.cells.size() != 1) return false;
+        const auto& [field, weight] = channel.cells.front();
+        return is_bare(channel) && weight == 1 && lattices_[static_cast<std::size_t>(field)];
+    }
+
     bool is_direct(std::size_t index) const {
         const ChannelPlan& channel = plan_.channels[index];
-        const bool as_it_is = !channel.is_shaped() && channel.cells.empty() &&
-                              channel.fractal != config::NoiseFractal::rectified;
-        return as_it_is && gradient_lattices_[index] && plan_.pack == config::NoisePacking::none &&
-               row_stride_ == static_cast<std::size_t>(box_.size[0]);
+        if (is_one_field(channel)) {  // which other channels may have, too
+            const auto field = static_cast<std::size_t>(channel.cells.front().field);
+            return callers_[field] == channels_[index];
+        }
+        return is_bare(channel) && channel.cells.empty() && gradient_lattices_[index] &&
+               channel.fractal != config::NoiseFractal::rectified;
     }
 
     void fill_gradient(std::size_t index, const VoxelBox& chunk) {
@@ -173,6 +207,7 @@ class BoxFiller {
         const std::size_t offset = static_cast<std::size_t>(z * chunk.size[1] + y) * row_stride_;
         for (std::size_t i = 0; i < fields_.size(); ++i) {
             rows_[i] = fields_[i].empty() ? nullptr : fields_[i].data() + offset;
+            if (callers_[i] != nullptr) rows_[i] = row_of(callers_[i], chunk, y, z);
         }
         const bool packed = plan_.pack != config::NoisePacking::none;
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
@@ -203,12 +238,14 @@ class BoxFiller {
     std::size_t chunk_floats_ = 0;
     int chunk_rows_ = 0;
     bool pointwise_ = false;
-    bool all_direct_ = true;                // no channel needs its rows combined
-    std::vector<AlignedFloats> fields_;     // of the chunk; empty where no wanted channel has it
+    bool all_direct_ = true;             // no channel needs its rows combined
+    std::vector<AlignedFloats> fields_;  // of the chunk; empty where no wanted channel has it
+    std::vector<float*> callers_;        // per field: the channel over the box that it is, or none
     std::vector<AlignedFloats> gradients_;  // of the chunk, per channel
     AlignedFloats octave_;
     std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
+    NarrowCellScratch narrow_;
     std::vector<std::optional<std::vector<GradientLattice>>> gradient_lattices_;  // none: pointwise
     std::vector<const float*> rows_;  // of the fields, the row at hand
     AlignedFloats combined_;          // a row of each channel

@@ -130,6 +130,36 @@ TEST(PointwiseKernel, EqualsTheSpecificationOnEveryTarget) {
     });
 }
 
+// Second nearest points are often beyond the 27 cells about a voxel: in so many voxels some are, for
+// cells of 4, 3.3 and 1.3 voxels, and for wide ones of 25. All channels have one field: two are it, a
+// third shapes it.
+TEST(NoiseField, CellsOfAnyWidthEqualThePointwiseKernel) {
+    for (const auto& [frequency, size] : {std::pair{32, 128}, {30, 100}, {64, 80}, {4, 100}}) {
+        config::NoiseChannel inverted =
+            test::worley({{frequency, frequency, frequency}}, WorleyFeature::f2);
+        const config::NoiseChannel plain = inverted;
+        inverted.invert = true;
+        const NoisePlan plan =
+            make_noise_plan(test::noise_of({plain, plain, inverted}), {size, size, size});
+        ASSERT_EQ(plan.fields.size(), 1u);
+        const VoxelBox box{{0, 0, 0}, {size, size, size}};
+        const test::Planes made = test::filled(NoiseField(plan), box, 3);
+        const auto stride = static_cast<std::size_t>((size + 15) / 16 * 16);
+        const auto rows = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
+        std::vector<float> pointwise(stride * rows);
+        fill_cell_field_pointwise(plan.fields[0], box, stride, pointwise.data());
+        std::int64_t unlike = 0;
+        for (std::size_t row = 0; row < rows; ++row) {
+            for (std::size_t x = 0; x < static_cast<std::size_t>(size); ++x) {
+                const float value = pointwise[row * stride + x];
+                const std::size_t at = row * static_cast<std::size_t>(size) + x;
+                unlike += made[0][at] != value || made[1][at] != value || made[2][at] != 1 - value;
+            }
+        }
+        EXPECT_EQ(unlike, 0) << frequency << " cells, " << size << " voxels";
+    }
+}
+
 TEST(NoiseSpecification, PerlinIsZeroAtLatticePoints) {
     config::Noise noise = test::noise_of({test::perlin({{4, 4, 4}}, NoiseFractal::billow)});
     noise.sampling = config::NoiseSampling::corners;

@@ -1,0 +1,89 @@
+// Least squared distances of a tile of voxels: vectors along x in some rows and slices.
+#if defined(SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
+#undef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
+#else
+#define SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include <cstddef>
+#include <limits>
+
+#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/lattice_hash-inl.h"
+#include "bakers/noise/noise_plan.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::noise {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// Squared distance of voxels to points along one axis: the specification's
+// ((fraction - point) - offset)^2, where `offset` is minus that of the points' cells.
+HWY_INLINE FloatVector squared_along(FloatVector fraction, FloatVector point, FloatVector offset) {
+    const auto distance = hn::Add(hn::Sub(fraction, point), offset);
+    return hn::Mul(distance, distance);
+}
+
+// Takes squared distances to points one after the other, and keeps the least, for kSecond also the
+// second least. They are not negative, so that the bits of floats have their order, and processors
+// have more units for the minima of integers.
+template <std::size_t kRows, std::size_t kDepth, bool kSecond>
+class CellTile {
+  public:
+    HWY_INLINE CellTile() {
+        const auto infinity =
+            hn::BitCast(kBits, hn::Set(Floats(), std::numeric_limits<float>::infinity()));
+        for (auto& row : nearest_) {
+            for (auto& value : row) value = infinity;
+        }
+        for (auto& row : next_) {
+            for (auto& value : row) value = infinity;
+        }
+    }
+
+    HWY_INLINE void take(std::size_t row, std::size_t slice, FloatVector squared_distance) {
+        const auto squared = hn::BitCast(kBits, squared_distance);
+        auto& nearest = nearest_[row][slice];
+        if constexpr (kSecond) {
+            auto& next = next_[row][slice];
+            next = hn::Min(next, hn::Max(nearest, squared));
+        }
+        nearest = hn::Min(nearest, squared);
+    }
+
+    // Writes the field's values to what place(row, slice) points to. Returns, lane by lane, the
+    // greatest of the squared distances that decided on values.
+    template <class Place>
+    HWY_INLINE FloatVector store(const CellField& field, const Place& place) const {
+        auto farthest = hn::Zero(kBits);
+        for (std::size_t row = 0; row < kRows; ++row) {
+            for (std::size_t slice = 0; slice < kDepth; ++slice) {
+                const auto first = nearest_[row][slice];
+                auto second = first;
+                if constexpr (kSecond) second = next_[row][slice];
+                farthest = hn::Max(farthest, second);
+                hn::StoreU(cell_value(field.feature, field.value_form, hn::BitCast(Floats(), first),
+                                      hn::BitCast(Floats(), second)),
+                           Floats(), place(row, slice));
+            }
+        }
+        return hn::BitCast(Floats(), farthest);
+    }
+
+  private:
+    static constexpr hn::RebindToSigned<Floats> kBits{};
+    using BitsVector = hn::Vec<hn::RebindToSigned<Floats>>;
+
+    BitsVector nearest_[kRows][kDepth];
+    BitsVector next_[kSecond ? kRows : 1][kSecond ? kDepth : 1];
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake::noise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
