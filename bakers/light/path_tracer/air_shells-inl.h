@@ -28,8 +28,8 @@ constexpr double kShellPlaces[kShellNodes] = {0.069431844202973712, 0.3300094782
 constexpr double kShellWeights[kShellNodes] = {0.17392742256872693, 0.32607257743127307,
                                                0.32607257743127307, 0.17392742256872693};
 
-// Of a length found from its depth, as a share of it: leaves 1e-7.
-constexpr double kLastChange = 3e-4;
+// Of a length found from its depth, as a share of it: leaves less than 6e-8.
+constexpr double kLastChange = 4e-3;
 constexpr int kMostLengthSteps = 64;
 
 // --- Tables of levels ----------------------------------------------------------------------------
@@ -173,10 +173,23 @@ struct ExtinctionInShell {
         }
     }
     // At `y` below the top, where the line is at s_top.
+    HWY_INLINE Real position(Real y, Real s_top) const {
+        return Real(1.0) + y * (y - Real(2.0) * s_top) * inverse_half_width;
+    }
     HWY_INLINE Real at(Real y, Real s_top) const {
-        const Real t = Real(1.0) + y * (y - Real(2.0) * s_top) * inverse_half_width;
+        const Real t = position(y, s_top);
         const Real* c = coefficients;
         return ((((c[5] * t + c[4]) * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
+    }
+    // What it grows by with y.
+    HWY_INLINE Real growth(Real y, Real s_top) const {
+        const Real t = position(y, s_top);
+        const Real* c = coefficients;
+        const Real by_t = (((Real(5.0) * c[5] * t + Real(4.0) * c[4]) * t + Real(3.0) * c[3]) * t +
+                           Real(2.0) * c[2]) *
+                              t +
+                          c[1];
+        return Real(2.0) * (y - s_top) * inverse_half_width * by_t;
     }
     // The depth of a length below the top.
     HWY_INLINE Real depth(Real length, Real s_top) const {
@@ -189,28 +202,35 @@ struct ExtinctionInShell {
     }
 };
 
-// The length below a shell's top, where the line is at s_top, that has a depth: Newton's method
-// within a bracket. The depth is a rising function with the extinction for its slope.
+// The length below a shell's top, where the line is at s_top, that has a depth: Halley's method
+// within a bracket. The depth is a rising function with the extinction for its slope. It begins at
+// the depth over the extinction in the middle of the length that follows from the top's.
 template <class Real>
 HWY_INLINE Real length_at_depth(const ExtinctionInShell<Real>& extinction, Real s_top, Real longest,
                                 Real depth) {
-    Real low = Real(0.0);
+    const Real zero = Real(0.0);
+    Real low = zero;
     Real high = longest;
-    const Real guess = depth / extinction.coefficients[0];
-    Real length = select(guess < longest, guess, longest);
-    length = select(length >= Real(0.0), length, Real(0.0));  // no extinction in this shell
+    const auto within = [&](Real length) {
+        const Real not_longer = select(length < longest, length, longest);
+        return select(not_longer >= zero, not_longer, zero);  // no extinction in this shell
+    };
+    const Real first = within(depth / extinction.at(zero, s_top));
+    Real length = within(depth / extinction.at(Real(0.5) * first, s_top));
     auto going_on = longest >= longest;
     for (int i = 0; i < kMostLengthSteps && any(going_on); ++i) {
         const Real error = extinction.depth(length, s_top) - depth;
-        const auto too_far = error > Real(0.0);
+        const auto too_far = error > zero;
         high = select(going_on & too_far, length, high);
         low = select(and_not(going_on, too_far), length, low);
-        Real next = length - error / extinction.at(length, s_top);
-        // Newton's steps end within rounding of either bracket where that is the answer.
+        const Real slope = extinction.at(length, s_top);
+        const Real bend = Real(0.5) * extinction.growth(length, s_top);
+        Real next = length - error * slope / (slope * slope - error * bend);
+        // Steps end within rounding of either bracket where that is the answer.
         next = select((next > low) & (next < high), next, Real(0.5) * (low + high));
         const Real change = absolute(next - length);
         length = select(going_on, next, length);
-        // Convergence is quadratic: what is left is about the square of the last change.
+        // Convergence is cubic: what is left is below the cube of the last change.
         going_on = and_not(going_on, change <= Real(kLastChange) * length);
     }
     return length;
@@ -223,18 +243,43 @@ struct PointInShell {
     Real shell;
 };
 
-// See AirShells::point_at_depth.
+// The shell where the vertical depth is `times` that of the middle of `shell`, about: where a search
+// begins.
 template <class Real>
-HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air, Real altitude_km, Real s_km,
+HWY_INLINE Real shell_of_vertical(const AirTables& air, Real shell, Real channel, Real times) {
+    constexpr int kOffsetBits = 52 - AirTables::kShareBits;
+    const Real least = Real(AirTables::kLeastShare);
+    const Real most = Real(1 - 0x1p-10);
+    const Real here =
+        gather(air.share_of_middle.data(), to_index(shell * Real(kChannelSlots) + channel));
+    Real share = here * times;
+    share = select(share > least, share, least);  // where there is no air above as well
+    share = select(share < most, share, most);
+    const auto number =
+        shifted_right<kOffsetBits>(integer_of_bits(share) - integer_of_bits(least));
+    return gather(air.shell_at_share.data(),
+                  to_index(channel * Real(AirTables::kShares)) + number);
+}
+
+// See AirShells::point_at_depth. `on_line` is a point of the line in its shell, whose depth to the top
+// is `depth_there`.
+template <class Real>
+HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
+                                             const PointInShell<Real>& on_line, Real depth_there,
                                              Real channel, Real depth, Real lowest, Real highest) {
+    const auto& [altitude_km, s_km, shell] = on_line;
     const Real diameter = Real(2.0) * (Real(air.planet.ground_radius_km) + altitude_km);
     const auto square_of_s = [&](Real level_km) {
         const Real gain = level_km - altitude_km;
         return s_km * s_km + gain * (diameter + gain);
     };
-    // The lowest shell whose upper level has no more depth above it than asked for.
+    // The lowest shell whose upper level has no more depth above it than asked for. The search looks
+    // where depths would lead that are as many times the vertical ones as at the start of the line,
+    // then one and two shells further, and halves what is left then.
+    Real middle = shell_of_vertical(air, shell, channel, depth / depth_there);
+    int step = 0;
     for (auto apart = lowest < highest; any(apart); apart = lowest < highest) {
-        const Real middle = floor_of(Real(0.5) * (lowest + highest));
+        middle = maximum(minimum(middle, highest - Real(1.0)), lowest);
         const auto at = shifted_left<AirTables::kShellBits>(to_index(middle));
         const Real square = square_of_s(gather(&air.shells[0].top_km, at));
         const auto reached = square >= Real(0.0);
@@ -243,6 +288,9 @@ HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air, Real altitude
         const auto enough = reached & (above <= depth);
         highest = select(apart & enough, middle, highest);
         lowest = select(and_not(apart, enough), middle + Real(1.0), lowest);
+        const double further = ++step;
+        middle = step < 3 ? select(enough, middle - Real(further), middle + Real(further))
+                          : floor_of(Real(0.5) * (lowest + highest));
     }
     const auto at = shifted_left<AirTables::kShellBits>(to_index(lowest));
     const Real top = gather(&air.shells[0].top_km, at);

@@ -157,6 +157,7 @@ AirShells::AirShells(const SkyMedium& medium) {
         }
         tables_.guide.push_back(shell);
     }
+    for (std::size_t c = 0; c < kMaxChannels; ++c) add_shares(c);
 }
 
 void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_km) {
@@ -227,6 +228,33 @@ void AirShells::add_level(const Medium& air, double thickness_above_km) {
     }
 }
 
+// Vertical depths are shares of the ground's, or without air of 1.
+void AirShells::add_shares(std::size_t channel) {
+    const auto vertical_depth = [&](double altitude_km, int shell) {
+        return depth_to_top({altitude_km, planet().ground_radius_km + altitude_km, shell})[channel];
+    };
+    const double whole = vertical_depth(0, 0);
+    const double unit = whole > 0 ? whole : 1;
+    tables_.share_of_middle.resize(tables_.shells.size() * kChannelSlots);
+    std::vector<double> above;
+    for (int i = 0; i < count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const AirTables::AirShell& shell = tables_.shells[k];
+        tables_.share_of_middle[k * kChannelSlots + channel] =
+            vertical_depth(0.5 * (shell.bottom_km + shell.top_km), i) / unit;
+        above.push_back(vertical_depth(shell.top_km, i) / unit);
+    }
+    int shell = count() - 1;
+    for (std::size_t i = 0; i < AirTables::kShares; ++i) {
+        constexpr std::size_t kSteps = std::size_t{1} << AirTables::kShareBits;
+        const double power = static_cast<double>(std::uint64_t{1} << (i / kSteps));
+        const double share = AirTables::kLeastShare * power *
+                             (1 + (static_cast<double>(i % kSteps) + 0.5) / kSteps);
+        while (shell > 0 && above[static_cast<std::size_t>(shell - 1)] <= share) --shell;
+        tables_.shell_at_share.push_back(shell);
+    }
+}
+
 int AirShells::shell_at(double altitude_km) const {
     return static_cast<int>(kernel::shell_at(tables_, altitude_km));
 }
@@ -249,8 +277,8 @@ Spectrum AirShells::depth_to_top(const Point& point) const {
 AirShells::Point AirShells::point_at_depth(const Point& on_line, std::size_t channel, double depth,
                                            int lowest, int highest) const {
     const kernel::PointInShell<double> found = kernel::point_at_depth<double>(
-        tables_, on_line.altitude_km, on_line.s_km, static_cast<double>(channel), depth, lowest,
-        highest);
+        tables_, {on_line.altitude_km, on_line.s_km, static_cast<double>(on_line.shell)},
+        depth_to_top(on_line)[channel], static_cast<double>(channel), depth, lowest, highest);
     return {found.altitude_km, found.s_km, static_cast<int>(found.shell)};
 }
 

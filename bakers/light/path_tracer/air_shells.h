@@ -61,6 +61,7 @@ class AirShells {
   private:
     void add_shell(const SkyMedium& medium, double bottom_km, double top_km);
     void add_level(const Medium& air, double thickness_above_km);
+    void add_shares(std::size_t channel);
 
     AirTables tables_;
 };

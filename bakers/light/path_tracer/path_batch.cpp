@@ -241,9 +241,9 @@ class Walk {
             const Channels known(rules_.usual_weight);
             const Channels usual =
                 select(known > Channels(0.0), known, Channels(second_flight));
-            double share[kChannelSlots];
-            zero_unless_positive(worth_of_flight, usual).store(share);
-            const double survival = std::max({share[0], share[1], share[2]});
+            zero_unless_positive(worth_of_flight, usual).store(one_packet_);
+            const double survival =
+                std::max({one_packet_[0], one_packet_[1], one_packet_[2], one_packet_[3]});
             if (survival >= 1) continue;
             ended_[i] = numbers_.of(number_of(i)) >= survival;
             packets_.weight.store(i, (1 / survival) * packets_.weight.load(i));
@@ -314,8 +314,8 @@ class Walk {
         const Lanes altitude = columns_.altitude_km.load(i);
         const Lanes s = columns_.s_km.load(i);
         const PointInShell<Lanes> end =
-            point_at_depth(air_, altitude, absolute(s), columns_.hero.load(i), above,
-                           columns_.lowest_shell.load(i), highest);
+            point_at_depth<Lanes>(air_, {altitude, absolute(s), shell}, from, columns_.hero.load(i),
+                                  above, columns_.lowest_shell.load(i), highest);
         const Lanes radius = Lanes(air_.planet.ground_radius_km);
         const Lanes distance = select(still_falls, -end.s_km, end.s_km) - s;
         const Lanes r = radius + altitude;
@@ -468,18 +468,19 @@ class Walk {
         }
     }
 
-    // Chooses what scatters by the first part of a number and the angle by what is left of it.
     void choose_angles() {
         numbers_.go_on();
         for (std::size_t i = 0; i < count_; ++i) {
             if (!is_on_ground(i) && !(scattering_.at(i, hero_of(i)) > 0)) ended_[i] = true;
             if (ended_[i]) continue;
             const double number = numbers_.of(number_of(i));
-            const ScatteringAngle angle =
-                is_on_ground(i) ? lambert_angle(number) : choose_angle(i, number);
-            one_minus_[i] = angle.one_minus;
-            one_plus_[i] = angle.one_plus;
+            if (is_on_ground(i)) {
+                set_angle(i, lambert_angle(number));
+            } else {
+                choose_scatterer(i, number);
+            }
         }
+        for (std::size_t k = 0; k < walker_.scatterers().size(); ++k) scatter_by(k);
         look_at_angles();
         for (std::size_t i = 0; i < count_; ++i) {
             if (ended_[i] || is_on_ground(i)) continue;
@@ -493,7 +494,13 @@ class Walk {
         }
     }
 
-    ScatteringAngle choose_angle(std::size_t i, double number) {
+    void set_angle(std::size_t i, const ScatteringAngle& angle) {
+        one_minus_[i] = angle.one_minus;
+        one_plus_[i] = angle.one_plus;
+    }
+
+    // Chooses what scatters by the first part of a number; what is left of it chooses the angle.
+    void choose_scatterer(std::size_t i, double number) {
         const auto& scatterers = walker_.scatterers();
         const std::size_t hero = hero_of(i);
         double left = number * scattering_.at(i, hero);
@@ -506,9 +513,39 @@ class Walk {
         }
         // Rounding may reach the end of a part, or its last one where that scatters nothing.
         constexpr double kLast = 1 - 0x1p-53;
-        const double share = part > 0 ? std::min(left / part, kLast) : kLast;
-        return sample_phase(scatterers[chosen].phase.of(hero), share,
-                            numbers_.random(number_of(i)));
+        share_[i] = part > 0 ? std::min(left / part, kLast) : kLast;
+        chosen_[i] = chosen;
+    }
+
+    // Chooses the angles of the paths that one of the scatterers scatters.
+    void scatter_by(std::size_t scatterer) {
+        const LayerPhase& phase = walker_.scatterers()[scatterer].phase;
+        std::size_t paths[PathBatch::kPaths];
+        std::size_t count = 0;
+        for (std::size_t i = 0; i < count_; ++i) {
+            if (!ended_[i] && !is_on_ground(i) && chosen_[i] == scatterer) paths[count++] = i;
+        }
+        const PhaseFunction& of_all = phase.functions.front();
+        if (!is_quadratic(of_all)) {
+            for (std::size_t n = 0; n < count; ++n) {
+                const std::size_t i = paths[n];
+                set_angle(i, sample_phase(phase.of(hero_of(i)), share_[i],
+                                          numbers_.random(number_of(i))));
+            }
+            return;
+        }
+        Column share{};
+        Column cosine_minus, cosine_plus;
+        for (std::size_t n = 0; n < count; ++n) share[n] = share_[paths[n]];
+        for (std::size_t n = 0; n < count; n += kLanes) {
+            const Angle<Lanes> angle =
+                sample_quadratic(of_all.constant, of_all.quadratic, share.load(n));
+            cosine_minus.store(n, angle.one_minus);
+            cosine_plus.store(n, angle.one_plus);
+        }
+        for (std::size_t n = 0; n < count; ++n) {
+            set_angle(paths[n], {cosine_minus[n], cosine_plus[n]});
+        }
     }
 
     void turn() {
@@ -553,6 +590,8 @@ class Walk {
     Column end_s_km_{}, still_falls_{};
     VectorColumns sun_{};
     Column sun_cosine_{}, sun_s_km_{};
+    std::size_t chosen_[PathBatch::kPaths] = {};  // scatterers
+    Column share_{};                              // of the light that they scatter
     Column one_minus_{}, one_plus_{}, turns_{};
     Packets scattering_{};
     std::vector<Column> density_, phase_;  // of scatterers, and of their channels

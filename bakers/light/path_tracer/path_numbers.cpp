@@ -14,7 +14,6 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// At most a vector of 16, so that rows need no more room than that.
 using Words = hn::CappedTag<std::uint32_t, 16>;
 using Word = hn::Vec<Words>;
 
@@ -44,18 +43,22 @@ HWY_INLINE Word scrambled(Word bits, std::uint32_t seed) {
     return reversed(x);
 }
 
-// Sobol's points are sums without carry of one direction for each bit of their number.
+// Sobol's points are sums without carry of one direction for each bit of their number. Sets `count`
+// values, and those after them that fill the last vector.
 void ScrambledRow(std::uint32_t first, std::size_t count, std::size_t dimension, std::uint32_t seed,
                   std::uint32_t* bits) {
     const auto last = first + static_cast<std::uint32_t>(count - 1);
+    std::uint32_t directions[32];
+    int used = 0;
+    for (; used < 32 && last >> used != 0; ++used) {
+        directions[used] = config::sobol_direction(used, static_cast<int>(dimension));
+    }
     for (std::size_t i = 0; i < count; i += hn::Lanes(Words())) {
         const Word point = hn::Iota(Words(), first + static_cast<std::uint32_t>(i));
         Word x = hn::Zero(Words());
-        for (int bit = 0; bit < 32 && last >> bit != 0; ++bit) {
-            const std::uint32_t one = std::uint32_t{1} << bit;
-            const Word direction = mask(config::sobol_bits(one, static_cast<int>(dimension)));
-            const auto has_bit = hn::TestBit(point, mask(one));
-            x = hn::Xor(x, hn::IfThenElseZero(has_bit, direction));
+        for (int bit = 0; bit < used; ++bit) {
+            const auto has_bit = hn::TestBit(point, mask(std::uint32_t{1} << bit));
+            x = hn::Xor(x, hn::IfThenElseZero(has_bit, mask(directions[bit])));
         }
         hn::StoreU(scrambled(x, seed), Words(), bits + i);
     }
@@ -116,9 +119,9 @@ double ScrambledPoints::coordinate(std::uint32_t point, std::size_t dimension) c
 void ScrambledPoints::coordinates(std::uint32_t first, std::size_t count, std::size_t dimension,
                                   double* coordinates) const {
     assert(dimension < kDimensions && count > 0);
-    constexpr std::size_t kRow = 16;
+    constexpr std::size_t kRow = 64;
+    std::uint32_t bits[kRow];
     for (std::size_t i = 0; i < count; i += kRow) {
-        std::uint32_t bits[kRow];
         const std::size_t used = std::min(kRow, count - i);
         HWY_DYNAMIC_DISPATCH(ScrambledRow)
         (first + static_cast<std::uint32_t>(i), used, dimension, seeds_[dimension], bits);

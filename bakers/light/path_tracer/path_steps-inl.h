@@ -92,26 +92,29 @@ HWY_INLINE Vector<Real> scatter(const Vector<Real>& direction, const Angle<Real>
     return {scale * result.x, scale * result.y, scale * result.z};
 }
 
-// Newton's steps converge quadratically: after one below this the root has all its digits. From the
-// end of a cubic it takes six for a = b.
-constexpr double kLastStep = 1e-8;
-constexpr int kMostNewtonSteps = 64;
+// Halley's steps converge cubically: after one below this the root has all its digits. It takes two
+// for a = b.
+constexpr double kLastStep = 1e-5;
+constexpr int kMostSteps = 64;
 
-// Inverts a distribution with the density (a + b nu^2) 2 pi, whose integral is 1: a cubic. It rises
-// by at least 2 pi a for each unit of nu, and is convex for nu > 0, where Newton's steps from the
-// right end come down to the root without passing it.
+// Inverts a distribution with the density (a + b nu^2) 2 pi, whose integral is 1, where b > 0: nu +
+// c nu^3 = (1 + c) u with c = b / 3 a, by Halley's method for the magnitudes of nu and u, both in
+// [0, 1]. It begins at u (1 + c (1 - u^2)), which is exact at both ends and to the first order
+// about 0.
 template <class Real>
 HWY_INLINE Angle<Real> sample_quadratic(double a, double b, Real share) {
-    const Real half = absolute(share - Real(0.5));  // the integral from 0 to |nu|
-    const Real target = Real(2.0) * half * Real(a + b / 3);
-    Real nu = Real(1.0);
-    auto going_on = half >= Real(0.0);
-    for (int i = 0; i < kMostNewtonSteps && any(going_on); ++i) {
-        const Real square = nu * nu;
-        const Real step =
-            (nu * (Real(a) + Real(b / 3) * square) - target) / (Real(a) + Real(b) * square);
+    const Real c = Real(b / (3 * a));
+    const Real u = absolute(Real(2.0) * share - Real(1.0));
+    const Real target = (Real(1.0) + c) * u;
+    Real nu = u * (Real(1.0) + c * (Real(1.0) - u * u));
+    auto going_on = u >= Real(0.0);
+    for (int i = 0; i < kMostSteps && any(going_on); ++i) {
+        const Real curved = c * nu;
+        const Real error = nu * (Real(1.0) + curved * nu) - target;
+        const Real slope = Real(1.0) + Real(3.0) * curved * nu;
+        const Real step = error * slope / (slope * slope - Real(3.0) * curved * error);
         nu = select(going_on, nu - step, nu);
-        going_on = and_not(going_on, step <= Real(kLastStep));
+        going_on = and_not(going_on, absolute(step) <= Real(kLastStep));
     }
     nu = select(share < Real(0.5), -nu, nu);
     return {Real(1.0) - nu, Real(1.0) + nu};

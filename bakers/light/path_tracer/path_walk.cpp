@@ -307,8 +307,7 @@ PathWalker::Flight PathWalker::first_flight(const PathStart& start, const PathRu
 // True where Russian roulette lets a path go on, whose weight is `worth`; it carries more then.
 bool PathWalker::survives(const Spectrum& worth, const Spectrum& usual, State& state,
                           PathNumbers& numbers) const {
-    const Spectrum share = share_of(worth, usual);
-    const double survival = std::max({share[0], share[1], share[2]});
+    const double survival = largest(share_of(worth, usual));
     if (survival >= 1) {
         numbers.skip();
         return true;

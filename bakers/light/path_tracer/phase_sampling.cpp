@@ -22,7 +22,7 @@ ScatteringAngle sample_henyey_greenstein(double g, double uniform) {
 
 ScatteringAngle sample_phase(const PhaseFunction& phase, double share, RandomStream& random) {
     if (phase.table) return sample_tabulated_phase(*phase.table, share);
-    if (phase.g == 0 && phase.quadratic != 0) {
+    if (is_quadratic(phase)) {
         const auto angle = kernel::sample_quadratic(phase.constant, phase.quadratic, share);
         return {angle.one_minus, angle.one_plus};
     }
