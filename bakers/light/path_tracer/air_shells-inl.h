@@ -72,9 +72,8 @@ HWY_INLINE Real level_depth(const AirTables& air, Real shell, Real channel, Real
     const auto at = shifted_left<AirTables::kShellBits>(to_index(shell));
     const Real scale = gather(&air.shells[0].scale_km, at);
     const Real shifted = s_km + scale;
-    const auto node =
-        to_index(gather(&air.shells[0].first_number, at) + channel) +
-        shifted_left<AirTables::kNodeBits>(number_of_interval(shifted, scale));
+    const auto node = to_index(gather(&air.shells[0].first_number, at) + channel) +
+                      shifted_left<AirTables::kNodeBits>(number_of_interval(shifted, scale));
     const double* nodes = air.nodes[0].value;
     return cubic(gather(nodes, node), gather(nodes + kChannelSlots, node),
                  gather(nodes + 2 * kChannelSlots, node), gather(nodes + 3 * kChannelSlots, node),
@@ -124,13 +123,13 @@ HWY_INLINE Channels depth_to_top(const AirTables& air, double altitude_km, doubl
         within = within + kShellWeights[i] * polynomial(at.extinction, t);
     }
     const double shifted = s_top + at.scale_km;
-    const AirTables::Node* node = air.nodes.data() +
-                                  (static_cast<std::size_t>(at.first_number) >> AirTables::kNodeBits) +
-                                  number_of_interval(shifted, at.scale_km);
-    return length * within +
-           cubic(Channels::load(node[0].value), Channels::load(node[0].slope),
-                 Channels::load(node[1].value), Channels::load(node[1].slope),
-                 Channels(length_of_interval(shifted)), Channels(share_of_interval(shifted)));
+    const AirTables::Node* node =
+        air.nodes.data() + (static_cast<std::size_t>(at.first_number) >> AirTables::kNodeBits) +
+        number_of_interval(shifted, at.scale_km);
+    return length * within + cubic(Channels::load(node[0].value), Channels::load(node[0].slope),
+                                   Channels::load(node[1].value), Channels::load(node[1].slope),
+                                   Channels(length_of_interval(shifted)),
+                                   Channels(share_of_interval(shifted)));
 }
 
 HWY_INLINE std::size_t shell_at(const AirTables& air, double altitude_km) {
@@ -255,10 +254,8 @@ HWY_INLINE Real shell_of_vertical(const AirTables& air, Real shell, Real channel
     Real share = here * times;
     share = select(share > least, share, least);  // where there is no air above as well
     share = select(share < most, share, most);
-    const auto number =
-        shifted_right<kOffsetBits>(integer_of_bits(share) - integer_of_bits(least));
-    return gather(air.shell_at_share.data(),
-                  to_index(channel * Real(AirTables::kShares)) + number);
+    const auto number = shifted_right<kOffsetBits>(integer_of_bits(share) - integer_of_bits(least));
+    return gather(air.shell_at_share.data(), to_index(channel * Real(AirTables::kShares)) + number);
 }
 
 // See AirShells::point_at_depth. `on_line` is a point of the line in its shell, whose depth to the top

@@ -166,8 +166,7 @@ void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_
     shell.bottom_km = bottom_km;
     shell.top_km = top_km;
     shell.top_radius_km = ground_radius + top_km;
-    const double half_width =
-        0.5 * (top_km - bottom_km) * (2 * ground_radius + top_km + bottom_km);
+    const double half_width = 0.5 * (top_km - bottom_km) * (2 * ground_radius + top_km + bottom_km);
     shell.inverse_half_width = 1 / half_width;
     const Samples nodes = chebyshev_nodes();
     std::array<Spectrum, kSamples> extinction{};
@@ -199,8 +198,8 @@ void AirShells::add_level(const Medium& air, double thickness_above_km) {
     AirTables::AirShell& shell = tables_.shells.back();
     const double r = shell.top_radius_km;
     const double scale = std::sqrt(2 * r * thickness_above_km);
-    shell.scale_km = begin_of_interval(interval_of(scale) &
-                                       ~std::uint64_t{(1 << AirTables::kIntervalBits) - 1});
+    shell.scale_km =
+        begin_of_interval(interval_of(scale) & ~std::uint64_t{(1 << AirTables::kIntervalBits) - 1});
     shell.first_number = static_cast<double>(tables_.nodes.size() << AirTables::kNodeBits);
     const std::uint64_t first_interval = interval_of(shell.scale_km);
     const std::uint64_t intervals = interval_of(r + shell.scale_km) + 1 - first_interval;
@@ -248,8 +247,8 @@ void AirShells::add_shares(std::size_t channel) {
     for (std::size_t i = 0; i < AirTables::kShares; ++i) {
         constexpr std::size_t kSteps = std::size_t{1} << AirTables::kShareBits;
         const double power = static_cast<double>(std::uint64_t{1} << (i / kSteps));
-        const double share = AirTables::kLeastShare * power *
-                             (1 + (static_cast<double>(i % kSteps) + 0.5) / kSteps);
+        const double share =
+            AirTables::kLeastShare * power * (1 + (static_cast<double>(i % kSteps) + 0.5) / kSteps);
         while (shell > 0 && above[static_cast<std::size_t>(shell - 1)] <= share) --shell;
         tables_.shell_at_share.push_back(shell);
     }

@@ -219,8 +219,8 @@ class Walk {
 
     void gather(std::size_t i, Channels light) {
         PathLight& sum = batch_.light[number_of(i)];
-        Spectrum& gathered =
-            order_of_event_ == 0 ? sum.direct
+        Spectrum& gathered = order_of_event_ == 0
+                                 ? sum.direct
                                  : sum.orders[std::min(order_of_event_, kPathOrders) - 1];
         (Channels(gathered) + light).store(data(gathered));
     }
@@ -239,8 +239,7 @@ class Walk {
             Spectrum& second_flight = batch_.second_flight[number_of(i)];
             if (order_ == 1) worth_of_flight.store(data(second_flight));
             const Channels known(rules_.usual_weight);
-            const Channels usual =
-                select(known > Channels(0.0), known, Channels(second_flight));
+            const Channels usual = select(known > Channels(0.0), known, Channels(second_flight));
             zero_unless_positive(worth_of_flight, usual).store(one_packet_);
             const double survival =
                 std::max({one_packet_[0], one_packet_[1], one_packet_[2], one_packet_[3]});
@@ -281,7 +280,8 @@ class Walk {
         // Lanes without a path repeat the last one.
         for (std::size_t i = count_; i % kLanes != 0; ++i) {
             copy(count_ - 1, i);
-            for (Column* column : {&scattered_share_, &from_of_hero_, &lowest_of_hero_, &on_ground_}) {
+            for (Column* column :
+                 {&scattered_share_, &from_of_hero_, &lowest_of_hero_, &on_ground_}) {
                 (*column)[i] = (*column)[count_ - 1];
             }
         }
@@ -326,8 +326,8 @@ class Walk {
         const auto place = [&](Lanes of_up, Lanes of_direction) {
             return select(stays, of_up, scale * (r * of_up + distance * of_direction));
         };
-        columns_.up.store(i, {place(up.x, direction.x), place(up.y, direction.y),
-                              place(up.z, direction.z)});
+        columns_.up.store(
+            i, {place(up.x, direction.x), place(up.y, direction.y), place(up.z, direction.z)});
         columns_.altitude_km.store(i, select(stays, altitude, end.altitude_km));
         columns_.shell.store(i, select(stays, shell, end.shell));
         end_s_km_.store(i, end.s_km);
@@ -346,9 +346,8 @@ class Walk {
         passed = maximum(passed, Channels(0.0));  // rounding
         const Channels transmittance = exponential(-passed);
         const Channels extinction = extinction_at(air_, shell, columns_.altitude_km[i]);
-        const Channels density =
-            zero_unless_positive(extinction * transmittance,
-                                 packets_.scattered.load(i) + packets_.returned.load(i));
+        const Channels density = zero_unless_positive(
+            extinction * transmittance, packets_.scattered.load(i) + packets_.returned.load(i));
         density.store(one_packet_);
         const double of_hero = one_packet_[hero_of(i)];
         const double inverse = of_hero > 0 ? 1 / of_hero : 0;
@@ -462,9 +461,8 @@ class Walk {
             if (ended_[i] || (is_on_ground(i) && !(sun_cosine_[i] > 0))) continue;
             const Channels light =
                 sunlight(air_, columns_.altitude_km[i], sun_s_km_[i], shell_of(i));
-            gather(i, is_on_ground(i)
-                          ? (sun_cosine_[i] / std::numbers::pi) * worth(i) * light
-                          : worth(i) * light * towards(i));
+            gather(i, is_on_ground(i) ? (sun_cosine_[i] / std::numbers::pi) * worth(i) * light
+                                      : worth(i) * light * towards(i));
         }
     }
 
@@ -560,9 +558,9 @@ class Walk {
             }
         }
         for (std::size_t i = 0; i < count_; i += kLanes) {
-            columns_.direction.store(i, scatter(columns_.direction.load(i),
-                                                {one_minus_.load(i), one_plus_.load(i)},
-                                                turns_.load(i)));
+            columns_.direction.store(
+                i, scatter(columns_.direction.load(i), {one_minus_.load(i), one_plus_.load(i)},
+                           turns_.load(i)));
         }
         remove_ended();
     }

@@ -67,7 +67,8 @@ HWY_INLINE Angle<Real> angle_between(const Vector<Real>& a, const Vector<Real>& 
 
 // See phase_sampling.h.
 template <class Real>
-HWY_INLINE Vector<Real> scatter(const Vector<Real>& direction, const Angle<Real>& angle, Real turn) {
+HWY_INLINE Vector<Real> scatter(const Vector<Real>& direction, const Angle<Real>& angle,
+                                Real turn) {
     // An orthonormal basis without a branch on small components: Duff et al. 2017.
     const Real sign = select(direction.z < Real(0.0), Real(-1.0), Real(1.0));
     const Real a = Real(-1.0) / (sign + direction.z);
@@ -148,8 +149,7 @@ HWY_INLINE FlightLine<Real> flight_line(const Shell& planet, Real altitude_km,
     const Real drop = s * s / (r + square_root((r - s) * (r + s)));  // to where s = 0
     const Real lowest = select(line.hits_ground, zero, maximum(altitude_km - drop, zero));
     const Real ground_square = (-s - horizon) * (horizon - s);
-    const Real ground_s =
-        square_root(select(line.hits_ground, ground_square, zero));
+    const Real ground_s = square_root(select(line.hits_ground, ground_square, zero));
     line.lowest_altitude_km = select(line.falls, lowest, altitude_km);
     line.lowest_s_km = select(line.falls, ground_s, s);
     return line;

@@ -131,8 +131,7 @@ PathLight walk_block(const Sensor& sensor, const Block& block) {
             const std::int64_t address = path * kReplicates + block.replicate;
             random.push_back(random_of(sensor, static_cast<std::uint64_t>(address)));
         }
-        PathBatch batch{
-            BatchNumbers(points, static_cast<std::uint32_t>(begin), std::move(random))};
+        PathBatch batch{BatchNumbers(points, static_cast<std::uint32_t>(begin), std::move(random))};
         batch.numbers.go_on();
         for (std::size_t i = 0; i < batch.numbers.count(); ++i) {
             batch.heroes[i] = static_cast<std::size_t>(batch.numbers.of(i) * channels);

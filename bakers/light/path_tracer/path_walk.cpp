@@ -260,8 +260,7 @@ void PathWalker::arrive_on_ground(const Flight& flight, State& state) const {
     state.altitude_km = 0;
     state.shell = 0;
     ++state.order;
-    const Spectrum probability =
-        share_of(flight.returned, flight.scattered + flight.returned);
+    const Spectrum probability = share_of(flight.returned, flight.scattered + flight.returned);
     const double inverse = 1 / probability[state.hero];
     state.weight = inverse * state.weight * flight.returned;
     state.ratio = inverse * state.ratio * probability;
