@@ -93,7 +93,8 @@ using Lanes = LanesOf<double>;
 using LaneMask = MaskOf<double>;
 using FloatLanes = LanesOf<float>;
 using FloatMask = MaskOf<float>;
-using IntLanes = LanesOf<std::int32_t>;  // as many as there are floats
+using IntLanes = LanesOf<std::int32_t>;    // as many as there are floats
+using IndexLanes = LanesOf<std::int64_t>;  // as many as there are doubles
 
 // The same operations on one number.
 template <std::floating_point T>
@@ -116,6 +117,11 @@ template <std::floating_point T>
 HWY_INLINE T select(bool mask, T yes, T no) {
     return mask ? yes : no;
 }
+template <std::floating_point T>
+HWY_INLINE T floor_of(T x) {
+    return std::floor(x);
+}
+HWY_INLINE bool and_not(bool mask, bool without) { return mask && !without; }
 HWY_INLINE bool any(bool mask) { return mask; }
 HWY_INLINE bool all(bool mask) { return mask; }
 
@@ -183,6 +189,42 @@ HWY_INLINE FloatLanes power_of_two(FloatLanes shifted) {
 HWY_INLINE float power_of_two(float shifted) {
     return std::bit_cast<float>((std::bit_cast<std::uint32_t>(shifted) + 127U) << 23);
 }
+
+// --- Indices -------------------------------------------------------------------------------------
+
+// The bits of a number as an integer.
+HWY_INLINE IndexLanes integer_of_bits(Lanes x) {
+    return IndexLanes(hn::BitCast(IndexLanes::Tag(), x.v));
+}
+HWY_INLINE std::int64_t integer_of_bits(double x) { return std::bit_cast<std::int64_t>(x); }
+// The integer of a whole number in [0, 2^52).
+HWY_INLINE IndexLanes to_index(Lanes x) {
+    return IndexLanes(hn::And(integer_of_bits(x + Lanes(0x1p52)).v,
+                              hn::Set(IndexLanes::Tag(), (std::int64_t{1} << 52) - 1)));
+}
+HWY_INLINE std::int64_t to_index(double x) { return static_cast<std::int64_t>(x); }
+// Shift integers that are not negative.
+template <int kBy>
+HWY_INLINE IndexLanes shifted_right(IndexLanes x) {
+    const hn::RebindToUnsigned<IndexLanes::Tag> bits;
+    return IndexLanes(hn::BitCast(IndexLanes::Tag(), hn::ShiftRight<kBy>(hn::BitCast(bits, x.v))));
+}
+template <int kBy>
+HWY_INLINE std::int64_t shifted_right(std::int64_t x) {
+    return x >> kBy;
+}
+template <int kBy>
+HWY_INLINE IndexLanes shifted_left(IndexLanes x) {
+    return IndexLanes(hn::ShiftLeft<kBy>(x.v));
+}
+template <int kBy>
+HWY_INLINE std::int64_t shifted_left(std::int64_t x) {
+    return x << kBy;
+}
+HWY_INLINE Lanes gather(const double* values, IndexLanes index) {
+    return Lanes(hn::GatherIndex(Lanes::Tag(), values, index.v));
+}
+HWY_INLINE double gather(const double* values, std::int64_t index) { return values[index]; }
 
 // How a template over Real walks through an array, kCount elements at a time.
 template <class Real>

@@ -1,4 +1,4 @@
-// exp, log, arc cosine and cosine that give the same bits with every processor, compiler and vector
+// exp, log, arc cosine, sine and cosine that give the same bits with every processor, compiler and vector
 // width. They use only additions, multiplications, divisions and square roots, each correctly
 // rounded, in one order. The results of the C library's own functions depend on the processor it
 // finds (with FMA or without).
@@ -161,6 +161,49 @@ HWY_INLINE Real cosine_of_pi(Real x) {
     p = p * z + Real(-1.0 / 120.0);
     p = p * z + Real(1.0 / 6.0);
     return t - t * z * p;
+}
+
+// Sets sine and cosine to those of x for |x| <= 1e6, each with an absolute error below 3e-16.
+template <class Real>
+HWY_INLINE void sine_and_cosine(Real x, Real& sine, Real& cosine) {
+    // x = n pi / 2 + r, |r| <= pi / 4 (1 + 2^-30). pi / 2 in three parts of 33 bits: n has at most
+    // 20, so that the products are exact, and so is the first difference, whose bits lie between
+    // those of x and 1; the others round once each. What the parts leave out of pi / 2 is below
+    // 2^-103.
+    constexpr double kHigh = 0x1.921fb544p0;
+    constexpr double kMiddle = 0x1.0b4611a6p-34;
+    constexpr double kLow = 0x1.3198a2ep-69;
+    const Real n = floor_of(x * Real(0.63661977236758134308) + Real(0.5));
+    const Real r = ((x - n * Real(kHigh)) - n * Real(kMiddle)) - n * Real(kLow);
+    const Real z = r * r;
+    // The Taylor series are truncated; their errors start at (pi/4)^19 / 19! and (pi/4)^18 / 18! <
+    // 3e-18.
+    Real s = Real(1.0 / 355687428096000.0);
+    s = s * z - Real(1.0 / 1307674368000.0);
+    s = s * z + Real(1.0 / 6227020800.0);
+    s = s * z - Real(1.0 / 39916800.0);
+    s = s * z + Real(1.0 / 362880.0);
+    s = s * z - Real(1.0 / 5040.0);
+    s = s * z + Real(1.0 / 120.0);
+    s = s * z - Real(1.0 / 6.0);
+    Real c = Real(1.0 / 20922789888000.0);
+    c = c * z - Real(1.0 / 87178291200.0);
+    c = c * z + Real(1.0 / 479001600.0);
+    c = c * z - Real(1.0 / 3628800.0);
+    c = c * z + Real(1.0 / 40320.0);
+    c = c * z - Real(1.0 / 720.0);
+    c = c * z + Real(1.0 / 24.0);
+    c = c * z - Real(0.5);
+    const Real of_sine = r + r * (z * s);
+    const Real of_cosine = Real(1.0) + z * c;
+    // The quarter of a turn, 0 to 3: odd ones swap the two, and the signs are + +, + -, - -, - +.
+    const Real half = floor_of(n * Real(0.5));
+    const auto swaps = half * Real(2.0) < n;
+    const auto turns = floor_of(half * Real(0.5)) * Real(2.0) < half;
+    const Real first = select(swaps, of_cosine, of_sine);
+    const Real second = select(swaps, -of_sine, of_cosine);
+    sine = select(turns, -first, first);
+    cosine = select(turns, -second, second);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -106,6 +106,11 @@ std::uint32_t sobol_bits(std::uint32_t index, int dimension) {
     return x;
 }
 
+std::uint32_t sobol_direction(int bit, int dimension) {
+    assert(bit >= 0 && bit < bits && dimension >= 0 && dimension < sobol_dimensions);
+    return directions[static_cast<std::size_t>(dimension)][static_cast<std::size_t>(bit)];
+}
+
 double sobol_coordinate(std::uint32_t index, int dimension) {
     // The points are in the order of Gray's code (Antonov and Saleev 1979), as in Joe and Kuo's own
     // program.

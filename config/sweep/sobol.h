@@ -24,4 +24,8 @@ double sobol_coordinate(std::uint32_t index, int dimension);
 // what scrambling begins with.
 std::uint32_t sobol_bits(std::uint32_t index, int dimension);
 
+// Returns those bits of the point 2^bit. Those of any other point are the sum without carry of the
+// directions of the bits of its index.
+std::uint32_t sobol_direction(int bit, int dimension);
+
 }  // namespace skybake::config

@@ -34,7 +34,7 @@ double worst_depth(const SkyMedium& medium, int points) {
     for (int i = 0; i < points; ++i) {
         const AirShells::Point point = point_of(air, i);
         const Spectrum exact = optical_depth_to_top(medium.air, point.altitude_km, point.s_km);
-        const Spectrum value = air.depth_to_top(point).spectrum();
+        const Spectrum value = air.depth_to_top(point);
         for (std::size_t c = 0; c < 3; ++c) {
             const double scale = std::max(exact[c], 1e-6 * whole[c]);
             if (scale > 0) worst = std::max(worst, std::fabs(value[c] - exact[c]) / scale);

@@ -228,7 +228,7 @@ TEST(PathTracerHardCase, Case20DensitiesOfEveryLayerCombination) {
             const double altitude = 100 * share * share * share;
             const int shell = air.shell_at(altitude);
             const Spectrum exact = extinction_at(medium.air, altitude);
-            const Spectrum value = air.extinction(shell, altitude).spectrum();
+            const Spectrum value = air.extinction(shell, altitude);
             Spectrum sum{};
             for (std::size_t k = 0; k < medium.layers.size(); ++k) {
                 const Medium& alone = medium.layers[k].alone;

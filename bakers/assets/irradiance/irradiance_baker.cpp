@@ -80,11 +80,8 @@ Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
     if (!(at.sun.cosine > 0)) return {};
     const AirShells& shells = air.tracer().walker().air();
     const double r = shells.planet().ground_radius_km + at.altitude_km;
-    const Channels sunlight =
-        shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
-    Spectrum light{};
-    for (std::size_t c = 0; c < kMaxChannels; ++c) light[c] = at.sun.cosine * sunlight[c];
-    return light;
+    return at.sun.cosine *
+           shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const IrradianceBake& asset) {

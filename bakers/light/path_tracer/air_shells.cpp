@@ -5,11 +5,15 @@
 #include <bit>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 #include "bakers/air/optical_depth.h"
+#include "bakers/light/path_tracer/air_shells-inl.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
+
+namespace kernel = HWY_NAMESPACE;
 
 namespace {
 
@@ -22,57 +26,15 @@ constexpr double kNegligible = 1e-9;
 // A shell against its radius: r^2 and altitude are almost proportional.
 constexpr double kThickest = 1.0 / 16;
 constexpr int kSlices = 1024;
-// Of a length found from its depth, as a share of it: leaves 1e-7.
-constexpr double kLastChange = 3e-4;
-
 // Tables of levels: 2^5 intervals each time that s + k doubles. Cubics between them are off by at
 // most (1 / 32)^4 / 384 times A's fourth derivative, about 24 A / (s + k)^4: 6e-8 A.
-constexpr int kIntervalBits = 5;
-constexpr int kOffsetBits = 52 - kIntervalBits;
-
 std::uint64_t interval_of(double shifted) {
-    return std::bit_cast<std::uint64_t>(shifted) >> kOffsetBits;
+    return std::bit_cast<std::uint64_t>(shifted) >> AirTables::kOffsetBits;
 }
 
 double begin_of_interval(std::uint64_t interval) {
-    return std::bit_cast<double>(interval << kOffsetBits);
+    return std::bit_cast<double>(interval << AirTables::kOffsetBits);
 }
-
-// Where s lies in its interval, in [0, 1).
-double share_of_interval(double shifted) {
-    constexpr std::uint64_t kOne = std::uint64_t{0x3ff0000000000000};
-    const std::uint64_t bits = std::bit_cast<std::uint64_t>(shifted) << (64 - kOffsetBits);
-    return std::bit_cast<double>(kOne | (bits >> 12)) - 1;
-}
-
-// Length of the interval: the power of two below it over 2^5.
-double length_of_interval(double shifted) {
-    constexpr std::uint64_t kExponent = std::uint64_t{0x7ff0000000000000};
-    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(shifted) & kExponent) *
-           (1.0 / (1 << kIntervalBits));
-}
-
-template <class Real>
-Real cubic(Real value, Real slope, Real next_value, Real next_slope, double length, double share) {
-    const Real rise = next_value - value;
-    const Real from = length * slope;
-    const Real to = length * next_slope;
-    return value + share * (from + share * ((3.0 * rise - 2.0 * from - to) +
-                                            share * (from + to - 2.0 * rise)));
-}
-
-// Degree 5, without a loop, which the compiler would keep in memory.
-HWY_INLINE Channels polynomial(const Channels* coefficients, const Channels& t) {
-    const Channels high = (coefficients[5] * t + coefficients[4]) * t + coefficients[3];
-    return ((high * t + coefficients[2]) * t + coefficients[1]) * t + coefficients[0];
-}
-
-// Gauss-Legendre on [0, 1].
-constexpr int kGaussNodes = 4;
-constexpr double kShellNodes[kGaussNodes] = {0.069431844202973712, 0.33000947820757187,
-                                             0.66999052179242813, 0.93056815579702629};
-constexpr double kWeights[kGaussNodes] = {0.17392742256872693, 0.32607257743127307,
-                                          0.32607257743127307, 0.17392742256872693};
 
 constexpr std::size_t kSamples = 6;
 using Samples = std::array<double, kSamples>;
@@ -175,45 +137,45 @@ double density_of_layer(const Medium& alone, double altitude_km) {
 
 }  // namespace
 
-AirShells::AirShells(const SkyMedium& medium)
-    : planet_(shell_of(medium.air)),
-      channels_(static_cast<std::size_t>(medium.air.channels)),
-      layers_(medium.layers.size()) {
+AirShells::AirShells(const SkyMedium& medium) {
+    tables_.planet = shell_of(medium.air);
+    tables_.layers = medium.layers.size();
     const std::vector<double> levels = levels_km(medium.air);
     for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
         add_shell(medium, levels[i], levels[i + 1]);
         // Nothing lies above the last level: any scale serves.
         const double above =
             i + 2 < levels.size() ? levels[i + 2] - levels[i + 1] : levels[i + 1] - levels[i];
-        add_level(medium.air, shells_.back(), above);
+        add_level(medium.air, above);
     }
     int shell = 0;
     for (int i = 0; i < kSlices; ++i) {
-        const double altitude = planet_.thickness_km * i / kSlices;
-        while (shell + 1 < count() && shells_[static_cast<std::size_t>(shell)].top_km <= altitude) {
+        const double altitude = planet().thickness_km * i / kSlices;
+        while (shell + 1 < count() &&
+               tables_.shells[static_cast<std::size_t>(shell)].top_km <= altitude) {
             ++shell;
         }
-        guide_.push_back(shell);
+        tables_.guide.push_back(shell);
     }
+    for (std::size_t c = 0; c < kMaxChannels; ++c) add_shares(c);
 }
 
 void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_km) {
-    AirShell shell;
-    for (Channels& coefficient : shell.extinction) coefficient = Channels(0.0);
+    const double ground_radius = planet().ground_radius_km;
+    AirTables::AirShell shell;
+    shell.bottom_km = bottom_km;
     shell.top_km = top_km;
-    shell.top_radius_km = planet_.ground_radius_km + top_km;
-    const double half_width =
-        0.5 * (top_km - bottom_km) * (2 * planet_.ground_radius_km + top_km + bottom_km);
+    shell.top_radius_km = ground_radius + top_km;
+    const double half_width = 0.5 * (top_km - bottom_km) * (2 * ground_radius + top_km + bottom_km);
     shell.inverse_half_width = 1 / half_width;
     const Samples nodes = chebyshev_nodes();
     std::array<Spectrum, kSamples> extinction{};
-    std::vector<Samples> densities(layers_);
+    std::vector<Samples> densities(tables_.layers);
     for (std::size_t i = 0; i < kSamples; ++i) {
         const double q = (nodes[i] - 1) * half_width;
-        const double r = shell.top_radius_km;
-        const double altitude = top_km + gain_of_square_km(r, q);
+        const double altitude = top_km + gain_of_square_km(shell.top_radius_km, q);
         extinction[i] = extinction_at(medium.air, altitude);
-        for (std::size_t k = 0; k < layers_; ++k) {
+        for (std::size_t k = 0; k < tables_.layers; ++k) {
             densities[k][i] = density_of_layer(medium.layers[k].alone, altitude);
         }
     }
@@ -221,189 +183,106 @@ void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_
         Samples values{};
         for (std::size_t i = 0; i < kSamples; ++i) values[i] = extinction[i][c];
         const Samples coefficients = interpolating_polynomial(nodes, values);
-        for (std::size_t n = 0; n <= kDegree; ++n) shell.extinction[n].set(c, coefficients[n]);
+        for (std::size_t n = 0; n < kSamples; ++n) shell.extinction[n][c] = coefficients[n];
     }
-    shell.first_density = densities_.size();
     for (const Samples& values : densities) {
-        Polynomial polynomial{};
+        AirTables::Polynomial polynomial;
         const Samples coefficients = interpolating_polynomial(nodes, values);
         std::copy(coefficients.begin(), coefficients.end(), polynomial.coefficients);
-        densities_.push_back(polynomial);
+        tables_.densities.push_back(polynomial);
     }
-    shells_.push_back(shell);
+    tables_.shells.push_back(shell);
 }
 
-void AirShells::add_level(const Medium& air, AirShell& shell, double thickness_above_km) {
+void AirShells::add_level(const Medium& air, double thickness_above_km) {
+    AirTables::AirShell& shell = tables_.shells.back();
     const double r = shell.top_radius_km;
     const double scale = std::sqrt(2 * r * thickness_above_km);
     shell.scale_km =
-        begin_of_interval(interval_of(scale) & ~std::uint64_t{(1 << kIntervalBits) - 1});
-    shell.first_interval = interval_of(shell.scale_km);
-    shell.first_node = nodes_.size();
-    const std::uint64_t intervals = interval_of(r + shell.scale_km) + 1 - shell.first_interval;
+        begin_of_interval(interval_of(scale) & ~std::uint64_t{(1 << AirTables::kIntervalBits) - 1});
+    shell.first_number = static_cast<double>(tables_.nodes.size() << AirTables::kNodeBits);
+    const std::uint64_t first_interval = interval_of(shell.scale_km);
+    const std::uint64_t intervals = interval_of(r + shell.scale_km) + 1 - first_interval;
     // Slopes by five points, forwards: their error is (s + k) / 2^9's fourth power.
     constexpr double kForward[5] = {-25, 48, -36, 16, -3};
     std::vector<double> s;
     std::vector<double> steps;
     for (std::uint64_t i = 0; i <= intervals; ++i) {
-        const double shifted = begin_of_interval(shell.first_interval + i);
+        const double shifted = begin_of_interval(first_interval + i);
         steps.push_back(shifted * 0x1p-9);
         for (int k = 0; k < 5; ++k) s.push_back(shifted - shell.scale_km + k * steps.back());
     }
     std::vector<double> depths(s.size() * kMaxChannels);
     optical_depth_to_top(air, shell.top_km, s.data(), static_cast<int>(s.size()), depths.data());
     for (std::size_t i = 0; i < steps.size(); ++i) {
-        Node node = {Channels(0.0), Channels(0.0)};
-        for (std::size_t c = 0; c < channels_; ++c) {
+        AirTables::Node node;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(air.channels); ++c) {
             const double* values = depths.data() + c * s.size() + 5 * i;
-            node.value.set(c, values[0]);
+            node.value[c] = values[0];
             double sum = 0;
             for (std::size_t k = 0; k < 5; ++k) sum += kForward[k] * values[k];
-            node.slope.set(c, sum / (12 * steps[i]));
+            node.slope[c] = sum / (12 * steps[i]);
         }
-        nodes_.push_back(node);
+        tables_.nodes.push_back(node);
+    }
+}
+
+// Vertical depths are shares of the ground's, or without air of 1.
+void AirShells::add_shares(std::size_t channel) {
+    const auto vertical_depth = [&](double altitude_km, int shell) {
+        return depth_to_top({altitude_km, planet().ground_radius_km + altitude_km, shell})[channel];
+    };
+    const double whole = vertical_depth(0, 0);
+    const double unit = whole > 0 ? whole : 1;
+    tables_.share_of_middle.resize(tables_.shells.size() * kChannelSlots);
+    std::vector<double> above;
+    for (int i = 0; i < count(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const AirTables::AirShell& shell = tables_.shells[k];
+        tables_.share_of_middle[k * kChannelSlots + channel] =
+            vertical_depth(0.5 * (shell.bottom_km + shell.top_km), i) / unit;
+        above.push_back(vertical_depth(shell.top_km, i) / unit);
+    }
+    int shell = count() - 1;
+    for (std::size_t i = 0; i < AirTables::kShares; ++i) {
+        constexpr std::size_t kSteps = std::size_t{1} << AirTables::kShareBits;
+        const double power = static_cast<double>(std::uint64_t{1} << (i / kSteps));
+        const double share =
+            AirTables::kLeastShare * power * (1 + (static_cast<double>(i % kSteps) + 0.5) / kSteps);
+        while (shell > 0 && above[static_cast<std::size_t>(shell - 1)] <= share) --shell;
+        tables_.shell_at_share.push_back(shell);
     }
 }
 
 int AirShells::shell_at(double altitude_km) const {
-    const double slice = altitude_km / planet_.thickness_km * kSlices;
-    int shell =
-        guide_[static_cast<std::size_t>(std::clamp(static_cast<int>(slice), 0, kSlices - 1))];
-    // The slice was found with rounding: a level at its beginning may be on either side.
-    while (shell > 0 && altitude_km < shells_[static_cast<std::size_t>(shell - 1)].top_km) --shell;
-    while (shell + 1 < count() && altitude_km >= shells_[static_cast<std::size_t>(shell)].top_km) {
-        ++shell;
-    }
-    return shell;
+    return static_cast<int>(kernel::shell_at(tables_, altitude_km));
 }
 
-// t of a shell at an altitude.
-double AirShells::position(const AirShell& shell, double altitude_km) const {
-    const double drop = altitude_km - shell.top_km;
-    return 1 + drop * (2 * shell.top_radius_km + drop) * shell.inverse_half_width;
-}
-
-Channels AirShells::extinction(int shell, double altitude_km) const {
-    const AirShell& air = shells_[static_cast<std::size_t>(shell)];
-    const Channels t(position(air, altitude_km));
-    return polynomial(air.extinction, t);
+Spectrum AirShells::extinction(int shell, double altitude_km) const {
+    return kernel::extinction_at(tables_, static_cast<std::size_t>(shell), altitude_km).spectrum();
 }
 
 double AirShells::density(int shell, int layer, double altitude_km) const {
-    const AirShell& air = shells_[static_cast<std::size_t>(shell)];
-    const double t = position(air, altitude_km);
-    const Polynomial& polynomial = densities_[air.first_density + static_cast<std::size_t>(layer)];
-    double value = 0;
-    for (std::size_t n = kDegree + 1; n-- > 0;) value = value * t + polynomial.coefficients[n];
-    return value;
+    return kernel::density_at(tables_, static_cast<std::size_t>(shell),
+                              static_cast<std::size_t>(layer), altitude_km);
 }
 
-double AirShells::level_depth(const AirShell& shell, double s_km, std::size_t channel) const {
-    const double shifted = s_km + shell.scale_km;
-    const Node* node = nodes_.data() + shell.first_node +
-                       static_cast<std::size_t>(interval_of(shifted) - shell.first_interval);
-    return cubic(node[0].value[channel], node[0].slope[channel], node[1].value[channel],
-                 node[1].slope[channel], length_of_interval(shifted), share_of_interval(shifted));
-}
-
-// Depth of `length_km` of a line below a shell's top, where it is at s_top_km.
-double AirShells::shell_depth(const AirShell& shell, double s_top_km, double length_km,
-                              std::size_t channel) const {
-    double sum = 0;
-    for (int i = 0; i < kGaussNodes; ++i) {
-        const double y = length_km * kShellNodes[i];
-        const double t = 1 + y * (y - 2 * s_top_km) * shell.inverse_half_width;
-        double value = shell.extinction[kDegree][channel];
-        for (std::size_t n = kDegree; n-- > 0;) value = value * t + shell.extinction[n][channel];
-        sum += kWeights[i] * value;
-    }
-    return length_km * sum;
-}
-
-Channels AirShells::depth_to_top(const Point& point) const {
-    const AirShell& shell = shells_[static_cast<std::size_t>(point.shell)];
-    const double gain = shell.top_km - point.altitude_km;
-    const double q = gain * (2 * (planet_.ground_radius_km + point.altitude_km) + gain);
-    const double s_top = std::sqrt(std::max(point.s_km * point.s_km + q, 0.0));
-    const double sum_of_s = s_top + point.s_km;
-    const double length = sum_of_s > 0 ? std::max(q, 0.0) / sum_of_s : 0;
-    Channels within(0.0);
-    for (int i = 0; i < kGaussNodes; ++i) {
-        const double y = length * kShellNodes[i];
-        const Channels t(1 + y * (y - 2 * s_top) * shell.inverse_half_width);
-        within = within + kWeights[i] * polynomial(shell.extinction, t);
-    }
-    const double shifted = s_top + shell.scale_km;
-    const Node* node = nodes_.data() + shell.first_node +
-                       static_cast<std::size_t>(interval_of(shifted) - shell.first_interval);
-    return length * within + cubic(node[0].value, node[0].slope, node[1].value, node[1].slope,
-                                   length_of_interval(shifted), share_of_interval(shifted));
-}
-
-// The length below a shell's top, where the line is at s_top_km, that has a depth: Newton's method
-// within a bracket. The depth is a rising function with the extinction for its slope.
-double AirShells::length_at_depth(const AirShell& shell, double s_top_km, double longest_km,
-                                  std::size_t channel, double depth) const {
-    double low = 0;
-    double high = longest_km;
-    double length = std::min(longest_km, depth / shell.extinction[0][channel]);
-    if (!(length >= 0)) length = 0;  // no extinction in this shell
-    for (int i = 0; i < 64; ++i) {
-        const double error = shell_depth(shell, s_top_km, length, channel) - depth;
-        (error > 0 ? high : low) = length;
-        const double t = 1 + length * (length - 2 * s_top_km) * shell.inverse_half_width;
-        double slope = shell.extinction[kDegree][channel];
-        for (std::size_t n = kDegree; n-- > 0;) slope = slope * t + shell.extinction[n][channel];
-        double next = length - error / slope;
-        // Newton's steps end within rounding of either bracket where that is the answer.
-        if (!(next > low && next < high)) next = 0.5 * (low + high);
-        const double change = std::fabs(next - length);
-        length = next;
-        // Convergence is quadratic: what is left is about the square of the last change.
-        if (change <= kLastChange * length) break;
-    }
-    return length;
+Spectrum AirShells::depth_to_top(const Point& point) const {
+    return kernel::depth_to_top(tables_, point.altitude_km, point.s_km,
+                                static_cast<std::size_t>(point.shell))
+        .spectrum();
 }
 
 AirShells::Point AirShells::point_at_depth(const Point& on_line, std::size_t channel, double depth,
                                            int lowest, int highest) const {
-    const auto square_of_s = [&](double altitude_km) {
-        const double gain = altitude_km - on_line.altitude_km;
-        return on_line.s_km * on_line.s_km + square_gain_km2(planet_, on_line.altitude_km, gain);
-    };
-    // The lowest shell whose upper level has no more depth above it than asked for.
-    while (lowest < highest) {
-        const int middle = (lowest + highest) / 2;
-        const AirShell& shell = shells_[static_cast<std::size_t>(middle)];
-        const double square = square_of_s(shell.top_km);
-        if (square >= 0 && level_depth(shell, std::sqrt(square), channel) <= depth) {
-            highest = middle;
-        } else {
-            lowest = middle + 1;
-        }
-    }
-    const AirShell& shell = shells_[static_cast<std::size_t>(lowest)];
-    const double s_top = std::sqrt(std::max(square_of_s(shell.top_km), 0.0));
-    const double bottom = lowest > 0 ? shells_[static_cast<std::size_t>(lowest - 1)].top_km : 0.0;
-    const double longest = s_top - std::sqrt(std::max(square_of_s(bottom), 0.0));
-    const double within = std::max(depth - level_depth(shell, s_top, channel), 0.0);
-    const double length = length_at_depth(shell, s_top, longest, channel, within);
-    const double q = length * (length - 2 * s_top);
-    const double r = shell.top_radius_km;
-    Point point;
-    point.altitude_km = std::clamp(shell.top_km + gain_of_square_km(r, q), bottom, shell.top_km);
-    point.s_km = s_top - length;
-    point.shell = lowest;
-    return point;
+    const kernel::PointInShell<double> found = kernel::point_at_depth<double>(
+        tables_, {on_line.altitude_km, on_line.s_km, static_cast<double>(on_line.shell)},
+        depth_to_top(on_line)[channel], static_cast<double>(channel), depth, lowest, highest);
+    return {found.altitude_km, found.s_km, static_cast<int>(found.shell)};
 }
 
-Channels AirShells::sunlight(double altitude_km, double s_km, int shell) const {
-    if (s_km >= 0) return exponential(-depth_to_top({altitude_km, s_km, shell}));
-    if (s_km < -horizon_distance_km(planet_, altitude_km)) return Channels(0.0);
-    const double drop = drop_to_nearest_km(planet_, altitude_km, s_km);
-    const double nearest = std::max(altitude_km - drop, 0.0);  // rounding
-    const Channels below = depth_to_top({nearest, 0, shell_at(nearest)});
-    return exponential(depth_to_top({altitude_km, -s_km, shell}) - 2.0 * below);
+Spectrum AirShells::sunlight(double altitude_km, double s_km, int shell) const {
+    return kernel::sunlight(tables_, altitude_km, s_km, static_cast<std::size_t>(shell)).spectrum();
 }
 
 }  // namespace skybake

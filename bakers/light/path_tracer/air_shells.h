@@ -14,12 +14,9 @@
 // edge. Depths along any other path are sums and differences of U.
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
-#include "bakers/math/channels.h"
+#include "bakers/light/path_tracer/air_tables.h"
 
 namespace skybake {
 
@@ -41,7 +38,7 @@ class AirShells {
 
     // Returns U (see above), within 2e-7 of its value or of a millionth of the depth of all air,
     // and within 1e-6 for air very unlike a planet's.
-    Channels depth_to_top(const Point& point) const;
+    Spectrum depth_to_top(const Point& point) const;
 
     // Returns the point, at or above shell `lowest` and at or below shell `highest`, on the line
     // through `on_line`, where U of one channel is `depth`. If U is below `depth` everywhere on the
@@ -50,54 +47,23 @@ class AirShells {
                          int highest) const;
 
     // Return the extinction in 1/km, and the density of one layer, at a point of a shell.
-    Channels extinction(int shell, double altitude_km) const;
+    Spectrum extinction(int shell, double altitude_km) const;
     double density(int shell, int layer, double altitude_km) const;  // of SkyMedium::layers
 
     // Returns the transmittance to the top of the atmosphere at a point where r mu = `s_km` towards
     // the light. It is 0 in the planet's shadow, whose edge is exact.
-    Channels sunlight(double altitude_km, double s_km, int shell) const;
+    Spectrum sunlight(double altitude_km, double s_km, int shell) const;
 
-    const Shell& planet() const { return planet_; }
-    int count() const { return static_cast<int>(shells_.size()); }
+    const AirTables& tables() const { return tables_; }
+    const Shell& planet() const { return tables_.planet; }
+    int count() const { return static_cast<int>(tables_.shells.size()); }
 
   private:
-    static constexpr int kDegree = 5;
-    struct Polynomial {
-        double coefficients[kDegree + 1];
-    };
-    // Polynomials are in t = (r^2 - r_middle^2) / half_width, which is -1 at the bottom and 1 at
-    // the top.
-    struct AirShell {
-        double top_km;
-        double top_radius_km;
-        double inverse_half_width;         // of r^2
-        Channels extinction[kDegree + 1];  // per km
-        std::size_t first_density;         // one polynomial a layer in densities_
-        std::size_t first_node;            // of the upper level's table
-        double scale_km;                   // its k: a power of two
-        std::uint64_t first_interval;      // address of s = 0
-    };
-    struct Node {
-        Channels value;
-        Channels slope;
-    };
-
     void add_shell(const SkyMedium& medium, double bottom_km, double top_km);
-    void add_level(const Medium& air, AirShell& shell, double thickness_above_km);
-    double level_depth(const AirShell& shell, double s_km, std::size_t channel) const;
-    double shell_depth(const AirShell& shell, double s_top_km, double length_km,
-                       std::size_t channel) const;
-    double length_at_depth(const AirShell& shell, double s_top_km, double longest_km,
-                           std::size_t channel, double depth) const;
-    double position(const AirShell& shell, double altitude_km) const;
+    void add_level(const Medium& air, double thickness_above_km);
+    void add_shares(std::size_t channel);
 
-    Shell planet_;
-    std::size_t channels_ = 0;
-    std::size_t layers_ = 0;
-    std::vector<AirShell> shells_;
-    std::vector<Polynomial> densities_;
-    std::vector<Node> nodes_;
-    std::vector<int> guide_;  // the shell at the bottom of each of equal slices of altitude
+    AirTables tables_;
 };
 
 }  // namespace skybake

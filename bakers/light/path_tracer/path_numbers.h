@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "config/sweep/sobol.h"
 
@@ -73,6 +75,10 @@ class ScrambledPoints {
     // Returns a coordinate of a point, in (0, 1): the middle of one of 2^32 equal intervals.
     double coordinate(std::uint32_t point, std::size_t dimension) const;
 
+    // Sets `coordinates` to that coordinate of `count` points from `first` on.
+    void coordinates(std::uint32_t first, std::size_t count, std::size_t dimension,
+                     double* coordinates) const;
+
   private:
     std::array<std::uint32_t, kDimensions> seeds_{};
 };
@@ -104,6 +110,40 @@ class PathNumbers {
     std::uint32_t point_ = 0;
     std::size_t dimension_ = 0;
     RandomStream random_;
+};
+
+// PathNumbers of many paths that take each number together.
+class BatchNumbers {
+  public:
+    static constexpr std::size_t kPaths = 64;  // at most
+
+    // All numbers are random: `random` has a stream for each path.
+    explicit BatchNumbers(std::vector<RandomStream> random) : random_(std::move(random)) {}
+    // The first numbers are the coordinates of points from `first` on. `points` must outlive this.
+    BatchNumbers(const ScrambledPoints& points, std::uint32_t first,
+                 std::vector<RandomStream> random)
+        : points_(&points), first_(first), random_(std::move(random)) {}
+
+    std::size_t count() const { return random_.size(); }
+
+    // Goes on to the next number of all paths.
+    void go_on() {
+        even_ = points_ != nullptr && dimension_ < ScrambledPoints::kDimensions;
+        if (even_) points_->coordinates(first_, count(), dimension_++, coordinates_);
+    }
+    // Returns that number of one path, in (0, 1). It must be asked for once at most, and not at all
+    // by a path that has no use for it.
+    double of(std::size_t path) { return even_ ? coordinates_[path] : random_[path].next(); }
+    // Numbers for choices that not every path has.
+    RandomStream& random(std::size_t path) { return random_[path]; }
+
+  private:
+    const ScrambledPoints* points_ = nullptr;
+    std::uint32_t first_ = 0;
+    std::size_t dimension_ = 0;
+    bool even_ = false;
+    double coordinates_[kPaths] = {};
+    std::vector<RandomStream> random_;
 };
 
 }  // namespace skybake

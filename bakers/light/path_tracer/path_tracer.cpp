@@ -1,12 +1,15 @@
 #include "bakers/light/path_tracer/path_tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "bakers/light/path_tracer/path_batch.h"
 #include "bakers/light/path_tracer/path_numbers.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/light/sky_radiance.h"
@@ -46,46 +49,60 @@ ScatteringAngle zenith_angle(Aperture aperture, double share) {
     return lambert_angle(share);
 }
 
-// Walks path after path.
-class SensorPaths {
-  public:
-    explicit SensorPaths(const Sensor& sensor)
-        : sensor_(sensor), start_(sensor.start), first_(sensor.first) {}
-
-    std::size_t channels() const {
-        return static_cast<std::size_t>(sensor_.walker.medium().air.channels);
+// Sets a batch's starts; where directions differ they take the next two numbers of each path.
+void set_starts(const Sensor& sensor, PathBatch& batch) {
+    batch.starts.fill(sensor.start);
+    if (sensor.aperture == Aperture::ray) {
+        batch.first = &sensor.first;
+        return;
     }
-    RandomStream random(std::uint64_t path) const {
-        return {sensor_.settings.seed, sensor_.settings.ray, path};
+    std::array<ScatteringAngle, PathBatch::kPaths> angles;
+    batch.numbers.go_on();
+    for (std::size_t i = 0; i < batch.numbers.count(); ++i) {
+        angles[i] = zenith_angle(sensor.aperture, batch.numbers.of(i));
     }
-
-    Channels walk(std::size_t hero, PathNumbers& numbers, PathLight& light) {
-        if (sensor_.aperture != Aperture::ray) {
-            const ScatteringAngle angle = zenith_angle(sensor_.aperture, numbers.next());
-            start_.direction = scatter(start_.up, angle, numbers.next());
-            first_ = sensor_.walker.first_flight(start_, sensor_.rules);
-        }
-        return sensor_.walker.walk(sensor_.source, start_, first_, sensor_.rules, hero, numbers,
-                                   light);
+    batch.numbers.go_on();
+    for (std::size_t i = 0; i < batch.numbers.count(); ++i) {
+        batch.starts[i].direction = scatter(sensor.start.up, angles[i], batch.numbers.of(i));
     }
+}
 
-  private:
-    const Sensor& sensor_;
-    PathStart start_;
-    PathWalker::Flight first_;
-};
+void walk(const Sensor& sensor, PathBatch& batch) {
+    set_starts(sensor, batch);
+    walk_batch(sensor.walker, sensor.source, sensor.rules, batch);
+}
 
-Channels usual_weight(const Sensor& sensor) {
-    SensorPaths paths(sensor);
+std::size_t channels_of(const Sensor& sensor) {
+    return static_cast<std::size_t>(sensor.walker.medium().air.channels);
+}
+
+RandomStream random_of(const Sensor& sensor, std::uint64_t path) {
+    return {sensor.settings.seed, sensor.settings.ray, path};
+}
+
+// Calls walk(begin, end) for parts of [begin, end), each as many paths as a batch holds.
+template <class Walk>
+void for_each_batch(std::int64_t begin, std::int64_t end, const Walk& walk) {
+    constexpr auto kPaths = static_cast<std::int64_t>(PathBatch::kPaths);
+    for (; begin < end; begin += kPaths) walk(begin, std::min(begin + kPaths, end));
+}
+
+Spectrum usual_weight(const Sensor& sensor) {
     const std::int64_t count =
         std::clamp(sensor.settings.paths / 16, kLeastPilotPaths, kMostPilotPaths);
-    Channels sum(0.0);
-    for (std::int64_t i = 0; i < count; ++i) {
-        PathLight light;
-        PathNumbers numbers(paths.random(kPilotAddress + static_cast<std::uint64_t>(i)));
-        const auto hero = static_cast<std::size_t>(i) % paths.channels();
-        sum = sum + paths.walk(hero, numbers, light);
-    }
+    Spectrum sum{};
+    for_each_batch(0, count, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<RandomStream> random;
+        for (std::int64_t i = begin; i < end; ++i) {
+            random.push_back(random_of(sensor, kPilotAddress + static_cast<std::uint64_t>(i)));
+        }
+        PathBatch batch{BatchNumbers(std::move(random))};
+        for (std::size_t i = 0; i < batch.numbers.count(); ++i) {
+            batch.heroes[i] = (static_cast<std::size_t>(begin) + i) % channels_of(sensor);
+        }
+        walk(sensor, batch);
+        for (std::size_t i = 0; i < batch.numbers.count(); ++i) sum += batch.second_flight[i];
+    });
     return (1 / static_cast<double>(count)) * sum;
 }
 
@@ -96,18 +113,32 @@ struct Block {
     std::int64_t end = 0;
 };
 
+void add_light(const PathLight& from, PathLight& to) {
+    to.direct += from.direct;
+    to.flights += from.flights;
+    for (std::size_t n = 0; n < kPathOrders; ++n) to.orders[n] += from.orders[n];
+}
+
 // The first number of a path chooses its hero.
 PathLight walk_block(const Sensor& sensor, const Block& block) {
-    SensorPaths paths(sensor);
     const ScrambledPoints points(sensor.settings.seed, sensor.settings.ray,
                                  static_cast<std::uint32_t>(block.replicate));
-    const auto channels = static_cast<double>(paths.channels());
+    const auto channels = static_cast<double>(channels_of(sensor));
     PathLight sum;
-    for (std::int64_t path = block.begin; path < block.end; ++path) {
-        const auto address = static_cast<std::uint64_t>(path * kReplicates + block.replicate);
-        PathNumbers numbers(points, static_cast<std::uint32_t>(path), paths.random(address));
-        paths.walk(static_cast<std::size_t>(numbers.next() * channels), numbers, sum);
-    }
+    for_each_batch(block.begin, block.end, [&](std::int64_t begin, std::int64_t end) {
+        std::vector<RandomStream> random;
+        for (std::int64_t path = begin; path < end; ++path) {
+            const std::int64_t address = path * kReplicates + block.replicate;
+            random.push_back(random_of(sensor, static_cast<std::uint64_t>(address)));
+        }
+        PathBatch batch{BatchNumbers(points, static_cast<std::uint32_t>(begin), std::move(random))};
+        batch.numbers.go_on();
+        for (std::size_t i = 0; i < batch.numbers.count(); ++i) {
+            batch.heroes[i] = static_cast<std::size_t>(batch.numbers.of(i) * channels);
+        }
+        walk(sensor, batch);
+        for (std::size_t i = 0; i < batch.numbers.count(); ++i) add_light(batch.light[i], sum);
+    });
     return sum;
 }
 
@@ -123,16 +154,10 @@ std::vector<Block> blocks_of(std::int64_t paths_of_replicate) {
     return blocks;
 }
 
-void add_light(const PathLight& from, PathLight& to) {
-    to.direct = to.direct + from.direct;
-    to.flights += from.flights;
-    for (std::size_t n = 0; n < kPathOrders; ++n) to.orders[n] = to.orders[n] + from.orders[n];
-}
-
 Spectrum all_light(const PathLight& light) {
-    Channels sum = light.direct;
-    for (const Channels& order : light.orders) sum = sum + order;
-    return sum.spectrum();
+    Spectrum sum = light.direct;
+    for (const Spectrum& order : light.orders) sum += order;
+    return sum;
 }
 
 PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
@@ -145,7 +170,7 @@ PathTracedRadiance mean_of_replicates(const std::vector<PathLight>& replicates,
     result.walked = all_light(all) / count;
     result.radiance = result.walked;
     for (std::size_t n = 0; n < kPathOrders; ++n) {
-        result.orders[n] = all.orders[n].spectrum() / count;
+        result.orders[n] = all.orders[n] / count;
     }
     for (std::size_t i = 0; i < replicates.size(); ++i) {
         result.replicates[i] = all_light(replicates[i]) / static_cast<double>(paths_of_replicate);

@@ -5,28 +5,19 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "bakers/light/path_tracer/path_steps-inl.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
 
+namespace kernel = HWY_NAMESPACE;
+
 namespace {
 
-// Below this 1 - e^-x and its inverse are taken from their series, since the difference has lost
-// twelve bits; the first term left out is below 2^-50 of the sum.
-constexpr double kThin = 0x1p-12;
-
-// 1 - e^-x for x >= 0, to all its digits.
-Channels scattered_share(Channels x, Channels transmittance) {
-    const Channels one(1.0);
-    const Channels series =
-        x * (one - (1.0 / 2) * x * (one - (1.0 / 3) * x * (one - (1.0 / 4) * x)));
-    return select(x > Channels(kThin), one - transmittance, series);
-}
-
-// -ln(1 - y) for y in [0, 1), likewise.
-double depth_of_share(double y) {
-    if (y > kThin) return -logarithm(1 - y);
-    return y * (1 + y * (1.0 / 2 + y * (1.0 / 3 + y * (1.0 / 4))));
+// 1 - e^-depth, to all its digits.
+Spectrum scattered_share(const Spectrum& depth, const Spectrum& transmittance) {
+    return kernel::scattered_share(kernel::Channels(depth), kernel::Channels(transmittance))
+        .spectrum();
 }
 
 // The angle between two unit vectors.
@@ -36,20 +27,14 @@ ScatteringAngle angle_between(const glm::dvec3& a, const glm::dvec3& b) {
     return {0.5 * glm::dot(apart, apart), 0.5 * glm::dot(together, together)};
 }
 
-// A direction towards the sun: its disc is uniform in solid angle, 1 - cosine in [0, 1 - cos
-// radius].
+}  // namespace
+
 glm::dvec3 sample_sun(const PathSource& source, RandomStream& random) {
     if (!(source.sun_radius > 0)) return source.sun;
     const double half_sine = cosine_of_pi(0.5 - 0.5 * source.sun_radius / std::numbers::pi);
     const double one_minus = 2 * half_sine * half_sine * random.next();
     return scatter(source.sun, {one_minus, 2 - one_minus}, random.next());
 }
-
-Channels zero_unless_positive(Channels numerator, Channels denominator) {
-    return select(denominator > Channels(0.0), numerator / denominator, Channels(0.0));
-}
-
-}  // namespace
 
 // Where a path is, and what it carries. For channel c of a path that hero h walks, the light that
 // comes along is worth weight[c] / mean(ratio): weight is f_c / p_h, ratio p_c / p_h.
@@ -61,27 +46,23 @@ struct PathWalker::State {
     int order = 0;
     std::size_t hero = 0;
     std::size_t channels = 0;
-    Channels weight{0.0};
-    Channels ratio{0.0};
+    Spectrum weight{0.0};
+    Spectrum ratio{0.0};
 
-    Channels worth() const {
+    Spectrum worth() const {
         double sum = 0;
         for (std::size_t c = 0; c < channels; ++c) sum += ratio[c];
         return (static_cast<double>(channels) / sum) * weight;
     }
-    Channels& gathered(PathLight& light) const {
+    Spectrum& gathered(PathLight& light) const {
         return light.orders[std::min(static_cast<std::size_t>(order), kPathOrders) - 1];
     }
 };
 
 // The air at a vertex.
 struct PathWalker::Here {
-    static constexpr std::size_t kInline = 8;  // layers that need no memory of their own
-    std::array<double, kInline> few;
-    std::vector<double> many;
-    Channels scattering{0.0};
-    const double* densities() const { return many.empty() ? few.data() : many.data(); }
-    double* densities() { return many.empty() ? few.data() : many.data(); }
+    std::vector<double> densities;  // of scatterers
+    Spectrum scattering{};
 };
 
 PathWalker::PathWalker(const SkyMedium& medium)
@@ -95,7 +76,7 @@ PathWalker::PathWalker(const SkyMedium& medium)
         const Spectrum& scattering = layer.alone.exponential_layers.empty()
                                          ? layer.alone.piecewise_layers[0].scattering_per_km
                                          : layer.alone.exponential_layers[0].scattering_per_km;
-        scatterers_.push_back({static_cast<int>(k), layer.phase, Channels(scattering)});
+        scatterers_.push_back({static_cast<int>(k), layer.phase, scattering});
     }
 }
 
@@ -107,7 +88,7 @@ PathWalker::Flight PathWalker::begin_flight(const State& state) const {
     flight.falls = flight.s_km < 0;
     flight.from = air_.depth_to_top({state.altitude_km, std::fabs(flight.s_km), state.shell});
     flight.lowest = flight.from;
-    Channels depth = flight.from;
+    Spectrum depth = flight.from;
     if (flight.falls) {
         const double horizon = horizon_distance_km(planet, state.altitude_km);
         flight.hits_ground = flight.s_km < -horizon;
@@ -123,21 +104,21 @@ PathWalker::Flight PathWalker::begin_flight(const State& state) const {
         flight.lowest = air_.depth_to_top(lowest);
         depth = flight.lowest - flight.from;
         if (!flight.hits_ground) depth = depth + flight.lowest;
-        depth = maximum(depth, Channels(0.0));  // rounding
+        depth = maximum(depth, Spectrum(0.0));  // rounding
     }
     flight.through = exponential(-depth);
     flight.scattered = scattered_share(depth, flight.through);
-    flight.returned = flight.hits_ground ? flight.through * ground_albedo_ : Channels(0.0);
+    flight.returned = flight.hits_ground ? flight.through * ground_albedo_ : Spectrum(0.0);
     return flight;
 }
 
 // The depth from the flight's start to a point of its line.
-Channels PathWalker::depth_up_to(const Flight& flight, const AirShells::Point& end,
+Spectrum PathWalker::depth_up_to(const Flight& flight, const AirShells::Point& end,
                                  bool still_falls) const {
-    const Channels above = air_.depth_to_top(end);
-    Channels way = still_falls ? above - flight.from : flight.from - above;
+    const Spectrum above = air_.depth_to_top(end);
+    Spectrum way = still_falls ? above - flight.from : flight.from - above;
     if (flight.falls && !still_falls) way = way + 2.0 * (flight.lowest - flight.from);
-    return maximum(way, Channels(0.0));  // rounding
+    return maximum(way, Spectrum(0.0));  // rounding
 }
 
 // Ends a flight after `length_km`, if it does not end before. Then it sees no ground.
@@ -151,14 +132,14 @@ void PathWalker::cut_flight(const State& start, double length_km, Flight& flight
     end.altitude_km = altitude_along_km(planet, start.altitude_km, flight.s_km, length_km);
     end.s_km = std::fabs(flight.s_km + length_km);
     end.shell = air_.shell_at(end.altitude_km);
-    const Channels depth = depth_up_to(flight, end, flight.s_km + length_km < 0);
+    const Spectrum depth = depth_up_to(flight, end, flight.s_km + length_km < 0);
     flight.through = exponential(-depth);
     flight.scattered = scattered_share(depth, flight.through);
-    flight.returned = Channels(0.0);
+    flight.returned = Spectrum(0.0);
 }
 
 // Goes to where the hero's depth from the start is `depth`; returns each channel's.
-Channels PathWalker::move(const Flight& flight, double depth, State& state) const {
+Spectrum PathWalker::move(const Flight& flight, double depth, State& state) const {
     const std::size_t h = state.hero;
     const AirShells::Point start = {state.altitude_km, std::fabs(flight.s_km), state.shell};
     const double before_lowest = flight.lowest[h] - flight.from[h];
@@ -173,7 +154,7 @@ Channels PathWalker::move(const Flight& flight, double depth, State& state) cons
             air_.point_at_depth(start, h, std::max(upwards - depth, 0.0),
                                 flight.falls ? flight.lowest_shell : state.shell, air_.count() - 1);
     }
-    const Channels way = depth_up_to(flight, end, still_falls);
+    const Spectrum way = depth_up_to(flight, end, still_falls);
     const double radius = air_.planet().ground_radius_km;
     const double distance = (still_falls ? -end.s_km : end.s_km) - flight.s_km;
     state.up = (1 / (radius + end.altitude_km)) *
@@ -186,28 +167,26 @@ Channels PathWalker::move(const Flight& flight, double depth, State& state) cons
 // What the layers scatter where the path is.
 PathWalker::Here PathWalker::look_around(const State& state) const {
     Here here;
-    if (scatterers_.size() > Here::kInline) here.many.resize(scatterers_.size());
-    double* densities = here.densities();
-    for (std::size_t k = 0; k < scatterers_.size(); ++k) {
-        const double density = air_.density(state.shell, scatterers_[k].layer, state.altitude_km);
-        densities[k] = std::max(density, 0.0);  // rounding
-        here.scattering = here.scattering + densities[k] * scatterers_[k].scattering_per_km;
+    for (const Scatterer& scatterer : scatterers_) {
+        const double density = air_.density(state.shell, scatterer.layer, state.altitude_km);
+        here.densities.push_back(std::max(density, 0.0));  // rounding
+        here.scattering = here.scattering + here.densities.back() * scatterer.scattering_per_km;
     }
     return here;
 }
 
 // Sum of sigma_s p over layers.
-Channels PathWalker::towards(const Here& here, const ScatteringAngle& angle) const {
-    Channels sum(0.0);
+Spectrum PathWalker::towards(const Here& here, const ScatteringAngle& angle) const {
+    Spectrum sum(0.0);
     for (std::size_t k = 0; k < scatterers_.size(); ++k) {
         const LayerPhase& phase = scatterers_[k].phase;
-        const double density = here.densities()[k];
+        const double density = here.densities[k];
         if (phase.is_alike()) {
             const double value =
                 density * phase_value(phase.functions.front(), angle.one_minus, angle.one_plus);
             sum = sum + value * scatterers_[k].scattering_per_km;
         } else {
-            const Channels values(phase_values(phase, angle.one_minus, angle.one_plus));
+            const Spectrum values(phase_values(phase, angle.one_minus, angle.one_plus));
             sum = sum + density * values * scatterers_[k].scattering_per_km;
         }
     }
@@ -221,7 +200,7 @@ ScatteringAngle PathWalker::choose_angle(const Here& here, std::size_t hero,
     std::size_t chosen = 0;
     double part = 0;
     for (;; ++chosen) {
-        part = here.densities()[chosen] * scatterers_[chosen].scattering_per_km[hero];
+        part = here.densities[chosen] * scatterers_[chosen].scattering_per_km[hero];
         if (left < part || chosen + 1 == scatterers_.size()) break;
         left -= part;
     }
@@ -234,12 +213,12 @@ ScatteringAngle PathWalker::choose_angle(const Here& here, std::size_t hero,
 // Distance by the hero's density sigma_t T / (1 - T_end + returned).
 void PathWalker::arrive_in_air(const Flight& flight, double scattered_share, State& state) const {
     const std::size_t h = state.hero;
-    const Channels passed = move(flight, depth_of_share(scattered_share), state);
+    const Spectrum passed = move(flight, kernel::depth_of_share(scattered_share), state);
     ++state.order;
-    const Channels transmittance = exponential(-passed);
-    const Channels extinction = air_.extinction(state.shell, state.altitude_km);
-    const Channels density =
-        zero_unless_positive(extinction * transmittance, flight.scattered + flight.returned);
+    const Spectrum transmittance = exponential(-passed);
+    const Spectrum extinction = air_.extinction(state.shell, state.altitude_km);
+    const Spectrum density =
+        share_of(extinction * transmittance, flight.scattered + flight.returned);
     // Rounding at the edge of a layer may leave no extinction: then the path ends.
     const double inverse = density[h] > 0 ? 1 / density[h] : 0;
     state.weight = inverse * state.weight * transmittance;
@@ -255,18 +234,18 @@ bool PathWalker::collide(const PathSource& source, bool counts, State& state, Pa
     if (counts) {
         const glm::dvec3 sun = sample_sun(source, numbers.random());
         const double r = air_.planet().ground_radius_km + state.altitude_km;
-        const Channels sunlight =
+        const Spectrum sunlight =
             air_.sunlight(state.altitude_km, r * glm::dot(state.up, sun), state.shell);
-        Channels& gathered = state.gathered(light);
+        Spectrum& gathered = state.gathered(light);
         gathered = gathered +
                    state.worth() * sunlight * towards(here, angle_between(sun, state.direction));
     }
     if (!(here.scattering[h] > 0)) return false;
     const ScatteringAngle angle = choose_angle(here, h, numbers);
-    const Channels value = towards(here, angle);
+    const Spectrum value = towards(here, angle);
     const double inverse = here.scattering[h] / value[h];
     state.weight = inverse * state.weight * value;
-    state.ratio = inverse * state.ratio * zero_unless_positive(value, here.scattering);
+    state.ratio = inverse * state.ratio * share_of(value, here.scattering);
     state.direction = scatter(state.direction, angle, numbers.next());
     return true;
 }
@@ -281,8 +260,7 @@ void PathWalker::arrive_on_ground(const Flight& flight, State& state) const {
     state.altitude_km = 0;
     state.shell = 0;
     ++state.order;
-    const Channels probability =
-        zero_unless_positive(flight.returned, flight.scattered + flight.returned);
+    const Spectrum probability = share_of(flight.returned, flight.scattered + flight.returned);
     const double inverse = 1 / probability[state.hero];
     state.weight = inverse * state.weight * flight.returned;
     state.ratio = inverse * state.ratio * probability;
@@ -294,8 +272,8 @@ void PathWalker::reflect(const PathSource& source, bool counts, State& state, Pa
     if (counts) {
         const double cosine = glm::dot(state.up, sample_sun(source, numbers.random()));
         if (cosine > 0) {
-            const Channels sunlight = air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
-            Channels& gathered = state.gathered(light);
+            const Spectrum sunlight = air_.sunlight(0, air_.planet().ground_radius_km * cosine, 0);
+            Spectrum& gathered = state.gathered(light);
             gathered = gathered + (cosine / std::numbers::pi) * state.worth() * sunlight;
         }
     }
@@ -311,8 +289,8 @@ PathWalker::State PathWalker::begin(const PathStart& start) const {
     state.shell = air_.shell_at(start.altitude_km);
     state.channels = channels_;
     for (std::size_t c = 0; c < channels_; ++c) {
-        state.weight.set(c, 1);
-        state.ratio.set(c, 1);
+        state.weight[c] = 1;
+        state.ratio[c] = 1;
     }
     return state;
 }
@@ -321,15 +299,14 @@ PathWalker::Flight PathWalker::first_flight(const PathStart& start, const PathRu
     const State state = begin(start);
     Flight flight = begin_flight(state);
     cut_flight(state, start.length_km, flight);
-    if (!rules.sees_ground) flight.returned = Channels(0.0);
+    if (!rules.sees_ground) flight.returned = Spectrum(0.0);
     return flight;
 }
 
 // True where Russian roulette lets a path go on, whose weight is `worth`; it carries more then.
-bool PathWalker::survives(const Channels& worth, const Channels& usual, State& state,
+bool PathWalker::survives(const Spectrum& worth, const Spectrum& usual, State& state,
                           PathNumbers& numbers) const {
-    const Channels share = zero_unless_positive(worth, usual);
-    const double survival = std::max({share[0], share[1], share[2]});
+    const double survival = largest(share_of(worth, usual));
     if (survival >= 1) {
         numbers.skip();
         return true;
@@ -339,25 +316,27 @@ bool PathWalker::survives(const Channels& worth, const Channels& usual, State& s
     return true;
 }
 
-Channels PathWalker::walk(const PathSource& source, const PathStart& start, const Flight& first,
+Spectrum PathWalker::walk(const PathSource& source, const PathStart& start, const Flight& first,
                           const PathRules& rules, std::size_t hero, PathNumbers& numbers,
                           PathLight& light) const {
     State state = begin(start);
     state.hero = hero;
-    Channels second_flight(0.0);
-    Channels usual = rules.usual_weight;
+    Spectrum second_flight(0.0);
+    Spectrum usual = rules.usual_weight;
     Flight flight = first;
     for (;;) {
         if (source.ambient && !flight.hits_ground) {
-            Channels& gathered = state.order == 0 ? light.direct : state.gathered(light);
+            Spectrum& gathered = state.order == 0 ? light.direct : state.gathered(light);
             gathered = gathered + state.worth() * flight.through;
         }
-        const Channels goes_on = flight.scattered + flight.returned;
+        const Spectrum goes_on = flight.scattered + flight.returned;
         if (state.order > 0) {
-            const Channels worth = state.worth() * goes_on;
+            const Spectrum worth = state.worth() * goes_on;
             if (state.order == 1) {
                 second_flight = worth;
-                usual = select(usual > Channels(0.0), usual, worth);
+                for (std::size_t c = 0; c < channels_; ++c) {
+                    if (!(usual[c] > 0)) usual[c] = worth[c];
+                }
             }
             if (!survives(worth, usual, state, numbers)) return second_flight;
         }

@@ -28,7 +28,6 @@
 #include "bakers/light/path_tracer/air_shells.h"
 #include "bakers/light/path_tracer/path_numbers.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
-#include "bakers/math/channels.h"
 #include "bakers/math/vectors.h"
 
 namespace skybake {
@@ -39,10 +38,9 @@ inline constexpr std::size_t kPathOrders = 6;
 // The light that a path has gathered. `direct` is light that came without any event, which only
 // ambient light can.
 struct PathLight {
-    Channels direct{0.0};
+    Spectrum direct{};
     std::int64_t flights = 0;  // straight ways of the path, each to its next event
-    std::array<Channels, kPathOrders> orders;
-    PathLight() { orders.fill(Channels(0.0)); }
+    std::array<Spectrum, kPathOrders> orders{};
 };
 
 // The source of light: a sun of irradiance 1, or a sky of radiance 1 all around the planet.
@@ -64,13 +62,23 @@ struct PathRules {
     bool sees_ground = true;  // if the first flight meets it
     // The weight that a path usually has when it begins its second flight, per channel, found by
     // experience: Russian roulette begins below it. 0 if it is not known.
-    Channels usual_weight{0.0};
+    Spectrum usual_weight{};
 };
+
+// Returns a direction towards the sun: its disc is uniform in solid angle, 1 - cosine in [0, 1 - cos
+// radius].
+glm::dvec3 sample_sun(const PathSource& source, RandomStream& random);
 
 class PathWalker {
   public:
     // `medium` must outlive it.
     explicit PathWalker(const SkyMedium& medium);
+
+    struct Scatterer {
+        int layer;
+        LayerPhase phase;
+        Spectrum scattering_per_km;  // at density 1
+    };
 
     // The line from a vertex to the ground or to the top, and what happens along it.
     struct Flight {
@@ -78,33 +86,34 @@ class PathWalker {
         bool falls = false;
         bool hits_ground = false;
         int lowest_shell = 0;
-        Channels from;       // depth to the top, along the line, from |s_km|
-        Channels lowest;     // the same from the lowest point, or from the ground
-        Channels through;    // its transmittance
-        Channels scattered;  // 1 - through
-        Channels returned;   // through times what the ground reflects, if it is seen
+        Spectrum from;       // depth to the top, along the line, from |s_km|
+        Spectrum lowest;     // the same from the lowest point, or from the ground
+        Spectrum through;    // its transmittance
+        Spectrum scattered;  // 1 - through
+        Spectrum returned;   // through times what the ground reflects, if it is seen
     };
     Flight first_flight(const PathStart& start, const PathRules& rules) const;
 
     // `first` is the start's first flight, `hero` the channel that draws, which all channels must be
     // equally likely to be. Returns the weight with which the path began its second flight.
-    Channels walk(const PathSource& source, const PathStart& start, const Flight& first,
+    Spectrum walk(const PathSource& source, const PathStart& start, const Flight& first,
                   const PathRules& rules, std::size_t hero, PathNumbers& numbers,
                   PathLight& light) const;
 
     const SkyMedium& medium() const { return medium_; }
     const AirShells& air() const { return air_; }
+    const std::vector<Scatterer>& scatterers() const { return scatterers_; }
 
   private:
     struct State;
     struct Here;
     Flight begin_flight(const State& state) const;
     State begin(const PathStart& start) const;
-    Channels depth_up_to(const Flight& flight, const AirShells::Point& end, bool still_falls) const;
+    Spectrum depth_up_to(const Flight& flight, const AirShells::Point& end, bool still_falls) const;
     void cut_flight(const State& start, double length_km, Flight& flight) const;
-    Channels move(const Flight& flight, double depth, State& state) const;
+    Spectrum move(const Flight& flight, double depth, State& state) const;
     Here look_around(const State& state) const;
-    Channels towards(const Here& here, const ScatteringAngle& angle) const;
+    Spectrum towards(const Here& here, const ScatteringAngle& angle) const;
     ScatteringAngle choose_angle(const Here& here, std::size_t hero, PathNumbers& numbers) const;
     void arrive_in_air(const Flight& flight, double scattered_share, State& state) const;
     bool collide(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
@@ -112,18 +121,12 @@ class PathWalker {
     void arrive_on_ground(const Flight& flight, State& state) const;
     void reflect(const PathSource& source, bool counts, State& state, PathNumbers& numbers,
                  PathLight& light) const;
-    bool survives(const Channels& worth, const Channels& usual, State& state,
+    bool survives(const Spectrum& worth, const Spectrum& usual, State& state,
                   PathNumbers& numbers) const;
-
-    struct Scatterer {
-        int layer;
-        LayerPhase phase;
-        Channels scattering_per_km;  // at density 1
-    };
 
     const SkyMedium& medium_;
     AirShells air_;
-    Channels ground_albedo_;
+    Spectrum ground_albedo_;
     std::size_t channels_;
     std::vector<Scatterer> scatterers_;
 };

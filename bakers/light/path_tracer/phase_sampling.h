@@ -9,6 +9,11 @@
 
 namespace skybake {
 
+// True of Rayleigh's distribution and the like.
+inline bool is_quadratic(const PhaseFunction& phase) {
+    return !phase.table && phase.g == 0 && phase.quadratic != 0;
+}
+
 // Draws a scattering angle. Its cosine nu has the density 2 pi p(nu).
 //
 // Henyey-Greenstein's distribution is inverted: with s uniform in (-1, 1) and D = 1 + g^2 - 2 g nu,
@@ -16,7 +21,7 @@ namespace skybake {
 //   1 - nu = (D - (1 - g)^2) / 2 g = (1 - g)^2 (1 - s) (2 + g (1 + s)) / (2 (1 + g s)^2)
 //   1 + nu = ((1 + g)^2 - D) / 2 g = (1 + g)^2 (1 + s) (2 - g (1 - s)) / (2 (1 + g s)^2),
 // which are sums of terms of one sign for any g. Rayleigh's distribution, and any a + b nu^2 with g
-// = 0, is a cubic that is inverted by Newton's method. Where g is not 0 the factor a + b nu^2 of
+// = 0, is a cubic that is inverted by Halley's method. Where g is not 0 the factor a + b nu^2 of
 // phase_function.h is applied by rejection: a <= a + b nu^2 <= a + b, so that at least half of all
 // trials are accepted where a = b. Tables are inverted cell by cell (tabulated_phase.h).
 //

@@ -1,0 +1,39 @@
+// Many paths of light at once: what PathWalker::walk does with one, in stages that all paths take
+// together.
+//
+// No path waits for its own last stage while others can go on, geometry and angles are computed for
+// a vector of paths at a time, and packets of wavelengths, which fill a vector, path by path. Paths
+// that have ended are removed before each flight, so that the rest stays dense. Every number of a
+// path is that of PathWalker::walk, which is the specification, whatever the instruction set and the
+// other paths of the batch.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "bakers/light/path_tracer/path_numbers.h"
+#include "bakers/light/path_tracer/path_walk.h"
+
+namespace skybake {
+
+struct PathBatch {
+    static constexpr std::size_t kPaths = BatchNumbers::kPaths;
+
+    explicit PathBatch(BatchNumbers of_paths) : numbers(std::move(of_paths)) {}
+
+    BatchNumbers numbers;
+    std::array<std::size_t, kPaths> heroes{};
+    std::array<PathStart, kPaths> starts;
+    // Of all paths, if they have one start; otherwise no start has a limit of its length.
+    const PathWalker::Flight* first = nullptr;
+
+    // What walk_batch finds.
+    std::array<PathLight, kPaths> light;
+    std::array<Spectrum, kPaths> second_flight{};  // the weight with which each path begins it
+};
+
+// Walks the paths of a batch, as many as there are numbers for.
+void walk_batch(const PathWalker& walker, const PathSource& source, const PathRules& rules,
+                PathBatch& batch);
+
+}  // namespace skybake
