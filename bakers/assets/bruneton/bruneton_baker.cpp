@@ -252,7 +252,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 7,
+    static const Baker<config::BrunetonBake> row = {.version = 8,
                                                     .bake = bake,
                                                     .estimate = estimate,
                                                     .needs = needs,

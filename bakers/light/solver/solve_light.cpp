@@ -64,9 +64,11 @@ constexpr int kDegreeOfAllOrders = 8;
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
 
-// Solves for moments of settings.degree in the medium as it is.
-SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
-                         Progress* progress) {
+// Solves for moments of settings.degree in the medium as it is, with transport in floats or doubles
+// (order_blocks.h).
+template <class Number>
+SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                            Progress* progress) {
     SolvedLight solved;
     solved.channels = medium.air.channels;
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
@@ -77,7 +79,7 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
 
     LightField first(levels, settings.suns, settings.degree);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
-    std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
+    std::vector<LevelTransport<Number>> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
         const FirstFans first_fans =
             make_first_fans(medium, solved.altitudes_km, level, settings.first_zenith_nodes,
@@ -85,7 +87,7 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
         gather_first_light(medium, phases, first_fans, sunlight, solved.suns, settings.degree,
                            first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
         const bool is_same = settings.zenith_nodes == settings.first_zenith_nodes;
-        transports[static_cast<std::size_t>(level)] = make_level_transport(
+        transports[static_cast<std::size_t>(level)] = make_level_transport<Number>(
             medium,
             is_same ? first_fans.day
                     : make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
@@ -94,11 +96,7 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     });
     solved.steep = steep_columns(first, solved.channels);
     const auto next = [&](const LightField& light, LightField& image) {
-        parallel_for(levels, threads, [&](int level) {
-            apply_transport(transports[static_cast<std::size_t>(level)], solved.suns, solved.steep,
-                            light, image.at(level, 0),
-                            level == 0 ? image.sky_irradiance.data() : nullptr);
-        });
+        apply_transports(transports, solved.suns, solved.steep, light, threads, image);
     };
     if (settings.orders > 0) {
         OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
@@ -117,6 +115,13 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     solved.applications = sum.applications;
     solved.left_out = sum.left_out;
     return solved;
+}
+
+SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                         Progress* progress) {
+    return settings.degree <= kDegreeOfAllOrders
+               ? solve_orders_in<float>(medium, settings, threads, progress)
+               : solve_orders_in<double>(medium, settings, threads, progress);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "bakers/air/quadrature_rules.h"
 #include "bakers/air/view_ray.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
@@ -190,7 +191,9 @@ int azimuth_count(double turn_sine, double dip_sine, int degree) {
 
 }  // namespace
 
-LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree) {
+template <class Number>
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
+                                            int degree) {
     assert(degree >= 0);
     const Shell shell = shell_of(medium.air);
     const double r = shell.ground_radius_km + fan.altitude_km;
@@ -202,11 +205,12 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
         phases.push_back(scattered_moments(layer, degree));
     }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
-    LevelTransport transport;
-    const auto add_weights = [&](const Spectrum& weights) {
-        transport.weights.insert(transport.weights.end(), data(weights),
-                                 data(weights) + kChannelSlots);
-    };
+    std::vector<double> weights(harmonics.size() * kChannelSlots);
+    const std::size_t node_size = block_count(degree);
+    LevelTransport<Number> transport;
+    std::size_t points = 0;
+    for (const FanRay& ray : fan.rays) points += ray.points.size() + 1;
+    transport.weights.reserve(points * node_size);
     for (const FanRay& ray : fan.rays) {
         TransportRay made;
         made.mu = ray.mu;
@@ -243,9 +247,13 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
                     once += scattered[i] * phases[i][static_cast<std::size_t>(l)];
                 }
                 for (int m = 0; m <= l; ++m) {
-                    add_weights(harmonics[static_cast<std::size_t>(moment_index(l, m))] * once);
+                    const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                    const Spectrum weight = harmonics[lm] * once;
+                    std::copy_n(data(weight), kChannelSlots, weights.data() + lm * kChannelSlots);
                 }
             }
+            transport.weights.resize(node.weights + node_size);
+            write_blocks(degree, weights.data(), transport.weights.data() + node.weights);
             made.nodes.push_back(node);
         }
         if (ray.hits_ground) {
@@ -253,12 +261,32 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
             node.ground = true;
             add_turn(node, ray.length_km, 0);
             node.weights = transport.weights.size();
-            add_weights(ray.end_transmittance * medium.air.ground_albedo * std::numbers::inv_pi);
+            const Spectrum reflected =
+                ray.end_transmittance * medium.air.ground_albedo * std::numbers::inv_pi;
+            write_blocks(0, data(reflected), &transport.weights.emplace_back());
             made.nodes.push_back(node);
         }
         transport.rays.push_back(std::move(made));
     }
     return transport;
 }
+
+template <class Number>
+void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
+                      const std::vector<double>& steep, const LightField& light, int threads,
+                      LightField& image) {
+    const BlockedLight<Number> blocked(light, threads);
+    parallel_for(light.levels, threads, [&](int level) {
+        apply_transport(transports[static_cast<std::size_t>(level)], suns, steep, blocked,
+                        image.at(level, 0), level == 0 ? image.sky_irradiance.data() : nullptr);
+    });
+}
+
+template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int);
+template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int);
+template void apply_transports(const std::vector<LevelTransport<float>>&, const SunAxis&,
+                               const std::vector<double>&, const LightField&, int, LightField&);
+template void apply_transports(const std::vector<LevelTransport<double>>&, const SunAxis&,
+                               const std::vector<double>&, const LightField&, int, LightField&);
 
 }  // namespace skybake
