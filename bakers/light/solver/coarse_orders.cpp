@@ -61,7 +61,8 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
 }
 
 void CoarseOrders::next_order(const LightField& light, LightField& image) const {
-    apply_transports(transports_, suns_, steep_, light, threads_, image);
+    apply_transports(transports_, suns_, steep_, BlockedLight<float>(light, threads_), threads_,
+                     image);
 }
 
 LightField CoarseOrders::restricted(const LightField& fine) const {

@@ -107,10 +107,11 @@ void apply_transport(const LevelTransport<double>& transport, const SunAxis& sun
                      const std::vector<double>& steep, const BlockedLight<double>& light,
                      double* out, double* sky_irradiance);
 
-// Computes K light by the transports of all levels.
+// Computes K light by the transports of all levels of `image`. `light` is at the altitudes that the
+// transports' rays were made for.
 template <class Number>
 void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
-                      const std::vector<double>& steep, const LightField& light, int threads,
-                      LightField& image);
+                      const std::vector<double>& steep, const BlockedLight<Number>& light,
+                      int threads, LightField& image);
 
 }  // namespace skybake
