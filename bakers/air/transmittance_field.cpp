@@ -14,12 +14,7 @@ namespace skybake {
 
 namespace {
 
-// A planet is flat where the way to the horizon is so many times the thickness of the air.
 constexpr double kFlat = 32;
-
-bool is_flat_shell(const Shell& shell) {
-    return horizon_distance_km(shell, shell.thickness_km) > kFlat * shell.thickness_km;
-}
 
 // A cubic between two nodes is monotone if its slopes have the sign of the difference and are at
 // most three times as large (Fritsch & Carlson 1980).
@@ -40,11 +35,15 @@ double monotone_end_slope(double nearest, double next) {
 
 }  // namespace
 
+bool is_flat_planet(const Shell& shell) {
+    return horizon_distance_km(shell, shell.thickness_km) > kFlat * shell.thickness_km;
+}
+
 TransmittanceField::TransmittanceField(const Medium& medium,
                                        const std::vector<double>& altitudes_km, Size size,
                                        int threads)
     : shell_(shell_of(medium)),
-      is_flat_(is_flat_shell(shell_)),
+      is_flat_(is_flat_planet(shell_)),
       channels_(medium.channels),
       columns_(size.columns) {
     assert(size.columns >= 8 && size.columns % 8 == 0 && altitudes_km.size() >= 2);

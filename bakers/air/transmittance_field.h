@@ -9,6 +9,10 @@
 
 namespace skybake {
 
+// True for a planet from whose top of the air the way to the horizon is more than 32 times the air's
+// thickness.
+bool is_flat_planet(const Shell& shell);
+
 // A table in Bruneton's coordinates (transmittance_mapping.h), in double. Altitude is divided into
 // blocks at whose ends the density may change abruptly, so that no interpolation crosses the edge
 // of a layer, however thin. Within a block rows are evenly spaced in x_r and interpolated by

@@ -127,8 +127,12 @@ HWY_INLINE bool all(bool mask) { return mask; }
 
 // --- Integers ------------------------------------------------------------------------------------
 
-// Rounds towards zero. The magnitude must be below 2^31.
-HWY_INLINE IntLanes to_int(FloatLanes x) { return IntLanes(hn::ConvertTo(IntLanes::Tag(), x.v)); }
+// Rounds towards zero, to integers as wide as the numbers. The magnitude must be below 2^31.
+template <std::floating_point T>
+HWY_INLINE LanesOf<hwy::MakeSigned<T>> to_int(LanesOf<T> x) {
+    using Integers = LanesOf<hwy::MakeSigned<T>>;
+    return Integers(hn::ConvertTo(typename Integers::Tag(), x.v));
+}
 HWY_INLINE std::int32_t to_int(float x) { return static_cast<std::int32_t>(x); }
 HWY_INLINE FloatLanes to_float(IntLanes x) {
     return FloatLanes(hn::ConvertTo(FloatLanes::Tag(), x.v));
@@ -140,8 +144,9 @@ HWY_INLINE IntLanes shifted_right(IntLanes x, int by) {
 HWY_INLINE IntLanes shifted_left(IntLanes x, int by) {
     return IntLanes(hn::ShiftLeftSame(x.v, by));
 }
-HWY_INLINE FloatLanes gather(const float* values, IntLanes index) {
-    return FloatLanes(hn::GatherIndex(FloatLanes::Tag(), values, index.v));
+template <std::floating_point T>
+HWY_INLINE LanesOf<T> gather(const T* values, LanesOf<hwy::MakeSigned<T>> index) {
+    return LanesOf<T>(hn::GatherIndex(typename LanesOf<T>::Tag(), values, index.v));
 }
 HWY_INLINE float gather(const float* values, std::int32_t index) { return values[index]; }
 

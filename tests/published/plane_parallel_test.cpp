@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <memory>
 #include <numbers>
 #include <string_view>
 #include <vector>
 
+#include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/published/isotropic_slab.h"
 #include "tests/published/slab.h"
@@ -48,7 +52,7 @@ constexpr Slab kSlabs[] = {{"1a",
                             {0.1, 0.5, 1},
                             {0.117771, 0.0264170, 0.0134041},
                             {0.115898, 0.0263324, 0.0133826},
-                            1e-3},
+                            3e-4},
                            {"1b",
                             kIsotropic,
                             1.0 / 32,
@@ -58,7 +62,7 @@ constexpr Slab kSlabs[] = {{"1a",
                             {0.1, 0.5, 1},
                             {0.622884, 0.139763, 0.0709192},
                             {0.613458, 0.139337, 0.0708109},
-                            2e-3},
+                            1.3e-3},
                            {"2a",
                             kRayleigh,
                             0.2,
@@ -78,7 +82,17 @@ constexpr Slab kSlabs[] = {{"1a",
                             {0.018014, 0.538263, 0.981986},
                             {0.347858, 0.0487120, 0.0189387},
                             {0.0677603, 0.0464061, 0.0186027},
-                            2e-3},
+                            1.6e-3},
+                           {"2c",
+                            kRayleigh,
+                            5,
+                            0.5,
+                            0.080442,
+                            kPi,
+                            {0.018014, 0.538263, 0.981986},
+                            {0.162566, 0.0245786, 0.0101498},
+                            {1.32472e-5, 3.97168e-5, 1.70004e-4},
+                            8e-3},
                            {"2d",
                             kRayleigh,
                             5,
@@ -88,7 +102,7 @@ constexpr Slab kSlabs[] = {{"1a",
                             {0.018014, 0.538263, 0.981986},
                             {0.364010, 0.0826993, 0.0492370},
                             {0.00379276, 0.00769337, 0.0105950},
-                            6e-2},
+                            9e-3},
                            {"3a",
                             "phase = 'henyey_greenstein'\ng = 0.75",
                             1,
@@ -98,7 +112,7 @@ constexpr Slab kSlabs[] = {{"1a",
                             {0.1, 0.5, 1},
                             {0.151159, 0.101103, 0.0395460},
                             {0.213750, 0.266648, 3.05855},
-                            3e-2}};
+                            1.6e-2}};
 
 config::Atmosphere atmosphere_of(const Slab& slab) {
     return slab_atmosphere(slab.depth, slab.albedo, slab.phase);
@@ -131,6 +145,17 @@ double solved_radiance(const SkyLight& light, const Slab& slab, const SlabView& 
     return slab.beam * (found.single[0] + found.multiple[0]);
 }
 
+// The same with the ray cut into a hundred pieces.
+double finely_cut_radiance(const SkyLight& light, const Slab& slab, const SlabView& view) {
+    const SkyRay ray =
+        sky_ray(light.shell(), view.altitude_km, slab_sun(slab.sun_cosine), view.direction);
+    std::vector<double> ends_km;
+    for (int i = 1; i < 100; ++i) ends_km.push_back(ray.length_km * i / 100);
+    ends_km.push_back(ray.length_km);
+    const SkyRadiance found = light.integrator().up_to(ray, ends_km).back();
+    return slab.beam * (found.single[0] + found.multiple[0]);
+}
+
 // Radiance and standard error, by paths.
 struct TracedRadiance {
     double radiance;
@@ -157,6 +182,69 @@ TEST(PlaneParallel, SolverFindsThePublishedRadiance) {
         fmt::print("{}: solver {:.2e}\n", slab.name, worst);
         EXPECT_LT(worst, slab.solver_bound) << slab.name;
     }
+}
+
+// What is left at the default settings is said with which of them it falls: 2d with altitudes and
+// columns of sunlight, and all of them with the pieces in which rays to the eye are cut, since light
+// rises steeply behind the slab's surfaces. At a grazing angle below thick air sixteen streams are
+// themselves some thousandths off.
+struct FinerCase {
+    const char* name;
+    double level_scale;
+    int sunlight_columns;
+    double bound;
+    double grazing_bound;  // below, at the smallest cosine
+};
+
+TEST(PlaneParallel, FinerSettingsApproachThePublishedRadiance) {
+    constexpr FinerCase kCases[] = {
+        {"2a", 2, 256, 3e-4, 1e-3}, {"2b", 2, 256, 6e-4, 2e-3}, {"2d", 2, 1024, 1e-3, 8e-3}};
+    for (const FinerCase& of : kCases) {
+        const Slab& slab =
+            *std::find_if(std::begin(kSlabs), std::end(kSlabs),
+                          [&](const Slab& any) { return std::string_view(any.name) == of.name; });
+        SolverSettings settings;
+        settings.degree = 8;
+        settings.level_scale = of.level_scale;
+        settings.sunlight.columns = of.sunlight_columns;
+        const SkyMedium medium = make_sky_medium(atmosphere_of(slab));
+        const SolvedLight solved = solve_light(medium, settings, 2);
+        const SkyLight light(medium, config::SkyOrders::all,
+                             std::make_unique<SolvedOrders>(medium, solved, settings.degree));
+        double worst = 0;
+        double grazing = 0;
+        for (const PublishedView& at : views_of(slab)) {
+            const double error =
+                std::fabs(finely_cut_radiance(light, slab, at.view) / at.radiance - 1);
+            const bool is_grazing = !at.is_up && at.cosine == slab.cosines[0];
+            (is_grazing ? grazing : worst) = std::max(is_grazing ? grazing : worst, error);
+        }
+        fmt::print("{}: finer solver {:.2e}, grazing {:.2e}\n", slab.name, worst, grazing);
+        EXPECT_LT(worst, of.bound) << slab.name;
+        EXPECT_LT(grazing, of.grazing_bound) << slab.name;
+    }
+}
+
+// A slab of depth 32 that absorbs nothing, which is problem 1e.
+TEST(SlowPlaneParallel, SolverFindsThePublishedRadianceOfThickAir) {
+    const Slab slab = {"1e",
+                       kIsotropic,
+                       32,
+                       1,
+                       0.1,
+                       10 * kPi,
+                       {0.1, 0.5, 1},
+                       {1.93321, 1.02732, 0.797199},
+                       {0.0116385, 0.0187805, 0.0271316},
+                       0};
+    const SkyLight light(atmosphere_of(slab), config::SkyOrders::all, {}, {.threads = 2});
+    EXPECT_FALSE(light.problem("sky"));
+    double worst = 0;
+    for (const PublishedView& at : views_of(slab)) {
+        worst = std::max(worst, std::fabs(solved_radiance(light, slab, at.view) / at.radiance - 1));
+    }
+    fmt::print("{}: solver {:.2e}\n", slab.name, worst);
+    EXPECT_LT(worst, 2e-2);
 }
 
 TEST(PlaneParallel, PathsFindThePublishedRadiance) {
@@ -193,7 +281,7 @@ TEST(PlaneParallel, IsotropicSlabsAgreeWithTheIntegralEquation) {
             EXPECT_NEAR(traced.radiance, expected,
                         1e-4 * expected + kFourDeviations * traced.standard_error)
                 << slab.name << ' ' << at.cosine << ' ' << at.is_up;
-            EXPECT_NEAR(solved_radiance(light, slab, at.view), expected, 1e-3 * expected)
+            EXPECT_NEAR(solved_radiance(light, slab, at.view), expected, 3e-4 * expected)
                 << slab.name << ' ' << at.cosine << ' ' << at.is_up;
         }
     }
@@ -232,7 +320,7 @@ TEST(PlaneParallel, RayleighScatteringAgreesWithDoubling) {
         }
     }
     fmt::print("Rayleigh: solver {:.2e}\n", worst);
-    EXPECT_LT(worst, 4e-3);
+    EXPECT_LT(worst, 5e-4);
 }
 
 }  // namespace

@@ -1,10 +1,11 @@
-// The grid of a solution: its altitudes and its suns.
+// The grid of a solution: its altitudes, those at which it is read, and its suns.
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/light/solver/reading_levels.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "tests/light/sky_media.h"
@@ -71,6 +72,69 @@ TEST(SolutionLevels, AreSharedByLayersThatAreAlike) {
                 static_cast<double>(of_one.size()), 1);
     add(1.2);
     EXPECT_GT(solution_levels_km(medium, 1).size(), of_one.size() + 5);
+}
+
+// Within an abrupt layer light is read by cubics between the levels, and nowhere else.
+TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
+    Medium medium = make_medium(test::preset_atmosphere("earth_hillaire"));
+    const std::vector<double> smooth = solution_levels_km(medium, 1);
+    EXPECT_EQ(ReadingLevels(medium, smooth).altitudes_km(), smooth);
+
+    PiecewiseLayer cloud;
+    cloud.scattering_per_km = cloud.extinction_per_km = Spectrum(3.0);
+    cloud.pieces = {{2, 3, 1, 1, 0}};
+    medium.piecewise_layers.push_back(cloud);
+    const std::vector<double> levels = solution_levels_km(medium, 1);
+    const ReadingLevels reading(medium, levels);
+    const auto cubic = [](double x) { return 2 + x * (3 - x * (1.5 - 0.25 * x)); };
+    LightField light(static_cast<int>(levels.size()), 8, 0);
+    for (int level = 0; level < light.levels; ++level) {
+        const double value = cubic(levels[static_cast<std::size_t>(level)]);
+        std::fill_n(light.at(level, 0), light.level_size(), value);
+    }
+    const LightField read = reading.read(light);
+    ASSERT_EQ(static_cast<std::size_t>(read.levels), reading.altitudes_km().size());
+    for (int i = 0; i < read.levels; ++i) {
+        const double altitude = reading.altitudes_km()[static_cast<std::size_t>(i)];
+        EXPECT_NEAR(*read.at(i, 0), cubic(altitude), 1e-9 * cubic(altitude)) << altitude;
+    }
+    for (int level = 0; level < light.levels; ++level) {
+        const auto at = static_cast<std::size_t>(reading.index_of(level));
+        EXPECT_EQ(reading.altitudes_km()[at], levels[static_cast<std::size_t>(level)]);
+    }
+    const std::size_t between = reading.altitudes_km().size() - levels.size();
+    const auto inside =
+        std::count_if(levels.begin(), levels.end(), [](double km) { return km >= 2 && km < 3; });
+    EXPECT_EQ(between, 3 * static_cast<std::size_t>(inside));
+}
+
+// A table of many altitudes needs no more levels than the exponential that it is taken from, and
+// where its slope jumps or it ends it has a level.
+TEST(SolutionLevels, OfSmoothTablesAreAsManyAsOfExponentials) {
+    Medium tabulated = make_medium(test::preset_atmosphere("earth_hillaire"));
+    const std::vector<double> of_exponential = solution_levels_km(tabulated, 1);
+    const ExponentialLayer air = tabulated.exponential_layers.front();
+    tabulated.exponential_layers.erase(tabulated.exponential_layers.begin());
+    PiecewiseLayer table;
+    table.scattering_per_km = air.scattering_per_km;
+    table.extinction_per_km = air.extinction_per_km;
+    const auto add = [&](double bottom_km, double top_km, double below, double above) {
+        table.pieces.push_back(
+            {bottom_km, top_km, below, above, (above - below) / (top_km - bottom_km)});
+    };
+    const auto density = [&](double km) { return std::exp(-km / air.scale_height_km); };
+    for (int i = 0; i < 30; ++i)
+        add(3.0 * i, 3.0 * (i + 1), density(3.0 * i), density(3.0 * i + 3));
+    tabulated.piecewise_layers.push_back(table);
+    EXPECT_LE(solution_levels_km(tabulated, 1).size(), of_exponential.size() + 3);
+
+    // A cap that ends at 20 km, between two altitudes of the table.
+    tabulated.piecewise_layers.back().pieces.resize(6);
+    PiecewiseLayer& cut = tabulated.piecewise_layers.back();
+    cut.pieces.push_back({18, 20, density(18), 0, -density(18) / 2});
+    const std::vector<double> of_cap = solution_levels_km(tabulated, 1);
+    EXPECT_NE(std::find(of_cap.begin(), of_cap.end(), 18.0), of_cap.end());
+    EXPECT_NE(std::find(of_cap.begin(), of_cap.end(), 20.0), of_cap.end());
 }
 
 RC_GTEST_PROP(SunAxis, ColumnsStandAtWholePositions, ()) {

@@ -52,7 +52,7 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
     }
     transports_.resize(levels_.size());
     parallel_for(static_cast<int>(levels_.size()), threads, [&](int level) {
-        transports_[static_cast<std::size_t>(level)] = make_level_transport(
+        transports_[static_cast<std::size_t>(level)] = make_level_transport<float>(
             medium,
             make_ray_fan(medium, levels_km, level, std::max(zenith_nodes / 2, kLeastZenithNodes),
                          2 * ray_tolerance),
@@ -61,10 +61,8 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
 }
 
 void CoarseOrders::next_order(const LightField& light, LightField& image) const {
-    parallel_for(light.levels, threads_, [&](int level) {
-        apply_transport(transports_[static_cast<std::size_t>(level)], suns_, steep_, light,
-                        image.at(level, 0), level == 0 ? image.sky_irradiance.data() : nullptr);
-    });
+    apply_transports(transports_, suns_, steep_, BlockedLight<float>(light, threads_), threads_,
+                     image);
 }
 
 LightField CoarseOrders::restricted(const LightField& fine) const {

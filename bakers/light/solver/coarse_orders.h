@@ -42,7 +42,7 @@ class CoarseOrders {
     std::vector<LevelPlace> fine_places_;  // of the fine levels among the coarse ones
     SunAxis suns_;
     std::vector<double> steep_;
-    std::vector<LevelTransport> transports_;
+    std::vector<LevelTransport<float>> transports_;
     int threads_;
 };
 

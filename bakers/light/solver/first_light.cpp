@@ -78,6 +78,18 @@ HWY_INLINE void phases_of_layer(const SplitPhase& layer, Lanes one_minus, Lanes 
     }
 }
 
+// Returns the mean of an exponential between two values, as a share of their arithmetic mean:
+// r / artanh r, where r is half their difference over that mean. Pade's fraction of it is 1e-4 off
+// where the values differ by a factor of 5, and 0.07 off where they differ by 50.
+HWY_INLINE Lanes exponential_share(Lanes first, Lanes last) {
+    const Lanes difference = last - first;
+    const Lanes sum = last + first;
+    const Lanes r = difference / maximum(sum, Lanes(1e-300));  // 0 / 0 of dark cells
+    const Lanes q = r * r;
+    return (Lanes(945.0) + q * (Lanes(64.0) * q - Lanes(735.0))) /
+           (Lanes(945.0) + q * (Lanes(225.0) * q - Lanes(1050.0)));
+}
+
 // What gather_first_light works with for one level.
 class FirstLightPass {
   public:
@@ -129,8 +141,8 @@ class FirstLightPass {
         SunlightRow sunlight;
     };
     Place place_at(double r_km, const FanRay& ray, double distance_km, double altitude_km) const;
-    void add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
-                  const Spectrum& grazing_before, const Spectrum& grazing);
+    void add_cell(const Place& place, double edge_before_km, const Spectrum* near,
+                  const Spectrum* far, const Spectrum& grazing_before, const Spectrum& grazing);
     void add_ground(const Place& place, const Spectrum& reflected);
     void add_moments(const FanRay& ray);
     HWY_INLINE void read_sunlight(const Place& place, Lanes s, Lanes* value) const {
@@ -188,8 +200,9 @@ FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, d
 
 // The cell that ends at `place`, whose begin is in before_; without weights its end becomes the
 // begin.
-void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Spectrum* far,
-                              const Spectrum& grazing_before, const Spectrum& grazing) {
+void FirstLightPass::add_cell(const Place& place, double edge_before_km, const Spectrum* near,
+                              const Spectrum* far, const Spectrum& grazing_before,
+                              const Spectrum& grazing) {
     for (int j = 0; j < azimuths_; ++j) {
         double* before = before_.data() + static_cast<std::size_t>(j) * (kMaxChannels + 1) * suns_;
         const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
@@ -205,6 +218,8 @@ void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Sp
                 for (Lanes& value : here) value = select(up, value, Lanes(0.0));
             }
             const Lanes height_before = Lanes::load(before + i);
+            const LaneMask by_day =
+                (s >= Lanes(0.0)) & (height_before + Lanes(edge_before_km) >= Lanes(0.0));
             height.store(before + i);
             const LaneMask up_before = height_before >= Lanes(0.0);
             const bool cell = near && (any(up) || any(up_before));
@@ -230,9 +245,12 @@ void FirstLightPass::add_cell(const Place& place, const Spectrum* near, const Sp
                     first = select(edge_inside, partial, first);
                     last = select(edge_inside, partial, last);
                 }
+                const Lanes bent = select(by_day, exponential_share(first, last), Lanes(1.0));
                 for (std::size_t k = 0; k < layers_; ++k) {
+                    if (!medium_.layers[k].scatters) continue;
                     double* sum = sums(j, k, c) + i;
-                    (Lanes::load(sum) + (Lanes(near[k][c]) * first + Lanes(far[k][c]) * last))
+                    (Lanes::load(sum) +
+                     bent * (Lanes(near[k][c]) * first + Lanes(far[k][c]) * last))
                         .store(sum);
                 }
             }
@@ -337,6 +355,7 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
     for (const FanRay& ray : fan.rays) {
         std::fill(sums_.begin(), sums_.end(), 0.0);
         Spectrum grazing_before{};
+        double edge_before_km = 0;
         for (std::size_t k = 0; k < ray.points.size(); ++k) {
             const FanPoint& point = ray.points[k];
             combine_row<Lanes>(field_, point.altitude_km, row_.data());
@@ -347,9 +366,10 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
             }
             const Place place = place_at(r, ray, point.distance_km, point.altitude_km);
             const std::size_t cell = (k - 1) * layers_;
-            add_cell(place, k > 0 ? ray.near.data() + cell : nullptr,
+            add_cell(place, edge_before_km, k > 0 ? ray.near.data() + cell : nullptr,
                      k > 0 ? ray.far.data() + cell : nullptr, grazing_before, grazing);
             grazing_before = grazing;
+            edge_before_km = place.edge_km;
         }
         if (ray.hits_ground) {
             combine_row<Lanes>(field_, 0, row_.data());

@@ -10,6 +10,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/reading_levels.h"
 #include "bakers/light/solver/residual_search.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
@@ -59,9 +60,11 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const TransmittanceField sunlight =
         tabulated_sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
+    const ReadingLevels reading(medium.air, light.altitudes_km);
     LightField first(levels, settings.suns, settings.degree);
     const auto fan_of = [&](int level, int nodes) {
-        return make_ray_fan(medium, light.altitudes_km, level, nodes, settings.ray_tolerance);
+        return make_ray_fan(medium, reading.altitudes_km(), reading.index_of(level), nodes,
+                            settings.ray_tolerance);
     };
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
@@ -69,7 +72,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     parallel_for(levels, threads, [&](int level) {
         if (is_cancelled(progress)) return;
         const FirstFans fans = make_first_fans(
-            medium, light.altitudes_km, level,
+            medium, reading.altitudes_km(), reading.index_of(level),
             zenith_nodes_of_first(settings.degree, settings.zenith_nodes), settings.ray_tolerance);
         gather_first_light(medium, phases, fans, sunlight, light.suns, settings.degree,
                            first.at(level, 0), irradiance_of(first, level));
@@ -78,12 +81,13 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     copy_moments(light.light, last);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
+        const auto before = reading.blocks_of<double>(last, threads);
         parallel_for(levels, threads, [&](int level) {
             if (is_cancelled(progress)) return;
             const RayFan fan =
                 fan_of(level, zenith_nodes_of_last(settings.degree, settings.zenith_nodes));
-            apply_transport(make_level_transport(medium, fan, settings.degree), light.suns,
-                            light.steep, last, next.at(level, 0), irradiance_of(next, level));
+            apply_transport(make_level_transport<double>(medium, fan, settings.degree), light.suns,
+                            light.steep, before, next.at(level, 0), irradiance_of(next, level));
         });
         add(first, next);
         last = std::move(next);

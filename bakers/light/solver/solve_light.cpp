@@ -13,6 +13,7 @@
 #include "bakers/light/solver/coarse_orders.h"
 #include "bakers/light/solver/first_light.h"
 #include "bakers/light/solver/peaked_light.h"
+#include "bakers/light/solver/reading_levels.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/parallel.h"
@@ -57,16 +58,19 @@ SolverSettings finer(SolverSettings settings) {
 
 namespace {
 
-// The degree of the moments of light that is scattered often. More would cost more than the last
-// order of refine_light.
-constexpr int kDegreeOfAllOrders = 8;
+// The degree that skies have at least. More of it for light that is scattered often would cost more
+// than the last order of refine_light.
+constexpr int kLeastSkyDegree = 8;
+constexpr int kLargestDegreeInFloats = 8;
 
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
 
-// Solves for moments of settings.degree in the medium as it is.
-SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
-                         Progress* progress) {
+// Solves for moments of settings.degree in the medium as it is, with transport in floats or doubles
+// (order_blocks.h).
+template <class Number>
+SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                            Progress* progress) {
     SolvedLight solved;
     solved.channels = medium.air.channels;
     solved.altitudes_km = solution_levels_km(medium.air, settings.level_scale);
@@ -75,30 +79,28 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     const TransmittanceField sunlight =
         tabulated_sunlight(medium.air, solved.altitudes_km, settings.sunlight, threads);
 
+    const ReadingLevels reading(medium.air, solved.altitudes_km);
     LightField first(levels, settings.suns, settings.degree);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
-    std::vector<LevelTransport> transports(static_cast<std::size_t>(levels));
+    std::vector<LevelTransport<Number>> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
         const FirstFans first_fans =
-            make_first_fans(medium, solved.altitudes_km, level, settings.first_zenith_nodes,
-                            settings.ray_tolerance);
+            make_first_fans(medium, reading.altitudes_km(), reading.index_of(level),
+                            settings.first_zenith_nodes, settings.ray_tolerance);
         gather_first_light(medium, phases, first_fans, sunlight, solved.suns, settings.degree,
                            first.at(level, 0), level == 0 ? first.sky_irradiance.data() : nullptr);
         const bool is_same = settings.zenith_nodes == settings.first_zenith_nodes;
-        transports[static_cast<std::size_t>(level)] = make_level_transport(
+        transports[static_cast<std::size_t>(level)] = make_level_transport<Number>(
             medium,
             is_same ? first_fans.day
-                    : make_ray_fan(medium, solved.altitudes_km, level, settings.zenith_nodes,
-                                   settings.ray_tolerance),
+                    : make_ray_fan(medium, reading.altitudes_km(), reading.index_of(level),
+                                   settings.zenith_nodes, settings.ray_tolerance),
             settings.degree);
     });
     solved.steep = steep_columns(first, solved.channels);
     const auto next = [&](const LightField& light, LightField& image) {
-        parallel_for(levels, threads, [&](int level) {
-            apply_transport(transports[static_cast<std::size_t>(level)], solved.suns, solved.steep,
-                            light, image.at(level, 0),
-                            level == 0 ? image.sky_irradiance.data() : nullptr);
-        });
+        apply_transports(transports, solved.suns, solved.steep,
+                         reading.blocks_of<Number>(light, threads), threads, image);
     };
     if (settings.orders > 0) {
         OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
@@ -119,22 +121,30 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
     return solved;
 }
 
+SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                         Progress* progress) {
+    return settings.degree <= kLargestDegreeInFloats
+               ? solve_orders_in<float>(medium, settings, threads, progress)
+               : solve_orders_in<double>(medium, settings, threads, progress);
+}
+
 }  // namespace
 
 int sky_degree(const SkyMedium& medium) {
-    int degree = kDegreeOfAllOrders;
+    int degree = kLeastSkyDegree;
     while (degree < kLargestDegree && light_beyond_degree(medium, degree) > kNegligibleLight) {
         degree += 4;
     }
     return degree;
 }
 
-SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
-                        Progress* progress) {
-    assert(settings.degree >= 2 && settings.suns >= 8 && settings.suns % 8 == 0);
-    assert(settings.orders >= 0);
+namespace {
+
+// Solves for the light at the levels of solution_levels_km.
+SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                         Progress* progress) {
     SolverSettings first = settings;
-    first.degree = std::min(settings.degree, kDegreeOfAllOrders);
+    first.degree = std::min(settings.degree, settings.degree_of_all_orders);
     // Uncut peaks of spheres are beyond moments of any degree here, and are added apart
     // (SplitPhase): refining would lose several percent of their light.
     if (settings.orders > 0 || has_peaks_of_spheres(medium) ||
@@ -155,6 +165,19 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
         copy_moments(light.light, wanted);
         light.light = std::move(wanted);
     }
+    return light;
+}
+
+}  // namespace
+
+SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
+                        Progress* progress) {
+    assert(settings.degree >= 2 && settings.suns >= 8 && settings.suns % 8 == 0);
+    assert(settings.orders >= 0);
+    SolvedLight light = solve_levels(medium, settings, threads, progress);
+    const ReadingLevels reading(medium.air, light.altitudes_km);
+    light.light = reading.read(light.light);
+    light.altitudes_km = reading.altitudes_km();
     return light;
 }
 

@@ -14,7 +14,8 @@ namespace skybake {
 // (median; at most 1.2 %) of a solution with several times as many of everything, and within 0.4 %
 // on Mars (tests/benchmarks/README.md).
 struct SolverSettings {
-    int degree = 4;              // of the moments; at least 2
+    int degree = 4;                // of the moments; at least 2
+    int degree_of_all_orders = 8;  // at most, of light that is scattered more than three times
     int suns = 48;               // columns of the grid over the sun's zenith angle; a multiple of 8
     double level_scale = 1;      // factor on the number of altitudes
     int zenith_nodes = 8;        // directions above the horizon, and as many below it

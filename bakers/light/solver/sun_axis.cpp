@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bakers/air/transmittance_field.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -14,6 +15,8 @@ namespace {
 
 // Of the sine of the top's dip: about 6 degrees on Earth.
 constexpr double kWidthShare = 0.57;
+// Over flat planets light changes with the cosine itself, most where it is small.
+constexpr double kWidthOfFlatPlanets = 0.1;
 // Suns further below the horizon than this many dips of the shell's top: Earth's last is at 26
 // degrees, where the zenith has 1e-12 of its noon.
 constexpr double kDarkestDips = 2.6;
@@ -47,7 +50,7 @@ SunAxis make_sun_axis(const Shell& shell, int count) {
                        ? cosine_of_turns((night + 0.5 * std::numbers::pi) / (2 * std::numbers::pi))
                        : -1;
     axis.centre = -std::sqrt(0.5 * shell.thickness_km / top_radius);  // sine of half the dip
-    axis.width = kWidthShare * dip_sine;
+    axis.width = is_flat_planet(shell) ? kWidthOfFlatPlanets : kWidthShare * dip_sine;
     const double first = bend((axis.darkest - axis.centre) / axis.width);
     const double last = bend((1 - axis.centre) / axis.width);
     axis.even = 0.5 * count / (1 - axis.darkest);

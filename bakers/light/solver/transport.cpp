@@ -7,7 +7,9 @@
 #include <numbers>
 
 #include "bakers/air/quadrature_rules.h"
+#include "bakers/air/transmittance_field.h"
 #include "bakers/air/view_ray.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 
@@ -98,18 +100,51 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
     ray.end_transmittance = exponential(-depth);
 }
 
+constexpr int kLimbNodesOfFlatPlanets = 2;
+
 // Of the largest scale height: how much higher or lower the rays of a low sun may pass at a cell's
 // end than at its beginning. Their transmittance changes over a scale height.
 constexpr double kTwilightStep = 0.7;
 
-// Returns the step for refine_for_twilight, or 0 if no layer thins out exponentially: then levels
+// Returns the thickness that a table's column would have at its largest density, its scale height if
+// it is exponential; or 0 for slabs and tents, which have fewer pieces than tables.
+double scale_height_km(const PiecewiseLayer& layer) {
+    if (layer.pieces.size() < 3) return 0;
+    double densest = 0;
+    double column_km = 0;
+    for (const LinearPiece& piece : layer.pieces) {
+        densest = std::max({densest, piece.density_at_bottom, piece.density_at_top});
+        column_km += 0.5 * (piece.density_at_bottom + piece.density_at_top) *
+                     (piece.top_km - piece.bottom_km);
+    }
+    return densest > 0 ? column_km / densest : 0;
+}
+
+// Returns the step for refine_for_twilight, or 0 if no layer thins out gradually: then levels
 // between its kinks are all that is known about scales.
 double twilight_step_km(const Medium& medium) {
-    double step = 0;
+    double height_km = 0;
     for (const ExponentialLayer& layer : medium.exponential_layers) {
-        step = std::max(step, kTwilightStep * layer.scale_height_km);
+        height_km = std::max(height_km, layer.scale_height_km);
     }
-    return step;
+    for (const PiecewiseLayer& layer : medium.piecewise_layers) {
+        if (largest(layer.scattering_per_km) > 0) {
+            height_km = std::max(height_km, scale_height_km(layer));
+        }
+    }
+    return kTwilightStep * height_km;
+}
+
+// Around a flat planet the limb is next to nothing, so its nodes go to the other parts.
+std::vector<ZenithPart> solver_parts(const Shell& shell, double horizon, double height,
+                                     int zenith_nodes) {
+    std::vector<ZenithPart> parts = zenith_parts(horizon, height, zenith_nodes);
+    if (!is_flat_planet(shell)) return parts;
+    for (ZenithPart& part : parts) {
+        const bool is_limb = part.to == 0;
+        part.nodes = is_limb ? kLimbNodesOfFlatPlanets : zenith_nodes;
+    }
+    return parts;
 }
 
 // Cells are not refined for twilight if `step_km` is 0.
@@ -126,7 +161,7 @@ RayFan make_fan(const SkyMedium& medium, const std::vector<double>& levels_km, i
     std::vector<ViewRay> views;
     Spectrum whole{};  // scattering over all directions
     for (const ZenithPart& part :
-         zenith_parts(horizon, altitude / shell.thickness_km, zenith_nodes)) {
+         solver_parts(shell, horizon, altitude / shell.thickness_km, zenith_nodes)) {
         const QuadratureRule rule = gauss_legendre(part.nodes);
         const double range = part.to - part.from;
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
@@ -190,7 +225,9 @@ int azimuth_count(double turn_sine, double dip_sine, int degree) {
 
 }  // namespace
 
-LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree) {
+template <class Number>
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
+                                            int degree) {
     assert(degree >= 0);
     const Shell shell = shell_of(medium.air);
     const double r = shell.ground_radius_km + fan.altitude_km;
@@ -202,11 +239,12 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
         phases.push_back(scattered_moments(layer, degree));
     }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
-    LevelTransport transport;
-    const auto add_weights = [&](const Spectrum& weights) {
-        transport.weights.insert(transport.weights.end(), data(weights),
-                                 data(weights) + kChannelSlots);
-    };
+    std::vector<double> weights(harmonics.size() * kChannelSlots);
+    const std::size_t node_size = block_count(degree);
+    LevelTransport<Number> transport;
+    std::size_t points = 0;
+    for (const FanRay& ray : fan.rays) points += ray.points.size() + 1;
+    transport.weights.reserve(points * node_size);
     for (const FanRay& ray : fan.rays) {
         TransportRay made;
         made.mu = ray.mu;
@@ -243,9 +281,13 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
                     once += scattered[i] * phases[i][static_cast<std::size_t>(l)];
                 }
                 for (int m = 0; m <= l; ++m) {
-                    add_weights(harmonics[static_cast<std::size_t>(moment_index(l, m))] * once);
+                    const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                    const Spectrum weight = harmonics[lm] * once;
+                    std::copy_n(data(weight), kChannelSlots, weights.data() + lm * kChannelSlots);
                 }
             }
+            transport.weights.resize(node.weights + node_size);
+            write_blocks(degree, weights.data(), transport.weights.data() + node.weights);
             made.nodes.push_back(node);
         }
         if (ray.hits_ground) {
@@ -253,12 +295,33 @@ LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, 
             node.ground = true;
             add_turn(node, ray.length_km, 0);
             node.weights = transport.weights.size();
-            add_weights(ray.end_transmittance * medium.air.ground_albedo * std::numbers::inv_pi);
+            const Spectrum reflected =
+                ray.end_transmittance * medium.air.ground_albedo * std::numbers::inv_pi;
+            write_blocks(0, data(reflected), &transport.weights.emplace_back());
             made.nodes.push_back(node);
         }
         transport.rays.push_back(std::move(made));
     }
     return transport;
 }
+
+template <class Number>
+void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
+                      const std::vector<double>& steep, const BlockedLight<Number>& light,
+                      int threads, LightField& image) {
+    parallel_for(image.levels, threads, [&](int level) {
+        apply_transport(transports[static_cast<std::size_t>(level)], suns, steep, light,
+                        image.at(level, 0), level == 0 ? image.sky_irradiance.data() : nullptr);
+    });
+}
+
+template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int);
+template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int);
+template void apply_transports(const std::vector<LevelTransport<float>>&, const SunAxis&,
+                               const std::vector<double>&, const BlockedLight<float>&, int,
+                               LightField&);
+template void apply_transports(const std::vector<LevelTransport<double>>&, const SunAxis&,
+                               const std::vector<double>&, const BlockedLight<double>&, int,
+                               LightField&);
 
 }  // namespace skybake

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bakers/air/medium.h"
+#include "bakers/light/solver/order_blocks.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"
 
@@ -73,8 +74,8 @@ struct TransportNode {
     double turn_cosine = 1;
     double turn_sine = 0;
     int azimuths = 0;         // over half a turn: max(4, degree + 1), or twice as many
-    std::size_t weights = 0;  // index of the first of its moment_count * kChannelSlots weights; a
-                              // node on the ground has kChannelSlots
+    std::size_t weights = 0;  // index of the first of its weights, in blocks like those of the
+                              // light (order_blocks.h); a node on the ground has one, of order 0
     bool ground = false;
 };
 
@@ -84,20 +85,33 @@ struct TransportRay {
     std::vector<TransportNode> nodes;
 };
 
-// The parts of the rays from one level that do not depend on the light.
+// The parts of the rays from one level that do not depend on the light. Number is float or double
+// (order_blocks.h).
+template <class Number>
 struct LevelTransport {
     std::vector<TransportRay> rays;
-    std::vector<double> weights;
+    std::vector<MomentBlock<Number>> weights;
 };
 
-LevelTransport make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree);
+template <class Number>
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree);
 
 // Writes the moments of K light at the transport's level to `out` (of one level's size). For the
 // ground `sky_irradiance` is not null and receives the sky's irradiance. `steep[column]` is 1 where
 // light must be taken as linear in the stencil that begins at that column. The bits are the same
 // for any vector width.
-void apply_transport(const LevelTransport& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const LightField& light, double* out,
-                     double* sky_irradiance);
+void apply_transport(const LevelTransport<float>& transport, const SunAxis& suns,
+                     const std::vector<double>& steep, const BlockedLight<float>& light,
+                     double* out, double* sky_irradiance);
+void apply_transport(const LevelTransport<double>& transport, const SunAxis& suns,
+                     const std::vector<double>& steep, const BlockedLight<double>& light,
+                     double* out, double* sky_irradiance);
+
+// Computes K light by the transports of all levels of `image`. `light` is at the altitudes that the
+// transports' rays were made for.
+template <class Number>
+void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
+                      const std::vector<double>& steep, const BlockedLight<Number>& light,
+                      int threads, LightField& image);
 
 }  // namespace skybake

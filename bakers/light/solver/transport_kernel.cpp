@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bakers/light/solver/order_blocks.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/transcendental.h"
 
@@ -13,205 +14,455 @@
 #define HWY_TARGET_INCLUDE "bakers/light/solver/transport_kernel.cpp"
 #include <hwy/foreach_target.h>
 
-#include "bakers/light/solver/sun_axis-inl.h"
+#include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// What apply_transport works with for one level.
-class LevelPass {
-  public:
-    LevelPass(const SunAxis& suns, const std::vector<double>& steep, const LightField& light)
-        : axis_(suns),
-          steep_(steep),
-          light_(light),
-          suns_(static_cast<std::size_t>(suns.count())),
-          orders_(static_cast<std::size_t>(light.degree) + 1),
-          sines_(suns_),
-          rows_(suns_ * orders_ * kChannelSlots),
-          columns_(suns_),
-          cubic_(4 * suns_),
-          powers_(orders_ * suns_, 1.0) {
-        for (std::size_t i = 0; i < suns_; ++i) {
-            sines_[i] = square_root((1 - suns.cosines[i]) * (1 + suns.cosines[i]));
+// A block of order_blocks.h: four azimuthal orders of four channels, in vectors of any width.
+template <class Number>
+struct Block {
+    using Tag = hn::CappedTag<Number, kBlock>;
+    static constexpr std::size_t kPerPart = HWY_MIN(HWY_LANES(Number), kBlock);
+    static constexpr std::size_t kParts = kBlock / kPerPart;
+
+    hn::Vec<Tag> parts[kParts];
+
+    static HWY_INLINE Block all(Number x) {
+        Block made;
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < kParts; ++i) made.parts[i] = hn::Set(Tag(), x);
+        return made;
+    }
+    static HWY_INLINE Block load(const MomentBlock<Number>& block) {
+        Block made;
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < kParts; ++i) {
+            made.parts[i] = hn::Load(Tag(), block.values + i * kPerPart);
         }
-        for (std::size_t set = 0; set < 2; ++set) {
-            const std::size_t azimuths = azimuths_of(set);
-            along_[set].resize(azimuths * suns_ * kChannelSlots);
-            for (std::size_t j = 0; j < azimuths; ++j) {
-                azimuth_cosines_[set].push_back(
-                    cosine_of_pi((static_cast<double>(j) + 0.5) / static_cast<double>(azimuths)));
-            }
-            for (std::size_t m = 0; m < orders_; ++m) {
-                for (std::size_t j = 0; j < azimuths; ++j) {
-                    const double half_turns = (static_cast<double>(j) + 0.5) *
-                                              static_cast<double>(m) /
-                                              static_cast<double>(azimuths);
-                    fourier_[set].push_back(cosine_of_turns(0.5 * half_turns) /
-                                            static_cast<double>(azimuths));
-                }
-            }
+        return made;
+    }
+    HWY_INLINE void store(MomentBlock<Number>& block) const {
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < kParts; ++i) {
+            hn::Store(parts[i], Tag(), block.values + i * kPerPart);
         }
     }
 
-    void apply(const LevelTransport& transport, double* out, double* sky_irradiance);
+    friend HWY_INLINE Block operator+(Block a, const Block& b) {
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < kParts; ++i) a.parts[i] = hn::Add(a.parts[i], b.parts[i]);
+        return a;
+    }
+    friend HWY_INLINE Block operator*(Block a, const Block& b) {
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < kParts; ++i) a.parts[i] = hn::Mul(a.parts[i], b.parts[i]);
+        return a;
+    }
+};
+
+// Makes blocks of four numbers: one for each order, the same for all channels, or one for each
+// channel, the same for all orders.
+template <class Number>
+class Spread {
+    using Blocks = Block<Number>;
+    using Tag = typename Blocks::Tag;
+    using Index = hwy::MakeSigned<Number>;
+    static constexpr std::size_t kPerPart = Blocks::kPerPart;
+    static constexpr std::size_t kPer128 = 16 / sizeof(Number);
+    static constexpr bool kIsWide = kPerPart > kChannelSlots;
+
+  public:
+    Spread() {
+        if constexpr (kIsWide) {
+            Index lanes[kPerPart];
+            for (std::size_t i = 0; i < Blocks::kParts; ++i) {
+                for (std::size_t k = 0; k < kPerPart; ++k) {
+                    lanes[k] = static_cast<Index>((i * kPerPart + k) / kChannelSlots - loaded(i));
+                }
+                orders_[i] = hn::SetTableIndices(Tag(), lanes);
+            }
+            for (std::size_t k = 0; k < kPerPart; ++k) {
+                lanes[k] = static_cast<Index>(k % kChannelSlots);
+            }
+            channels_ = hn::SetTableIndices(Tag(), lanes);
+        }
+    }
+    HWY_INLINE Blocks over_channels(const Number* of_orders) const {
+        Blocks made;
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < Blocks::kParts; ++i) {
+            if constexpr (kIsWide) {
+                made.parts[i] =
+                    hn::TableLookupLanes(hn::LoadDup128(Tag(), of_orders + loaded(i)), orders_[i]);
+            } else {
+                made.parts[i] = hn::Set(Tag(), of_orders[i * kPerPart / kChannelSlots]);
+            }
+        }
+        return made;
+    }
+    // The channels are those of the block's first order.
+    HWY_INLINE Blocks over_orders(const MomentBlock<Number>& of_channels) const {
+        Blocks made;
+        HWY_UNROLL(16)
+        for (std::size_t i = 0; i < Blocks::kParts; ++i) {
+            if constexpr (kIsWide) {
+                made.parts[i] =
+                    hn::TableLookupLanes(hn::Load(Tag(), of_channels.values), channels_);
+            } else {
+                made.parts[i] = hn::Load(Tag(), of_channels.values + i * kPerPart % kChannelSlots);
+            }
+        }
+        return made;
+    }
+
+  private:
+    // The first order of those that are loaded for a part.
+    static constexpr std::size_t loaded(std::size_t part) {
+        return part * kPerPart / kChannelSlots / kPer128 * kPer128;
+    }
+
+    using Indices = decltype(hn::SetTableIndices(Tag(), static_cast<Index*>(nullptr)));
+    Indices orders_[Blocks::kParts];
+    Indices channels_;
+};
+
+// Suns are taken in whole vectors of any width up to this; behind the last sun there is room.
+constexpr std::size_t kMostLanes = 16;
+
+// What a level's transport works with. Number is float or double.
+template <class Number>
+class LevelPass {
+    using Blocks = Block<Number>;
+    using Moments = MomentBlock<Number>;
+    using Reals = LanesOf<Number>;
+    using Index = hwy::MakeSigned<Number>;
+
+  public:
+    LevelPass(const SunAxis& suns, const std::vector<double>& steep,
+              const BlockedLight<Number>& light);
+
+    void apply(const LevelTransport<Number>& transport, double* out, double* sky_irradiance);
 
   private:
     // Those that make_level_transport chooses among.
     std::size_t azimuths_of(std::size_t set) const {
         return std::max<std::size_t>(4, orders_) << set;
     }
-    void gather_rows(const TransportNode& node, const double* weights);
-    void place_suns(const TransportNode& node, double azimuth_cosine);
-    void add_rows(std::size_t orders, double* sum) const;
-    void add_node(const LevelTransport& transport, const TransportNode& node);
-    void add_ray(const TransportRay& ray, double* out, double* sky_irradiance);
+    void gather_rows(const TransportNode& node, const Moments* weights);
+    void gather_ground(const Moments& weight);
+    void place_suns(const TransportNode& node, Number azimuth_cosine);
+    void store_powers(Reals first, Reals squared_sine, std::size_t i);
+    template <bool kIsFirst>
+    void add_rows(std::size_t quads, Moments* sum) const;
+    void add_node(const LevelTransport<Number>& transport, const TransportNode& node);
+    void add_ray(const TransportRay& ray, double* sky_irradiance);
+    void write(double* out) const;
 
     const SunAxis& axis_;
-    const std::vector<double>& steep_;
-    const LightField& light_;
+    const BlockedLight<Number>& light_;
+    Spread<Number> spread_;
     std::size_t suns_;
+    std::size_t room_;    // for whole vectors of suns
     std::size_t orders_;  // m = 0 .. degree
-    std::vector<double> sines_;
-    std::vector<double> rows_;  // [(sun * orders + m) * slots]: what each order sends along
-    std::vector<std::int64_t> columns_;  // of the suns as seen from a node
-    std::vector<double> cubic_;          // [sun * 4 + i]
-    std::vector<double> powers_;         // [m * suns + sun]: sin^m theta_s' cos(m phi')
-    std::vector<double> along_[2];       // light along the ray by few and by many azimuths
+    std::size_t quads_;
+    std::vector<Number> cosines_;
+    std::vector<Number> sines_;
+    std::vector<Number> widths_from_centre_;  // (mu_s - centre) / width
+    std::vector<Number> steep_;
+    std::vector<Moments> rows_;      // [sun * quads + q]: what is sent along
+    std::vector<Index> columns_;     // of the suns as seen from a node
+    std::vector<Number> cubic_;      // [k * room + sun]
+    std::vector<Number> powers_;     // [(q * room + sun) * kQuad + ...]: sin^m theta_s' cos(m phi')
+    std::vector<Moments> along_[2];  // [azimuth * suns + sun]: by few and by many azimuths
     bool used_[2] = {};
-    std::vector<double> azimuth_cosines_[2];
-    std::vector<double> fourier_[2];  // [m * azimuths + j]: cos(m phi_j) over their number
+    std::vector<Number> azimuth_cosines_[2];
+    std::vector<Number>
+        fourier_[2];             // [(azimuth * quads + q) * kQuad + ...]: cos(m phi) / azimuths
+    std::vector<Moments> sums_;  // [sun * blocks + block]: the moments
 };
 
-// The light that a node sends along the ray, for the suns of the grid at the node.
-void LevelPass::gather_rows(const TransportNode& node, const double* weights) {
-    if (node.ground) {
-        const Channels weight = Channels::load(weights);
-        for (std::size_t i = 0; i < suns_; ++i) {
-            (weight * Channels::load(light_.sky_irradiance.data() + i * kChannelSlots))
-                .store(rows_.data() + i * kChannelSlots);
-        }
-        return;
+template <class Number>
+LevelPass<Number>::LevelPass(const SunAxis& suns, const std::vector<double>& steep,
+                             const BlockedLight<Number>& light)
+    : axis_(suns),
+      light_(light),
+      suns_(static_cast<std::size_t>(suns.count())),
+      room_((suns_ + kMostLanes - 1) / kMostLanes * kMostLanes),
+      orders_(static_cast<std::size_t>(light.degree) + 1),
+      quads_(quad_count(light.degree)),
+      cosines_(room_),
+      sines_(room_),
+      widths_from_centre_(room_),
+      steep_(steep.begin(), steep.end()),
+      rows_(suns_ * quads_),
+      columns_(room_),
+      cubic_(4 * room_),
+      powers_(quads_ * room_ * kQuad),
+      sums_(light.level_size()) {
+    for (std::size_t i = 0; i < room_; ++i) {
+        const double cosine = suns.cosines[std::min(i, suns_ - 1)];
+        cosines_[i] = static_cast<Number>(cosine);
+        sines_[i] = static_cast<Number>(square_root((1 - cosine) * (1 + cosine)));
+        widths_from_centre_[i] = static_cast<Number>((cosine - suns.centre) / suns.width);
     }
-    const Channels near = Channels(1 - node.fraction);
-    const Channels far = Channels(node.fraction);
-    const bool between = node.fraction > 0;
-    for (std::size_t i = 0; i < suns_; ++i) {
-        const double* low = light_.at(node.level, static_cast<int>(i));
-        const double* high = low + (between ? light_.level_size() : 0);
-        for (std::size_t m = 0; m < orders_; ++m) {
-            Channels sum(0.0);
-            for (std::size_t l = m; l < orders_; ++l) {
-                const std::size_t lm = (l * (l + 1) / 2 + m) * kChannelSlots;
-                Channels value = Channels::load(low + lm);
-                if (between) value = near * value + far * Channels::load(high + lm);
-                sum = sum + Channels::load(weights + lm) * value;
+    for (std::size_t set = 0; set < 2; ++set) {
+        const std::size_t azimuths = azimuths_of(set);
+        along_[set].resize(azimuths * suns_);
+        fourier_[set].resize(azimuths * quads_ * kQuad);
+        for (std::size_t j = 0; j < azimuths; ++j) {
+            const double half_turn = (static_cast<double>(j) + 0.5) / static_cast<double>(azimuths);
+            azimuth_cosines_[set].push_back(static_cast<Number>(cosine_of_pi(half_turn)));
+            for (std::size_t m = 0; m < orders_; ++m) {
+                fourier_[set][j * quads_ * kQuad + m] =
+                    static_cast<Number>(cosine_of_turns(0.5 * half_turn * static_cast<double>(m)) /
+                                        static_cast<double>(azimuths));
             }
-            sum.store(rows_.data() + (i * orders_ + m) * kChannelSlots);
         }
     }
 }
 
-// Where the suns stand as seen from the node, for one azimuth.
-void LevelPass::place_suns(const TransportNode& node, double azimuth_cosine) {
-    const Lanes turn_cosine(node.turn_cosine);
-    const Lanes turn_sine(node.turn_sine);
-    for (std::size_t i = 0; i < suns_; i += Lanes::kCount) {
-        const Lanes cosine = Lanes::load(axis_.cosines.data() + i);
-        const Lanes along = Lanes::load(sines_.data() + i) * Lanes(azimuth_cosine);
-        const Lanes there = maximum(minimum(turn_cosine * cosine + turn_sine * along, Lanes(1.0)),
-                                    Lanes(axis_.darkest));
+template <class Number>
+void LevelPass<Number>::gather_ground(const Moments& weight) {
+    for (std::size_t i = 0; i < suns_; ++i) {
+        (Blocks::load(weight) * Blocks::load(light_.sky_irradiance[i])).store(rows_[i * quads_]);
+    }
+}
 
-        place_on_axis(axis_, steep_, there, columns_.data() + i, cubic_.data() + 4 * i);
-
-        // sin^m theta_s' cos(m phi') by Chebyshev's recursion.
-        const Lanes first_power = turn_cosine * along - turn_sine * cosine;
-        const Lanes squared_sine = (Lanes(1.0) - there) * (Lanes(1.0) + there);
-        Lanes last(1.0);
-        Lanes next = first_power;
-        for (std::size_t m = 1; m < orders_; ++m) {
-            next.store(powers_.data() + m * suns_ + i);
-            const Lanes after_next = Lanes(2.0) * first_power * next - squared_sine * last;
-            last = next;
-            next = after_next;
+// The light that a node sends along the ray, for the suns of the grid at the node.
+template <class Number>
+void LevelPass<Number>::gather_rows(const TransportNode& node, const Moments* weights) {
+    const Blocks near = Blocks::all(static_cast<Number>(1 - node.fraction));
+    const Blocks far = Blocks::all(static_cast<Number>(node.fraction));
+    const bool between = node.fraction > 0;
+    const Moments* low = light_.at(node.level);
+    const Moments* high = low + (between ? light_.level_size() : 0);
+    Moments* row = rows_.data();
+    for (std::size_t i = 0; i < suns_; ++i) {
+        const Moments* weight = weights;
+        for (std::size_t q = 0; q < quads_; ++q) {
+            Blocks sum = Blocks::all(0);
+            Blocks sum_above = Blocks::all(0);
+            for (std::size_t l = q * kQuad; l < orders_; ++l) {
+                const Blocks factor = Blocks::load(*weight++);
+                sum = sum + factor * Blocks::load(*low++);
+                if (between) sum_above = sum_above + factor * Blocks::load(*high++);
+            }
+            if (between) sum = near * sum + far * sum_above;
+            sum.store(*row++);
         }
+    }
+}
+
+// sin^m theta_s' cos(m phi') by Chebyshev's recursion.
+template <class Number>
+HWY_INLINE void LevelPass<Number>::store_powers(Reals first, Reals squared_sine, std::size_t i) {
+    const Reals twice = first + first;
+    Reals power[kQuad] = {Reals(1.0), first, twice * first - squared_sine, first};
+    power[3] = twice * power[2] - squared_sine * power[1];
+    for (std::size_t q = 0;; ++q) {
+        hn::StoreInterleaved4(power[0].v, power[1].v, power[2].v, power[3].v, typename Reals::Tag(),
+                              powers_.data() + (q * room_ + i) * kQuad);
+        if (q + 1 == quads_) return;
+        power[0] = twice * power[3] - squared_sine * power[2];
+        power[1] = twice * power[0] - squared_sine * power[3];
+        power[2] = twice * power[1] - squared_sine * power[0];
+        power[3] = twice * power[2] - squared_sine * power[1];
+    }
+}
+
+// Where the suns stand as seen from the node, for one azimuth. Where they are between the columns
+// follows from how far they move in the axis's widths, which floats tell as well around planets
+// with thin shells.
+template <class Number>
+void LevelPass<Number>::place_suns(const TransportNode& node, Number azimuth_cosine) {
+    const double sine = node.turn_sine;
+    const double less_than_one =
+        node.turn_cosine > 0 ? sine * sine / (1 + node.turn_cosine) : 1 - node.turn_cosine;
+    const Reals turn_cosine(static_cast<Number>(node.turn_cosine));
+    const Reals turn_sine(static_cast<Number>(sine));
+    const Reals across(static_cast<Number>(sine / axis_.width));
+    const Reals down(static_cast<Number>(less_than_one / axis_.width));
+    const Reals least(static_cast<Number>((axis_.darkest - axis_.centre) / axis_.width));
+    const Reals most(static_cast<Number>((1 - axis_.centre) / axis_.width));
+    const Reals offset(static_cast<Number>(axis_.offset + axis_.even * axis_.centre));
+    const Reals even(static_cast<Number>(axis_.even * axis_.width));
+    const Reals dense(static_cast<Number>(axis_.dense));
+    const Reals centre(static_cast<Number>(axis_.centre));
+    const Reals width(static_cast<Number>(axis_.width));
+    const Reals last_column(static_cast<Number>(suns_ - 4));
+    for (std::size_t i = 0; i < room_; i += Reals::kCount) {
+        const Reals cosine = Reals::load(cosines_.data() + i);
+        const Reals along = Reals::load(sines_.data() + i) * Reals(azimuth_cosine);
+        const Reals moved =
+            Reals::load(widths_from_centre_.data() + i) + (across * along - down * cosine);
+        const Reals x = maximum(minimum(moved, most), least);
+        const Reals u = offset + even * x + dense * (x / square_root(Reals(1.0) + x * x));
+        const Reals column = minimum(maximum(floor_of(u) - Reals(1.0), Reals(0.0)), last_column);
+        const LanesOf<Index> index = to_int(column);
+        index.store(columns_.data() + i);
+        const Reals from_first = u - column;
+        const Reals t = from_first - Reals(1.0);
+        const Reals before = t - Reals(1.0);
+        const Reals far = Reals(2.0) - t;
+        const Reals inner = from_first * far;
+        const Reals outer = t * before;
+        Reals weight[4] = {outer * far * Reals(static_cast<Number>(1.0 / 6)),
+                           Reals(-0.5) * inner * before, inner * t * Reals(0.5),
+                           outer * from_first * Reals(static_cast<Number>(1.0 / 6))};
+        const typename Reals::Mask is_steep = gather(steep_.data(), index) > Reals(0.0);
+        if (any(is_steep)) {
+            const Reals inside = minimum(maximum(from_first, Reals(0.0)), Reals(3.0));
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Reals away = absolute(inside - Reals(static_cast<Number>(k)));
+                weight[k] = select(is_steep, maximum(Reals(1.0) - away, Reals(0.0)), weight[k]);
+            }
+        }
+        for (std::size_t k = 0; k < 4; ++k) weight[k].store(cubic_.data() + k * room_ + i);
+        const Reals there = centre + width * x;
+        store_powers(turn_cosine * along - turn_sine * cosine,
+                     (Reals(1.0) - there) * (Reals(1.0) + there), i);
     }
 }
 
 // Adds to sum[sun] the rows at the suns' places.
-void LevelPass::add_rows(std::size_t orders, double* sum) const {
-    add_columns({rows_.data(), orders, columns_.data(), cubic_.data(), powers_.data(), suns_}, sum);
-}
-
-void LevelPass::add_node(const LevelTransport& transport, const TransportNode& node) {
-    gather_rows(node, transport.weights.data() + node.weights);
-    const std::size_t set = static_cast<std::size_t>(node.azimuths) == azimuths_of(0) ? 0 : 1;
-    if (!used_[set]) std::fill(along_[set].begin(), along_[set].end(), 0.0);
-    used_[set] = true;
-    for (int j = 0; j < node.azimuths; ++j) {
-        place_suns(node,
-                   fourier_[set][static_cast<std::size_t>(node.azimuths + j)] * node.azimuths);
-        add_rows(node.ground ? 1 : orders_,
-                 along_[set].data() + static_cast<std::size_t>(j) * suns_ * kChannelSlots);
+template <class Number>
+template <bool kIsFirst>
+void LevelPass<Number>::add_rows(std::size_t quads, Moments* sum) const {
+    for (std::size_t i = 0; i < suns_; ++i) {
+        const Moments* row = rows_.data() + static_cast<std::size_t>(columns_[i]) * quads_;
+        const Blocks w0 = Blocks::all(cubic_[i]);
+        const Blocks w1 = Blocks::all(cubic_[room_ + i]);
+        const Blocks w2 = Blocks::all(cubic_[2 * room_ + i]);
+        const Blocks w3 = Blocks::all(cubic_[3 * room_ + i]);
+        Blocks total = kIsFirst ? Blocks::all(0) : Blocks::load(sum[i]);
+        for (std::size_t q = 0; q < quads; ++q) {
+            const Moments* at = row + q;
+            const Blocks value =
+                (w0 * Blocks::load(at[0]) + w1 * Blocks::load(at[quads_])) +
+                (w2 * Blocks::load(at[2 * quads_]) + w3 * Blocks::load(at[3 * quads_]));
+            total = total + spread_.over_channels(powers_.data() + (q * room_ + i) * kQuad) * value;
+        }
+        total.store(sum[i]);
     }
 }
 
+template <class Number>
+void LevelPass<Number>::add_node(const LevelTransport<Number>& transport,
+                                 const TransportNode& node) {
+    const Moments* weights = transport.weights.data() + node.weights;
+    if (node.ground) {
+        gather_ground(*weights);
+    } else {
+        gather_rows(node, weights);
+    }
+    const std::size_t set = static_cast<std::size_t>(node.azimuths) == azimuths_of(0) ? 0 : 1;
+    const std::size_t quads = node.ground ? 1 : quads_;
+    for (std::size_t j = 0; j < azimuths_of(set); ++j) {
+        place_suns(node, azimuth_cosines_[set][j]);
+        Moments* sum = along_[set].data() + j * suns_;
+        used_[set] ? add_rows<false>(quads, sum) : add_rows<true>(quads, sum);
+    }
+    used_[set] = true;
+}
+
 // Adds the moments of the light along a ray.
-void LevelPass::add_ray(const TransportRay& ray, double* out, double* sky_irradiance) {
+template <class Number>
+void LevelPass<Number>::add_ray(const TransportRay& ray, double* sky_irradiance) {
+    const std::size_t blocks = block_count(light_.degree);
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(light_.degree)));
     zenith_harmonics(light_.degree, ray.mu, harmonics.data());
     const double solid_angle = 4 * std::numbers::pi * ray.weight;
-    for (std::size_t m = 0; m < orders_; ++m) {
-        for (std::size_t i = 0; i < suns_; ++i) {
-            Channels mean(0.0);
-            for (std::size_t set = 0; set < 2; ++set) {
-                if (!used_[set]) continue;
-                const std::size_t azimuths = azimuths_of(set);
-                for (std::size_t j = 0; j < azimuths; ++j) {
-                    const Channels weight = Channels(fourier_[set][m * azimuths + j]);
-                    mean = mean + weight * Channels::load(along_[set].data() +
-                                                          (j * suns_ + i) * kChannelSlots);
+    std::vector<Number> factors(blocks * kQuad);
+    for_each_block(light_.degree, [&](std::size_t block, int l, int least) {
+        for (int m = least; m <= l && m < least + static_cast<int>(kQuad); ++m) {
+            factors[block * kQuad + static_cast<std::size_t>(m - least)] = static_cast<Number>(
+                solid_angle * harmonics[static_cast<std::size_t>(moment_index(l, m))]);
+        }
+    });
+    for (std::size_t i = 0; i < suns_; ++i) {
+        // The sums over orders, by azimuth.
+        for (std::size_t set = 0; set < 2; ++set) {
+            for (std::size_t j = 0; used_[set] && j < azimuths_of(set); ++j) {
+                Number* at = along_[set][j * suns_ + i].values;
+                for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                    at[c] = (at[c] + at[c + 4]) + (at[c + 8] + at[c + 12]);
                 }
             }
-            if (m == 0 && sky_irradiance && ray.mu > 0) {
-                double* to = sky_irradiance + i * kChannelSlots;
-                (Channels::load(to) + Channels(solid_angle * ray.mu) * mean).store(to);
+        }
+        std::size_t block = 0;
+        for (std::size_t q = 0; q < quads_; ++q) {
+            Blocks mean = Blocks::all(0);
+            for (std::size_t set = 0; set < 2; ++set) {
+                for (std::size_t j = 0; used_[set] && j < azimuths_of(set); ++j) {
+                    const Number* weight = fourier_[set].data() + (j * quads_ + q) * kQuad;
+                    mean = mean + spread_.over_channels(weight) *
+                                      spread_.over_orders(along_[set][j * suns_ + i]);
+                }
             }
-            for (std::size_t l = m; l < orders_; ++l) {
-                const std::size_t lm = l * (l + 1) / 2 + m;
-                double* to = out + i * light_.sun_size() + lm * kChannelSlots;
-                (Channels::load(to) + Channels(solid_angle * harmonics[lm]) * mean).store(to);
+            if (q == 0 && sky_irradiance && ray.mu > 0) {
+                Moments first;
+                mean.store(first);
+                for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                    sky_irradiance[i * kChannelSlots + c] += solid_angle * ray.mu * first.values[c];
+                }
+            }
+            for (std::size_t l = q * kQuad; l < orders_; ++l, ++block) {
+                Moments& to = sums_[i * blocks + block];
+                (Blocks::load(to) + spread_.over_channels(factors.data() + block * kQuad) * mean)
+                    .store(to);
             }
         }
     }
 }
 
-void LevelPass::apply(const LevelTransport& transport, double* out, double* sky_irradiance) {
-    std::fill(out, out + light_.level_size(), 0.0);
+// Moments of order m are kept over sin^m theta_s.
+template <class Number>
+void LevelPass<Number>::write(double* out) const {
+    for (std::size_t i = 0; i < suns_; ++i) {
+        const double cosine = axis_.cosines[i];
+        const double inverse = 1 / square_root((1 - cosine) * (1 + cosine));
+        std::vector<double> factors = {1};
+        while (factors.size() < orders_) factors.push_back(factors.back() * inverse);
+        const Moments* from = sums_.data() + i * light_.sun_size();
+        double* to =
+            out + i * static_cast<std::size_t>(moment_count(light_.degree)) * kChannelSlots;
+        for_each_block(light_.degree, [&](std::size_t block, int l, int least) {
+            for (int m = least; m <= l && m < least + static_cast<int>(kQuad); ++m) {
+                const auto k = static_cast<std::size_t>(m - least);
+                for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                    to[static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots + c] =
+                        factors[static_cast<std::size_t>(m)] *
+                        from[block].values[k * kChannelSlots + c];
+                }
+            }
+        });
+    }
+}
+
+template <class Number>
+void LevelPass<Number>::apply(const LevelTransport<Number>& transport, double* out,
+                              double* sky_irradiance) {
     if (sky_irradiance) std::fill(sky_irradiance, sky_irradiance + suns_ * kChannelSlots, 0.0);
     for (const TransportRay& ray : transport.rays) {
         for (bool& used : used_) used = false;
         for (const TransportNode& node : ray.nodes) add_node(transport, node);
-        add_ray(ray, out, sky_irradiance);
+        add_ray(ray, sky_irradiance);
     }
-    // Moments of order m are kept over sin^m theta_s.
-    for (std::size_t i = 0; i < suns_; ++i) {
-        double factor = 1;
-        for (std::size_t m = 1; m < orders_; ++m) {
-            factor /= sines_[i];
-            for (std::size_t l = m; l < orders_; ++l) {
-                double* to = out + i * light_.sun_size() + (l * (l + 1) / 2 + m) * kChannelSlots;
-                (Channels::load(to) * Channels(factor)).store(to);
-            }
-        }
-    }
+    write(out);
 }
 
-void ApplyTransport(const LevelTransport& transport, const SunAxis& suns,
-                    const std::vector<double>& steep, const LightField& light, double* out,
-                    double* sky_irradiance) {
-    LevelPass(suns, steep, light).apply(transport, out, sky_irradiance);
+void ApplyInFloat(const LevelTransport<float>& transport, const SunAxis& suns,
+                  const std::vector<double>& steep, const BlockedLight<float>& light, double* out,
+                  double* sky_irradiance) {
+    LevelPass<float>(suns, steep, light).apply(transport, out, sky_irradiance);
+}
+
+void ApplyInDouble(const LevelTransport<double>& transport, const SunAxis& suns,
+                   const std::vector<double>& steep, const BlockedLight<double>& light, double* out,
+                   double* sky_irradiance) {
+    LevelPass<double>(suns, steep, light).apply(transport, out, sky_irradiance);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -221,13 +472,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace skybake {
 
-HWY_EXPORT(ApplyTransport);
+HWY_EXPORT(ApplyInFloat);
+HWY_EXPORT(ApplyInDouble);
 
-void apply_transport(const LevelTransport& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const LightField& light, double* out,
-                     double* sky_irradiance) {
+void apply_transport(const LevelTransport<float>& transport, const SunAxis& suns,
+                     const std::vector<double>& steep, const BlockedLight<float>& light,
+                     double* out, double* sky_irradiance) {
     assert(light.suns == suns.count() && steep.size() >= suns.cosines.size() - 3);
-    HWY_DYNAMIC_DISPATCH(ApplyTransport)(transport, suns, steep, light, out, sky_irradiance);
+    HWY_DYNAMIC_DISPATCH(ApplyInFloat)(transport, suns, steep, light, out, sky_irradiance);
+}
+
+void apply_transport(const LevelTransport<double>& transport, const SunAxis& suns,
+                     const std::vector<double>& steep, const BlockedLight<double>& light,
+                     double* out, double* sky_irradiance) {
+    assert(light.suns == suns.count() && steep.size() >= suns.cosines.size() - 3);
+    HWY_DYNAMIC_DISPATCH(ApplyInDouble)(transport, suns, steep, light, out, sky_irradiance);
 }
 
 }  // namespace skybake
