@@ -242,20 +242,30 @@ struct PointInShell {
     Real shell;
 };
 
-// The shell where the vertical depth is `times` that of the middle of `shell`, about: where a search
-// begins.
+// The shell where the vertical depth is `times` that at a point, about: where a search begins. In
+// the point's shell the vertical depth is taken as linear.
 template <class Real>
-HWY_INLINE Real shell_of_vertical(const AirTables& air, Real shell, Real channel, Real times) {
+HWY_INLINE Real shell_of_vertical(const AirTables& air, const PointInShell<Real>& point,
+                                  Real channel, Real times) {
     constexpr int kOffsetBits = 52 - AirTables::kShareBits;
     const Real least = Real(AirTables::kLeastShare);
     const Real most = Real(1 - 0x1p-10);
-    const Real here =
-        gather(air.share_of_middle.data(), to_index(shell * Real(kChannelSlots) + channel));
-    Real share = here * times;
+    const auto at = shifted_left<AirTables::kShellBits>(to_index(point.shell));
+    const Real bottom = gather(&air.shells[0].bottom_km, at);
+    const Real top = gather(&air.shells[0].top_km, at);
+    const double* below = air.vertical_shares.data();
+    const double* above = below + kChannelSlots;
+    const auto level = to_index(point.shell * Real(kChannelSlots) + channel);
+    const Real above_point = gather(above, level);
+    const Real rise = (gather(below, level) - above_point) / (top - bottom);
+    Real share = (above_point + rise * (top - point.altitude_km)) * times;
     share = select(share > least, share, least);  // where there is no air above as well
     share = select(share < most, share, most);
     const auto number = shifted_right<kOffsetBits>(integer_of_bits(share) - integer_of_bits(least));
-    return gather(air.shell_at_share.data(), to_index(channel * Real(AirTables::kShares)) + number);
+    const Real shell =
+        gather(air.shell_at_share.data(), to_index(channel * Real(AirTables::kShares)) + number);
+    const Real above_shell = gather(above, to_index(shell * Real(kChannelSlots) + channel));
+    return select(above_shell > share, shell + Real(1.0), shell);
 }
 
 // See AirShells::point_at_depth. `on_line` is a point of the line in its shell, whose depth to the top
@@ -264,7 +274,8 @@ template <class Real>
 HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
                                              const PointInShell<Real>& on_line, Real depth_there,
                                              Real channel, Real depth, Real lowest, Real highest) {
-    const auto& [altitude_km, s_km, shell] = on_line;
+    const Real altitude_km = on_line.altitude_km;
+    const Real s_km = on_line.s_km;
     const Real diameter = Real(2.0) * (Real(air.planet.ground_radius_km) + altitude_km);
     const auto square_of_s = [&](Real level_km) {
         const Real gain = level_km - altitude_km;
@@ -273,7 +284,8 @@ HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
     // The lowest shell whose upper level has no more depth above it than asked for. The search looks
     // where depths would lead that are as many times the vertical ones as at the start of the line,
     // then one and two shells further, and halves what is left then.
-    Real middle = shell_of_vertical(air, shell, channel, depth / depth_there);
+    Real middle = shell_of_vertical(air, on_line, channel, depth / depth_there);
+    Real above_end = Real(-1.0);  // unknown
     int step = 0;
     for (auto apart = lowest < highest; any(apart); apart = lowest < highest) {
         middle = maximum(minimum(middle, highest - Real(1.0)), lowest);
@@ -284,6 +296,7 @@ HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
             level_depth(air, middle, channel, square_root(maximum(square, Real(0.0))));
         const auto enough = reached & (above <= depth);
         highest = select(apart & enough, middle, highest);
+        above_end = select(apart & enough, above, above_end);
         lowest = select(and_not(apart, enough), middle + Real(1.0), lowest);
         const double further = ++step;
         middle = step < 3 ? select(enough, middle - Real(further), middle + Real(further))
@@ -294,7 +307,11 @@ HWY_INLINE PointInShell<Real> point_at_depth(const AirTables& air,
     const Real bottom = gather(&air.shells[0].bottom_km, at);
     const Real s_top = square_root(maximum(square_of_s(top), Real(0.0)));
     const Real longest = s_top - square_root(maximum(square_of_s(bottom), Real(0.0)));
-    const Real within = maximum(depth - level_depth(air, lowest, channel, s_top), Real(0.0));
+    const auto unknown = above_end < Real(0.0);
+    if (any(unknown)) {
+        above_end = select(unknown, level_depth(air, lowest, channel, s_top), above_end);
+    }
+    const Real within = maximum(depth - above_end, Real(0.0));
     const Real length =
         length_at_depth(ExtinctionInShell<Real>(air, lowest, channel), s_top, longest, within);
     const Real q = length * (length - Real(2.0) * s_top);

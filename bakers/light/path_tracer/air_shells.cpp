@@ -227,29 +227,28 @@ void AirShells::add_level(const Medium& air, double thickness_above_km) {
     }
 }
 
-// Vertical depths are shares of the ground's, or without air of 1.
+// Vertical depths are shares of the ground's, or without air 0.
 void AirShells::add_shares(std::size_t channel) {
-    const auto vertical_depth = [&](double altitude_km, int shell) {
-        return depth_to_top({altitude_km, planet().ground_radius_km + altitude_km, shell})[channel];
-    };
-    const double whole = vertical_depth(0, 0);
-    const double unit = whole > 0 ? whole : 1;
-    tables_.share_of_middle.resize(tables_.shells.size() * kChannelSlots);
-    std::vector<double> above;
+    const double radius = planet().ground_radius_km;
+    const double whole = depth_to_top({0, radius, 0})[channel];
+    std::vector<double> shares = {whole > 0 ? 1.0 : 0.0};
     for (int i = 0; i < count(); ++i) {
-        const auto k = static_cast<std::size_t>(i);
-        const AirTables::AirShell& shell = tables_.shells[k];
-        tables_.share_of_middle[k * kChannelSlots + channel] =
-            vertical_depth(0.5 * (shell.bottom_km + shell.top_km), i) / unit;
-        above.push_back(vertical_depth(shell.top_km, i) / unit);
+        const double top = tables_.shells[static_cast<std::size_t>(i)].top_km;
+        const double depth = depth_to_top({top, radius + top, i})[channel];
+        shares.push_back(whole > 0 ? depth / whole : 0);
     }
+    tables_.vertical_shares.resize(shares.size() * kChannelSlots);
+    for (std::size_t i = 0; i < shares.size(); ++i) {
+        tables_.vertical_shares[i * kChannelSlots + channel] = shares[i];
+    }
+    // From thin air to dense air: the lowest shell with no more above it than the step's upper end.
     int shell = count() - 1;
-    for (std::size_t i = 0; i < AirTables::kShares; ++i) {
+    for (std::size_t i = 1; i <= AirTables::kShares; ++i) {
         constexpr std::size_t kSteps = std::size_t{1} << AirTables::kShareBits;
         const double power = static_cast<double>(std::uint64_t{1} << (i / kSteps));
         const double share =
-            AirTables::kLeastShare * power * (1 + (static_cast<double>(i % kSteps) + 0.5) / kSteps);
-        while (shell > 0 && above[static_cast<std::size_t>(shell - 1)] <= share) --shell;
+            AirTables::kLeastShare * power * (1 + static_cast<double>(i % kSteps) / kSteps);
+        while (shell > 0 && shares[static_cast<std::size_t>(shell)] <= share) --shell;
         tables_.shell_at_share.push_back(shell);
     }
 }

@@ -48,12 +48,12 @@ struct AirTables {
     std::vector<int> guide;  // the shell at the bottom of each of equal slices of altitude
 
     // Vertical depths, as shares of that of all air, from which the search for a depth on a line
-    // begins: of the middle of each shell, and the shells at shares of which each is 2^(1/4), about,
-    // of the one before, from 2^-32 to 1.
+    // begins: above each level from the ground on, and the shell at the upper end of each step of
+    // shares, of which there are four each time that a share doubles, from 2^-32 to 1.
     static constexpr int kShareBits = 2;
     static constexpr double kLeastShare = 0x1p-32;
     static constexpr std::size_t kShares = 32 << kShareBits;
-    std::vector<double> share_of_middle;  // kChannelSlots for each shell
+    std::vector<double> vertical_shares;  // kChannelSlots for each level
     std::vector<double> shell_at_share;   // kShares for each channel
 };
 
