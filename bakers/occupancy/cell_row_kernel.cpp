@@ -2,7 +2,6 @@
 #define HWY_TARGET_INCLUDE "bakers/occupancy/cell_row_kernel.cpp"
 #include <hwy/foreach_target.h>
 // Highway wants its own header after foreach_target.h.
-#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -237,6 +236,11 @@ void join(const Extremes<double>& along, const Extremes<double>& faces, std::siz
     }
 }
 
+// The first cache has room for few lines on their way from memory, and what waits for them waits
+// there; the second takes them a fifth faster.
+HWY_INLINE void fetch_to_second_cache(const float* values) { __builtin_prefetch(values, 0, 2); }
+constexpr std::size_t kLineFloats = 16;
+
 Magnitudes magnitudes(const float* values, std::size_t count, const float* next_values) {
     const hn::ScalableTag<std::uint32_t> d;
     const auto one = hn::Set(d, 1);
@@ -251,8 +255,9 @@ Magnitudes magnitudes(const float* values, std::size_t count, const float* next_
     };
     std::size_t i = 0;
     for (; i + 2 * kLanes <= count; i += 2 * kLanes) {
-        hwy::Prefetch(next_values + i);
-        hwy::Prefetch(next_values + i + kLanes);
+        for (std::size_t line = 0; line < 2 * kLanes; line += kLineFloats) {
+            fetch_to_second_cache(next_values + i + line);
+        }
         const auto bits = bits_at(i);
         const auto next = bits_at(i + kLanes);
         smallest = hn::Min(smallest, hn::Sub(bits, one));
