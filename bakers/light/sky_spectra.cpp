@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solve_light.h"
@@ -59,11 +60,13 @@ std::vector<std::size_t> packet_order(std::size_t count) {
 class PacketLight {
   public:
     explicit PacketLight(const config::Atmosphere& atmosphere)
-        : medium_(make_sky_medium(atmosphere)),
+        : whole_(make_sky_medium(atmosphere)),
+          medium_(without_forward_peaks(whole_)),
           shell_(shell_of(medium_.air)),
           light_(solve_light(medium_, kFewNodes, 1)),
           orders_(medium_, light_, kFewNodes.degree),
-          integrator_(medium_, &orders_) {}
+          integrator_(medium_, &orders_),
+          sun_(whole_, nullptr) {}
 
     Spectrum of(const SpectrumView& view) const {
         const double altitude_km = kCameraShare * shell_.thickness_km;
@@ -83,15 +86,17 @@ class PacketLight {
 
     // The sunlight that reaches the ground.
     Spectrum of_sun(double elevation_deg) const {
-        return integrator_.sunlight(0, shell_.ground_radius_km * sun_at_deg(elevation_deg).cosine);
+        return sun_.sunlight(0, shell_.ground_radius_km * sun_at_deg(elevation_deg).cosine);
     }
 
   private:
+    SkyMedium whole_;
+    // Few nodes cannot solve for the light of peaks, which counts as not scattered.
     SkyMedium medium_;
     Shell shell_;
     SolvedLight light_;
     SolvedOrders orders_;
-    SkyIntegrator integrator_;
+    SkyIntegrator integrator_, sun_;
 };
 
 // Replaces a tabulated profile, each entry of which is a kink that costs time, by a smooth one with

@@ -252,13 +252,13 @@ double water_share(AerosolComponent component, double relative_humidity_percent)
 
 WavelengthRange range_of(AerosolComponent component) {
     const auto rows = index_rows(facts_of(component).substance);
-    return {{rows.front().nm * 1e-9}, {rows.back().nm * 1e-9}};
+    return {{rows.front().nm / 1e9}, {rows.back().nm / 1e9}};
 }
 
 std::vector<Length> tabulated_wavelengths(AerosolComponent component) {
     std::vector<Length> all;
     for (const IndexRow& row : index_rows(facts_of(component).substance)) {
-        all.push_back({row.nm * 1e-9});
+        all.push_back({row.nm / 1e9});
     }
     return all;
 }

@@ -46,7 +46,8 @@ std::string selected_name(const Section& section, const Table& table, std::strin
     return text ? *text : "";
 }
 
-constexpr std::array<std::string_view, 3> matter_keys = {"gas", "optical_depth", "visibility"};
+constexpr std::array<std::string_view, 5> matter_keys = {"gas", "aerosol", "components",
+                                                         "optical_depth", "visibility"};
 
 // Whether the default of an absent key takes effect, so that it is worth showing.
 bool is_at_default(const Field& field, const Section& section, const Table& table) {
@@ -55,7 +56,9 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
         return false;
     }
     if (!field.needs.empty() && !find_entry(table, field.needs)) return false;
-    // The coefficients of a gas or an aerosol follow from it.
+    // The coefficients of a gas or an aerosol follow from it, and of spheres the phase function.
+    const bool is_spheres = find_entry(table, "aerosol") || find_entry(table, "components");
+    if (field.key == "phase" && is_spheres) return false;
     const bool is_matter = std::any_of(matter_keys.begin(), matter_keys.end(),
                                        [&](auto key) { return find_entry(table, key) != nullptr; });
     if (field.key == "scattering" && is_matter) return false;
@@ -327,6 +330,10 @@ std::string init_text(const Preset& preset) {
         "uncomment\n# one to change it.\n\n",
         preset.name);
     text += section_text(*find_section(""), *root);
+    for (const Entry* kind : named_tables(*root, "particles")) {
+        text += table_text(*find_section("particles.*"), join_path("particles", kind->key),
+                           std::get<Table>(kind->value.data));
+    }
     const Entry* atmosphere = find_entry(*root, "atmosphere");
     if (const Table* table = atmosphere ? as_table(atmosphere->value) : nullptr) {
         text += table_text(*find_section("atmosphere"), "atmosphere", *table);

@@ -228,6 +228,8 @@ void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decode
                   decoder);
         return;
     }
+    const DecodedField& phase = layer.at("phase");
+    if (phase.source && !phase.value) return;  // at fault: perhaps it was to name particles
     leave_out({"number_density", "relative_humidity"}, "other matter than spheres",
               "it goes with aerosol, components or phase = \"mie\"; leave it out", layer, decoder);
     if (matter == Matter::gas) {

@@ -94,6 +94,7 @@ WavelengthRange range_of(const Particles& particles) {
         case ParticleMaterial::water:
             return {shortest_in_water, longest_in_water};
         case ParticleMaterial::tabulated:
+            if (particles.indices.empty()) break;  // at fault, which has been reported
             return {particles.indices.front().wavelength, particles.indices.back().wavelength};
         case ParticleMaterial::constant:
             break;

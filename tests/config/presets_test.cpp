@@ -70,8 +70,8 @@ TEST(Presets, TheExampleIsThePreset) {
 TEST(Presets, AreValidRecipesWithATitleAndBakes) {
     for (const Preset& entry : presets()) {
         const Recipe recipe = valid(std::string(entry.text));
-        // takram's are the four textures that its loader wants; the Earth has a sky besides.
-        const bool has_sky = entry.name == "earth" || entry.name == "earth_clear_mountain";
+        // takram's are the four textures that its loader wants; measured air has a sky besides.
+        const bool has_sky = recipe.parameters.color.has_value();
         const std::size_t bakes = entry.name == "takram" ? 4 : has_sky ? 3 : 2;
         EXPECT_EQ(recipe.parameters.bakes.size(), bakes) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
@@ -241,12 +241,12 @@ TEST(Presets, MarsHasDustOfDepthOneHalf) {
 TEST(Presets, OfMeasuredSpheresTakeAnyWavelengths) {
     for (const char* name : {"earth_maritime", "earth_desert_dust", "earth_urban_haze", "mars"}) {
         EXPECT_EQ(preset(name).wavelengths.size(), 4U) << name;
-        const Recipe recipe = valid(std::string(find_preset(name)->text), {"wavelengths='best 8'"});
+        const Recipe recipe = valid(std::string(find_preset(name)->text), {"wavelengths='best 3'"});
         const Layer* spheres =
             find_layer(recipe.parameters, std::string(name) == "mars" ? "dust" : "aerosol");
         ASSERT_TRUE(spheres) << name;
         EXPECT_EQ(spheres->phase, Phase::mie) << name;
-        EXPECT_EQ(spheres->particles.wavelengths.size(), 8U) << name;
+        EXPECT_EQ(spheres->particles.wavelengths.size(), 3U) << name;
     }
 }
 

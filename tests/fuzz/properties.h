@@ -39,6 +39,10 @@ inline void check_layer(const Layer& layer, std::size_t channels) {
     if (layer.phase == Phase::mie) {
         require(layer.scattering.empty() && layer.extinction.empty(), "coefficients of particles");
         require(layer.particles.wavelengths.size() == channels, "particles at each wavelength");
+        require(!layer.particles.kinds.empty(), "at least one kind of spheres");
+        for (const SphereKind& kind : layer.particles.kinds) {
+            require(kind.number_density.per_cubic_meter > 0, "numbers of spheres above 0");
+        }
         return;
     }
     require(layer.scattering.size() == channels, "one scattering coefficient per channel");

@@ -72,12 +72,14 @@ Shared unscaled(const LayerParticles& layer, Length wavelength, double accuracy,
 }
 
 Shared scaled(const Request& request, int threads) {
-    Shared own = unscaled(request.layer, request.wavelength, request.accuracy, threads);
-    if (!request.layer.extinction) return own;
+    if (!request.layer.extinction) {
+        return unscaled(request.layer, request.wavelength, request.accuracy, threads);
+    }
+    LayerParticles unbound = request.layer;
+    unbound.extinction.reset();
+    const Shared own = sphere_scattering(unbound, request.wavelength, request.accuracy, threads);
     const Shared green =
-        request.wavelength == config::aerosol_wavelength
-            ? own
-            : unscaled(request.layer, config::aerosol_wavelength, request.accuracy, threads);
+        sphere_scattering(unbound, config::aerosol_wavelength, request.accuracy, threads);
     const double scale = request.layer.extinction->per_meter / green->extinction_per_m;
     SphereScattering result = *own;
     result.extinction_per_m *= scale;
