@@ -116,7 +116,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 7,
+    static const Baker<config::IrradianceBake> row = {.version = 8,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

@@ -155,7 +155,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 8,
+    static const Baker<config::SkyViewBake> row = {.version = 9,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .needs = needs,
