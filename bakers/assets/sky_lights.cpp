@@ -4,8 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "config/fields/fields.h"
-
 namespace skybake {
 
 namespace {
@@ -92,16 +90,9 @@ std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
 
 ColorConvention color_convention(const config::Color& color, const SkyColors& colors,
                                  bool is_applied) {
-    const config::Section& section = *config::find_section("color");
-    const auto word = [&](std::string_view key, auto value) {
-        return std::string(config::choice_name(*config::find_field(section, key), value));
-    };
-    // Weights without colours are for the space that displays have.
-    const config::ColorSpace space =
-        color.space == config::ColorSpace::none ? config::ColorSpace::linear_srgb : color.space;
-    ColorConvention convention = {word("space", space), word("white", color.white),
-                                  word("sun", color.sun), word("observer", color.observer),
-                                  is_applied};
+    ColorWords words = words_of(color);
+    ColorConvention convention = {std::move(words.space), std::move(words.white),
+                                  std::move(words.sun), std::move(words.observer), is_applied};
     for (const glm::dvec3& weight : colors.weights) {
         convention.weights.insert(convention.weights.end(), {weight.x, weight.y, weight.z});
     }

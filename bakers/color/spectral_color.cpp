@@ -70,6 +70,14 @@ glm::dvec3 sun_xyz(Sunlight sunlight) {
     return xyz / xyz.y;
 }
 
+std::optional<ColorTarget> color_target(std::string_view space, std::string_view white,
+                                        std::string_view sun) {
+    const std::optional<ColorSpace> found = color_space_named(space);
+    if (!found) return std::nullopt;
+    return ColorTarget{*found, white == "sun" ? White::sun : White::own,
+                       sun == "flat" ? Sunlight::flat : Sunlight::measured};
+}
+
 double solar_illuminance_lux() {
     return kLuminousEfficacy_lm_per_W * unscaled_sun_xyz(Sunlight::measured).y;
 }

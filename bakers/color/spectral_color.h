@@ -10,7 +10,9 @@
 #pragma once
 
 #include <glm/ext/vector_double3.hpp>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bakers/color/color_space.h"
@@ -34,6 +36,11 @@ struct ColorTarget {
     White white = White::sun;
     Sunlight sunlight = Sunlight::measured;
 };
+
+// Returns the target of the words by which recipes and files spell it: a space, `white` "sun" or
+// "space", `sun` "measured" or "flat". None if there is no such space.
+std::optional<ColorTarget> color_target(std::string_view space, std::string_view white,
+                                        std::string_view sun);
 
 // For spectra that are known at these wavelengths (ascending, at least one), linear between
 // them and constant beyond the first and last: the colour of L is the sum of L[i] * weight[i]. The

@@ -10,9 +10,22 @@
 #include "bakers/color/color_weights_fit.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
+#include "config/fields/fields.h"
 #include "config/sections/spectral_air.h"
 
 namespace skybake {
+
+ColorWords words_of(const config::Color& color) {
+    const config::Section& section = *config::find_section("color");
+    const auto word = [&](std::string_view key, auto value) {
+        return std::string(config::choice_name(*config::find_field(section, key), value));
+    };
+    // Weights without colours are for the space that displays have.
+    const config::ColorSpace space =
+        color.space == config::ColorSpace::none ? config::ColorSpace::linear_srgb : color.space;
+    return {word("space", space), word("white", color.white), word("sun", color.sun),
+            word("observer", color.observer)};
+}
 
 namespace {
 
@@ -25,28 +38,14 @@ bool is_measured(double elevation_deg) {
 
 // The sun's own light counts as so many views, since it lights all that a runtime draws.
 constexpr double kWeightOfDisc = 4;
+// It counts as far as it is seen: in haze the sun is lost in the sky long before it sets, and the
+// colour of what is left of it is so red that a fit to it would spoil all others. Spread over its
+// disc of 6.8e-5 sr, this share of its light is as bright as the sky around a low sun, 0.05 /sr.
+constexpr double kFaintestSun = 6.8e-5 * 0.05;
 
 ColorTarget target_of(const config::Color& color) {
-    ColorTarget target;
-    switch (color.space) {
-        case config::ColorSpace::linear_srgb:
-        case config::ColorSpace::none:
-            target.space = ColorSpace::linear_srgb;
-            break;
-        case config::ColorSpace::rec2020:
-            target.space = ColorSpace::rec2020;
-            break;
-        case config::ColorSpace::acescg:
-            target.space = ColorSpace::acescg;
-            break;
-        case config::ColorSpace::xyz:
-            target.space = ColorSpace::xyz;
-            break;
-    }
-    target.white = color.white == config::WhitePoint::sun ? White::sun : White::own;
-    target.sunlight =
-        color.sun == config::SunSpectrum::measured ? Sunlight::measured : Sunlight::flat;
-    return target;
+    const ColorWords words = words_of(color);
+    return *color_target(words.space, words.white, words.sun);
 }
 
 std::vector<double> in_nm(const std::vector<config::Length>& wavelengths) {
@@ -75,6 +74,11 @@ class ColorSamples {
             colors_.push_back(color);
             luminances_.push_back(y);
         }
+    }
+
+    // Returns how much of a disc is seen, from 0 to 1.
+    double visibility(std::size_t i) const {
+        return luminances_[i] / (luminances_[i] + kFaintestSun);
     }
 
     // Returns the sample as the fit takes it. Without light it has weight 0.
@@ -145,7 +149,8 @@ std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t view
     for (std::size_t i = 0; i < spectra.size(); ++i) {
         const bool is_disc = i >= views;
         const bool is_used = is_disc ? !is_measured(kSpectrumDiscs_deg[i - views]) : is_fitted(i);
-        if (is_used) fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc : 1));
+        const double weight = is_disc ? kWeightOfDisc * samples.visibility(i) : 1;
+        if (is_used) fitted.push_back(samples.sample(i, weight));
     }
     // The sun outside the air.
     glm::dvec3 white(0);

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <glm/ext/vector_double3.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bakers/field/baked.h"
@@ -29,6 +30,13 @@ struct SkyColors {
     std::vector<glm::dvec3> weights;  // one per wavelength, in the recipe's order
     ColorError error;
 };
+
+// What files say of a recipe's colours, in the recipe's own words. Where the space is `none` it is
+// that of the weights.
+struct ColorWords {
+    std::string space, white, sun, observer;
+};
+ColorWords words_of(const config::Color& color);
 
 // The skies of an air, to which weights are fitted and by which they are measured.
 class ColorSkies {
@@ -65,7 +73,7 @@ std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& 
 // Returns the weights by which the longest of three wavelengths is red and the shortest blue.
 std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths);
 
-// What the weights follow from. The space must not be `none`.
+// What the weights follow from.
 struct ColorRequest {
     std::vector<config::Length> wavelengths;  // of the recipe, at least two
     config::Color color;

@@ -20,12 +20,11 @@ namespace {
 // Returns the matrix from the colours of a file to linear sRGB under the same convention of white;
 // none if this release does not know the space.
 std::optional<glm::dmat3> to_linear_srgb(const ColorConvention& color) {
-    const std::optional<ColorSpace> space = color_space_named(color.space);
-    if (!space) return std::nullopt;
-    const White white = color.white == "sun" ? White::sun : White::own;
-    const glm::dvec3 sun = sun_xyz(color.sun == "flat" ? Sunlight::flat : Sunlight::measured);
-    return from_xyz(ColorSpace::linear_srgb, white, sun) *
-           glm::inverse(from_xyz(*space, white, sun));
+    const auto target = color_target(color.space, color.white, color.sun);
+    if (!target) return std::nullopt;
+    const glm::dvec3 sun = sun_xyz(target->sunlight);
+    return from_xyz(ColorSpace::linear_srgb, target->white, sun) *
+           glm::inverse(from_xyz(target->space, target->white, sun));
 }
 
 // Returns the columns of the matrix: the weights of channels that are colours.

@@ -12,9 +12,8 @@ namespace skybake::config {
 // Returns the wavelengths in nm, ascending, whose light together with a matrix gives the colours of
 // skies best: `best 3`, `best 4`, `best 8` and `best 16`. Empty for other counts.
 //
-// Those of 3 and 4 were searched for on skies of the Earth under clear and hazy air. Those of 8 and 16
-// were chosen by hand, closest together where eyes see most; tests/light/sky_colors_test.cpp holds
-// what 3, 4 and 8 of them reach.
+// They were searched for on skies of the Earth under clear and hazy air (wavelength_reader.cpp says
+// how); tests/light/sky_colors_test.cpp holds what 4 and 8 of them reach in other airs.
 std::span<const double> best_wavelengths_nm(int count);
 
 // Returns the counts for which there are best wavelengths: "3|4|8|16".

@@ -24,11 +24,11 @@ struct ScatteringPlace {
 };
 
 struct ScatteringTrial {
-    ScatteringTrial()
-        : baked(test::bake_all(
-              "preset = 'earth_hillaire'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
-              "pixel_type = 'float'\nsize = [64, 64, 16]\nnu_size = 4\n"
-              "sun_cos_zenith_min = -0.2\n")),
+    explicit ScatteringTrial(const std::string& preset = "earth_hillaire")
+        : baked(test::bake_all("preset = '" + preset +
+                               "'\n[bake.a]\nasset = 'bruneton'\ntable = 'single_mie'\n"
+                               "pixel_type = 'float'\nsize = [64, 64, 16]\nnu_size = 4\n"
+                               "sun_cos_zenith_min = -0.2\n")),
           texture(texture_of(baked.asset())),
           shell(baked.shell()),
           mapping(shell, texture.size, kSubImages, kDarkestSun) {
@@ -116,8 +116,11 @@ TEST(BrunetonLookup, FloatLosesLittle) {
                        trial.baked.asset().certificate);
 }
 
-TEST(BrunetonLookup, HoldsTheProbes) {
-    const ScatteringTrial trial;
+// Of wavelengths, and of colours made of four.
+class BrunetonProbes : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(BrunetonProbes, AreHeldByTheLookup) {
+    const ScatteringTrial trial(GetParam());
     const std::vector<Probe>& probes = trial.baked.asset().levels.front().probes;
     EXPECT_FALSE(probes.empty());
     for (const Probe& probe : probes) {
@@ -133,6 +136,8 @@ TEST(BrunetonLookup, HoldsTheProbes) {
                                std::to_string(at.nu));
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Presets, BrunetonProbes, ::testing::Values("earth_hillaire", "earth"));
 
 TEST(BrunetonLookup, DifferencesOfSquaresWouldBeNoticed) {
     const ScatteringTrial trial;

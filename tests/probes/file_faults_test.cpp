@@ -318,6 +318,25 @@ mips = 2
 )");
 }
 
+// Colours need not be above 0.
+TEST(FileFaults, AreToldInBrunetonsTablesOfColours) {
+    expect_told(R"(
+preset = "earth"
+[bake.b_transmittance]
+asset = "bruneton"
+table = "transmittance"
+size = [64, 16, 1]
+formats = ["bin"]
+[bake.b_scattering]
+asset = "bruneton"
+table = "scattering"
+orders = 1
+size = [32, 16, 8]
+nu_size = 4
+formats = ["bin"]
+)");
+}
+
 TEST(FileFaults, AreToldInColumns) {
     expect_told(R"(
 preset = "earth_hillaire"

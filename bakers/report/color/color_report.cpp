@@ -17,7 +17,6 @@
 #include "bakers/light/sky_colors.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/truth/sky_truth_report.h"
-#include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
 #include "config/sections/spectral_air.h"
 
@@ -78,11 +77,7 @@ class ColorMeasurement {
   public:
     ColorMeasurement(const config::Parameters& parameters, const BakeOptions& options)
         : color_(parameters.color.value_or(config::Color())),
-          skies_(parameters.atmosphere, parameters.wavelengths, options) {
-        if (color_.space == config::ColorSpace::none) {
-            color_.space = config::ColorSpace::linear_srgb;
-        }
-    }
+          skies_(parameters.atmosphere, parameters.wavelengths, options) {}
 
     const config::Color& color() const { return color_; }
 
@@ -160,8 +155,7 @@ std::optional<ColorReport> measure_colors(const config::Parameters& parameters, 
     if (!times) return std::nullopt;
     ColorMeasurement measurement(parameters, options);
     if (options.cancelled()) return std::nullopt;
-    const config::Field& space = *config::find_field(*config::find_section("color"), "space");
-    report.space = std::string(config::choice_name(space, measurement.color().space));
+    report.space = words_of(measurement.color()).space;
     for (std::size_t i = 0; i < sets.size(); ++i) {
         measurement.add_rows(sets[i], (*times)[i], report.rows);
     }

@@ -30,8 +30,7 @@ LadderStep color_step(const Parameters& parameters, const BakeOptions& options) 
     if (!is_visible || (!parameters.color && !is_plain) || wavelengths.size() < 2) {
         return {"colour", std::nullopt, "The recipe's wavelengths are not shown as colours."};
     }
-    config::Color color = parameters.color.value_or(config::Color());
-    if (color.space == config::ColorSpace::none) color.space = config::ColorSpace::linear_srgb;
+    const config::Color color = parameters.color.value_or(config::Color());
     const ColorSkies skies(parameters.atmosphere, wavelengths, options);
     if (options.cancelled()) return {};
     const ColorError error = skies.error(
