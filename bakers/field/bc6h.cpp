@@ -120,22 +120,53 @@ bool can_store(const EndPoints& ends, const Mode& mode) {
     return true;
 }
 
+// Where a texel lies between the first and the last colour of a palette, as an index that may be one
+// too large or too small: the steps of a palette are uneven by less than half of one.
+class Projection {
+  public:
+    explicit Projection(const Palette& palette) : first_(palette.front()) {
+        double square = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            along_[c] = palette.back()[c] - first_[c];
+            square += along_[c] * along_[c];
+        }
+        for (double& along : along_) along *= square > 0 ? 15 / square : 0;
+    }
+    int index(const Color& halves) const {
+        double place = 0.5;
+        for (std::size_t c = 0; c < 3; ++c) place += along_[c] * (halves[c] - first_[c]);
+        return static_cast<int>(std::clamp(place, 0.0, 15.0));
+    }
+
+  private:
+    Color first_;
+    RealColor along_;
+};
+
+double squared_distance(const Color& a, const Color& b) {
+    double sum = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+        const double difference = a[c] - b[c];
+        sum += difference * difference;
+    }
+    return sum;
+}
+
 // Finds the best index of each texel.
 void try_ends(const HdrBlock& block, const Mode& mode, const EndPoints& ends, Encoding& best) {
     if (!can_store(ends, mode)) return;
     const Palette palette = palette_of(ends, mode.precision);
+    const Projection projection(palette);
     Encoding tried{&mode, ends, {}, 0};
     for (std::size_t i = 0; i < texels && tried.error < best.error; ++i) {
+        const int near = projection.index(block.halves[i]);
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t k = 0; k < texels; ++k) {
-            double error = 0;
-            for (std::size_t c = 0; c < 3; ++c) {
-                const double difference = palette[k][c] - block.halves[i][c];
-                error += difference * difference;
-            }
+        for (int k = std::max(0, near - 1); k <= std::min(15, near + 1); ++k) {
+            const double error =
+                squared_distance(palette[static_cast<std::size_t>(k)], block.halves[i]);
             if (error >= least) continue;
             least = error;
-            tried.indices[i] = static_cast<int>(k);
+            tried.indices[i] = k;
         }
         tried.error += least;
     }
@@ -252,17 +283,18 @@ void improve(const HdrBlock& block, Encoding& best) {
 
 Encoding search(const HdrBlock& block) {
     Encoding best;
+    const Line principal = principal_line(block);
     for (const Mode& mode : modes) {
         Encoding of_mode;
-        Line line = principal_line(block);
+        Line line = principal;
         try_ends(block, mode, stored_ends(line, mode), of_mode);
         for (int i = 0; i < 3 && of_mode.mode != nullptr; ++i) {
             line = fitted_line(block, of_mode.indices, line);
             try_ends(block, mode, stored_ends(line, mode), of_mode);
         }
-        if (of_mode.mode != nullptr) improve(block, of_mode);
         if (of_mode.error < best.error) best = of_mode;
     }
+    improve(block, best);
     return best;
 }
 

@@ -140,7 +140,7 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
           .kind = Kind::choice,
           .choices = layout_choices,
           .fallback = R"("stack")",
-          .documentation = "where the slices lie in EXR and PNG images; by default an atlas where "
+          .documentation = "where the slices lie in EXR, PNG and TGA images; by default an atlas where "
                            "a stack would have more than 16384 rows",
           .role = Role::files},
          &AssetFiles::layout},
@@ -156,7 +156,7 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
         {{.key = "flip",
           .kind = Kind::flag,
           .fallback = words.flip,
-          .documentation = "whether EXR and PNG images are upside down, for readers that take the "
+          .documentation = "whether EXR, PNG and TGA images are upside down, for readers that take the "
                            "lower left texel for the first",
           .role = Role::files},
          &AssetFiles::flip},

@@ -17,8 +17,9 @@ namespace skybake {
 
 // The level and the release of the library, 1.5.4 on Debian 12, define the bytes of a compressed
 // file: another release may find a shorter encoding of the same texels. The manifest's hash of the
-// content does not depend on either. On clouds and noise of 16 bits, level 9 saves 1 to 3 % of what
-// the default, 3, leaves, and level 19 another 1 to 2 % in ten times the time.
+// content does not depend on either. The preset nubis_shape, 128^3 RGBA, takes 69 % of its 16 MiB as
+// half, 76 % of 32 MiB as float and 88 % of 8 MiB as unorm8. Level 3 leaves 73, 82 and 88 %, level 19
+// in several times the time 69, 75 and 87 %.
 inline constexpr int zstd_level = 9;
 
 // Compresses one frame. The frame states its size, so that readers can reserve memory.

@@ -14,8 +14,17 @@ namespace {
 
 // The voxels of a leaf in its order: z fastest, then y, then x. Those outside of the volume are 0.
 struct LeafBlock {
-    alignas(64) std::array<float, nvdb_leaf_voxels> values;
+    float* values = nullptr;                           // nvdb_leaf_voxels of them
     std::array<std::uint64_t, nvdb_leaf_edge> active;  // of each x; bit 8 y + z
+
+    bool is_all_active() const {
+        return std::all_of(active.begin(), active.end(),
+                           [](std::uint64_t plane) { return ~plane == 0; });
+    }
+    bool is_inactive() const {
+        return std::all_of(active.begin(), active.end(),
+                           [](std::uint64_t plane) { return plane == 0; });
+    }
 };
 
 // Copies the leaf at `at`, in voxels of the box.
@@ -23,7 +32,8 @@ void gather_leaf(const VoxelBox& box, const float* values, const std::array<int,
                  LeafBlock& leaf) {
     std::array<int, 3> count;
     for (std::size_t a = 0; a < 3; ++a) count[a] = std::min(nvdb_leaf_edge, box.size[a] - at[a]);
-    if (count != std::array{nvdb_leaf_edge, nvdb_leaf_edge, nvdb_leaf_edge}) leaf.values.fill(0);
+    if (count != std::array{nvdb_leaf_edge, nvdb_leaf_edge, nvdb_leaf_edge})
+        std::fill_n(leaf.values, nvdb_leaf_voxels, 0.0F);
     const auto width = static_cast<std::size_t>(box.size[0]);
     for (int z = 0; z < count[2]; ++z) {
         for (int y = 0; y < count[1]; ++y) {
@@ -31,7 +41,7 @@ void gather_leaf(const VoxelBox& box, const float* values, const std::array<int,
                 static_cast<std::size_t>(at[2] + z) * static_cast<std::size_t>(box.size[1]) +
                 static_cast<std::size_t>(at[1] + y);
             const float* row = values + line * width + static_cast<std::size_t>(at[0]);
-            float* column = leaf.values.data() + nvdb_leaf_edge * y + z;
+            float* column = leaf.values + nvdb_leaf_edge * y + z;
             if (count[0] == nvdb_leaf_edge) {
                 for (int x = 0; x < nvdb_leaf_edge; ++x) column[x * 64] = row[x];
             } else {
@@ -59,28 +69,44 @@ void drop_zeros(LeafBlock& leaf) {
 
 bool is_all_zero(const LeafBlock& leaf) {
     std::uint32_t bits = 0;
-    for (const float value : leaf.values) bits |= std::bit_cast<std::uint32_t>(value) << 1;
+    for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) {
+        bits |= std::bit_cast<std::uint32_t>(leaf.values[i]) << 1;
+    }
     return bits == 0;
 }
 
 // Eight lanes, so that no comparison waits for the one before.
-void add_extremes(const LeafBlock& leaf, NvdbActive& active) {
-    constexpr std::size_t lanes = 8;
+struct Extremes {
+    static constexpr std::size_t lanes = 8;
     std::array<float, lanes> least;
     std::array<float, lanes> largest;
-    least.fill(active.least);
-    largest.fill(active.largest);
-    for (std::size_t i = 0; i < nvdb_leaf_voxels; i += lanes) {
-        const std::uint64_t on = leaf.active[i / 64] >> i % 64;
-        for (std::size_t lane = 0; lane < lanes; ++lane) {
-            const float value = leaf.values[i + lane];
-            const bool counts = (on >> lane & 1) != 0;
-            least[lane] = counts && value < least[lane] ? value : least[lane];
-            largest[lane] = counts && value > largest[lane] ? value : largest[lane];
+
+    void add(std::size_t lane, float value) {
+        least[lane] = value < least[lane] ? value : least[lane];
+        largest[lane] = value > largest[lane] ? value : largest[lane];
+    }
+};
+
+void add_extremes(const LeafBlock& leaf, NvdbActive& active) {
+    Extremes extremes;
+    extremes.least.fill(active.least);
+    extremes.largest.fill(active.largest);
+    if (leaf.is_all_active()) {
+        for (std::size_t i = 0; i < nvdb_leaf_voxels; i += Extremes::lanes) {
+            for (std::size_t lane = 0; lane < Extremes::lanes; ++lane) {
+                extremes.add(lane, leaf.values[i + lane]);
+            }
+        }
+    } else {
+        for (std::size_t x = 0; x < leaf.active.size(); ++x) {
+            for (std::uint64_t left = leaf.active[x]; left != 0; left &= left - 1) {
+                const auto bit = static_cast<std::size_t>(std::countr_zero(left));
+                extremes.add(bit % Extremes::lanes, leaf.values[64 * x + bit]);
+            }
         }
     }
-    active.least = *std::min_element(least.begin(), least.end());
-    active.largest = *std::max_element(largest.begin(), largest.end());
+    active.least = *std::min_element(extremes.least.begin(), extremes.least.end());
+    active.largest = *std::max_element(extremes.largest.begin(), extremes.largest.end());
 }
 
 // Summarizes the active voxels of a leaf that has some.
@@ -120,27 +146,23 @@ void store_leaf_head(const LeafBlock& block, const NvdbActive& active, Leaf& lea
     std::memcpy(static_cast<void*>(&leaf.mValueMask), block.active.data(), sizeof block.active);
 }
 
-// Appends a leaf of zeroed memory.
-template <class Leaf>
-Leaf& append_leaf(std::string& leaves) {
-    leaves.resize(leaves.size() + sizeof(Leaf));
-    return *reinterpret_cast<Leaf*>(leaves.data() + leaves.size() - sizeof(Leaf));
-}
-
-// How leaves of floats are made: values are as stored.
+// How leaves of floats are made: values are as stored, where the file's leaf has them.
 struct FloatLeaves {
-    bool begin(LeafBlock& block, bool is_sparse) const {
+    using Leaf = NvdbLeaf<float>;
+
+    float* values(Leaf& leaf) { return leaf.mValues; }
+    // Returns whether the leaf has active voxels.
+    bool code(LeafBlock& block, bool is_sparse) const {
         if (!is_sparse) return true;
         if (is_all_zero(block)) return false;
         drop_zeros(block);
         return true;
     }
-    void append(const LeafBlock& block, const NvdbActive& active, std::string& leaves) const {
-        auto& leaf = append_leaf<NvdbLeaf<float>>(leaves);
-        store_leaf_head(block, active, leaf);
+    void store(const LeafBlock&, const NvdbActive& active, Leaf& leaf) const {
         leaf.mMinimum = active.least;
         leaf.mMaximum = active.largest;
-        std::memcpy(leaf.mValues, block.values.data(), sizeof leaf.mValues);
+        leaf.mAverage = 0;
+        leaf.mStdDevi = 0;
     }
 };
 
@@ -148,24 +170,23 @@ struct FloatLeaves {
 template <class Build>
 struct CodedLeaves {
     using Leaf = NvdbLeaf<Build>;
+    std::array<float, nvdb_leaf_voxels> own{};
     std::array<std::uint16_t, nvdb_leaf_voxels> codes{};
     LeafCodes scale;
 
-    bool begin(LeafBlock& block, bool is_sparse) {
+    float* values(Leaf&) { return own.data(); }
+    bool code(LeafBlock& block, bool is_sparse) {
         if (is_sparse && is_all_zero(block)) return false;
-        scale =
-            quantize_leaf(block.values.data(), nvdb_leaf_voxels, Leaf::bitWidth(), codes.data());
+        scale = quantize_leaf(block.values, nvdb_leaf_voxels, Leaf::bitWidth(), codes.data());
         for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) block.values[i] = scale.value(codes[i]);
         if (!is_sparse) return true;
         drop_zeros(block);
-        return std::any_of(block.active.begin(), block.active.end(),
-                           [](std::uint64_t plane) { return plane != 0; });
+        return !block.is_inactive();
     }
-    void append(const LeafBlock& block, const NvdbActive& active, std::string& leaves) const {
-        auto& leaf = append_leaf<Leaf>(leaves);
-        store_leaf_head(block, active, leaf);
+    void store(const LeafBlock&, const NvdbActive& active, Leaf& leaf) const {
         leaf.mMinimum = scale.minimum;
         leaf.mQuantum = scale.quantum;
+        leaf.mMin = leaf.mMax = leaf.mAvg = leaf.mDev = 0;
         if (scale.quantum != 0) {
             leaf.setMin(active.least);
             leaf.setMax(active.largest);
@@ -176,26 +197,30 @@ struct CodedLeaves {
 
 template <class Leaves>
 void make_leaves(const Baked& volume, const VoxelBox& box, Leaves maker, NvdbSlot& slot) {
+    using Leaf = typename Leaves::Leaf;
     constexpr int edge = nvdb_lower_edge / nvdb_leaf_edge;
+    slot.memory.resize(std::size_t{edge} * edge * edge * sizeof(Leaf) / sizeof(NvdbUnit));
     LeafBlock block;
-    for (int x = 0; x < edge; ++x) {
-        for (int y = 0; y < edge; ++y) {
-            for (int z = 0; z < edge; ++z) {
-                const std::array<int, 3> at = {x * nvdb_leaf_edge, y * nvdb_leaf_edge,
-                                               z * nvdb_leaf_edge};
-                if (at[0] >= box.size[0] || at[1] >= box.size[1] || at[2] >= box.size[2]) continue;
-                gather_leaf(box, slot.values.data(), at, block);
-                if (!maker.begin(block, volume.sparse)) continue;
-                const NvdbActive active = leaf_summary(
-                    block, {box.origin[0] + at[0], box.origin[1] + at[1], box.origin[2] + at[2]});
-                maker.append(block, active, slot.leaves);
-                const std::uint32_t child = nvdb_child({x, y, z}, 4);
-                slot.node.children[child / 64] |= 1ULL << child % 64;
-                slot.node.active.add(active);
-                ++slot.node.leaves;
-            }
-        }
+    for (std::uint32_t child = 0; child < std::uint32_t{edge} * edge * edge; ++child) {
+        const auto place = static_cast<int>(child);
+        const std::array<int, 3> at = {place / (edge * edge) * nvdb_leaf_edge,
+                                       place / edge % edge * nvdb_leaf_edge,
+                                       place % edge * nvdb_leaf_edge};
+        if (at[0] >= box.size[0] || at[1] >= box.size[1] || at[2] >= box.size[2]) continue;
+        Leaf& leaf = reinterpret_cast<Leaf*>(slot.memory.data())[slot.node.leaves];
+        block.values = maker.values(leaf);
+        gather_leaf(box, slot.values.data(), at, block);
+        if (!maker.code(block, volume.sparse)) continue;
+        const NvdbActive active = leaf_summary(
+            block, {box.origin[0] + at[0], box.origin[1] + at[1], box.origin[2] + at[2]});
+        store_leaf_head(block, active, leaf);
+        maker.store(block, active, leaf);
+        slot.node.children[child / 64] |= 1ULL << child % 64;
+        slot.node.active.add(active);
+        ++slot.node.leaves;
     }
+    slot.leaves = {reinterpret_cast<const char*>(slot.memory.data()),
+                   slot.node.leaves * sizeof(Leaf)};
 }
 
 }  // namespace
@@ -212,7 +237,7 @@ void NvdbActive::add(const NvdbActive& part) {
 
 void make_nvdb_leaves(const Baked& volume, const Level& level, std::size_t channel,
                       const VoxelBox& box, NvdbSlot& slot) {
-    slot.leaves.clear();
+    slot.leaves = {};
     slot.node = {};
     const VoxelSource& voxels = level.uncoded != nullptr ? *level.uncoded : *level.voxels;
     if (volume.sparse && voxels.is_empty(box)) return;

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <string>
+#include <string_view>
+#include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/math/memory.h"
@@ -34,9 +35,14 @@ struct NvdbLowerNode {
     std::uint32_t leaves = 0;
 };
 
+struct alignas(32) NvdbUnit {
+    std::array<char, 32> bytes;
+};
+
 struct NvdbSlot {
     AlignedFloats values;
-    std::string leaves;  // as the file has them
+    std::vector<NvdbUnit> memory;
+    std::string_view leaves;  // as the file has them, in `memory`
     NvdbLowerNode node;
 };
 

@@ -167,6 +167,7 @@ class NvdbLeafIndex {
         constexpr std::size_t bounds = 24;  // before the number of tiles
         const auto tiles = file_.read<std::uint32_t>(grid_.begin + root + bounds);
         checked(root, sizeof(NvdbRoot), std::uint64_t{tiles} * sizeof(NvdbRoot::Tile));
+        if (tiles > most_nodes(nvdb_upper_edge)) throw NvdbDamage{"nodes are listed twice"};
         for (std::uint32_t i = 0; i < tiles; ++i) {
             const auto tile = file_.read<NvdbRoot::Tile>(grid_.begin + root + sizeof(NvdbRoot) +
                                                          i * sizeof(NvdbRoot::Tile));
@@ -202,7 +203,7 @@ class NvdbLeafIndex {
     }
 
     void read_lower(std::uint64_t node, const std::array<int, 3>& origin) {
-        if (++lower_nodes_ > most_lower_nodes()) throw NvdbDamage{"nodes are listed twice"};
+        if (++lower_nodes_ > most_nodes(nvdb_lower_edge)) throw NvdbDamage{"nodes are listed twice"};
         for_children<NvdbLower>(node, 4, [&](const std::array<int, 3>& at, std::int64_t offset) {
             std::array<int, 3> place;
             for (std::size_t a = 0; a < 3; ++a) {
@@ -215,10 +216,10 @@ class NvdbLeafIndex {
         });
     }
 
-    std::int64_t most_lower_nodes() const {
-        constexpr int step = nvdb_lower_edge / nvdb_leaf_edge;
+    // Returns how many nodes of so many voxels along an edge the volume has at most.
+    std::int64_t most_nodes(int edge) const {
         std::int64_t most = 1;
-        for (const int count : count_) most *= (count - 1) / step + 1;
+        for (const int count : count_) most *= (count - 1) / (edge / nvdb_leaf_edge) + 1;
         return most;
     }
 

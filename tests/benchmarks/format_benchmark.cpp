@@ -1,0 +1,122 @@
+// Writing volumes as textures and NanoVDB grids to a file in memory, on one thread, in CPU time. The
+// voxels come from memory, so that making them takes no time worth speaking of. Bytes are those of
+// the files. tests/benchmarks/README.md keeps the figures reached.
+//
+// Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
+// --benchmark_report_aggregates_only=true.
+#include <benchmark/benchmark.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bakers/field/bc4.h"
+#include "bakers/field/bc6h.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/math/memory.h"
+#include "tests/support/volumes.h"
+
+namespace skybake {
+namespace {
+
+using config::FileFormat;
+using config::PixelType;
+
+constexpr int edge = 256;
+
+// Smooth values in [0, 1] with some noise, whole rows at a time.
+class HeldVoxels : public VoxelSource {
+  public:
+    HeldVoxels() : values_(std::size_t{edge} * edge * edge) {
+        float* out = values_.data();
+        for (int z = 0; z < edge; ++z) {
+            for (int y = 0; y < edge; ++y) {
+                for (int x = 0; x < edge; ++x) {
+                    const int wave = (x * 3 + y * 5 + z * 2) % 512;
+                    const float ramp = static_cast<float>(wave < 256 ? wave : 511 - wave) / 300;
+                    *out++ = 0.05F + 0.95F * ramp + testing::sample_voxel(x, y, z, 0) / 50;
+                }
+            }
+        }
+    }
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        for (float* out : channels) {
+            if (out == nullptr) continue;
+            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                    const auto row = static_cast<std::size_t>((z * edge + y) * edge);
+                    std::memcpy(out, &values_[row + static_cast<std::size_t>(box.origin[0])],
+                                static_cast<std::size_t>(box.size[0]) * sizeof(float));
+                    out += box.size[0];
+                }
+            }
+        }
+    }
+    const std::vector<float>& values() const { return values_; }
+
+  private:
+    std::vector<float> values_;
+};
+
+std::shared_ptr<const HeldVoxels> held() {
+    static const auto source = std::make_shared<const HeldVoxels>();
+    return source;
+}
+
+void write_format(benchmark::State& state, FileFormat format, PixelType type, int channels) {
+    Baked volume = testing::plain_volume({edge, edge, edge}, channels, type);
+    volume.levels[0].voxels = held();
+    volume.ktx2_compression = config::Ktx2Compression::none;
+    const int descriptor = memfd_create("benchmark", 0);
+    const std::string path = "/proc/self/fd/" + std::to_string(descriptor);
+    for (auto _ : state) {
+        const auto written = format_of(format).write({volume, 0, "{}", 1, nullptr}, path);
+        if (written.value != true) state.SkipWithError("not written");
+    }
+    state.SetBytesProcessed(state.iterations() * lseek(descriptor, 0, SEEK_END));
+    close(descriptor);
+}
+
+// Encoding planes of blocks; items are voxels of a channel.
+void encode_blocks(benchmark::State& state, bool is_bc6h) {
+    std::vector<float> texels(held()->values().begin(), held()->values().begin() + (1 << 20));
+    texels.resize(texels.size() + bc4_padding);
+    const std::size_t rows = is_bc6h ? 64 : 4096;
+    const TexelPlane plane = {texels.data(), edge, edge / 4, rows / 4};
+    std::vector<std::uint8_t> blocks(plane.blocks_x * plane.blocks_y * 16);
+    for (auto _ : state) {
+        if (is_bc6h) {
+            encode_bc6h({plane, plane, plane}, blocks.data());
+        } else {
+            encode_bc4(plane, blocks.data(), bc4_bytes);
+        }
+        benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(rows * edge));
+}
+
+BENCHMARK_CAPTURE(write_format, bin_half, FileFormat::bin, PixelType::half, 1);
+BENCHMARK_CAPTURE(write_format, bin_float, FileFormat::bin, PixelType::float32, 1);
+BENCHMARK_CAPTURE(write_format, dds_half, FileFormat::dds, PixelType::half, 1);
+BENCHMARK_CAPTURE(write_format, dds_float, FileFormat::dds, PixelType::float32, 1);
+BENCHMARK_CAPTURE(write_format, dds_unorm8_rgb, FileFormat::dds, PixelType::unorm8, 3);
+BENCHMARK_CAPTURE(write_format, ktx2_half, FileFormat::ktx2, PixelType::half, 1);
+BENCHMARK_CAPTURE(write_format, ktx2_float, FileFormat::ktx2, PixelType::float32, 1);
+BENCHMARK_CAPTURE(write_format, ktx2_unorm8, FileFormat::ktx2, PixelType::unorm8, 1);
+BENCHMARK_CAPTURE(write_format, nvdb_float, FileFormat::nvdb, PixelType::float32, 1);
+BENCHMARK_CAPTURE(write_format, nvdb_half, FileFormat::nvdb, PixelType::half, 1);
+BENCHMARK_CAPTURE(write_format, vol_float, FileFormat::vol, PixelType::float32, 1);
+BENCHMARK_CAPTURE(encode_blocks, bc4, false);
+BENCHMARK_CAPTURE(encode_blocks, bc6h, true);
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    skybake::keep_freed_memory();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}
