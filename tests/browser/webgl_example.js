@@ -18,9 +18,9 @@ const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 12, size: size
 // clouds from sky and ground is that above and below each point alone, where the preview's comes from all around.
 const views = {
     clouds: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 20, bound: 8.5},
-    evening: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 4, bound: 12},
-    clear_sky: {...common, position: [0, 0, 3000], pitch: 30, sun_elevation: 20, bound: 1},
-    ground: {...common, position: [0, 0, 1000], pitch: -40, sun_elevation: 20, bound: 1},
+    evening: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 4, bound: 11.8},
+    clear_sky: {...common, position: [0, 0, 3000], pitch: 30, sun_elevation: 20, bound: 0.6},
+    ground: {...common, position: [0, 0, 1000], pitch: -40, sun_elevation: 20, bound: 0.65},
 };
 
 // Draws a view by the program; returns the picture's path below the test's folder.
