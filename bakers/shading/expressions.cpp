@@ -205,7 +205,8 @@ Value ExpressionTranslator::constructed(Value callee, std::vector<Value> argumen
         const int components = components_of(one.type);
         if (arguments.size() == 1 && components > components_of(type)) {
             constexpr std::string_view kNames = "xyzw";
-            one.text = fmt::format("{}.{}", one.tight(), kNames.substr(0, components_of(type)));
+            one.text = fmt::format("{}.{}", one.tight(),
+                                   kNames.substr(0, static_cast<std::size_t>(components_of(type))));
             one.type = vector_of(scalar_of(one.type), components_of(type));
             one.binds_tightly = true;
         }

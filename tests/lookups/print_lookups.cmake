@@ -55,5 +55,8 @@ skybake(said bake ${RECIPE} -o ${FOLDER}/one_colour --certify=off --prune
     --set "atmosphere.layers.ozone.absorption=\"1.88e-6 /m\""
     --only transmittance --only air --only sky)
 print_lookups(${FOLDER}/one_colour "one_colour_")
+skybake(said bake ${CMAKE_CURRENT_LIST_DIR}/printed_wavelengths.toml -o ${FOLDER}/four_wavelengths
+    --certify=off --prune)
+print_lookups(${FOLDER}/four_wavelengths "four_wavelengths_")
 file(CONFIGURE OUTPUT ${FOLDER}/lookups.h CONTENT "${text_glsl}" @ONLY)
 file(CONFIGURE OUTPUT ${FOLDER}/lookups_msl.h CONTENT "${text_msl}" @ONLY)

@@ -88,6 +88,9 @@ inline nlohmann::json noted(const gpu::vec2& v) {
 inline nlohmann::json noted(const gpu::vec3& v) {
     return {{"type", "vec3"}, {"value", {v.x, v.y, v.z}}};
 }
+inline nlohmann::json noted(const gpu::vec4& v) {
+    return {{"type", "vec4"}, {"value", {v.x, v.y, v.z, v.w}}};
+}
 inline nlohmann::json noted(const Texture& texture) {
     return CallNotes::of_this_run().texture(texture);
 }
@@ -177,6 +180,16 @@ inline void expect_column_of_call(const gpu::vec4& column, double length_km, con
 }
 inline void bound_call(double value, double tolerance) {
     CallNotes::of_this_run().bound({value - tolerance}, {value + tolerance});
+}
+inline void expect_color_of_call(const gpu::vec3& found, const std::array<double, 3>& color) {
+    std::vector<double> low;
+    std::vector<double> high;
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(double{found[static_cast<glm::length_t>(c)]}, color[c], 1e-5);
+        low.push_back(color[c] - 1e-5);
+        high.push_back(color[c] + 1e-5);
+    }
+    CallNotes::of_this_run().bound(low, high);
 }
 
 }  // namespace skybake::test

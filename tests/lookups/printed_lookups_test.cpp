@@ -183,6 +183,59 @@ TEST(PrintedLookups, Irradiance) {
     });
 }
 
+// Two directions that a scattering angle is between.
+std::pair<vec3, vec3> pair_of(const Probe& probe) {
+    const double angle = test::at(probe, "scattering_angle_deg") * kDegree;
+    return {vec3(1, 0, 0), vec3(std::cos(angle), std::sin(angle), 0)};
+}
+
+// --- Four wavelengths ---------------------------------------------------------------------------
+
+TEST(PrintedLookups, FourWavelengths) {
+    const std::string folder = "four_wavelengths";
+    BakedFile("transmittance.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(four_wavelengths_transmittance_exr, baked_transmittance, table,
+                            altitude(at), cosine(at));
+    });
+    BakedFile("transmittance_ue.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(four_wavelengths_transmittance_ue_exr, baked_transmittance_ue, table,
+                            altitude(at), cosine(at));
+    });
+    BakedFile("twilight.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(four_wavelengths_twilight_exr, baked_twilight, table, altitude(at),
+                            sun_cosine(at));
+    });
+    BakedFile("moments.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(four_wavelengths_moments_exr, baked_moments, table, altitude(at),
+                            sun_cosine(at), part_of(at));
+    });
+    BakedFile("phase.exr", folder).holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return SKYBAKE_CALL(four_wavelengths_phase_exr, baked_phase, table, a, b);
+    });
+    BakedFile("sampled_angle.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(four_wavelengths_sampled_angle_exr, baked_sampled_angle, table,
+                            coordinate(at, "share"));
+    });
+}
+
+// One wavelength at a time, and all of them: colours by the manifest's weights.
+TEST(PrintedLookups, ColoursOfWavelengths) {
+    const BakedFile table("transmittance.exr", "four_wavelengths");
+    ASSERT_TRUE(table.asset().conventions.color);
+    const std::vector<double>& weights = table.asset().conventions.color->weights;
+    for (const vec4& light : {vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 1, 0),
+                              vec4(0, 0, 0, 1), vec4(1, 2, 3, 4)}) {
+        std::array<double, 3> color{};
+        for (std::size_t i = 0; i < 12; ++i) {
+            color[i % 3] += weights[i] * double{light[static_cast<glm::length_t>(i / 3)]};
+        }
+        test::expect_color_of_call(
+            SKYBAKE_CALL(four_wavelengths_transmittance_exr, baked_transmittance_color, light),
+            color);
+    }
+}
+
 // --- Skies --------------------------------------------------------------------------------------
 
 struct View {
@@ -274,12 +327,6 @@ TEST(PrintedLookups, AerialPerspective) {
 }
 
 // --- Angles -------------------------------------------------------------------------------------
-
-// Two directions that a scattering angle is between.
-std::pair<vec3, vec3> pair_of(const Probe& probe) {
-    const double angle = test::at(probe, "scattering_angle_deg") * kDegree;
-    return {vec3(1, 0, 0), vec3(std::cos(angle), std::sin(angle), 0)};
-}
 
 TEST(PrintedLookups, Phase) {
     BakedFile("phase_by_angle.exr").holds([](const Texture& table, const Probe& at) {
