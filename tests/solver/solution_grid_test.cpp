@@ -113,8 +113,11 @@ TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
 TEST(SolutionLevels, OfSmoothTablesAreAsManyAsOfExponentials) {
     Medium tabulated = make_medium(test::preset_atmosphere("earth_hillaire"));
     const std::vector<double> of_exponential = solution_levels_km(tabulated, 1);
-    const ExponentialLayer air = tabulated.exponential_layers.front();
-    tabulated.exponential_layers.erase(tabulated.exponential_layers.begin());
+    const auto highest = std::max_element(
+        tabulated.exponential_layers.begin(), tabulated.exponential_layers.end(),
+        [](const auto& a, const auto& b) { return a.scale_height_km < b.scale_height_km; });
+    const ExponentialLayer air = *highest;
+    tabulated.exponential_layers.erase(highest);
     PiecewiseLayer table;
     table.scattering_per_km = air.scattering_per_km;
     table.extinction_per_km = air.extinction_per_km;
