@@ -69,13 +69,13 @@ HWY_INLINE Angle<Real> angle_between(const Direction<Real>& a, const Direction<R
 // See phase_sampling.h.
 template <class Real>
 HWY_INLINE Direction<Real> scatter(const Direction<Real>& direction, const Angle<Real>& angle,
-                                Real turn) {
+                                   Real turn) {
     // An orthonormal basis without a branch on small components: Duff et al. 2017.
     const Real sign = select(direction.z < Real(0.0), Real(-1.0), Real(1.0));
     const Real a = Real(-1.0) / (sign + direction.z);
     const Real b = direction.x * direction.y * a;
     const Direction<Real> first = {Real(1.0) + sign * direction.x * direction.x * a, sign * b,
-                                -sign * direction.x};
+                                   -sign * direction.x};
     const Direction<Real> second = {b, sign + direction.y * direction.y * a, -direction.y};
     const Real sine = square_root(angle.one_minus * angle.one_plus);
     const Real nu = Real(0.5) * (angle.one_plus - angle.one_minus);
@@ -87,8 +87,8 @@ HWY_INLINE Direction<Real> scatter(const Direction<Real>& direction, const Angle
         return nu * forward + along_first * right + along_second * up;
     };
     const Direction<Real> result = {sum(direction.x, first.x, second.x),
-                                 sum(direction.y, first.y, second.y),
-                                 sum(direction.z, first.z, second.z)};
+                                    sum(direction.y, first.y, second.y),
+                                    sum(direction.z, first.z, second.z)};
     // Rounding of thousands of scatterings would add up.
     const Real scale = Real(1.0) / square_root(dot(result, result));
     return {scale * result.x, scale * result.y, scale * result.z};
@@ -137,7 +137,8 @@ struct FlightLine {
 
 template <class Real>
 HWY_INLINE FlightLine<Real> flight_line(const Shell& planet, Real altitude_km,
-                                        const Direction<Real>& up, const Direction<Real>& direction) {
+                                        const Direction<Real>& up,
+                                        const Direction<Real>& direction) {
     const Real zero = Real(0.0);
     const Real r = Real(planet.ground_radius_km) + altitude_km;
     FlightLine<Real> line;
