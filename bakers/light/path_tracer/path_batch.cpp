@@ -38,12 +38,12 @@ struct Packets {
     double at(std::size_t path, std::size_t channel) const { return values[path][channel]; }
 };
 
-struct VectorColumns {
+struct DirectionColumns {
     Column x, y, z;
-    HWY_INLINE Vector<Lanes> load(std::size_t path) const {
+    HWY_INLINE Direction<Lanes> load(std::size_t path) const {
         return {x.load(path), y.load(path), z.load(path)};
     }
-    HWY_INLINE void store(std::size_t path, const Vector<Lanes>& vector) {
+    HWY_INLINE void store(std::size_t path, const Direction<Lanes>& vector) {
         x.store(path, vector.x);
         y.store(path, vector.y);
         z.store(path, vector.z);
@@ -57,7 +57,7 @@ struct VectorColumns {
 
 // What must be kept of a path from one flight to the next. Flags are 0 or 1.
 struct PathColumns {
-    VectorColumns up, direction;
+    DirectionColumns up, direction;
     Column altitude_km, shell;
     Column path;  // its number in the batch
     Column hero;
@@ -320,8 +320,8 @@ class Walk {
         const Lanes distance = select(still_falls, -end.s_km, end.s_km) - s;
         const Lanes r = radius + altitude;
         const Lanes scale = Lanes(1.0) / (radius + end.altitude_km);
-        const Vector<Lanes> up = columns_.up.load(i);
-        const Vector<Lanes> direction = columns_.direction.load(i);
+        const Direction<Lanes> up = columns_.up.load(i);
+        const Direction<Lanes> direction = columns_.direction.load(i);
         const LaneMask stays = on_ground_.flags(i);
         const auto place = [&](Lanes of_up, Lanes of_direction) {
             return select(stays, of_up, scale * (r * of_up + distance * of_direction));
@@ -447,7 +447,7 @@ class Walk {
             sun_.set(i, sample_sun(source_, numbers_.random(number_of(i))));
         }
         for (std::size_t i = 0; i < count_; i += kLanes) {
-            const Vector<Lanes> sun = sun_.load(i);
+            const Direction<Lanes> sun = sun_.load(i);
             const Lanes r = Lanes(air_.planet.ground_radius_km) + columns_.altitude_km.load(i);
             const Lanes cosine = dot(columns_.up.load(i), sun);
             sun_cosine_.store(i, cosine);
@@ -586,7 +586,7 @@ class Walk {
     Column scattered_share_{}, from_of_hero_{}, lowest_of_hero_{};
     Column on_ground_{};  // flags
     Column end_s_km_{}, still_falls_{};
-    VectorColumns sun_{};
+    DirectionColumns sun_{};
     Column sun_cosine_{}, sun_s_km_{};
     std::size_t chosen_[PathBatch::kPaths] = {};  // scatterers
     Column share_{};                              // of the light that they scatter

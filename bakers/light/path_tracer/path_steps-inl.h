@@ -41,13 +41,14 @@ HWY_INLINE Channels zero_unless_positive(Channels numerator, Channels denominato
 
 // --- Directions ----------------------------------------------------------------------------------
 
+// A direction, or those of a vector of paths, which GLM's vectors do not hold.
 template <class Real>
-struct Vector {
+struct Direction {
     Real x, y, z;
 };
 
 template <class Real>
-HWY_INLINE Real dot(const Vector<Real>& a, const Vector<Real>& b) {
+HWY_INLINE Real dot(const Direction<Real>& a, const Direction<Real>& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
@@ -59,23 +60,23 @@ struct Angle {
 
 // Returns the angle between two unit vectors.
 template <class Real>
-HWY_INLINE Angle<Real> angle_between(const Vector<Real>& a, const Vector<Real>& b) {
-    const Vector<Real> apart = {a.x - b.x, a.y - b.y, a.z - b.z};
-    const Vector<Real> together = {a.x + b.x, a.y + b.y, a.z + b.z};
+HWY_INLINE Angle<Real> angle_between(const Direction<Real>& a, const Direction<Real>& b) {
+    const Direction<Real> apart = {a.x - b.x, a.y - b.y, a.z - b.z};
+    const Direction<Real> together = {a.x + b.x, a.y + b.y, a.z + b.z};
     return {Real(0.5) * dot(apart, apart), Real(0.5) * dot(together, together)};
 }
 
 // See phase_sampling.h.
 template <class Real>
-HWY_INLINE Vector<Real> scatter(const Vector<Real>& direction, const Angle<Real>& angle,
-                                Real turn) {
+HWY_INLINE Direction<Real> scatter(const Direction<Real>& direction, const Angle<Real>& angle,
+                                   Real turn) {
     // An orthonormal basis without a branch on small components: Duff et al. 2017.
     const Real sign = select(direction.z < Real(0.0), Real(-1.0), Real(1.0));
     const Real a = Real(-1.0) / (sign + direction.z);
     const Real b = direction.x * direction.y * a;
-    const Vector<Real> first = {Real(1.0) + sign * direction.x * direction.x * a, sign * b,
-                                -sign * direction.x};
-    const Vector<Real> second = {b, sign + direction.y * direction.y * a, -direction.y};
+    const Direction<Real> first = {Real(1.0) + sign * direction.x * direction.x * a, sign * b,
+                                   -sign * direction.x};
+    const Direction<Real> second = {b, sign + direction.y * direction.y * a, -direction.y};
     const Real sine = square_root(angle.one_minus * angle.one_plus);
     const Real nu = Real(0.5) * (angle.one_plus - angle.one_minus);
     Real sine_of_turn, cosine_of_turn;
@@ -85,9 +86,9 @@ HWY_INLINE Vector<Real> scatter(const Vector<Real>& direction, const Angle<Real>
     const auto sum = [&](Real forward, Real right, Real up) {
         return nu * forward + along_first * right + along_second * up;
     };
-    const Vector<Real> result = {sum(direction.x, first.x, second.x),
-                                 sum(direction.y, first.y, second.y),
-                                 sum(direction.z, first.z, second.z)};
+    const Direction<Real> result = {sum(direction.x, first.x, second.x),
+                                    sum(direction.y, first.y, second.y),
+                                    sum(direction.z, first.z, second.z)};
     // Rounding of thousands of scatterings would add up.
     const Real scale = Real(1.0) / square_root(dot(result, result));
     return {scale * result.x, scale * result.y, scale * result.z};
@@ -136,7 +137,8 @@ struct FlightLine {
 
 template <class Real>
 HWY_INLINE FlightLine<Real> flight_line(const Shell& planet, Real altitude_km,
-                                        const Vector<Real>& up, const Vector<Real>& direction) {
+                                        const Direction<Real>& up,
+                                        const Direction<Real>& direction) {
     const Real zero = Real(0.0);
     const Real r = Real(planet.ground_radius_km) + altitude_km;
     FlightLine<Real> line;

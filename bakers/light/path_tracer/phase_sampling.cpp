@@ -36,7 +36,7 @@ ScatteringAngle sample_phase(const PhaseFunction& phase, double share, RandomStr
 }
 
 glm::dvec3 scatter(const glm::dvec3& direction, const ScatteringAngle& cosine, double turn) {
-    const kernel::Vector<double> after = kernel::scatter<double>(
+    const kernel::Direction<double> after = kernel::scatter<double>(
         {direction.x, direction.y, direction.z}, {cosine.one_minus, cosine.one_plus}, turn);
     return {after.x, after.y, after.z};
 }
