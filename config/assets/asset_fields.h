@@ -71,7 +71,6 @@ inline constexpr auto format_choices = []<std::size_t... i>(std::index_sequence<
         Choice{file_formats[i].format, file_formats[i].name, file_formats[i].description}...};
 }
 (std::make_index_sequence<file_formats.size()>());
-// Formats hold bc5 too, but no asset has two channels.
 inline constexpr std::array pixel_type_choices = {
     Choice{PixelType::float32, "float", "32 bits per channel"},
     Choice{PixelType::half, "half", "16 bits per channel: 3 digits, 6e-8 to 65504"},
