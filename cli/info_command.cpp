@@ -213,12 +213,13 @@ ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
     return ExitCode::done;
 }
 
-// --- Bare texels --------------------------------------------------------------------------------
+// --- Files without a description ----------------------------------------------------------------
 
-ExitCode refuse_bare_texels(const fs::path& path, Console& console) {
+ExitCode refuse_plain_file(const fs::path& path, const Format& format, Console& console) {
+    const char* content = format.read != nullptr ? "texels alone" : "references alone";
     config::Diagnostic diagnostic = file_error(
         "E0304", path.string(),
-        fmt::format("`{}` holds texels alone and does not describe itself", path.string()));
+        fmt::format("`{}` holds {} and does not describe itself", path.string(), content));
     diagnostic.label = "the manifest.json beside it describes it";
     return console.report({&diagnostic, 1});
 }
@@ -331,9 +332,10 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
     if (path.extension() == ".vdb") return show_vdb(path, json, console);
     const Format* format = find_format(path.extension().string().substr(path.has_extension()));
     if (format && !format->has_metadata && fs::is_regular_file(path, error)) {
-        return refuse_bare_texels(path, console);
+        return refuse_plain_file(path, *format, console);
     }
-    if (path.extension() == ".png") return show_file(path, json, console);
+    const bool is_other = format && format->format != config::FileFormat::exr;
+    if (is_other && format->has_metadata) return show_file(path, json, console);
     return show_image(path, json, console);
 }
 

@@ -79,7 +79,6 @@ inline constexpr std::array pixel_type_choices = {
     Choice{PixelType::unorm16, "unorm16",
            "16 bits per channel for 0 to 1; bin, dds, ktx2, npy and png"},
     Choice{PixelType::bc4, "bc4", "BC4: 4 bits per texel of one channel, 0 to 1; dds and ktx2"},
-    Choice{PixelType::bc5, "bc5", "BC5: 8 bits per texel of two channels, 0 to 1; dds and ktx2"},
     Choice{PixelType::bc6h, "bc6h", "BC6H: 8 bits per texel of R G B, half; dds and ktx2"},
     Choice{PixelType::fp8, "fp8", "NanoVDB's 8 bits between the extremes of 8 x 8 x 8 voxels"},
     Choice{PixelType::fp16, "fp16", "NanoVDB's 16 bits between the extremes of 8 x 8 x 8 voxels"},
@@ -140,8 +139,9 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
           .kind = Kind::choice,
           .choices = layout_choices,
           .fallback = R"("stack")",
-          .documentation = "where the slices lie in EXR, PNG and TGA images; by default an atlas where "
-                           "a stack would have more than 16384 rows",
+          .documentation =
+              "where the slices lie in EXR, PNG and TGA images; by default an atlas where "
+              "a stack would have more than 16384 rows",
           .role = Role::files},
          &AssetFiles::layout},
         {{.key = "columns",
@@ -156,8 +156,9 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
         {{.key = "flip",
           .kind = Kind::flag,
           .fallback = words.flip,
-          .documentation = "whether EXR, PNG and TGA images are upside down, for readers that take the "
-                           "lower left texel for the first",
+          .documentation =
+              "whether EXR, PNG and TGA images are upside down, for readers that take the "
+              "lower left texel for the first",
           .role = Role::files},
          &AssetFiles::flip},
         {{.key = "mips",

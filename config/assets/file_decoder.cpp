@@ -229,7 +229,7 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     if (without.empty()) return;
     std::vector<std::string_view> with;
     for (const FormatFacts& facts : file_formats) {
-        if (facts.holds(*type)) with.push_back(facts.name);
+        if (facts.holds(*type) && !facts.only_refers) with.push_back(facts.name);
     }
     decoder.diagnostics.error(
         "E0131", decoded.source ? decoded.source->place : bake.place,
@@ -249,7 +249,7 @@ void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& d
         fmt::format("`{}`: {} codes {} channel{}, and [{}] has {}",
                     join_path(bake.path, "pixel_type"), choice_name(*decoded.field, *type), coded,
                     coded == 1 ? "" : "s", bake.path, channels),
-        "bc4 codes one channel, bc5 two, bc6h three");
+        "bc4 codes one channel, bc6h three");
 }
 
 void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& decoder) {

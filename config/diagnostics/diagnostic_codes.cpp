@@ -190,7 +190,7 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0131", "pixel type that a format cannot hold",
         "EXR, VDB and vol files hold float and half. unorm8 and unorm16 exist in bin, npy, "
-        "PNG, DDS and KTX2 files, unorm8 in TGA files too; bc4, bc5 and bc6h in DDS and "
+        "PNG, DDS and KTX2 files, unorm8 in TGA files too; bc4 and bc6h in DDS and "
         "KTX2 files; fp8 and fp16 in nvdb files. Types of blocks are for volumes of one, "
         "two or three channels, and usda files refer to VDB files. A section writes all "
         "its formats with one pixel type: bake the noise in two sections to have both.",

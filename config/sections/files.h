@@ -13,7 +13,8 @@ namespace skybake::config {
 
 // Types up to unorm16 hold each number by itself. The others code blocks of texels: bc4, bc5 and bc6h are
 // blocks of 4 x 4 texels that GPUs decode; fp8 and fp16 are leaves of NanoVDB grids.
-enum class PixelType { float32, half, unorm8, unorm16, bc4, bc5, bc6h, fp8, fp16 };
+// Recipes do not offer bc5, the last one, because no asset has two channels.
+enum class PixelType { float32, half, unorm8, unorm16, bc4, bc6h, fp8, fp16, bc5 };
 enum class Compression { none, zip, zips, piz };
 
 enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda };
@@ -30,7 +31,9 @@ constexpr std::size_t coded_channels(PixelType type) {
     return type == PixelType::bc6h ? 3 : 0;
 }
 
-constexpr bool is_leaf_coded(PixelType type) { return type >= PixelType::fp8; }
+constexpr bool is_leaf_coded(PixelType type) {
+    return type == PixelType::fp8 || type == PixelType::fp16;
+}
 
 // A set of pixel types.
 class PixelTypes {

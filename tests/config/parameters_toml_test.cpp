@@ -36,7 +36,8 @@ TEST(ParametersToml, PrintsWhatThePatternsName) {
               "flip = false\n"
               "mips = 1\n"
               "compression = \"zip\"\n"
-              "vdb_compression = \"blosc\"\n");
+              "vdb_compression = \"blosc\"\n"
+              "ktx2_compression = \"zstd\"\n");
     EXPECT_EQ(text_of(recipe, {}), "");
     EXPECT_EQ(text_of(recipe, {"nothing", "atmosphere"}), "");
 }

@@ -83,7 +83,7 @@ const std::vector<Fault> faults = {
      "expected Y alone, R alone, R, G, B, or R, G, B, A"},
     {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
      "this recipe has n"},
-    {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8, "bin, png, dds, ktx2, npy, tga, usda hold it"},
+    {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8, "bin, png, dds, ktx2, npy, tga hold it"},
     {"E0132", cloud + "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"d\"\nsize = [16, 16, 16]", 8,
      9, 3, "this recipe has c"},
     {"E0133", cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"o\"", 8, 6, 3,

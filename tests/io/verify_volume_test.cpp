@@ -56,6 +56,28 @@ TEST(VerifyVolume, AcceptsWhatWasWritten) {
     }
 }
 
+// The containers of runtimes, and what verification says of one whose texels are turned over.
+TEST(VerifyVolume, ReadsEveryContainer) {
+    const TemporaryFolder folder;
+    const std::vector<FileFormat> formats = {FileFormat::ktx2, FileFormat::nvdb, FileFormat::vol,
+                                             FileFormat::npy,  FileFormat::dds,  FileFormat::vdb,
+                                             FileFormat::usda};
+    const Baked volume = sample_volume({13, 6, 7}, 3, PixelType::half, formats);
+    Manifest manifest = testing::write_sample_volume(folder.path(), volume);
+    EXPECT_EQ(failed_checks(folder.path()), Checks{});
+    Baked turned = volume;
+    turned.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(
+        [](int x, int y, int z, int c) { return testing::sample_voxel(12 - x, y, z, c); });
+    for (std::size_t i = 0; i + 2 < formats.size(); ++i) {
+        ManifestAsset& asset = manifest.assets[0];
+        const auto path = folder / "turned";
+        testing::write_bytes(path, "");
+        ASSERT_EQ(write_asset_file(turned, asset, asset.files[i], 1, nullptr, path).value, true);
+        replace_file(folder.path(), manifest, i, testing::read_bytes(path));
+        EXPECT_TRUE(failed_checks(folder.path()).contains("content_hash")) << i;
+    }
+}
+
 TEST(VerifyVolume, AcceptsEachPixelTypeOfBareVoxels) {
     for (const PixelType type :
          {PixelType::float32, PixelType::half, PixelType::unorm8, PixelType::unorm16}) {

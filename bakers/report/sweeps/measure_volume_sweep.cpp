@@ -35,8 +35,8 @@ void advance_sweep(const ReportOptions& options, std::string_view step, double f
 }
 
 constexpr std::array kTypes = {PixelType::float32, PixelType::half, PixelType::unorm16,
-                               PixelType::unorm8,  PixelType::bc4,  PixelType::bc5,
-                               PixelType::bc6h,    PixelType::fp16, PixelType::fp8};
+                               PixelType::unorm8,  PixelType::bc4,  PixelType::bc6h,
+                               PixelType::fp16,    PixelType::fp8};
 
 double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
 

@@ -106,8 +106,8 @@ class StorageSweep {
             PixelType type;
         };
         for (const auto& [format, type] :
-             {Blocks{FileFormat::dds, PixelType::bc4}, Blocks{FileFormat::dds, PixelType::bc5},
-              Blocks{FileFormat::dds, PixelType::bc6h}, Blocks{FileFormat::nvdb, PixelType::fp16},
+             {Blocks{FileFormat::dds, PixelType::bc4}, Blocks{FileFormat::dds, PixelType::bc6h},
+              Blocks{FileFormat::nvdb, PixelType::fp16},
               Blocks{FileFormat::nvdb, PixelType::fp8}}) {
             const std::size_t channels = config::coded_channels(type);
             const bool fits =
