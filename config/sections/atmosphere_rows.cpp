@@ -33,10 +33,8 @@ constexpr std::array profile_choices = {
            "1 at center_altitude, falling linearly to 0 half_width above and below"},
     Choice{Profile::slab, "slab", "1 between bottom_altitude and top_altitude, 0 elsewhere"},
     Choice{Profile::tabulated, "tabulated", "linear between the entries of table, 0 outside"},
-    Choice{
-        Profile::standard, "standard",
-        "that of the gas in the US Standard Atmosphere 1976, by 10 to 30 altitudes, each of which "
-        "costs time: skies take ten times as long as with an exponential profile"},
+    Choice{Profile::standard, "standard",
+           "that of the gas in the US Standard Atmosphere 1976, by 10 to 30 altitudes"},
 };
 constexpr std::array phase_choices = {
     Choice{Phase::isotropic, "isotropic", "the same in all directions"},
