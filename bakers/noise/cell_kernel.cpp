@@ -265,9 +265,10 @@ void fill_line(const AxisCells& axis, int voxel, const Extent& extent, std::size
 template <int kDepth, bool kSecond>
 void fill_voxels(const CellField& field, const Block& block, std::size_t count,
                  CellCandidates& candidates, const CellTarget& target) {
-    const auto& [x, first_y, first_z] = block.box.origin;
+    const int x = block.box.origin[0];
+    const int first_y = block.box.origin[1];
     const auto slice = [&](std::size_t i) {
-        return first_z + std::min(static_cast<int>(i), block.box.size[2] - 1);
+        return block.box.origin[2] + std::min(static_cast<int>(i), block.box.size[2] - 1);
     };
     fill_squared_x(field, block, count, candidates);
     for (std::size_t i = 0; i < kDepth; ++i) {

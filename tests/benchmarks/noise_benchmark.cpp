@@ -162,7 +162,7 @@ void register_all() {
     milliseconds(RegisterBenchmark("perlin_1_128", fill, perlin_plan(128, 1), 128, 1));
     milliseconds(RegisterBenchmark("perlin_1_128_pointwise", perlin_pointwise, 128, 1));
     milliseconds(RegisterBenchmark("perlin_1_128_stores", stores, 128, 1));
-    for (const int frequency : {4, 8, 16, 32}) {
+    for (const int frequency : {4, 8, 16, 32, 64, 128}) {
         const std::string name = "worley_f1_128_cells" + std::to_string(frequency);
         milliseconds(RegisterBenchmark(name.c_str(), fill, worley_plan(128, frequency), 128, 1));
     }
