@@ -23,8 +23,11 @@ bool is_measured(double elevation_deg) {
            kMeasuredDiscs_deg.end();
 }
 
-// The sun's own light counts as so many views, since it lights all that a runtime draws.
+// The sun's own light counts as so many views, since it lights all that a runtime draws; but less and
+// less where haze leaves less than this share of its luminance, of which nobody sees the colour. (A
+// fit to the deep red of such discs would spoil those of the sky.)
 constexpr double kWeightOfDisc = 4;
+constexpr double kFaintDisc = 1e-4;
 
 ColorTarget target_of(const config::Color& color) {
     ColorTarget target;
@@ -76,6 +79,8 @@ class ColorSamples {
             luminances_.push_back(y);
         }
     }
+
+    double luminance(std::size_t i) const { return luminances_[i]; }
 
     // Returns the sample as the fit takes it. Without light it has weight 0.
     ColorSample sample(std::size_t i, double weight) const {
@@ -133,7 +138,9 @@ SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
         const bool is_disc = i >= views.size();
         const bool is_used =
             is_disc ? !is_measured(kSpectrumDiscs_deg[i - views.size()]) : is_fitted(i);
-        if (is_used) fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc : 1));
+        if (!is_used) continue;
+        const double seen = std::min(samples.luminance(i) / kFaintDisc, 1.0);
+        fitted.push_back(samples.sample(i, is_disc ? kWeightOfDisc * seen : 1));
     }
     // The sun outside the air.
     glm::dvec3 white(0);
