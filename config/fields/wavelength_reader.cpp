@@ -26,7 +26,7 @@ namespace {
 // 0.01, 0.05 and 0.1 % of sixteen. The airs of the search were the preset earth, the preset
 // earth_clear_mountain, earth with ozone of 150 DU, and earth with haze of optical depth 0.4, Angstrom
 // exponent 1 and single-scattering albedo 0.9 over a ground of albedo 0.3. It went down by steps of 8,
-// 4, 2 and 1 nm in each wavelength, from hundreds of random beginnings around the best one so far.
+// 4, 2 and 1 nm in each wavelength, from random beginnings around the best one so far.
 // Those of 3 came of an earlier search of this kind.
 constexpr std::array best_3 = {451.0, 541.0, 618.0};
 constexpr std::array best_4 = {445.0, 523.0, 571.0, 636.0};

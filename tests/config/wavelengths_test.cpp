@@ -90,8 +90,10 @@ TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
               Codes{"E0147 1:15"});
     EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + mean + "content = 'moments'\n"),
               Codes{});
+    const std::string bruneton = "[bake.bruneton]\ntable = 'scattering'\n";
+    EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + bruneton), Codes{});
     EXPECT_EQ(
-        faults("wavelengths = 'best 4'\n" + grey_air + "[bake.bruneton]\ntable = 'scattering'\n"),
+        faults("wavelengths = 'best 4'\n" + grey_air + "[color]\nspace = 'none'\n" + bruneton),
         Codes{"E0147 1:15"});
 }
 
