@@ -125,14 +125,15 @@ TEST(Bc4, IsAlmostAsGoodAsAnExhaustiveSearch) {
             found += error_of(blocks[b], &bytes[b * bc4_bytes]);
             least += exhaustive_error(blocks[b]);
         }
-        EXPECT_LT(std::sqrt(found / least), 1.06) << static_cast<int>(kind);
+        // A single block of six steps may be a tenth off: clipped ramps reach 1.085.
+        EXPECT_LT(std::sqrt(found / least), 1.1) << static_cast<int>(kind);
         EXPECT_GE(found, least * (1 - 1e-6));
         found_in_all += found;
         least_in_all += least;
     }
     std::printf("BC4: RMS %.4f of that of an exhaustive search\n",
                 std::sqrt(found_in_all / least_in_all));
-    EXPECT_LT(std::sqrt(found_in_all / least_in_all), 1.03);
+    EXPECT_LT(std::sqrt(found_in_all / least_in_all), 1.02);
 }
 
 TEST(Bc4, HoldsWhatItCanHoldExactly) {
@@ -156,24 +157,19 @@ TEST(Bc4, HoldsWhatItCanHoldExactly) {
     }
 }
 
-// libsquish rounds values down to 8 bits.
+// The alpha of a DXT5 block is a block of BC4. (For kBc4 and kBc5, libsquish 1.15 decodes colours.)
+// It rounds values down to 8 bits.
 TEST(Bc4, SquishDecodesTheSame) {
     Random random(5);
     for (int i = 0; i < 3000; ++i) {
-        std::array<std::uint8_t, 16> blocks;
-        for (auto& byte : blocks) byte = static_cast<std::uint8_t>(random.below(256));
-        if (i % 3 == 0) blocks[0] = blocks[1];
+        std::array<std::uint8_t, 16> block;
+        for (auto& byte : block) byte = static_cast<std::uint8_t>(random.below(256));
+        if (i % 3 == 0) block[0] = block[1];
         std::array<std::uint8_t, 64> rgba{};
-        squish::Decompress(rgba.data(), blocks.data(), squish::kBc5);
-        const Texels red = decode_bc4(blocks.data());
-        const Texels green = decode_bc4(blocks.data() + 8);
+        squish::Decompress(rgba.data(), block.data(), squish::kDxt5);
+        const Texels found = decode_bc4(block.data());
         for (std::size_t t = 0; t < 16; ++t) {
-            EXPECT_NEAR(255 * double{red[t]}, rgba[4 * t], 1.001);
-            EXPECT_NEAR(255 * double{green[t]}, rgba[4 * t + 1], 1.001);
-        }
-        squish::Decompress(rgba.data(), blocks.data(), squish::kBc4);
-        for (std::size_t t = 0; t < 16; ++t) {
-            EXPECT_NEAR(255 * double{red[t]}, rgba[4 * t], 1.001);
+            ASSERT_NEAR(255 * double{found[t]}, rgba[4 * t + 3], 1.001);
         }
     }
 }
