@@ -8,10 +8,10 @@
 
 namespace skybake::cli {
 
-// Prints the lookup of the file's asset in that language with the numbers of its bake filled in, below
-// a comment that says what a runtime must know of the file. A file that carries no metadata is described by
-// the manifest.json beside it. E0001 of a folder or a manifest, E0300, and E0304 of a file that
-// skybake did not write.
+// Prints the lookup of the file's asset in that language with the numbers of its bake filled in,
+// below a comment that says what a runtime must know of the file. A file that carries no metadata is
+// described by the manifest.json beside it. E0001 of a folder or a manifest, E0300, and E0304 of a
+// file that skybake did not write.
 ExitCode show_lookup(const std::filesystem::path& path, ShadingLanguage language, bool json,
                      Console& console);
 

@@ -54,19 +54,19 @@ struct TextureRow {
     std::string_view name, type, result;
     std::array<std::string_view, kLanguages> forms;
 };
-constexpr std::string_view kSize = "textureSize({0}, {2})";
-constexpr std::string_view kSampled = "texture({0}, {2})";
+constexpr std::string_view kSizeCall = "textureSize({0}, {2})";
+constexpr std::string_view kSampleCall = "texture({0}, {2})";
 constexpr std::array<TextureRow, 5> kTextureFunctions = {{
     {"texture",
      "sampler2D",
      "vec4",
-     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
-      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+     {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall}},
     {"texture",
      "sampler3D",
      "vec4",
-     {kSampled, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
-      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampled}},
+     {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall}},
     {"texelFetch",
      "sampler3D",
      "vec4",
@@ -75,13 +75,13 @@ constexpr std::array<TextureRow, 5> kTextureFunctions = {{
     {"textureSize",
      "sampler2D",
      "ivec2",
-     {kSize, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
-      "vec2i(textureDimensions({0}, {2}))", kSize}},
+     {kSizeCall, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
+      "vec2i(textureDimensions({0}, {2}))", kSizeCall}},
     {"textureSize",
      "sampler3D",
      "ivec3",
-     {kSize, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_depth())",
-      "vec3i(textureDimensions({0}, {2}))", kSize}},
+     {kSizeCall, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_depth())",
+      "vec3i(textureDimensions({0}, {2}))", kSizeCall}},
 }};
 
 // Names in lookups that a language keeps for itself: WGSL's reserved words, Godot's constants.

@@ -5,13 +5,12 @@
 #include "bakers/shading/shading_language.h"
 
 namespace skybake {
+namespace shading {
 namespace {
 
 using Language = ShadingLanguage;
-using shading::Parameter;
-using shading::Value;
 
-class Translator : private shading::ExpressionTranslator {
+class Translator : private ExpressionTranslator {
   public:
     Translator(std::string_view glsl, Language to) : ExpressionTranslator(glsl, to) {}
 
@@ -199,9 +198,10 @@ class Translator : private shading::ExpressionTranslator {
 };
 
 }  // namespace
+}  // namespace shading
 
 std::string translated(std::string_view glsl, ShadingLanguage to) {
-    return to == ShadingLanguage::glsl ? std::string(glsl) : Translator(glsl, to).text();
+    return to == ShadingLanguage::glsl ? std::string(glsl) : shading::Translator(glsl, to).text();
 }
 
 }  // namespace skybake
