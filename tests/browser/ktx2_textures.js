@@ -8,6 +8,8 @@ const os = require('node:os');
 const path = require('node:path');
 
 const program = process.argv[2];
+// Modules are found beside the importing file alone, whatever NODE_PATH says.
+const packages = path.join(process.argv[3], 'node_modules');
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'skybake-ktx2-'));
 let checks = 0;
 let failures = 0;
@@ -42,9 +44,9 @@ function levels(texture) {
 async function main() {
     const recipe = path.join(__dirname, '../consumers/containers.toml');
     execFileSync(program, ['bake', recipe, '--output', folder, '--quiet']);
-    const THREE = await import('three');
-    const { KTX2Loader } = await import('three/examples/jsm/loaders/KTX2Loader.js');
-    const { read } = await import('three/examples/jsm/libs/ktx-parse.module.js');
+    const THREE = await import(`${packages}/three/build/three.module.js`);
+    const { KTX2Loader } = await import(`${packages}/three/examples/jsm/loaders/KTX2Loader.js`);
+    const { read } = await import(`${packages}/three/examples/jsm/libs/ktx-parse.module.js`);
     const loader = new KTX2Loader();
     loader.workerConfig = { bptcSupported: true };
     const manifest = JSON.parse(fs.readFileSync(path.join(folder, 'manifest.json')));

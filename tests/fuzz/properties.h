@@ -282,7 +282,7 @@ inline void check_asset(const IrradianceBake& asset, const Parameters& parameter
 
 inline void check_asset(const AerialPerspectiveBake& asset, const Parameters& parameters) {
     require(parameters.atmosphere.ground_radius.meters > 0, "a sky has an atmosphere");
-    require(parameters.wavelengths.size() == 3 ||
+    require(holds_colors(parameters) || parameters.wavelengths.size() == 3 ||
                 asset.content != AerialContent::in_scatter_and_transmittance,
             "channels make a picture");
     require(is_elevation(asset.sun_elevation) && is_elevation(asset.pitch), "elevations in range");
@@ -343,7 +343,7 @@ inline void check_atmosphere(const Parameters& parameters) {
 
 inline void check_parameters(const Parameters& parameters) {
     const std::size_t channels = parameters.wavelengths.size();
-    require(channels == 1 || channels == 3, "one channel or three");
+    require(channels >= 1, "at least one wavelength");
     for (const Noise& noise : parameters.noises) check_noise(noise);
     for (const Cloud& cloud : parameters.clouds) check_cloud(cloud, parameters);
     for (const Bake& bake : parameters.bakes) {

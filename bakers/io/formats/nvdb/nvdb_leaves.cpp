@@ -136,7 +136,7 @@ NvdbActive leaf_summary(const LeafBlock& leaf, const std::array<int, 3>& origin)
 template <class Leaf>
 void store_leaf_head(const LeafBlock& block, const NvdbActive& active, Leaf& leaf) {
     constexpr std::uint8_t has_bounds = 2;
-    for (int a = 0; a < 3; ++a) {
+    for (std::uint32_t a = 0; a < 3; ++a) {
         const auto axis = static_cast<std::size_t>(a);
         leaf.mBBoxMin[a] = active.first[axis];
         leaf.mBBoxDif[a] = static_cast<std::uint8_t>(active.last[axis] - active.first[axis]);
