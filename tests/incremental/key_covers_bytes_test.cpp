@@ -40,13 +40,16 @@ std::string key_of(const Recipe& recipe, const config::Bake& bake) {
     return identity.value ? identity.value->key : "";  // a map cannot be read
 }
 
-// `text` with each number in it changed.
+// `text` with each number in it changed, but not the powers in units ("15 /cm3").
 std::string with_numbers(const std::string& text, double factor, double offset) {
     static const std::regex number(R"([-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)");
     std::string result;
     auto begin = text.cbegin();
     for (std::sregex_iterator match(text.begin(), text.end(), number), end; match != end; ++match) {
-        result.append(begin, (*match)[0].first);
+        const auto first = (*match)[0].first;
+        if (first != text.cbegin() && std::isalpha(static_cast<unsigned char>(first[-1])) != 0)
+            continue;
+        result.append(begin, first);
         result += fmt::format("{}", std::stod(match->str()) * factor + offset);
         begin = (*match)[0].second;
     }
@@ -187,12 +190,13 @@ TEST(KeyCoversBytes, WhateverChangesOfParticles) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfColors) {
-    change_every_value(kColors, {"format", "profile", "asset", "gas", "column", "phase", "observer"});
+    change_every_value(kColors,
+                       {"format", "profile", "asset", "gas", "column", "phase", "observer"});
 }
 
 TEST(KeyCoversBytes, WhateverElseChanges) {
-    change_every_value(kOthers,
-                       {"format", "profile", "pack", "asset", "cloud", "noise", "file", "type"});
+    change_every_value(
+        kOthers, {"format", "profile", "pack", "asset", "cloud", "noise", "file", "type", "sizes"});
 }
 
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other

@@ -22,22 +22,6 @@ bottom_altitude = "0 m"
 top_altitude = "100 m"
 phase = { mie = "drop" }
 number_density = "15 /cm3"
-[particles.grit]
-material = "tabulated"
-indices = [["400 nm", 1.5, 0.01], ["720 nm", 1.52, 0.004]]
-effective_radius = "0.3 um"
-smallest_radius = "0.1 um"
-largest_radius = "0.7 um"
-[atmosphere.layers.smoke]
-profile = "exponential"
-scale_height = "2 km"
-aerosol = "continental_average"
-relative_humidity = 0.7
-[atmosphere.layers.smoke_and_grit]
-profile = "exponential"
-scale_height = "1 km"
-components = [["soot", "100 /cm3"], ["grit", "2 /cm3"]]
-optical_depth = 0.01
 [bake.transmittance]
 size = [4, 4]
 [bake.scattered]
@@ -215,6 +199,22 @@ scattering = "1e-6 /m"
 single_scattering_albedo = 0.9
 phase = "henyey_greenstein"
 g = 0.7
+[particles.grit]
+material = "tabulated"
+indices = [["400 nm", 1.5, 0.01], ["720 nm", 1.52, 0.004]]
+effective_radius = "0.3 um"
+smallest_radius = "0.1 um"
+largest_radius = "0.7 um"
+[atmosphere.layers.smoke]
+profile = "exponential"
+scale_height = "2 km"
+aerosol = "continental_average"
+relative_humidity = 0.7
+[atmosphere.layers.smoke_and_grit]
+profile = "exponential"
+scale_height = "1 km"
+components = [["soot", "100 /cm3"], ["grit", "2 /cm3"]]
+optical_depth = 0.01
 [noise.shape.channels.Y]
 type = "worley"
 frequency = 2
