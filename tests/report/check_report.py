@@ -55,7 +55,8 @@ def check_volume(asset, table):
     assert own == [("exr", "zip"), ("vdb", "blosc"), ("bin", "none")], own
     assert {row["compression"] for row in rows if row["format"] == "exr"} == {
         "none", "zip", "zips", "piz"}
-    assert {row["pixel_type"] for row in rows} == {"float", "half", "unorm8", "unorm16"}
+    assert {row["pixel_type"] for row in rows} == {
+        "float", "half", "unorm8", "unorm16", "bc6h", "fp16", "fp8"}
     assert {"1 of 3 octaves", "2 of 3 octaves"} <= {row["variant"] for row in rows}
     for row in rows:
         if row["format"] == "bin":

@@ -86,7 +86,8 @@ TEST(NoiseVolumeSweep, StoresUnormInBinAlone) {
     const VolumeSweep sweep = noise_volume_sweep(noise, bake, bake.size, true);
     EXPECT_EQ(count_of_recipe(sweep), 1);
     for (const VolumeVariant& variant : sweep.variants) {
-        if (variant.format != config::FileFormat::bin) {
+        if (variant.format == config::FileFormat::exr ||
+            variant.format == config::FileFormat::vdb) {
             EXPECT_EQ(variant.pixel_type, PixelType::half) << variant.name;
         }
         if (variant.of_recipe) {

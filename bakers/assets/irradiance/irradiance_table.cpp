@@ -25,9 +25,9 @@ using config::IrradianceContent;
 namespace {
 
 // Of each level, and of the reference.
-constexpr std::array<IrradianceNodes, 5> kNodes = {
-    {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}}};
-constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
+constexpr std::array<IrradianceNodes, 6> kNodes = {
+    {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}, {30, 30, 11}}};
+constexpr IrradianceNodes kReferenceNodes = {36, 40, 14};
 
 // Writes the channels of a row of the table, interleaved, for suns at x.
 void fill_row(const SkyLight& light, const IrradianceBake& bake, const IrradianceNodes& nodes,
