@@ -97,7 +97,7 @@ TEST(NoiseVolumeReport, HasARowForEachKnob) {
     row_of(report, "octaves cut short, bin, float", "1 of 3 octaves");
     row_of(report, "octaves cut short, bin, float", "2 of 3 octaves");
     EXPECT_FALSE(row_of(report, "point by point, bin, float", "32x32x16").baseline.empty());
-    for (const char* blocks : {"dds, bc4", "nvdb, fp16", "nvdb, fp8"}) {
+    for (const char* blocks : {"dds, bc6h", "nvdb, fp16", "nvdb, fp8"}) {
         row_of(report, blocks, "32x32x16");
     }
     EXPECT_EQ(report.rows.size(), 4u + 3u + 4u * 5u + 2u + 1u + 3u);
