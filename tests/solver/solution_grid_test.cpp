@@ -74,16 +74,22 @@ TEST(SolutionLevels, AreSharedByLayersThatAreAlike) {
     EXPECT_GT(solution_levels_km(medium, 1).size(), of_one.size() + 5);
 }
 
-// Within an abrupt layer light is read by cubics between the levels, and nowhere else.
-TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
+Medium air_with_a_cloud() {
     Medium medium = make_medium(test::preset_atmosphere("earth_hillaire"));
-    const std::vector<double> smooth = solution_levels_km(medium, 1);
-    EXPECT_EQ(ReadingLevels(medium, smooth).altitudes_km(), smooth);
-
     PiecewiseLayer cloud;
     cloud.scattering_per_km = cloud.extinction_per_km = Spectrum(3.0);
     cloud.pieces = {{2, 3, 1, 1, 0}};
     medium.piecewise_layers.push_back(cloud);
+    return medium;
+}
+
+// Within an abrupt layer light is read by cubics between the levels, and nowhere else.
+TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
+    const Medium air = make_medium(test::preset_atmosphere("earth_hillaire"));
+    const std::vector<double> smooth = solution_levels_km(air, 1);
+    EXPECT_EQ(ReadingLevels(air, smooth).altitudes_km(), smooth);
+
+    const Medium medium = air_with_a_cloud();
     const std::vector<double> levels = solution_levels_km(medium, 1);
     const ReadingLevels reading(medium, levels);
     const auto cubic = [](double x) { return 2 + x * (3 - x * (1.5 - 0.25 * x)); };
@@ -106,6 +112,26 @@ TEST(ReadingLevels, AreCubicsWithinAbruptLayers) {
     const auto inside =
         std::count_if(levels.begin(), levels.end(), [](double km) { return km >= 2 && km < 3; });
     EXPECT_EQ(between, 3 * static_cast<std::size_t>(inside));
+}
+
+// Cubics fall below nothing where bright levels follow upon dark ones.
+TEST(ReadingLevels, HoldNoLightBelowNothing) {
+    const Medium medium = air_with_a_cloud();
+    const std::vector<double> levels = solution_levels_km(medium, 1);
+    const ReadingLevels reading(medium, levels);
+    LightField light(static_cast<int>(levels.size()), 8, 2);
+    for (int level = 0; level < light.levels; ++level) {
+        const bool is_bright = levels[static_cast<std::size_t>(level)] > 2.5;
+        std::fill_n(light.at(level, 0), light.level_size(), is_bright ? 1.0 : 1e-9);
+    }
+    const LightField cubic = reading.read(light);
+    EXPECT_LT(*std::min_element(cubic.moments.begin(), cubic.moments.end()), -1e-3);
+    const LightField found = reading.read_light(light);
+    for (std::size_t i = 0; i < found.moments.size(); ++i) {
+        ASSERT_GE(found.moments[i], 0) << i;
+        if (cubic.moments[i] < 0) continue;
+        ASSERT_EQ(found.moments[i], cubic.moments[i]) << i;
+    }
 }
 
 // A table of many altitudes needs no more levels than the exponential that it is taken from, and

@@ -34,7 +34,7 @@ ReadingLevels::ReadingLevels(const Medium& medium, const std::vector<double>& le
         const auto level = static_cast<int>(i);
         index_of_level_.push_back(static_cast<int>(altitudes_km_.size()));
         altitudes_km_.push_back(levels_km[i]);
-        stencils_.push_back({level, {1, 0, 0, 0}});
+        stencils_.push_back({level, {1, 0, 0, 0}, level, 0});
         const auto layer = std::find_if(abrupt.begin(), abrupt.end(), [&](AltitudeRange range) {
             return levels_km[i] >= range.bottom_km && levels_km[i] < range.top_km;
         });
@@ -51,24 +51,45 @@ ReadingLevels::ReadingLevels(const Medium& medium, const std::vector<double>& le
         for (int k = 1; k < kPerGap; ++k) {
             altitudes_km_.push_back(levels_km[i] + (levels_km[i + 1] - levels_km[i]) * k / kPerGap);
             stencils_.push_back(
-                {first, lagrange_weights(levels_km.data() + first, count, altitudes_km_.back())});
+                {first, lagrange_weights(levels_km.data() + first, count, altitudes_km_.back()),
+                 level, static_cast<double>(k) / kPerGap});
         }
     }
 }
 
-LightField ReadingLevels::read(const LightField& light) const {
-    LightField read(static_cast<int>(stencils_.size()), light.suns, light.degree);
+LightField ReadingLevels::read(const LightField& field) const {
+    LightField read(static_cast<int>(stencils_.size()), field.suns, field.degree);
     for (std::size_t i = 0; i < stencils_.size(); ++i) {
         double* to = read.at(static_cast<int>(i), 0);
         for (int k = 0; k < 4; ++k) {
             const double weight = stencils_[i].weights[static_cast<std::size_t>(k)];
             if (weight == 0) continue;
-            const double* from = light.at(stencils_[i].first + k, 0);
-            for (std::size_t j = 0; j < light.level_size(); ++j) to[j] += weight * from[j];
+            const double* from = field.at(stencils_[i].first + k, 0);
+            for (std::size_t j = 0; j < field.level_size(); ++j) to[j] += weight * from[j];
         }
     }
-    read.sky_irradiance = light.sky_irradiance;
+    read.sky_irradiance = field.sky_irradiance;
     return read;
+}
+
+LightField ReadingLevels::read_light(const LightField& light) const {
+    LightField found = read(light);
+    for (std::size_t i = 0; i < stencils_.size(); ++i) {
+        const auto [first, weights, below, share] = stencils_[i];
+        if (share == 0) continue;
+        for (int sun = 0; sun < light.suns; ++sun) {
+            double* to = found.at(static_cast<int>(i), sun);
+            const double* low = light.at(below, sun);
+            const double* high = light.at(below + 1, sun);
+            for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                if (to[c] >= 0) continue;
+                for (std::size_t k = c; k < light.sun_size(); k += kChannelSlots) {
+                    to[k] = low[k] + share * (high[k] - low[k]);
+                }
+            }
+        }
+    }
+    return found;
 }
 
 }  // namespace skybake

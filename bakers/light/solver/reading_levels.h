@@ -24,8 +24,11 @@ class ReadingLevels {
     const std::vector<double>& altitudes_km() const { return altitudes_km_; }
     // Returns the index of a level among them.
     int index_of(int level) const { return index_of_level_[static_cast<std::size_t>(level)]; }
-    // Returns the light at these altitudes, from that at the levels.
-    LightField read(const LightField& light) const;
+    // Returns a field at these altitudes, from that at the levels. It is linear in the field.
+    LightField read(const LightField& field) const;
+    // Returns the same for light, which is never less than nothing: where a cubic is, between levels
+    // of which one is far brighter, light is taken as linear between the two next to the altitude.
+    LightField read_light(const LightField& light) const;
     // Returns the same in blocks.
     template <class Number>
     BlockedLight<Number> blocks_of(const LightField& light, int threads) const {
@@ -34,10 +37,13 @@ class ReadingLevels {
     }
 
   private:
-    // The weights of the levels from `first` on.
+    // The weights of the levels from `first` on, and how far an altitude is from level `below` to the
+    // next.
     struct Stencil {
         int first = 0;
         std::array<double, 4> weights{};
+        int below = 0;
+        double share = 0;
     };
 
     std::vector<double> altitudes_km_;

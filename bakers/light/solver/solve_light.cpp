@@ -176,7 +176,7 @@ SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings,
     assert(settings.orders >= 0);
     SolvedLight light = solve_levels(medium, settings, threads, progress);
     const ReadingLevels reading(medium.air, light.altitudes_km);
-    light.light = reading.read(light.light);
+    light.light = reading.read_light(light.light);
     light.altitudes_km = reading.altitudes_km();
     return light;
 }
