@@ -95,34 +95,6 @@ Spectrum light_of_disc(const SeenSun& sun) {
     return light;
 }
 
-// The veil of a disc of even brightness around its middle, in 1/sr.
-class VeilOfDisc {
-  public:
-    VeilOfDisc() {
-        for (std::size_t i = 0; i < near_.size(); ++i) {
-            const double angle = kStep * static_cast<double>(i);
-            for_each_disc_point([&](double across, double up, double weight) {
-                const double distance = std::hypot(angle - across * kDiscRadius, up * kDiscRadius);
-                near_[i] += weight * glare_veil(distance / kRadiansPerDegree);
-            });
-        }
-    }
-
-    double at(double angle) const {
-        const double steps = angle / kStep;
-        const auto step = static_cast<std::size_t>(steps);
-        if (step + 1 >= near_.size()) {
-            return glare_veil(std::min(angle, kWidestGlare) / kRadiansPerDegree);
-        }
-        return std::lerp(near_[step], near_[step + 1], steps - static_cast<double>(step));
-    }
-
-  private:
-    static constexpr int kStepsPerRadius = 25;
-    static constexpr double kStep = kDiscRadius / kStepsPerRadius;
-    std::array<double, static_cast<std::size_t>(kPointFromRadii* kStepsPerRadius) + 1> near_{};
-};
-
 // Returns the share of the light that the veil takes: its integral over the half sphere that an eye
 // sees.
 double share_of_veil() {
@@ -139,17 +111,53 @@ double share_of_veil() {
     return share;
 }
 
+// The veil of a disc of even brightness around its middle, in 1/sr. Pictures share one, which
+// takes 400 000 values of glare_veil to make.
+class VeilOfDisc {
+  public:
+    static const VeilOfDisc& shared() {
+        static const VeilOfDisc veil;
+        return veil;
+    }
+
+    double share_of_light() const { return share_of_light_; }
+
+    double at(double angle) const {
+        const double steps = angle / kStep;
+        const auto step = static_cast<std::size_t>(steps);
+        if (step + 1 >= near_.size()) {
+            return glare_veil(std::min(angle, kWidestGlare) / kRadiansPerDegree);
+        }
+        return std::lerp(near_[step], near_[step + 1], steps - static_cast<double>(step));
+    }
+
+  private:
+    VeilOfDisc() {
+        for (std::size_t i = 0; i < near_.size(); ++i) {
+            const double angle = kStep * static_cast<double>(i);
+            for_each_disc_point([&](double across, double up, double weight) {
+                const double distance = std::hypot(angle - across * kDiscRadius, up * kDiscRadius);
+                near_[i] += weight * glare_veil(distance / kRadiansPerDegree);
+            });
+        }
+    }
+
+    static constexpr int kStepsPerRadius = 25;
+    static constexpr double kStep = kDiscRadius / kStepsPerRadius;
+    double share_of_light_ = share_of_veil();
+    std::array<double, static_cast<std::size_t>(kPointFromRadii* kStepsPerRadius) + 1> near_{};
+};
+
 // The sun and its glare, as pictures add them.
 struct Sun {
     const SeenSun& seen;
-    bool has_veil;
-    double share_of_disc;
-    Spectrum whole;  // the light that is scattered
-    VeilOfDisc veil;
+    const VeilOfDisc* veil;  // null: no glare
+    Spectrum whole;          // the light that is scattered
 
     Spectrum radiance(const SkyDirection& direction) const {
-        const Spectrum disc = share_of_disc * seen.radiance(direction);
-        return has_veil ? disc + whole * veil.at(angle_to_sun(direction)) : disc;
+        const Spectrum disc = seen.radiance(direction);
+        if (!veil) return disc;
+        return (1 - veil->share_of_light()) * disc + whole * veil->at(angle_to_sun(direction));
     }
 };
 
@@ -204,13 +212,9 @@ double glare_veil(double degrees) {
 void add_sun(const SkyMedium& medium, const SkyTables& tables, const SkyView& view, Glare glare,
              Image2<float>& radiance) {
     const SeenSun seen = seen_sun(medium, tables, view);
-    const bool has_veil = glare == Glare::eye;
-    const Sun sun{seen,
-                  has_veil,
-                  has_veil ? 1 - share_of_veil() : 1,
-                  has_veil ? light_of_disc(seen) : Spectrum{},
-                  {}};
-    const double radii = has_veil ? kPointFromRadii : 1;
+    const VeilOfDisc* veil = glare == Glare::eye ? &VeilOfDisc::shared() : nullptr;
+    const Sun sun{seen, veil, veil ? light_of_disc(seen) : Spectrum{}};
+    const double radii = veil ? kPointFromRadii : 1;
     const double near = radii * kDiscRadius + widest_pixel(view);
     const auto points =
         static_cast<int>(std::ceil(kPointsPerRadius * widest_pixel(view) / kDiscRadius));
@@ -219,7 +223,7 @@ void add_sun(const SkyMedium& medium, const SkyTables& tables, const SkyView& vi
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction) continue;
             const double angle = angle_to_sun(*direction);
-            if (angle > near && !has_veil) continue;
+            if (angle > near && !veil) continue;
             const Spectrum light =
                 angle > near ? sun.radiance(*direction) : mean_over_pixel(sun, x, y, points);
             for (int c = 0; c < radiance.channels; ++c) {
