@@ -1,7 +1,7 @@
 'use strict';
 // A Chromium that draws without a GPU, and a page that has what is in some folders and nothing else in
 // the world.
-const {chromium} = require('playwright-core');
+const {launched, software_gl} = require('./chromium.js');
 const path = require('node:path');
 
 const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
@@ -9,16 +9,8 @@ const site = 'https://skybake.test/';  // answered from the disk; WebGPU is for 
 
 // `folders` are the page's, by name; its complaints are in page.complaints.
 async function browser_with_a_page(work, folders, html) {
-    const profile = path.join(work, 'profile');
-    const browser = await chromium.launch({
-        executablePath: '/usr/bin/chromium',
-        timeout: patience,
-        env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
-        args: ['--no-sandbox', '--disable-gpu', '--use-gl=angle', '--use-angle=swiftshader',
-               '--enable-unsafe-swiftshader', '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader',
-               '--disable-quic', '--no-first-run', '--disable-background-networking',
-               '--disable-component-update', '--disable-sync'],
-    });
+    const browser = await launched(work, patience, ['--disable-gpu', ...software_gl,
+        '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader']);
     const page = await browser.newPage();
     page.setDefaultTimeout(patience);
     page.complaints = [];

@@ -1,7 +1,7 @@
 'use strict';
 // What a reader does with the pages of `skybake preview`, in a real browser from file://.
 //   node preview_page.js PROGRAM FOLDER
-const {chromium} = require('playwright-core');
+const {launched} = require('./chromium.js');
 const assert = require('node:assert/strict');
 const {execFileSync, spawn} = require('node:child_process');
 const fs = require('node:fs');
@@ -311,14 +311,7 @@ async function until(holds) {
 (async () => {
     const out = path.join(work, 'all');
     execFileSync(program, ['preview', write('all.toml', recipe), '-o', out, '-q']);
-    const profile = path.join(work, 'profile');
-    const browser = await chromium.launch({
-        executablePath: '/usr/bin/chromium',
-        timeout: patience,
-        env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
-        args: ['--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-               '--disable-background-networking', '--disable-component-update', '--disable-sync'],
-    });
+    const browser = await launched(work, patience, ['--disable-gpu']);
     let failed = 0;
     for (const [name, test] of Object.entries(tests)) {
         try {

@@ -2,7 +2,7 @@
 // Tables of skybake's in place of its own in @takram/three-atmosphere: the pictures of its sky, drawn
 // by Chromium without a GPU and read back as float, against direct integration along the pixels' rays.
 //   node takram_sky.js PROGRAM FOLDER
-const {chromium} = require('playwright-core');
+const {launched, software_gl} = require('./chromium.js');
 const assert = require('node:assert/strict');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
@@ -224,15 +224,7 @@ const tests = {
 
 (async () => {
     bake_all();
-    const profile = path.join(work, 'profile');
-    const browser = await chromium.launch({
-        executablePath: '/usr/bin/chromium',
-        timeout: patience,
-        env: {...process.env, HOME: work, XDG_CONFIG_HOME: profile, XDG_CACHE_HOME: profile},
-        args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-               '--disable-quic', '--no-first-run', '--disable-background-networking',
-               '--disable-component-update', '--disable-sync'],
-    });
+    const browser = await launched(work, patience, software_gl);
     const page = await open(browser);
     const scenes = {
         sky: sky_scene(),
