@@ -20,9 +20,12 @@
 #include "bakers/math/transcendental.h"
 #include "config/assets/bruneton.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 namespace {
+
+using testing::voxels_of;
 
 constexpr const char* kSmall =
     "[bake.a]\nasset = 'bruneton'\npixel_type = 'float'\nsize = [16, 8, 4]\nnu_size = 4\n";
@@ -34,15 +37,6 @@ Baked baked(const std::string& section, const std::vector<std::string>& settings
                               {.threads = 2, .certification = Certification::off});
     for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
     return outcome.value.value_or(Baked{});
-}
-
-std::vector<float> voxels_of(const Baked& volume, std::size_t channel) {
-    const Level& level = volume.levels.front();
-    std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
-    std::vector<float*> targets(volume.channel_names.size(), nullptr);
-    targets.at(channel) = values.data();
-    level.voxels->fill({{}, level.size}, targets);
-    return values;
 }
 
 // Each channel of a table of colours is the weighted sum of the channels of one of wavelengths.

@@ -17,9 +17,12 @@
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
+
+using testing::voxels_of;
 
 config::BrunetonBake bake_of(const std::string& preset, const std::string& keys) {
     const config::Recipe recipe =
@@ -35,15 +38,6 @@ Baked baked(const std::string& preset, const std::string& keys, int threads = 2)
                                        options, std::move(volume));
     for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
     return outcome.value.value_or(Baked{});
-}
-
-std::vector<float> voxels_of(const Baked& volume, std::size_t channel) {
-    const Level& level = volume.levels.front();
-    std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
-    std::vector<float*> targets(volume.channel_names.size(), nullptr);
-    targets[channel] = values.data();
-    level.voxels->fill({{}, level.size}, targets);
-    return values;
 }
 
 constexpr const char* kSmall = "size = [16, 8, 4]\nnu_size = 4\npixel_type = \"float\"\n";

@@ -17,6 +17,7 @@
 #include "config/assets/sky_view.h"
 #include "tests/certificates/random_cases.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 namespace {
@@ -103,10 +104,7 @@ Baked damaged(Baked baked, const Damage& damage) {
     const std::size_t channels = baked.channel_names.size();
     const VoxelBox whole{{}, level.size};
     const auto count = static_cast<std::size_t>(whole.count());
-    std::vector<std::vector<float>> right(channels, std::vector<float>(count));
-    std::vector<float*> pointers;
-    for (std::vector<float>& channel : right) pointers.push_back(channel.data());
-    level.voxels->fill(whole, pointers);
+    const auto right = testing::planes_of(*level.voxels, whole, channels);
     auto wrong = right;
     const auto width = static_cast<std::size_t>(level.size[0]);
     for (std::size_t c = 0; c < channels; ++c) {

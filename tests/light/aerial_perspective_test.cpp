@@ -7,6 +7,7 @@
 #include "bakers/light/sky_ray.h"
 #include "config/assets/aerial_perspective.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -159,14 +160,8 @@ TEST(AerialPerspective, IsBakedByARecipe) {
         EXPECT_EQ(volume.levels[0].repeats, (std::array<bool, 3>{}));
         EXPECT_TRUE(volume.certified);
         EXPECT_LT(volume.certificate.texel.max, 1e-6);
-        const VoxelBox all{{}, volume.levels[0].size};
-        std::vector<std::vector<float>> values(volume.channel_names.size());
-        std::vector<float*> targets;
-        for (auto& channel : values) {
-            channel.resize(static_cast<std::size_t>(all.count()));
-            targets.push_back(channel.data());
-        }
-        volume.levels[0].voxels->fill(all, targets);
+        const auto values = testing::planes_of(
+            *volume.levels[0].voxels, {{}, volume.levels[0].size}, volume.channel_names.size());
         channels.insert(channels.end(), values.begin(), values.end());
     }
     // R, G, B, A of the one, R, G, B of the other.

@@ -11,6 +11,7 @@
 
 #include "bakers/assets/registry.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -88,14 +89,10 @@ struct Values {
 };
 
 Values values_of(const Baked& volume) {
-    const VoxelBox whole{{}, volume.levels.at(0).size};
+    const Level& level = volume.levels.at(0);
     Values values{volume.channel_names, {}};
-    std::vector<std::vector<float>> planes(
-        volume.channel_names.size(), std::vector<float>(static_cast<std::size_t>(whole.count())));
-    std::vector<float*> targets;
-    for (std::vector<float>& plane : planes) targets.push_back(plane.data());
-    volume.levels.at(0).voxels->fill(whole, targets);
-    for (const std::vector<float>& plane : planes) {
+    for (const std::vector<float>& plane :
+         testing::planes_of(*level.voxels, {{}, level.size}, volume.channel_names.size())) {
         values.channels.emplace_back(plane.begin(), plane.end());
     }
     return values;

@@ -21,6 +21,7 @@
 #include "bakers/light/sky_spectra.h"
 #include "config/fields/wavelength_reader.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 namespace {
@@ -236,10 +237,8 @@ std::vector<double> far_froxel(const std::string& content, const std::string& di
         "slices = 'linear'\ncontent = '" +
             content + "'\nview_distance = '" + distance + "'\n",
         settings);
-    std::vector<std::vector<float>> values(volume.channel_names.size(), std::vector<float>(1));
-    std::vector<float*> targets;
-    for (std::vector<float>& value : values) targets.push_back(value.data());
-    volume.levels.front().voxels->fill({{0, 0, 1}, {1, 1, 1}}, targets);
+    const auto values = testing::planes_of(*volume.levels.front().voxels, {{0, 0, 1}, {1, 1, 1}},
+                                           volume.channel_names.size());
     std::vector<double> voxel;
     for (const std::vector<float>& value : values) voxel.push_back(double{value.front()});
     return voxel;

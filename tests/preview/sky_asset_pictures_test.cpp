@@ -5,6 +5,7 @@
 #include "bakers/assets/registry.h"
 #include "bakers/io/manifest/metadata.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/volumes.h"
 
 namespace skybake {
 namespace {
@@ -25,10 +26,7 @@ PreviewAsset bake_one(const std::string& section) {
     const VoxelBox box{{}, volume.levels[0].size};
     const auto voxels = static_cast<std::size_t>(box.count());
     const std::size_t channels = volume.channel_names.size();
-    std::vector<std::vector<float>> planar(channels, std::vector<float>(voxels));
-    std::vector<float*> targets;
-    for (std::vector<float>& channel : planar) targets.push_back(channel.data());
-    volume.levels[0].voxels->fill(box, targets);
+    const auto planar = testing::planes_of(*volume.levels[0].voxels, box, channels);
     for (std::size_t i = 0; i < voxels; ++i) {
         for (std::size_t c = 0; c < channels; ++c) asset.voxels.push_back(planar[c][i]);
     }

@@ -1,6 +1,7 @@
 // Volumes for tests of what is done with voxels: values are simple functions of the indices.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -47,6 +48,28 @@ inline std::vector<std::string> channel_names(int channels) {
     if (channels == 1) return {"Y"};
     if (channels == 3) return {"R", "G", "B"};
     return {"R", "G", "B", "A"};
+}
+
+// Returns the values of each channel in a box.
+inline std::vector<std::vector<float>> planes_of(const VoxelSource& source, const VoxelBox& box,
+                                                 std::size_t channels) {
+    std::vector<std::vector<float>> planes(
+        channels, std::vector<float>(static_cast<std::size_t>(box.count())));
+    std::vector<float*> targets;
+    for (std::vector<float>& plane : planes) targets.push_back(plane.data());
+    source.fill(box, targets);
+    return planes;
+}
+
+// Returns the values of one channel of level 0, without asking for the others.
+inline std::vector<float> voxels_of(const Baked& volume, std::size_t channel) {
+    const Level& level = volume.levels.front();
+    const VoxelBox whole{{}, level.size};
+    std::vector<float> values(static_cast<std::size_t>(whole.count()));
+    std::vector<float*> targets(volume.channel_names.size(), nullptr);
+    targets.at(channel) = values.data();
+    level.voxels->fill(whole, targets);
+    return values;
 }
 
 // A volume of one level that has not been surveyed.
