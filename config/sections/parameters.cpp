@@ -19,7 +19,7 @@ bool holds_colors(const Parameters& parameters) {
 }
 
 std::size_t channels_of_light(const Parameters& parameters) {
-    return holds_colors(parameters) ? 3 : parameters.wavelengths.size();
+    return holds_colors(parameters) ? 3 : parameters.atmosphere.ground_albedo.size();
 }
 
 const Noise& noise_named(const Parameters& parameters, std::string_view name) {

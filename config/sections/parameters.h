@@ -63,7 +63,7 @@ struct Parameters {
 
 // Whether tables of light hold colours in place of wavelengths.
 bool holds_colors(const Parameters& parameters);
-// Returns the number of channels of tables of light.
+// Returns the number of channels of tables of light: without colours, that of the atmosphere.
 std::size_t channels_of_light(const Parameters& parameters);
 
 // These return sections that other sections name. load_recipe has made sure that they exist.
