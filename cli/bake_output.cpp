@@ -218,7 +218,7 @@ std::string plan_event(const FolderPlan& plan) {
         intermediates.push_back({{"name", one.need.name},
                                  {"seconds", one.need.seconds},
                                  {"memory_mib", one.need.memory_mib},
-                                 {"assets", one.assets}});
+                                 {"assets", one.users}});
     }
     return event_line({{"event", "plan"},
                        {"stale", plan.stale_count()},
@@ -254,10 +254,10 @@ std::string extent_text(std::span<const int> size) {
 std::string shared_text(const FolderPlan& plan) {
     std::string text;
     for (const PlannedIntermediate& one : plan.intermediates()) {
-        if (one.assets.size() < 2) continue;
+        if (one.users.size() < 2) continue;
         text += fmt::format(
             "made once: {} ({}, {}) for {}\n", one.need.name, time_text(one.need.seconds),
-            byte_size_text(one.need.memory_mib * 1024 * 1024), fmt::join(one.assets, ", "));
+            byte_size_text(one.need.memory_mib * 1024 * 1024), fmt::join(one.users, ", "));
     }
     return text;
 }

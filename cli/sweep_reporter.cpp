@@ -124,12 +124,11 @@ void SweepReporter::finish() { line_.reset(); }
 
 std::string intermediates_note(const std::vector<PlannedVariant>& plan) {
     std::string text;
-    for (const SharedIntermediate& one : shared_intermediates(plan)) {
-        if (one.variants < 2) continue;
-        text += fmt::format("made once: {} ({}, {}) for {}\n", one.need.name,
-                            time_text(one.need.seconds),
-                            byte_size_text(one.need.memory_mib * 1024 * 1024),
-                            plural(static_cast<std::size_t>(one.variants), "variant"));
+    for (const PlannedIntermediate& one : shared_intermediates(plan)) {
+        if (one.users.size() < 2) continue;
+        text += fmt::format(
+            "made once: {} ({}, {}) for {}\n", one.need.name, time_text(one.need.seconds),
+            byte_size_text(one.need.memory_mib * 1024 * 1024), plural(one.users.size(), "variant"));
     }
     return text;
 }
@@ -179,11 +178,11 @@ std::string sweep_event(const SweepJob& job, const std::vector<PlannedVariant>& 
             {{"name", asset.name}, {"variants", asset.variants}, {"bakes", asset.bakes}});
     }
     Json intermediates = Json::array();
-    for (const SharedIntermediate& one : shared_intermediates(plan)) {
+    for (const PlannedIntermediate& one : shared_intermediates(plan)) {
         intermediates.push_back({{"name", one.need.name},
                                  {"seconds", one.need.seconds},
                                  {"memory_mib", one.need.memory_mib},
-                                 {"variants", one.variants}});
+                                 {"variants", one.users.size()}});
     }
     return event_line({{"event", "sweep"},
                        {"variants", config::variant_count(job.sweep)},

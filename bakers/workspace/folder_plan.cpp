@@ -145,15 +145,17 @@ std::size_t FolderPlan::stale_count() const {
         assets.begin(), assets.end(), [](const PlannedAsset& asset) { return asset.stale(); }));
 }
 
+void add_need(const Need& need, const std::string& user, std::vector<PlannedIntermediate>& plan) {
+    auto same = std::find_if(plan.begin(), plan.end(),
+                             [&](const auto& one) { return one.need.key == need.key; });
+    if (same == plan.end()) same = plan.insert(plan.end(), {need, {}});
+    if (same->users.empty() || same->users.back() != user) same->users.push_back(user);
+}
+
 std::vector<PlannedIntermediate> FolderPlan::intermediates() const {
     std::vector<PlannedIntermediate> found;
     for (const PlannedAsset& asset : assets) {
-        for (const Need& need : asset.needs) {
-            auto same = std::find_if(found.begin(), found.end(),
-                                     [&](const auto& one) { return one.need.key == need.key; });
-            if (same == found.end()) same = found.insert(found.end(), {need, {}});
-            same->assets.push_back(asset.bake->name);
-        }
+        for (const Need& need : asset.needs) add_need(need, asset.bake->name, found);
     }
     return found;
 }

@@ -75,11 +75,14 @@ struct PlannedAsset {
     bool stale() const { return !up_to_date; }
 };
 
-// Something that is made once for all stale assets that need it.
+// Something that is made once for all that need it.
 struct PlannedIntermediate {
     Need need;
-    std::vector<std::string> assets;  // their names
+    std::vector<std::string> users;  // names of stale assets, or of a sweep's variants
 };
+
+// Notes that `user` has a need. All needs of a user follow each other.
+void add_need(const Need& need, const std::string& user, std::vector<PlannedIntermediate>& plan);
 
 struct FolderPlan {
     OutputFolder folder;

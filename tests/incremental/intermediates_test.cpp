@@ -218,7 +218,7 @@ TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
     ASSERT_TRUE(plan.value);
     std::map<std::string, std::set<std::string>> users;
     for (const PlannedIntermediate& one : plan.value->intermediates()) {
-        for (const std::string& asset : one.assets) users[one.need.name].insert(asset);
+        for (const std::string& asset : one.users) users[one.need.name].insert(asset);
     }
     using Names = std::set<std::string>;
     EXPECT_EQ(users.at("solved light"), (Names{"view", "ground", "psi", "mean", "table"}));

@@ -146,22 +146,11 @@ std::vector<std::string> folders_of_earlier_sweeps(const SweepJob& job) {
     return earlier;
 }
 
-std::vector<SharedIntermediate> shared_intermediates(const std::vector<PlannedVariant>& variants) {
-    std::vector<SharedIntermediate> found;
-    std::vector<const PlannedVariant*> last;  // that was counted, for each of them
+std::vector<PlannedIntermediate> shared_intermediates(const std::vector<PlannedVariant>& variants) {
+    std::vector<PlannedIntermediate> found;
     for (const PlannedVariant& variant : variants) {
         if (!variant.to_be_made()) continue;
-        for (const Need& need : variant.needs) {
-            const auto same = std::find_if(found.begin(), found.end(), [&](const auto& one) {
-                return one.need.key == need.key;
-            });
-            const auto index = static_cast<std::size_t>(same - found.begin());
-            if (same == found.end()) {
-                found.push_back({need, 0});
-                last.push_back(nullptr);
-            }
-            if (std::exchange(last[index], &variant) != &variant) ++found[index].variants;
-        }
+        for (const Need& need : variant.needs) add_need(need, variant.result.name, found);
     }
     return found;
 }

@@ -72,13 +72,9 @@ struct SharedAsset {
 };
 std::vector<SharedAsset> shared_assets(const std::vector<PlannedVariant>& variants);
 
-// Something that is made once for all of the variants to be made whose assets need it.
-struct SharedIntermediate {
-    Need need;
-    int variants = 0;  // number of variants that need it
-};
-// In the order in which they are first needed.
-std::vector<SharedIntermediate> shared_intermediates(const std::vector<PlannedVariant>& variants);
+// Returns what is made once for all of the variants to be made whose assets need it, in the order in
+// which it is first needed.
+std::vector<PlannedIntermediate> shared_intermediates(const std::vector<PlannedVariant>& variants);
 
 // The assets that several variants of a sweep need: one variant makes each asset and the others
 // copy it. This class knows where a shared asset is, or that a variant is making it. The threads of
