@@ -33,7 +33,7 @@ constexpr double kFirst_m = 380e-9;
 constexpr double kLast_m = 780e-9;
 
 std::vector<Diagnostic> color_problems(const Invocation& invocation,
-                                    const config::Parameters& parameters) {
+                                       const config::Parameters& parameters) {
     const std::string recipe = recipe_name(invocation.arguments()[0]);
     if (!(parameters.atmosphere.top_radius.meters > 0)) {  // no atmosphere
         return {file_error("E0105", recipe, "the recipe has no [atmosphere] and so no sky")};

@@ -52,8 +52,8 @@ std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {
 std::optional<SkyDirection> direction_through(const SkyView& view, double x, double y) {
     if (view.projection == SkyProjection::panorama) {
         const double azimuth = x / view.width - 0.5;  // in turns
-        const double degrees = view.highest_degrees -
-                               y / view.height * (view.highest_degrees - view.lowest_degrees);
+        const double degrees =
+            view.highest_degrees - y / view.height * (view.highest_degrees - view.lowest_degrees);
         return sky_direction(view, sine_of(degrees), cosine_of(degrees),
                              cosine_of_pi(2 * std::fabs(azimuth)));
     }
@@ -67,7 +67,8 @@ std::optional<SkyDirection> direction_through(const SkyView& view, double x, dou
 
 double coverage_at(const SkyView& view, int x, int y) {
     if (view.projection == SkyProjection::panorama) return 1;
-    const double inside = (1 - dome_point(view, x + 0.5, y + 0.5).radius) * dome_radius_pixels(view);
+    const double inside =
+        (1 - dome_point(view, x + 0.5, y + 0.5).radius) * dome_radius_pixels(view);
     return std::clamp(inside + 0.5, 0.0, 1.0);
 }
 

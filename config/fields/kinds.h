@@ -143,14 +143,13 @@ struct Kind {
     static constexpr ValueKind coefficient{"a coefficient with a unit, such as \"40 /km\"",
                                            read_quantity, number_schema, &S::inverse_length,
                                            RangeOver::numbers};
-    static constexpr ValueKind coefficients = list_kind(
-        "a coefficient with a unit, such as \"4e-6 /m\", or a list of one per channel",
-        read_channels, one_or_numbers_schema, &S::inverse_length, 1, most_wavelengths,
-        RangeOver::numbers);
-    static constexpr ValueKind fractions =
-        list_kind("a fraction, such as 0.3 or \"30 %\", or a list of one per channel",
-                  read_channels, one_or_numbers_schema, &S::fraction, 1, most_wavelengths,
+    static constexpr ValueKind coefficients =
+        list_kind("a coefficient with a unit, such as \"4e-6 /m\", or a list of one per channel",
+                  read_channels, one_or_numbers_schema, &S::inverse_length, 1, most_wavelengths,
                   RangeOver::numbers);
+    static constexpr ValueKind fractions = list_kind(
+        "a fraction, such as 0.3 or \"30 %\", or a list of one per channel", read_channels,
+        one_or_numbers_schema, &S::fraction, 1, most_wavelengths, RangeOver::numbers);
     static constexpr ValueKind number_density{"a number per volume, such as \"300 /cm3\"",
                                               read_quantity, number_schema, &S::number_density,
                                               RangeOver::numbers};

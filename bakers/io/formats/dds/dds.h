@@ -2,9 +2,10 @@
 //
 // The header is that of DX10. A table is a 2-D texture, a volume a 3-D texture. Channels are R, RG
 // or RGBA of unorm8, unorm16, half or float; three channels are stored as four, the fourth of which
-// is 1; or blocks of BC4, BC5 or BC6H, slice by slice. Texels are stored level after level, x fastest, then y, then z. Alpha is a number like the
-// others, and the header says so (DDS_ALPHA_MODE_CUSTOM). The format has no place for metadata; the
-// manifest says what the file means.
+// is 1; or blocks of BC4, BC5 or BC6H, slice by slice. Texels are stored level after level, x
+// fastest, then y, then z. Alpha is a number like the others, and the header says so
+// (DDS_ALPHA_MODE_CUSTOM). The format has no place for metadata; the manifest says what the file
+// means.
 //
 // Source: Microsoft, "DDS_HEADER structure" and "DDS_HEADER_DXT10 structure".
 #pragma once

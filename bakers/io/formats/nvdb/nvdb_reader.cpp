@@ -203,7 +203,8 @@ class NvdbLeafIndex {
     }
 
     void read_lower(std::uint64_t node, const std::array<int, 3>& origin) {
-        if (++lower_nodes_ > most_nodes(nvdb_lower_edge)) throw NvdbDamage{"nodes are listed twice"};
+        if (++lower_nodes_ > most_nodes(nvdb_lower_edge))
+            throw NvdbDamage{"nodes are listed twice"};
         for_children<NvdbLower>(node, 4, [&](const std::array<int, 3>& at, std::int64_t offset) {
             std::array<int, 3> place;
             for (std::size_t a = 0; a < 3; ++a) {
