@@ -8,6 +8,7 @@
 #include <glm/exponential.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 namespace skybake {
@@ -114,18 +115,39 @@ double luminance(const float* texel, int channels) {
     return 0.2126 * double{texel[0]} + 0.7152 * double{texel[1]} + 0.0722 * double{texel[2]};
 }
 
-// Returns the light that a curve shows as 0.85 of white. All curves rise with grey light.
-double well_exposed(ToneCurve curve) {
-    constexpr double kShown = 0.85;
-    if (curve == ToneCurve::exponential) return -std::log(1 - kShown);
+// Returns the light that a curve shows as `share` of white. All curves rise with grey light.
+double light_shown_as(double share, ToneCurve curve) {
+    if (curve == ToneCurve::exponential) return -std::log(1 - share);
     double dark = 0;
     double bright = 64;
     for (int i = 0; i < 60; ++i) {
         const double middle = 0.5 * (dark + bright);
-        const bool is_dark = double{shown_by(curve, Rgb(static_cast<float>(middle))).g} < kShown;
+        const bool is_dark = double{shown_by(curve, Rgb(static_cast<float>(middle))).g} < share;
         (is_dark ? dark : bright) = middle;
     }
     return bright;
+}
+
+// The luminance of each pixel.
+std::vector<double> luminances_of(const Image2<float>& radiance) {
+    std::vector<double> luminances;
+    const auto channels = static_cast<std::size_t>(std::max(radiance.channels, 1));
+    luminances.reserve(radiance.texels.size() / channels);
+    for (std::size_t i = 0; i + channels <= radiance.texels.size(); i += channels) {
+        luminances.push_back(luminance(radiance.texels.data() + i, radiance.channels));
+    }
+    return luminances;
+}
+
+// Returns the exposure at which the curve shows a quantile of luminances as `share` of white. If the
+// quantile is black, any exposure will do.
+double exposure_of(std::vector<double> luminances, double quantile, double share, ToneCurve curve) {
+    if (luminances.empty()) return 1;
+    const auto rank =
+        luminances.begin() +
+        static_cast<std::ptrdiff_t>(quantile * static_cast<double>(luminances.size() - 1));
+    std::nth_element(luminances.begin(), rank, luminances.end());
+    return *rank > 0 ? light_shown_as(share, curve) / *rank : 1;
 }
 
 }  // namespace
@@ -164,18 +186,13 @@ const char* tone_curve_name(ToneCurve curve) {
 }
 
 double exposure_for(const Image2<float>& radiance, ToneCurve curve) {
-    std::vector<double> luminances;
-    const auto channels = static_cast<std::size_t>(std::max(radiance.channels, 1));
-    luminances.reserve(radiance.texels.size() / channels);
-    for (std::size_t i = 0; i + channels <= radiance.texels.size(); i += channels) {
-        luminances.push_back(luminance(radiance.texels.data() + i, radiance.channels));
-    }
-    if (luminances.empty()) return 1;
-    const auto rank = luminances.begin() + static_cast<std::ptrdiff_t>(
-                                               0.99 * static_cast<double>(luminances.size() - 1));
-    std::nth_element(luminances.begin(), rank, luminances.end());
-    // If the percentile is black, any exposure will do.
-    return *rank > 0 ? well_exposed(curve) / *rank : 1;
+    return exposure_of(luminances_of(radiance), 0.99, 0.85, curve);
+}
+
+double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve) {
+    std::vector<double> luminances = luminances_of(radiance);
+    std::erase_if(luminances, [](double value) { return value <= 0; });
+    return exposure_of(std::move(luminances), 0.5, 0.25, curve);
 }
 
 }  // namespace skybake

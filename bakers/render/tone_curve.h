@@ -33,7 +33,12 @@ Picture tone_mapped(const Image2<float>& radiance, double exposure,
 const char* tone_curve_name(ToneCurve curve = ToneCurve::exponential);
 
 // Returns the exposure that brings the 99th percentile of luminance to 0.85 of white, as the curve shows
-// grey.
+// grey: nothing but the brightest hundredth is lost.
 double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::exponential);
+
+// Returns the exposure that brings the median luminance of the pixels that are not black to 0.25 of
+// white, half a stop above middle grey, as a photographer exposes a sky: the light around the sun may
+// become white.
+double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::exponential);
 
 }  // namespace skybake

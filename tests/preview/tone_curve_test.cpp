@@ -144,5 +144,21 @@ TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
     EXPECT_EQ(exposure_for(Image2<float>()), 1);
 }
 
+// A dome in its black surround: the median of what is lit is half a stop above middle grey, however
+// bright the light around the sun is.
+TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
+    Image2<float> image(1000, 1, 3);
+    for (int x = 0; x < 1000; ++x) {
+        const float value = x < 500 ? 0.0F : x < 800 ? 2.0F : 1e6F;
+        std::fill_n(image.texel(x, 0), 3, value);
+    }
+    EXPECT_NEAR(1 - std::exp(-sky_exposure_for(image) * 2), 0.25, 1e-6);
+    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+        EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 2, curve), 0.25, 2e-3);
+    }
+    EXPECT_EQ(sky_exposure_for(texel({0, 0, 0})), 1);
+    EXPECT_EQ(sky_exposure_for(Image2<float>()), 1);
+}
+
 }  // namespace
 }  // namespace skybake

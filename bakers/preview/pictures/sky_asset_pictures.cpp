@@ -175,7 +175,7 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
     for (std::size_t k = 0; fits && k < bake->sun_elevations.size(); ++k) {
         const Image2<float> view =
             shown(asset, upwards(asset.table, static_cast<int>(k) * rows, rows));
-        const double exposure = exposure_for(view);
+        const double exposure = sky_exposure_for(view);
         const double sun = bake->sun_elevations[k].radians * 180 / std::numbers::pi;
         const std::string title = fmt::format("{}: {}", entry.name, sun_text(sun));
         const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 180 * t; },
@@ -226,7 +226,7 @@ std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
     if (asset.table.width <= 0 || asset.table.height <= 0) return {};
     const Image2<float> view = shown(asset, asset.table);
-    const double exposure = exposure_for(view);
+    const double exposure = sky_exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
     const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 360 * t - 180; },

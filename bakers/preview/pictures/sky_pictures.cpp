@@ -72,7 +72,7 @@ ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
     const std::optional<double> stops = scene.options.exposure_stops;
     const double exposure =
         stops ? std::exp2(*stops)
-              : exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
+              : sky_exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
     add_sun(scene.medium, scene.tables, view, scene.options.glare, radiance);
     return {scene.tables.screen.shown(radiance), exposure};
 }
