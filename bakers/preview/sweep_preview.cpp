@@ -44,7 +44,7 @@ ToneCurve curve_of(const PreviewOptions& options) {
 // Returns the exposure. The one chosen for the first picture is used for all.
 double exposure_of(const Image2<float>& radiance, PreviewOptions& options) {
     if (!options.exposure_stops)
-        options.exposure_stops = std::log2(exposure_for(radiance, curve_of(options)));
+        options.exposure_stops = std::log2(sky_exposure_for(radiance, curve_of(options)));
     return std::exp2(*options.exposure_stops);
 }
 
@@ -68,6 +68,9 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.projection = SkyProjection::panorama;
     view.width = size_of(options)[0];
     view.height = size_of(options)[1];
+    // As many degrees per pixel along the horizon as upwards.
+    view.azimuth_span_degrees =
+        std::min(360.0, (view.highest_degrees - view.lowest_degrees) * view.width / view.height);
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     // The default altitude may be above the top of a thin shell.
     const double thickness_km =

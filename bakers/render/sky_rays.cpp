@@ -51,7 +51,8 @@ std::optional<SkyDirection> direction_at(const SkyView& view, int x, int y) {
 
 std::optional<SkyDirection> direction_through(const SkyView& view, double x, double y) {
     if (view.projection == SkyProjection::panorama) {
-        const double azimuth = x / view.width - 0.5;  // in turns
+        const double azimuth =
+            (x / view.width - 0.5) * view.azimuth_span_degrees / 360;  // in turns
         const double degrees =
             view.highest_degrees - y / view.height * (view.highest_degrees - view.lowest_degrees);
         return sky_direction(view, sine_of(degrees), cosine_of(degrees),

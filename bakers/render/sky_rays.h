@@ -12,8 +12,7 @@ namespace skybake {
 
 // dome      angular (equidistant) fisheye of the upper hemisphere: the zenith in the middle, the
 //           horizontal on the largest circle that fits, the sun's azimuth upwards
-// panorama  azimuth from -180 degrees at the left over the sun's, in the middle, to 180; elevation
-//           evenly from highest to lowest
+// panorama  azimuth evenly, with the sun's in the middle; elevation evenly from highest to lowest
 //
 // Both are symmetric about the sun's azimuth: column x equals column width - 1 - x.
 enum class SkyProjection { dome, panorama };
@@ -26,6 +25,7 @@ struct SkyView {
     double sun_elevation_degrees = 0;  // above the camera's horizontal, in [-90, 90]
     double lowest_degrees = -10;       // elevations of a panorama
     double highest_degrees = 90;
+    double azimuth_span_degrees = 360;  // of a panorama, from its left edge to its right one
 };
 
 // The sine and the cosine of the sun's elevation. Both are exact at the horizon and at the zenith.

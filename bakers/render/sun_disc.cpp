@@ -184,7 +184,7 @@ double widest_pixel(const SkyView& view) {
     }
     const double high =
         (view.highest_degrees - view.lowest_degrees) / view.height * kRadiansPerDegree;
-    return high + 2 * std::numbers::pi / view.width;
+    return high + view.azimuth_span_degrees / view.width * kRadiansPerDegree;
 }
 
 }  // namespace

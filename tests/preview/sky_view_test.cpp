@@ -118,6 +118,18 @@ TEST(SkyView, LooksWhereItSays) {
     EXPECT_GT(ahead->cosine_to_sun, std::cos(1 * std::numbers::pi / 180));
 }
 
+// Half as many columns over half as many degrees are the middle of a panorama all around.
+TEST(SkyView, APanoramaSpansTheAzimuthsThatItIsAskedFor) {
+    const SkyView around = test::panorama(100, 0, 30);
+    SkyView ahead = around;
+    ahead.width = 50;
+    ahead.azimuth_span_degrees = 180;
+    for (const int x : {0, 13, 49}) {
+        EXPECT_NEAR(direction_at(ahead, x, 20)->cosine_to_sun,
+                    direction_at(around, 25 + x, 20)->cosine_to_sun, 1e-12);
+    }
+}
+
 TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
     for (const std::string& preset : test::preset_list()) {
         const test::Sky sky = test::sky_of(preset);
