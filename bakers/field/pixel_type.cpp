@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "bakers/field/value_kernel.h"
 #include "bakers/math/half_conversion.h"
 
 namespace skybake {
@@ -165,8 +166,6 @@ template <class Conversion>
 void interleave(const std::vector<const float*>& channels, std::size_t count,
                 typename Conversion::Stored* out) {
     switch (channels.size()) {
-        case 1:
-            return interleave<Conversion, 1>(channels, count, out);
         case 3:
             return interleave<Conversion, 3>(channels, count, out);
         case 4:
@@ -185,6 +184,7 @@ void interleave(const std::vector<const float*>& channels, std::size_t count,
 
 void store_voxels(const std::vector<const float*>& channels, std::size_t count, PixelType type,
                   char* out) {
+    if (channels.size() == 1) return store_values(channels[0], count, type, out);
     with_conversion(type, [&]<class Conversion>(Conversion) {
         using Stored = typename Conversion::Stored;
         interleave<Conversion>(channels, count, reinterpret_cast<Stored*>(out));
@@ -192,10 +192,19 @@ void store_voxels(const std::vector<const float*>& channels, std::size_t count, 
 }
 
 void store_values(const float* values, std::size_t count, PixelType type, char* out) {
-    store_voxels({values}, count, type, out);
+    if (type == PixelType::half) {
+        return halves_of_floats(values, count, reinterpret_cast<std::uint16_t*>(out));
+    }
+    with_conversion(type, [&]<class Conversion>(Conversion) {
+        auto* stored = reinterpret_cast<typename Conversion::Stored*>(out);
+        for (std::size_t i = 0; i < count; ++i) stored[i] = Conversion::store(values[i]);
+    });
 }
 
 void load_values(const char* bytes, std::size_t count, PixelType type, float* out) {
+    if (type == PixelType::half) {
+        return floats_of_halves(reinterpret_cast<const std::uint16_t*>(bytes), count, out);
+    }
     with_conversion(type, [&]<class Conversion>(Conversion) {
         const auto* stored = reinterpret_cast<const typename Conversion::Stored*>(bytes);
         for (std::size_t i = 0; i < count; ++i) out[i] = Conversion::load(stored[i]);

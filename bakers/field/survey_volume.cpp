@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -14,6 +13,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/value_kernel.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
@@ -49,148 +49,121 @@ struct Slot {
     std::optional<BadValue> bad;
 };
 
-std::optional<BadValue> first_bad(const std::vector<const float*>& channels, std::size_t count,
-                                  PixelType type) {
+// The first voxel, and the first of its channels, whose value the type cannot hold.
+BadValue first_bad(const std::vector<float*>& channels, PixelType type) {
     const PixelRange range = range_of(type);
-    std::optional<BadValue> bad;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        // First checks whether there is a bad value at all, because a typical box has none.
-        int outside = 0;
-        for (std::size_t i = 0; i < count; ++i) outside |= range.contains(channels[c][i]) ? 0 : 1;
-        if (outside == 0) continue;
-        for (std::size_t i = 0; i < count && (!bad || i < bad->index); ++i) {
-            if (!range.contains(channels[c][i])) bad = BadValue{i, c, channels[c][i]};
+    for (std::size_t i = 0;; ++i) {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            if (!range.contains(channels[c][i])) return {i, c, channels[c][i]};
         }
     }
-    return bad;
 }
 
-// Counts values below the normal range. The values are not yet rounded.
-int count_below_normal(const float* values, std::size_t count, PixelType type) {
-    const auto smallest = static_cast<float>(smallest_normal(type));
-    int below = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-        below +=
-            static_cast<int>(values[i] != 0) & static_cast<int>(std::fabs(values[i]) < smallest);
+void finish(const LaneSummary& lanes, Summary& summary) {
+    for (std::size_t lane = 0; lane < LaneSummary::kLanes; ++lane) {
+        summary.min = std::min(summary.min, lanes.least[lane]);
+        summary.max = std::max(summary.max, lanes.most[lane]);
+        summary.sum += lanes.sums[lane];
     }
-    return below;
 }
 
-// Whether all values are +0. A -0 does not count, because it is stored as -0.
-bool is_zero(const float* values, std::size_t count) {
-    std::uint32_t bits = 0;
-    for (std::size_t i = 0; i < count; ++i) bits |= std::bit_cast<std::uint32_t>(values[i]);
-    return bits == 0;
-}
-
-// The extremes and the sum of one channel, in eight lanes, so that no addition waits for the one
-// before. The order of additions is fixed: value i of a box belongs to lane i mod 8.
-class LaneSummary {
-  public:
-    void add(const float* values, std::size_t count) {
-        std::size_t i = 0;
-        for (; i + kLanes <= count; i += kLanes) {
-            for (std::size_t lane = 0; lane < kLanes; ++lane) add(lane, values[i + lane]);
-        }
-        for (std::size_t lane = 0; i < count; ++i, ++lane) add(lane, values[i]);
-    }
-
-    // Has the effect of adding zeros: the sums do not change.
-    void add_zeros() {
-        least_[0] = std::min(least_[0], 0.0f);
-        most_[0] = std::max(most_[0], 0.0f);
-    }
-
-    void finish(Summary& summary) const {
-        for (std::size_t lane = 0; lane < kLanes; ++lane) {
-            summary.min = std::min(summary.min, double{least_[lane]});
-            summary.max = std::max(summary.max, double{most_[lane]});
-            summary.sum += sums_[lane];
-        }
-    }
-
-  private:
-    static constexpr std::size_t kLanes = 8;
-
-    void add(std::size_t lane, float value) {
-        least_[lane] = value < least_[lane] ? value : least_[lane];
-        most_[lane] = value > most_[lane] ? value : most_[lane];
-        sums_[lane] += double{value};
-    }
-
-    static constexpr std::array<float, kLanes> all(float value) {
-        std::array<float, kLanes> lanes;
-        lanes.fill(value);
-        return lanes;
-    }
-
-    std::array<float, kLanes> least_ = all(std::numeric_limits<float>::infinity());
-    std::array<float, kLanes> most_ = all(-std::numeric_limits<float>::infinity());
-    std::array<double, kLanes> sums_{};
-};
-
-// Returns the bin of a value; values outside the range go to the bin past the last.
-std::size_t bin_of(double value, std::array<double, 2> range, double scale) {
-    const bool inside = value >= range[0] && value <= range[1];
-    const int bin =
-        std::min(static_cast<int>((inside ? value - range[0] : 0.0) * scale), kHistogramBins - 1);
-    return static_cast<std::size_t>(inside ? bin : kHistogramBins);
-}
-
-// The histogram of one channel. Each bin has two counters: neighbouring values are often alike, and
-// the second increment need not wait for the first.
+// The histogram of one channel; the bin past the last has the values outside the range. Each bin has
+// four counters: neighbouring values are often alike, and an increment need not wait for the one
+// before.
 class Histogram {
   public:
     explicit Histogram(std::array<double, 2> range)
         : range_(range), scale_(kHistogramBins / (range[1] - range[0])) {}
 
     void add(const float* values, std::size_t count) {
-        for (std::size_t i = 0; i < count; ++i) {
-            ++counts_[i % 2][bin_of(double{values[i]}, range_, scale_)];
+        std::array<std::int32_t, kPiece> bins;
+        for (std::size_t i = 0; i < count; i += kPiece) {
+            const std::size_t piece = std::min(kPiece, count - i);
+            find_bins(values + i, piece, range_, scale_, kHistogramBins, bins.data());
+            for (std::size_t k = 0; k < piece; ++k) {
+                ++counts_[k % kCounters][static_cast<std::size_t>(bins[k])];
+            }
         }
     }
 
     void add_zeros(std::size_t count) {
-        counts_[0][bin_of(0, range_, scale_)] += static_cast<int>(count);
+        constexpr float kZero = 0;
+        std::int32_t bin = 0;
+        find_bins(&kZero, 1, range_, scale_, kHistogramBins, &bin);
+        counts_[0][static_cast<std::size_t>(bin)] += static_cast<int>(count);
     }
 
     void finish(Summary& summary) const {
-        for (std::size_t bin = 0; bin < kHistogramBins; ++bin) {
-            summary.histogram[bin] += counts_[0][bin] + counts_[1][bin];
+        for (const auto& counts : counts_) {
+            for (std::size_t bin = 0; bin < kHistogramBins; ++bin) {
+                summary.histogram[bin] += counts[bin];
+            }
         }
     }
 
   private:
+    static constexpr std::size_t kPiece = 256;
+    static constexpr std::size_t kCounters = 4;
+
     std::array<double, 2> range_;
     double scale_;
-    std::array<std::array<int, kHistogramBins + 1>, 2> counts_{};
+    std::array<std::array<int, kHistogramBins + 1>, kCounters> counts_{};
 };
 
-// Summarises the values of one channel of a box and stores them, piece by piece, while a piece is
-// in the L1 cache. Rounds `values`. Most pieces of a cloud's box are empty and cost only one check.
-Summary summarize(float* values, std::size_t count, std::array<double, 2> range, PixelType type,
-                  char* stored) {
-    constexpr std::size_t kPiece = 512;
+// Values up to `end` that are all +0, or of which each piece has others.
+struct Stretch {
+    std::size_t end = 0;
+    bool zeros = false;
+};
+
+// The stretch from value `first` on. Others than zeros are few enough for the first cache.
+Stretch stretch_from(const float* values, std::size_t first, std::size_t count) {
+    constexpr std::size_t kPiece = 64;
+    constexpr std::size_t kMostOthers = 1024;
+    const auto end_of = [&](std::size_t piece) { return std::min(piece + kPiece, count); };
+    const auto is_zero = [&](std::size_t piece) {
+        return are_zeros(values + piece, end_of(piece) - piece);
+    };
+    Stretch stretch{end_of(first), is_zero(first)};
+    while (stretch.end < count && is_zero(stretch.end) == stretch.zeros &&
+           (stretch.zeros || stretch.end - first < kMostOthers)) {
+        stretch.end = end_of(stretch.end);
+    }
+    return stretch;
+}
+
+// Summarises the values of one channel of a box and stores them. Rounds `values`. Most of a cloud's
+// box is empty and costs only one check. Returns nothing if the type cannot hold some value, which
+// is left as it is.
+std::optional<Summary> summarize(float* values, std::size_t count, std::array<double, 2> range,
+                                 PixelType type, char* stored) {
     const auto width = static_cast<std::size_t>(bytes_per_value(type));
+    const PixelRange bounds = range_of(type);
+    const auto normal = static_cast<float>(smallest_normal(type));
     Summary summary;
     LaneSummary lanes;
     Histogram histogram(range);
-    for (std::size_t i = 0; i < count; i += kPiece) {
-        const std::size_t piece = std::min(kPiece, count - i);
+    Stretch stretch;
+    for (std::size_t i = 0; i < count; i = stretch.end) {
+        stretch = stretch_from(values, i, count);
+        const std::size_t length = stretch.end - i;
         float* const from = values + i;
-        if (is_zero(from, piece)) {
-            std::memset(stored + i * width, 0, piece * width);
-            lanes.add_zeros();
-            histogram.add_zeros(piece);
+        char* const to = stored + i * width;
+        if (stretch.zeros) {
+            std::memset(to, 0, length * width);
+            constexpr std::array<float, LaneSummary::kLanes> kZeros{};  // change no sum
+            add_values(kZeros.data(), std::min(length, kZeros.size()), lanes);
+            histogram.add_zeros(length);
             continue;
         }
-        summary.below_normal += count_below_normal(from, piece, type);
-        store_values(from, piece, type, stored + i * width);
-        load_values(stored + i * width, piece, type, from);
-        lanes.add(from, piece);
-        histogram.add(from, piece);
+        if (!are_within(from, length, bounds.low, bounds.high)) return std::nullopt;
+        summary.below_normal += count_below(from, length, normal);
+        store_values(from, length, type, to);
+        load_values(to, length, type, from);
+        add_values(from, length, lanes);
+        histogram.add(from, length);
     }
-    lanes.finish(summary);
+    finish(lanes, summary);
     histogram.finish(summary);
     return summary;
 }
@@ -302,22 +275,28 @@ class Survey {
         std::vector<float*> planes;
         for (std::size_t c = 0; c < channels; ++c) planes.push_back(&slot.values[c * count]);
         level_.voxels->fill(box, planes);
-        const std::vector<const float*> values(planes.begin(), planes.end());
-        slot.bad = first_bad(values, count, volume_.pixel_type);
-        if (slot.bad) return;
+        slot.bad.reset();
         slot.channels.clear();
         const auto width = static_cast<std::size_t>(bytes_per_value(volume_.pixel_type));
         slot.bytes.resize(count * channels * width);
         for (std::size_t c = 0; c < channels; ++c) {
-            slot.channels.push_back(summarize(planes[c], count, ranges_[c], volume_.pixel_type,
-                                              slot.bytes.data() + c * count * width));
+            const auto summary = summarize(planes[c], count, ranges_[c], volume_.pixel_type,
+                                           slot.bytes.data() + c * count * width);
+            if (!summary) {
+                slot.bad = first_bad(planes, volume_.pixel_type);
+                return;
+            }
+            slot.channels.push_back(*summary);
         }
         slot.peaks.clear();
         for (std::size_t c = 0; c < channels; ++c) {
             add_box_peaks(planes[c], box, static_cast<int>(c), slot.peaks);
         }
         // Several channels are stored interleaved.
-        if (channels > 1) store_voxels(values, count, volume_.pixel_type, slot.bytes.data());
+        if (channels > 1) {
+            store_voxels({planes.begin(), planes.end()}, count, volume_.pixel_type,
+                         slot.bytes.data());
+        }
     }
 
     bool take(int index, const Slot& slot) {

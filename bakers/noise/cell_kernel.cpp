@@ -285,6 +285,7 @@ void fill_voxels(const CellField& field, const Block& block, std::size_t count,
         for (std::size_t k = 0; k < count; ++k) {
             const auto across =
                 hn::Add(hn::Load(kFloats, squared_x + k * kLanes), hn::Set(kFloats, squared_y[k]));
+            HWY_UNROLL(8)
             for (std::size_t i = 0; i < kDepth; ++i) {
                 tile.take(0, i, hn::Add(across, hn::Set(kFloats, squared_z[i * kLineStride + k])));
             }

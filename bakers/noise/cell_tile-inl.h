@@ -28,6 +28,8 @@ HWY_INLINE FloatVector squared_along(FloatVector fraction, FloatVector point, Fl
     return hn::Mul(distance, distance);
 }
 
+// Loops over a tile are unrolled at any level of optimisation, so that it stays in registers.
+//
 // Takes squared distances to points one after the other, and keeps the least, for kSecond also the
 // second least. They are not negative, so that the bits of floats have their order, and processors
 // have more units for the minima of integers.
@@ -37,10 +39,14 @@ class CellTile {
     HWY_INLINE CellTile() {
         const auto infinity =
             hn::BitCast(kBits, hn::Set(Floats(), std::numeric_limits<float>::infinity()));
+        HWY_UNROLL(8)
         for (auto& row : nearest_) {
+            HWY_UNROLL(8)
             for (auto& value : row) value = infinity;
         }
+        HWY_UNROLL(8)
         for (auto& row : next_) {
+            HWY_UNROLL(8)
             for (auto& value : row) value = infinity;
         }
     }
@@ -60,7 +66,9 @@ class CellTile {
     template <class Place>
     HWY_INLINE FloatVector store(const CellField& field, const Place& place) const {
         auto farthest = hn::Zero(kBits);
+        HWY_UNROLL(8)
         for (std::size_t row = 0; row < kRows; ++row) {
+            HWY_UNROLL(8)
             for (std::size_t slice = 0; slice < kDepth; ++slice) {
                 const auto first = nearest_[row][slice];
                 auto second = first;

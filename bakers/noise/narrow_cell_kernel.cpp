@@ -108,13 +108,16 @@ HWY_INLINE void take_points(const Line& line, std::size_t stride, const LaneCell
     const auto squared_x = squared_along(x.fraction, look_up<kOneCell>(line.x + at, x.lanes),
                                          hn::Set(kFloats, static_cast<float>(-kCell)));
     FloatVector across[kRows];
+    HWY_UNROLL(8)
     for (std::size_t row = 0; row < kRows; ++row) {
         const float* squared_y = line.squared_y + row * stride + at;
         across[row] = hn::Add(squared_x, look_up<kOneCell>(squared_y, x.lanes));
     }
+    HWY_UNROLL(8)
     for (std::size_t slice = 0; slice < kDepth; ++slice) {
         const float* squares = line.squared_z + slice * stride + at;
         const auto squared_z = look_up<kOneCell>(squares, x.lanes);
+        HWY_UNROLL(8)
         for (std::size_t row = 0; row < kRows; ++row) {
             tile.take(row, slice, hn::Add(across[row], squared_z));
         }

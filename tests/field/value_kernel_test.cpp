@@ -1,0 +1,128 @@
+// The vectors' results against going from value to value, and against Imath, for every instruction
+// set.
+#include "bakers/field/value_kernel.h"
+
+#include <Imath/half.h>
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+namespace skybake {
+namespace {
+
+// Calls check() with the kernels held to one instruction set after the other.
+template <class Check>
+void for_each_target(const Check& check) {
+    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
+        hwy::SetSupportedTargetsForTest(left & -left);
+        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        check();
+        hwy::SetSupportedTargetsForTest(0);
+    }
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+float float_of(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+
+// Floats at, beside and between halves, of every sign and exponent, without NaN.
+std::vector<float> hard_floats() {
+    std::vector<float> values;
+    for (std::uint32_t upper = 0; upper < 1U << 19; upper += 7) {
+        for (const std::uint32_t lower : {0x0U, 0x1U, 0xfffU, 0x1000U, 0x1001U, 0x1fffU}) {
+            const float value = float_of(upper << 13 | lower);
+            if (!std::isnan(value)) values.push_back(value);
+        }
+    }
+    for (std::uint32_t i = 0; i <= 2 * 1024; ++i) {
+        const auto middle = std::bit_cast<std::uint32_t>(static_cast<float>(i) * 0x1p-25F);
+        for (const std::uint32_t bits : {middle == 0 ? 0 : middle - 1, middle, middle + 1}) {
+            values.push_back(float_of(bits));
+            values.push_back(float_of(bits | 0x80000000U));
+        }
+    }
+    return values;
+}
+
+TEST(ValueKernel, ConvertsToHalvesAndBackAsImath) {
+    const std::vector<float> values = hard_floats();
+    for_each_target([&] {
+        std::vector<std::uint16_t> halves(values.size());
+        halves_of_floats(values.data(), values.size(), halves.data());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            ASSERT_EQ(halves[i], half(values[i]).bits()) << values[i];
+        }
+        std::vector<std::uint16_t> all;
+        for (std::uint32_t bits = 0; bits < 1U << 16; ++bits) {
+            if ((bits & 0x7fffU) <= 0x7c00U) all.push_back(static_cast<std::uint16_t>(bits));
+        }
+        std::vector<float> floats(all.size());
+        floats_of_halves(all.data(), all.size(), floats.data());
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            half wanted;
+            wanted.setBits(all[i]);
+            ASSERT_EQ(std::bit_cast<std::uint32_t>(floats[i]),
+                      std::bit_cast<std::uint32_t>(static_cast<float>(wanted)));
+        }
+    });
+}
+
+// One value among zeros, at each place of arrays of each length, is seen.
+TEST(ValueKernel, SeesEachValue) {
+    for_each_target([&] {
+        for (std::size_t count = 1; count <= 80; ++count) {
+            std::vector<float> values(count, 0.0f);
+            ASSERT_TRUE(are_zeros(values.data(), count));
+            ASSERT_TRUE(are_within(values.data(), count, 0, 1));
+            ASSERT_EQ(count_below(values.data(), count, 1), 0);
+            for (std::size_t i = 0; i < count; ++i) {
+                for (const float value : {-0.0f, 1e-40f, 1.5f, NAN, -INFINITY}) {
+                    values[i] = value;
+                    ASSERT_FALSE(are_zeros(values.data(), count)) << count << ' ' << i;
+                    ASSERT_EQ(are_within(values.data(), count, 0, 1), value >= 0 && value <= 1);
+                    ASSERT_EQ(count_below(values.data(), count, 1), value == 1e-40f ? 1 : 0);
+                }
+                values[i] = 0;
+            }
+        }
+    });
+}
+
+TEST(ValueKernel, AddsAndCountsAsFromValueToValue) {
+    constexpr std::size_t kCount = 803;
+    constexpr int kBins = 32;
+    const std::array<double, 2> range = {-0.25, 0.75};
+    std::vector<float> values(kCount);
+    for (std::size_t i = 0; i < kCount; ++i) {
+        values[i] = static_cast<float>(std::sin(static_cast<double>(i)) * (i % 3 == 0 ? 1 : 1e-3));
+    }
+    values[5] = 0.75f;
+    values[6] = -0.25f;
+    std::array<double, LaneSummary::kLanes> sums{};
+    for (std::size_t i = 0; i < kCount; ++i) sums[i % LaneSummary::kLanes] += double{values[i]};
+    for_each_target([&] {
+        LaneSummary lanes;
+        add_values(values.data(), 64, lanes);
+        add_values(values.data() + 64, kCount - 64, lanes);
+        EXPECT_EQ(lanes.sums, sums);
+        EXPECT_EQ(*std::min_element(lanes.least.begin(), lanes.least.end()),
+                  *std::min_element(values.begin(), values.end()));
+        EXPECT_EQ(*std::max_element(lanes.most.begin(), lanes.most.end()),
+                  *std::max_element(values.begin(), values.end()));
+        std::vector<std::int32_t> bins(kCount);
+        find_bins(values.data(), kCount, range, kBins / (range[1] - range[0]), kBins, bins.data());
+        for (std::size_t i = 0; i < kCount; ++i) {
+            const double place = (double{values[i]} - range[0]) * kBins;
+            const bool inside = place >= 0 && place <= kBins;
+            const int wanted = inside ? std::min(static_cast<int>(place), kBins - 1) : kBins;
+            ASSERT_EQ(bins[i], wanted) << values[i];
+        }
+    });
+}
+
+}  // namespace
+}  // namespace skybake
