@@ -26,8 +26,8 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
-            blender dpkg-dev ffmpeg fish groff libnanovdb-tools libopenvdb-tools lintian mmdebstrap munge
-            openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
+            blender buildah dpkg-dev ffmpeg fish groff libnanovdb-tools libopenvdb-tools lintian mmdebstrap
+            munge nginx-light openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
         )
     fi
 fi
