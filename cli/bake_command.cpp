@@ -13,6 +13,7 @@
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/depfile.h"
+#include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "cli/bake_output.h"
 #include "cli/command.h"
@@ -97,10 +98,14 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     const bool json = console.display().json;
     if (invocation[options::dry_run]) return dry_run(bake, json, console);
 
+    const auto url = cache_url(invocation);
+    if (!url.value) return console.report(url.diagnostics);
     std::optional<AssetCache> cache;
+    std::optional<HttpCache> server;
     if (const fs::path folder = cache_folder(invocation); !folder.empty()) {
         bake.sources.push_back(&cache.emplace(folder));
     }
+    if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
     BakeReporter reporter(console, json);
     const auto baked = bake_folder(bake, reporter);
     if (interrupted() && !baked.value) {
@@ -109,6 +114,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     }
     if (const ExitCode code = console.report(baked.diagnostics); !baked.value) return code;
     if (cache) console.report(cache->problems());
+    if (server) console.report(server->problems());
     if (invocation.has(options::depfile)) {
         const auto written = write_depfile(invocation[options::depfile], bake, *baked.value);
         if (!written.value) return console.report(written.diagnostics);
@@ -133,7 +139,7 @@ Command bake_command() {
                     options::only("bake only [bake.NAME] and keep the other assets"), certify_row(),
                     options::jobs("use N threads; results do not depend on N (default: all)"),
                     options::dry_run("show what would be baked and why, without baking"),
-                    cache_row(),
+                    cache_row(), server_row(),
                     options::depfile("write the files' dependencies for Make and Ninja"),
                     options::max_memory(
                         "stop before starting if more memory may be needed (2GiB, 500M)"),

@@ -12,6 +12,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/workspace/http_cache.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 
@@ -112,6 +113,12 @@ Outcome<int> read_jobs(const std::string& text) {
     return {{}, {bad_value("-j", text, "it takes a number of threads from 1 to 1024")}};
 }
 
+Outcome<std::string> read_cache(const std::string& text) {
+    std::string problem = cache_url_problem(text);
+    if (problem.empty()) return {text, {}};
+    return {{}, {bad_value("--cache", without_credentials(text), std::move(problem))}};
+}
+
 Outcome<double> read_max_memory(const std::string& text) {
     const auto bytes = parse_byte_size(text);
     if (bytes) return {static_cast<double>(*bytes) / (1024.0 * 1024.0), {}};
@@ -129,10 +136,23 @@ OptionRow cache_row() {
         "share baked assets through this folder (default: $SKYBAKE_CACHE_DIR)");
 }
 
+OptionRow server_row() {
+    return options::cache("share baked assets through this server too (default: $SKYBAKE_CACHE)");
+}
+
 fs::path cache_folder(const Invocation& invocation) {
     if (invocation.has(options::cache_dir)) return invocation[options::cache_dir];
     const char* const folder = std::getenv("SKYBAKE_CACHE_DIR");
     return folder ? folder : "";
+}
+
+Outcome<std::string> cache_url(const Invocation& invocation) {
+    if (invocation.has(options::cache)) return {invocation[options::cache], {}};
+    const char* const url = std::getenv("SKYBAKE_CACHE");
+    if (url == nullptr || *url == '\0') return {"", {}};
+    std::string problem = cache_url_problem(url);
+    if (problem.empty()) return {url, {}};
+    return {{}, {bad_value("SKYBAKE_CACHE", without_credentials(url), std::move(problem))}};
 }
 
 std::optional<double> memory_limit_mib(const Invocation& invocation) {

@@ -39,6 +39,8 @@ using Texts = std::vector<std::string>;
 config::Outcome<std::filesystem::path> read_folder(const std::string& text);
 // Reads a number of threads from 1 to 1024.
 config::Outcome<int> read_jobs(const std::string& text);
+// Reads the URL of a cache. The error E0001 does not show a password.
+config::Outcome<std::string> read_cache(const std::string& text);
 // Reads an amount of memory and returns it in MiB.
 config::Outcome<double> read_max_memory(const std::string& text);
 
@@ -76,6 +78,8 @@ inline const Option<int> jobs{"jobs", 'j', "N", {}, read_jobs};
 inline const Option<bool> dry_run{"dry-run"};
 inline const Option<bool> force{"force"};
 inline const Option<std::filesystem::path> cache_dir{"cache-dir", 0, "FOLDER"};
+// The value is a URL.
+inline const Option<std::string> cache{"cache", 0, "URL", {}, read_cache};
 inline const Option<double> max_memory{"max-memory", 0, "SIZE", {}, read_max_memory};
 
 }  // namespace options
@@ -84,10 +88,15 @@ inline const Option<double> max_memory{"max-memory", 0, "SIZE", {}, read_max_mem
 OptionRow set_row();
 OptionRow certify_row();
 OptionRow cache_row();
+OptionRow server_row();
 
 // Returns the folder of the cache: --cache-dir, else the environment variable SKYBAKE_CACHE_DIR. It
 // is empty if there is no cache. The cache decides how fast a bake is, never what it makes.
 std::filesystem::path cache_folder(const Invocation& invocation);
+
+// Returns the URL of the cache on a server: --cache, else the environment variable SKYBAKE_CACHE. It
+// is empty if there is none. E0001 if the variable holds no URL.
+config::Outcome<std::string> cache_url(const Invocation& invocation);
 
 // Returns none without --max-memory.
 std::optional<double> memory_limit_mib(const Invocation& invocation);

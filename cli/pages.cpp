@@ -295,6 +295,9 @@ std::string man_page(std::span<const Command> commands, std::span<const OptionRo
     text += ".SH ENVIRONMENT\n" +
             term("\\fBSKYBAKE_CACHE_DIR\\fR",
                  "the folder through which bakes share assets, where --cache-dir names none") +
+            term("\\fBSKYBAKE_CACHE\\fR",
+                 "the URL of the server through which bakes share assets, where --cache names "
+                 "none") +
             term("\\fBNO_COLOR\\fR", "messages have no colours if this is set") +
             term("\\fBCLICOLOR_FORCE\\fR, \\fBFORCE_COLOR\\fR",
                  "messages have colours even outside a terminal if one of these is set");

@@ -17,6 +17,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "bakers/workspace/sweep/variants.h"
@@ -265,9 +266,15 @@ ExitCode run_sweep(const Invocation& invocation, Console& console) {
     }
     auto found = sweep_of(invocation);
     if (const ExitCode code = console.report(found.diagnostics); !found.value) return code;
-    const SweepJob job = sweep_job(invocation, std::move(*found.value));
+    SweepJob job = sweep_job(invocation, std::move(*found.value));
     if (invocation.has(options::emit)) return emit_script(invocation, job, console);
-    return sweep(invocation, job, console);
+    const auto url = cache_url(invocation);
+    if (!url.value) return console.report(url.diagnostics);
+    std::optional<HttpCache> server;
+    if (!url.value->empty()) job.server = &server.emplace(*url.value, interrupted);
+    const ExitCode code = sweep(invocation, job, console);
+    if (server) console.report(server->problems());
+    return code;
 }
 
 }  // namespace
@@ -292,7 +299,7 @@ Command sweep_command() {
                     certify_row(),
                     options::jobs("use N threads, for variants side by side first (default: all)"),
                     options::dry_run("show which variants would be baked and why, without baking"),
-                    cache_row(),
+                    cache_row(), server_row(),
                     options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
                     options::force("overwrite files that skybake did not write")},
         .examples = {{"skybake sweep sky.toml --vary clouds.c.coverage=0.2:0.8:4 "

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "bakers/io/files/load_module.h"
+#include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/variants.h"
 #include "cli/events.h"
@@ -135,6 +136,7 @@ std::vector<std::string> script_words(const Invocation& invocation) {
         words.emplace_back("--cache-dir");
         words.push_back(absolute_path(invocation[options::cache_dir]));
     }
+    add_typed(invocation, options::cache, words);
     if (invocation[options::force]) words.emplace_back("--force");
     words.emplace_back("-o");
     words.push_back(absolute_path(invocation[options::output]));
@@ -160,6 +162,15 @@ std::vector<fs::path> sweep_inputs(const SweepJob& job) {
 constexpr int most_tasks = 1000;
 
 Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& job) {
+    if (invocation.has(options::cache)) {
+        const std::string url = invocation[options::cache];
+        if (without_credentials(url) != url) {
+            return {{},
+                    {usage_error("--emit: the script would show the password of --cache",
+                                 "set $SKYBAKE_CACHE where the tasks run, or write it into "
+                                 "their ~/.netrc")}};
+        }
+    }
     SweepScript script;
     script.words = script_words(invocation);
     script.folder = absolute_path(job.folder);

@@ -8,9 +8,9 @@ set -euo pipefail
 
 packages=(
     cmake g++ ninja-build
-    fonts-dejavu-core libboost-iostreams-dev libcairo2-dev libcli11-dev libdeflate-dev libfmt-dev
-    libglm-dev libhwy-dev libimath-dev libnanovdb-dev libopenexr-dev libopenimageio-dev
-    libopenvdb-dev libpango1.0-dev libpng-dev libtbb-dev libtomlplusplus-dev libxxhash-dev
+    fonts-dejavu-core libboost-iostreams-dev libcairo2-dev libcli11-dev libcurl4-openssl-dev
+    libdeflate-dev libfmt-dev libglm-dev libhwy-dev libimath-dev libnanovdb-dev libopenexr-dev
+    libopenimageio-dev libopenvdb-dev libpango1.0-dev libpng-dev libtbb-dev libtomlplusplus-dev libxxhash-dev
     libzstd-dev nlohmann-json3-dev pkg-config zlib1g-dev
 )
 if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
@@ -26,8 +26,8 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
-            blender dpkg-dev ffmpeg fish groff libnanovdb-tools libopenvdb-tools lintian mmdebstrap munge
-            openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
+            blender buildah dpkg-dev ffmpeg fish groff libnanovdb-tools libopenvdb-tools lintian mmdebstrap
+            munge nginx-light openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
         )
     fi
 fi

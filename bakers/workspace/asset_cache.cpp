@@ -29,12 +29,6 @@ constexpr std::string_view tag_text =
     "Signature: 8a477f597d28d172789f06886806bc55\n"
     "# This folder holds assets that skybake can bake again.\n";
 
-// Whether the text is a key, which has 32 hexadecimal digits. Other texts in a manifest must not
-// become paths.
-bool is_key(std::string_view key) {
-    return key.size() == 32 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
 fs::path assets_folder(const fs::path& cache) { return cache / "assets"; }
 
 fs::path entry_folder(const fs::path& cache, const std::string& key) {
@@ -102,14 +96,6 @@ std::vector<Diagnostic> write_tag(const fs::path& cache) {
     return write_file_atomically(cache / tag_name, tag_text).diagnostics;
 }
 
-Manifest manifest_of(const ManifestAsset& entry) {
-    Manifest manifest;
-    manifest.tool_name = tool_name();
-    manifest.tool_version = entry.release;
-    manifest.assets = {entry};
-    return manifest;
-}
-
 std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
     std::error_code error;
     const PendingFolder pending(cache, error);
@@ -118,7 +104,7 @@ std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
     AtomicFiles files;
     const auto staged = stage_copies(asset, pending.path(), files, Unhurried());
     if (!staged.value) return staged.diagnostics;
-    const std::string text = manifest_json(manifest_of(asset.entry));
+    const std::string text = cached_manifest_json(asset.entry);
     const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
     if (!manifest.value) return manifest.diagnostics;
     if (auto failures = files.commit(); !failures.empty()) return failures;
@@ -185,12 +171,6 @@ bool is_damage(const std::vector<Diagnostic>& diagnostics) {
                        [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
 }
 
-// Whether the manifest is that of this entry and unchanged since it was written.
-bool is_entry_of(const Manifest& manifest, const std::string& key) {
-    return manifest.alterations.empty() && manifest.assets.size() == 1 &&
-           manifest.assets[0].key == key;
-}
-
 // Returns the files of an entry that differ from its manifest, or the manifest itself if it is
 // damaged.
 std::vector<fs::path> damages(const CacheEntry& entry) {
@@ -209,6 +189,23 @@ std::vector<fs::path> damages(const CacheEntry& entry) {
 }
 
 }  // namespace
+
+bool is_key(std::string_view key) {
+    return key.size() == 32 && key.find_first_not_of("0123456789abcdef") == std::string_view::npos;
+}
+
+std::string cached_manifest_json(const ManifestAsset& entry) {
+    Manifest manifest;
+    manifest.tool_name = tool_name();
+    manifest.tool_version = entry.release;
+    manifest.assets = {entry};
+    return manifest_json(manifest);
+}
+
+bool is_entry_of(const Manifest& manifest, const std::string& key) {
+    return manifest.alterations.empty() && manifest.assets.size() == 1 &&
+           manifest.assets[0].key == key;
+}
 
 std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     if (!is_key(key)) return std::nullopt;

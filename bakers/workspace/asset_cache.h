@@ -15,6 +15,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bakers/workspace/copy_asset.h"
@@ -41,6 +42,20 @@ class AssetCache : public AssetSource {
     std::vector<config::Diagnostic> problems_;
     bool tidied_ = false;  // the remains of killed processes have been removed from `pending`
 };
+
+// --- What caches of every kind have in common ---------------------------------------------------
+
+// Whether the text is a key or a hash, which has 32 hexadecimal digits. Other texts in a manifest
+// must not become paths.
+bool is_key(std::string_view key);
+
+// Returns the text of the manifest with which a cache keeps an asset.
+std::string cached_manifest_json(const ManifestAsset& entry);
+
+// Whether the manifest is that of this key's asset alone, and unchanged since it was written.
+bool is_entry_of(const Manifest& manifest, const std::string& key);
+
+// --- Looking after a cache's folder -------------------------------------------------------------
 
 struct CacheEntry {
     std::filesystem::path folder;

@@ -34,6 +34,16 @@ bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
     });
 }
 
+// Whether the entry lists the files of this section and no others. The source may be wrong.
+bool has_files_of(const config::Bake& bake, const ManifestAsset& entry) {
+    std::vector<std::string> expected = file_names(bake);
+    std::vector<std::string> found;
+    for (const ManifestFile& file : entry.files) found.push_back(file.path);
+    std::sort(expected.begin(), expected.end());
+    std::sort(found.begin(), found.end());
+    return entry.name == bake.name && found == expected;
+}
+
 // Voxels are held only in memory that the bake does not need otherwise.
 std::int64_t held_voxel_bytes(const FolderBake& bake, const FolderPlan& plan) {
     return bytes_to_keep(bake.held_voxel_bytes, bake.memory_limit_mib, plan.memory_mib());
@@ -105,8 +115,8 @@ class FolderMaker {
     bool copy(std::size_t i, const Progress& progress) {
         for (AssetSource* source : bake_.sources) {
             const auto ready = source->find(plan_.assets[i].identity.key);
-            if (!ready) continue;
-            auto staged = stage_copies(*ready, bake_.folder, files_, progress);
+            if (!ready || !has_files_of(*plan_.assets[i].bake, ready->entry)) continue;
+            auto staged = source->stage(*ready, bake_.folder, files_, progress);
             if (!staged.value) {
                 if (is_unusable(staged.diagnostics)) source->reject(*ready);
                 continue;

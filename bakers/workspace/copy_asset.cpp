@@ -39,21 +39,34 @@ Outcome<bool> copy(const fs::path& from, const ManifestFile& expected, const fs:
 
 }  // namespace
 
-Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset, const fs::path& folder,
-                                               AtomicFiles& files, const Progress& progress) {
+Outcome<std::vector<WriteResult>> AssetSource::stage(const ReadyAsset& asset,
+                                                     const fs::path& folder, AtomicFiles& files,
+                                                     const Progress& progress) {
+    return stage_copies(asset, folder, files, progress);
+}
+
+Outcome<std::vector<WriteResult>> stage_each(const ManifestAsset& entry, const fs::path& folder,
+                                             AtomicFiles& files, const Progress& progress,
+                                             const AssetFileWriter& write) {
     AtomicFiles copies;
     std::vector<WriteResult> results;
-    for (const ManifestFile& file : asset.entry.files) {
-        const auto write = [&](const fs::path& temporary) {
-            return copy(asset.folder / file.path, file, temporary, progress);
-        };
-        const Outcome<WriteResult> staged = copies.stage(folder / file.path, write, &progress);
+    for (const ManifestFile& file : entry.files) {
+        const auto write_file = [&](const fs::path& temporary) { return write(file, temporary); };
+        const Outcome<WriteResult> staged = copies.stage(folder / file.path, write_file, &progress);
         if (!staged.value) return {{}, staged.diagnostics};
         results.push_back(*staged.value);
         if (results.back() == WriteResult::interrupted) return {std::move(results), {}};
     }
     files.take(std::move(copies));
     return {std::move(results), {}};
+}
+
+Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset, const fs::path& folder,
+                                               AtomicFiles& files, const Progress& progress) {
+    const auto write = [&](const ManifestFile& file, const fs::path& temporary) {
+        return copy(asset.folder / file.path, file, temporary, progress);
+    };
+    return stage_each(asset.entry, folder, files, progress, write);
 }
 
 }  // namespace skybake

@@ -609,6 +609,14 @@ constexpr std::array codes = {
                    "errors, statistics and hashes in manifest.json are those of another file. Bake "
                    "again, or preview the file in a folder of its own.",
                    "", "", 0},
+    DiagnosticCode{"W0305", "trouble with the cache on a server",
+                   "The bake succeeded, but the server of --cache failed or held damaged assets, "
+                   "which were baked instead, so that the bake took longer. After three failures "
+                   "the server is left alone for the rest of the run, and after three damaged "
+                   "assets it is no longer read. A damaged asset is replaced by the one that was "
+                   "baked. Status 403 or 405 of a PUT says that the server may only be read, and "
+                   "409 that its folder does not exist.",
+                   "", "", 0},
 };
 
 }  // namespace

@@ -86,6 +86,7 @@ forbid 'nanovdb/' 'config bakers cli' "$formats/nvdb/nvdb_layout\.h"
 forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder)\.cpp|$formats/vdb/vdb_library\.h"
 forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|image_codec)\.cpp"
 forbid '(cairo|pango|fontconfig|ft2build)' 'config bakers cli' 'bakers/plot/cairo_drawing\.cpp'
+forbid 'curl/' 'config bakers cli' 'bakers/io/files/http_curl\.cpp'
 forbid 'Imath' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'

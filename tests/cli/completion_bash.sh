@@ -29,7 +29,7 @@ expect() {
 
 expect "bake" ba
 expect "show schema sweep" s
-expect "--color --certify --cache-dir" bake --c
+expect "--color --certify --cache-dir --cache" bake --c
 expect "--set" show earth.toml --set
 expect "quick full off" bake earth.toml --certify ""
 expect "full" bake --certify = fu

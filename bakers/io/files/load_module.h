@@ -7,10 +7,11 @@
 
 namespace skybake {
 
-// The modules hold OpenVDB, the libraries that read maps, and those that draw charts.
+// The modules hold OpenVDB, the libraries that read maps, those that draw charts, and libcurl.
 inline constexpr const char* vdb_module_name = "skybake_vdb";
 inline constexpr const char* image_module_name = "skybake_images";
 inline constexpr const char* chart_module_name = "skybake_charts";
+inline constexpr const char* http_module_name = "skybake_http";
 
 // A symbol that a module exports, or null with the reason.
 struct ModuleSymbol {
@@ -23,8 +24,8 @@ struct ModuleSymbol {
 // builds have them.
 ModuleSymbol load_module(const std::string& module, const char* symbol);
 
-// Returns the files that hold the code which makes assets: the program and its modules, except the
-// one for charts. Returns nothing if the system does not tell where the program is.
+// Returns the files that hold the code which makes assets: the program and its modules, except
+// those for charts and for servers. Returns nothing if the system does not tell where the program is.
 std::vector<std::filesystem::path> program_files();
 
 }  // namespace skybake

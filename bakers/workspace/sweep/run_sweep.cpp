@@ -269,6 +269,7 @@ class SweepRunner {
         std::optional<AssetCache> cache;
         bake.sources.push_back(&ready_);
         if (!job_.cache.empty()) bake.sources.push_back(&cache.emplace(job_.cache));
+        if (job_.server != nullptr) bake.sources.push_back(job_.server);
         VariantObserver observer(result, observer_, observer_mutex_);
         if (!make_shared_first(bake, variant, task, observer)) return;
         finish(bake_folder(bake, observer), result);

@@ -30,6 +30,7 @@ struct SweepJob {
     bool force = false;                           // overwrite files that skybake did not write
     std::optional<double> memory_limit_mib = {};  // of all variants that are made at once
     std::filesystem::path cache = {};             // an asset cache; empty: none
+    AssetSource* server = nullptr;  // another source of assets, for all threads; null: none
 };
 
 // An asset that must be made.
