@@ -93,20 +93,19 @@ void add_column(const SolvedLight& light, const LevelPlace& at, int sun, int deg
 // after the other.
 Spectrum between_columns(const SunStencil& stencil, const Spectrum* columns, std::size_t orders,
                          double sun_cos_zenith, double azimuth_cosine) {
-    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
     Spectrum sum{};
-    double power = 1;  // sine^m
-    double last = 1;   // cos(m phi), by Chebyshev's recursion
+    double last = 1;  // cos(m phi), by Chebyshev's recursion
     double before = azimuth_cosine;
     for (std::size_t m = 0; m < orders; ++m) {
         const Spectrum* of = columns + m;
+        const double power = powers[static_cast<std::size_t>(sine_power(static_cast<int>(m)))];
         sum += power * last *
                (stencil.weights[0] * of[0] + stencil.weights[1] * of[orders] +
                 stencil.weights[2] * of[2 * orders] + stencil.weights[3] * of[3 * orders]);
         const double next = 2 * azimuth_cosine * last - before;
         before = last;
         last = next;
-        power *= sine;
     }
     return sum;
 }

@@ -16,7 +16,6 @@ namespace skybake {
 namespace {
 
 const Shell kEarth = {6360, 100};
-constexpr int kDegree = 4;
 
 class Dice {
   public:
@@ -30,13 +29,13 @@ class Dice {
 };
 
 // Light without any order, so that no column stands for its neighbour.
-SolvedLight light_of(Dice& dice) {
+SolvedLight light_of(int degree, Dice& dice) {
     SolvedLight light;
     light.channels = 3;
     light.altitudes_km = {0, 1, 10, 100};
     light.suns = make_sun_axis(kEarth, 24);
     light.steep.assign(24, 0.0);
-    light.light = LightField(4, 24, kDegree);
+    light.light = LightField(4, 24, degree);
     for (double& value : light.light.moments) value = dice.between(0.1, 2);
     return light;
 }
@@ -88,13 +87,13 @@ SunBundle suns_of(const ScatteringView& view, Dice& dice) {
 }
 
 // The share of suns whose stencil is steep.
-void expect_as_sun_by_sun(double share_of_steep) {
+void expect_as_sun_by_sun(double share_of_steep, int degree = 4) {
     Dice dice;
-    SolvedLight light = light_of(dice);
+    SolvedLight light = light_of(degree, dice);
     for (double& steep : light.steep) steep = dice.between(0, 1) < share_of_steep ? 1 : 0;
     std::vector<std::vector<Spectrum>> phases(2);
     for (auto& moments : phases) {
-        for (int l = 0; l <= kDegree; ++l) moments.push_back(dice.spectrum());
+        for (int l = 0; l <= degree; ++l) moments.push_back(dice.spectrum());
     }
     for (const double altitude_km : {0.0, 30.0}) {
         ScatteringView view;
@@ -118,6 +117,8 @@ void expect_as_sun_by_sun(double share_of_steep) {
 }
 
 TEST(SunBundle, IsAsSunBySun) { expect_as_sun_by_sun(0); }
+
+TEST(SunBundle, IsAsSunBySunForHighOrders) { expect_as_sun_by_sun(0, 13); }
 
 TEST(SunBundle, IsAsSunBySunWhereAllStencilsAreSteep) { expect_as_sun_by_sun(1); }
 

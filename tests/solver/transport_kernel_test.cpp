@@ -129,12 +129,16 @@ double light_of_column(const TransportCase& any, const TransportNode& node, int 
     return sum;
 }
 
-// sin^m theta cos(m phi) from its cosine of theta and sin theta cos phi, which may be just beyond
-// sin theta where the sun is taken for the darkest.
+// The power of its sine over which order m of a sun is kept: m, or 7 and 8 by turns.
+int power_of_order(int m) { return m <= 8 ? m : m % 2 == 0 ? 8 : 7; }
+
+// sin theta to that power times cos(m phi), from the cosine of theta and sin theta cos phi, which may
+// be just beyond sin theta where the sun is taken for the darkest.
 double power_of_sine(double cosine, double along, int m) {
-    const std::complex<double> root =
-        std::sqrt(std::complex<double>(along * along - (1 - cosine) * (1 + cosine)));
-    return 0.5 * (std::pow(along + root, m) + std::pow(along - root, m)).real();
+    const double squared_sine = (1 - cosine) * (1 + cosine);
+    const std::complex<double> root = std::sqrt(std::complex<double>(along * along - squared_sine));
+    const double whole = 0.5 * (std::pow(along + root, m) + std::pow(along - root, m)).real();
+    return whole / std::pow(squared_sine, (m - power_of_order(m)) / 2);
 }
 
 // Light that a node sends along its ray, for a sun and a ray that is `azimuth` from it.
@@ -212,7 +216,7 @@ Applied applied(const TransportCase& any) {
     return made;
 }
 
-// Takes back the division by sin^m, which would magnify rounding.
+// Takes back the division by powers of sines, which would magnify rounding.
 std::vector<double> times_sines(const TransportCase& any, std::vector<double> moments) {
     for (int sun = 0; sun < any.suns.count(); ++sun) {
         const double cosine = any.suns.cosines[static_cast<std::size_t>(sun)];
@@ -222,7 +226,9 @@ std::vector<double> times_sines(const TransportCase& any, std::vector<double> mo
                 const auto lm = static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots;
                 double* at =
                     moments.data() + static_cast<std::size_t>(sun) * any.light.sun_size() + lm;
-                for (std::size_t c = 0; c < kChannelSlots; ++c) at[c] *= std::pow(sine, m);
+                for (std::size_t c = 0; c < kChannelSlots; ++c) {
+                    at[c] *= std::pow(sine, power_of_order(m));
+                }
             }
         }
     }
@@ -269,6 +275,7 @@ TEST(TransportKernel, InterpolatesByCubics) {
     for (const Shell& shell : {kEarth, kHighAir}) {
         expect_right(TransportCase(shell, 16, 2, 1));
         expect_right(TransportCase(shell, 24, 5, 2));
+        expect_right(TransportCase(shell, 16, 13, 6));
     }
 }
 

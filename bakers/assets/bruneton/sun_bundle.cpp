@@ -99,8 +99,9 @@ class SolvedNode {
     std::size_t orders_;
     std::vector<std::int64_t> columns_;
     std::vector<double> weights_;
-    std::vector<double> powers_;  // [m * count + i]: (sin theta sin theta_s)^m cos(m phi)
-    std::vector<double> rows_;    // [(column * orders + m) * slots]
+    // [m * count + i]: (sin theta sin theta_s)^sine_power(m) cos(m phi)
+    std::vector<double> powers_;
+    std::vector<double> rows_;  // [(column * orders + m) * slots]
 };
 
 void SolvedNode::place_suns() {
@@ -113,17 +114,19 @@ void SolvedNode::place_suns() {
                     Lanes(-1.0));
         const Lanes there = maximum(cosine, Lanes(axis.darkest));
         place_on_axis(axis, light_.steep, there, columns_.data() + i, weights_.data() + 4 * i);
-        // (sin theta sin theta_s)^m cos(m phi) by Chebyshev's recursion: polynomials of nu.
-        const Lanes first_power = Lanes::load(suns_.nu.data() + i) - mu * cosine;
+        const Lanes along = Lanes::load(suns_.nu.data() + i) - mu * cosine;
         const Lanes squared_sines =
             squared_view_sine * ((Lanes(1.0) - cosine) * (Lanes(1.0) + cosine));
-        Lanes last(1.0);
-        Lanes next = first_power;
-        for (std::size_t m = 1; m < orders_; ++m) {
-            next.store(powers_.data() + m * columns_.size() + i);
-            const Lanes after_next = Lanes(2.0) * first_power * next - squared_sines * last;
-            last = next;
-            next = after_next;
+        const AzimuthRecursion<Lanes> powers(along, squared_sines, orders_);
+        const auto of_order = [&](std::size_t m) {
+            return powers_.data() + m * columns_.size() + i;
+        };
+        if (orders_ > 1) along.store(of_order(1));
+        for (std::size_t m = 2; m < orders_; ++m) {
+            powers
+                .next(m, Lanes::load(of_order(m - 1)), Lanes::load(of_order(m - 2)),
+                      m < 4 ? Lanes(0.0) : Lanes::load(of_order(m - 4)))
+                .store(of_order(m));
         }
     }
 }

@@ -94,7 +94,7 @@ void draft(EnvironmentBake& asset, int) {
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 7,
+    static const Baker<EnvironmentBake> row = {.version = 8,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,

@@ -24,10 +24,20 @@ using config::IrradianceContent;
 
 namespace {
 
-// Of each level, and of the reference.
+// Of each level, and of the reference. Skies of spheres with forward peaks, like those of Mars, have
+// one level more and a finer reference, for which others need not pay.
 constexpr std::array<IrradianceNodes, 6> kNodes = {
     {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}, {30, 30, 11}}};
-constexpr IrradianceNodes kReferenceNodes = {36, 40, 14};
+constexpr IrradianceNodes kReferenceNodes = {28, 32, 12};
+constexpr IrradianceNodes kReferenceNodesOfPeaks = {36, 40, 14};
+
+std::size_t level_count(const SkyLight& light) {
+    return light.has_peaks() ? kNodes.size() : kNodes.size() - 1;
+}
+
+const IrradianceNodes& reference_nodes(const SkyLight& light) {
+    return light.has_peaks() ? kReferenceNodesOfPeaks : kReferenceNodes;
+}
 
 // Writes the channels of a row of the table, interleaved, for suns at x.
 void fill_row(const SkyLight& light, const IrradianceBake& bake, const IrradianceNodes& nodes,
@@ -54,7 +64,7 @@ std::string content_text(const IrradianceBake& bake) {
     return fmt::format("{}: by the sun and {}", surface, sky);
 }
 
-void describe(const IrradianceBake& bake, const Shell& shell, Baked& table) {
+void describe(const IrradianceBake& bake, const SkyLight& light, Baked& table) {
     const bool twilight = bake.mapping == config::MultipleScatteringMapping::twilight;
     table.kind = "irradiance";
     table.content = content_text(bake);
@@ -64,15 +74,15 @@ void describe(const IrradianceBake& bake, const Shell& shell, Baked& table) {
                      twilight ? "x = (1 + sign(mu_s) sqrt(|mu_s|)) / 2" : "x = (mu_s + 1) / 2",
                      "end points on texel centres", -1, 1};
     table.axes[1] = {"altitude_km", "x = sqrt(altitude / (R_top - R_ground))",
-                     "end points on texel centres", 0, shell.thickness_km};
+                     "end points on texel centres", 0, light.shell().thickness_km};
     table.axes[0].constants = {{"first", 0.0}, {"share", 1.0}};
-    table.axes[1].constants = shell_constants(shell);
+    table.axes[1].constants = shell_constants(light.shell());
     table.conventions.angle_unit = "cosine";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     set_files(bake, table);
     table.certificate.reference =
         fmt::format("the same integral with {} directions above and below the sun, and around",
-                    kReferenceNodes.single);
+                    reference_nodes(light).single);
     table.certificate.scale = kRelativeErrorScale;
 }
 
@@ -94,14 +104,14 @@ TableModel irradiance_model(const SkyLight& light, const IrradianceBake& bake) {
     model.channels = light.medium().air.channels;
     model.lowest = 0;
     model.highest = std::numeric_limits<double>::max();
-    for (const IrradianceNodes& nodes : kNodes) {
-        model.cost_per_texel.push_back(2.0 * nodes.single * nodes.single);
+    for (std::size_t level = 0; level < level_count(light); ++level) {
+        model.cost_per_texel.push_back(2.0 * kNodes[level].single * kNodes[level].single);
     }
     model.row = [&light, bake](int level, double y, const std::vector<double>& x, double* values) {
         fill_row(light, bake, kNodes[static_cast<std::size_t>(level)], y, x, values);
     };
     model.reference = [&light, bake](double y, const std::vector<double>& x, double* values) {
-        fill_row(light, bake, kReferenceNodes, y, x, values);
+        fill_row(light, bake, reference_nodes(light), y, x, values);
     };
     model.error = relative_error;
     return model;
@@ -111,7 +121,7 @@ config::Outcome<Baked> bake_irradiance(const SkyLights& lights, const Irradiance
                                        const BakeOptions& options, Baked table) {
     const auto mapping = bake.mapping;
     const Shell shell = lights.first().shell();
-    describe(bake, shell, table);
+    describe(bake, lights.first(), table);
     AccuracyRequest request;
     request.size = bake.size;
     request.max_texel_error = bake.max_texel_error;

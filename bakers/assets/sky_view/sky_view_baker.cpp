@@ -155,7 +155,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 9,
+    static const Baker<config::SkyViewBake> row = {.version = 10,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .needs = needs,

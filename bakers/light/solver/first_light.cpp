@@ -390,8 +390,9 @@ void FirstLightPass::gather(const FirstFans& fans, double* out, double* sky_irra
 
 void FirstLightPass::write(double* out, double* sky_irradiance) const {
     for (std::size_t i = 0; i < suns_; ++i) {
-        double factor = 1;  // moments of order m are kept over sin^m theta_s
+        const SinePowers inverse = inverse_powers_of(sines_[i]);
         for (int m = 0; m <= degree_; ++m) {
+            const double factor = inverse[static_cast<std::size_t>(sine_power(m))];
             for (int l = m; l <= degree_; ++l) {
                 const auto lm = static_cast<std::size_t>(moment_index(l, m));
                 double* to = out + (i * static_cast<std::size_t>(moment_count(degree_)) + lm) *
@@ -400,7 +401,6 @@ void FirstLightPass::write(double* out, double* sky_irradiance) const {
                     to[c] = factor * moments_[(lm * kMaxChannels + c) * suns_ + i];
                 }
             }
-            factor /= sines_[i];
         }
         for (std::size_t c = 0; sky_irradiance && c < kMaxChannels; ++c) {
             sky_irradiance[i * kChannelSlots + c] = irradiance_[c * suns_ + i];

@@ -4,11 +4,11 @@
 // Blocks are stored by ascending quad of orders (m = 4 q to 4 q + 3), and for each quad by ascending
 // l from 4 q on. Orders above l are 0, and add nothing.
 //
-// Numbers are floats for light of all orders up to degree 8: it is a sum of what many points send,
-// each of which is off by 6e-4 for the grid's sake (solve_light.h), so that rounding to 6e-8 at each
-// point does not show. They are doubles for moments of a higher degree (peaked_light.h). An order m
-// is kept over sin^m of the sun's zenith angle, which magnifies rounding where the sun is high: from
-// one column to the next by the ratio of their sines to the power m, a million at order 16.
+// Numbers are floats for light of all orders up to degree 8, and for the last orders of a higher
+// degree (peaked_light.h): light is a sum of what many points send, each of which is off by 6e-4 for
+// the grid's sake (solve_light.h), so that rounding to 6e-8 at each point does not show; it changes
+// skies of haze and fog by less than 1e-6. They are doubles where all orders of a higher degree are
+// summed.
 #pragma once
 
 #include <cstddef>

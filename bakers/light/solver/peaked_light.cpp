@@ -81,12 +81,12 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     copy_moments(light.light, last);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
-        const auto before = reading.blocks_of<double>(last, threads);
+        const auto before = reading.blocks_of<float>(last, threads);
         parallel_for(levels, threads, [&](int level) {
             if (is_cancelled(progress)) return;
             const RayFan fan =
                 fan_of(level, zenith_nodes_of_last(settings.degree, settings.zenith_nodes));
-            apply_transport(make_level_transport<double>(medium, fan, settings.degree), light.suns,
+            apply_transport(make_level_transport<float>(medium, fan, settings.degree), light.suns,
                             light.steep, before, next.at(level, 0), irradiance_of(next, level));
         });
         add(first, next);

@@ -10,12 +10,14 @@ namespace skybake {
 
 namespace {
 
-void harmonics(int degree, double mu, double sine, double* values) {
+// `factor(m)` is what the sectoral function of order m has more of the sine than that of order m - 1.
+template <class Factor>
+void harmonics(int degree, double mu, const Factor& factor, double* values) {
     // Of the associated Legendre functions' recursions those that are stable for rising l, with
     // norms (2 - delta_m0) (2 l + 1) / 4pi (l - m)! / (l + m)!.
     double sectoral = std::sqrt(0.25 / std::numbers::pi);  // l = m, normed as for m = 0
     for (int m = 0; m <= degree; ++m) {
-        if (m > 0) sectoral *= sine * std::sqrt((2.0 * m + 1) / (2.0 * m));
+        if (m > 0) sectoral *= factor(m) * std::sqrt((2.0 * m + 1) / (2.0 * m));
         const double first = m > 0 ? std::numbers::sqrt2 * sectoral : sectoral;
         values[moment_index(m, m)] = first;
         double before = 0;
@@ -36,12 +38,29 @@ void harmonics(int degree, double mu, double sine, double* values) {
 
 void zenith_harmonics(int degree, double mu, double* values) {
     assert(degree >= 0);
-    harmonics(degree, mu, std::sqrt(std::fmax(0.0, (1 - mu) * (1 + mu))), values);
+    const double sine = std::sqrt(std::fmax(0.0, (1 - mu) * (1 + mu)));
+    harmonics(
+        degree, mu, [sine](int) { return sine; }, values);
 }
 
 void harmonics_over_sines(int degree, double mu, double* values) {
     assert(degree >= 0);
-    harmonics(degree, mu, 1, values);
+    const double squared_sine = std::fmax(0.0, (1 - mu) * (1 + mu));
+    const auto left = [](int m) { return m - sine_power(m); };
+    const auto factor = [&](int m) { return left(m) > left(m - 1) ? squared_sine : 1.0; };
+    harmonics(degree, mu, factor, values);
+}
+
+SinePowers powers_of(double sine) {
+    SinePowers powers = {1};
+    for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = powers[k - 1] * sine;
+    return powers;
+}
+
+SinePowers inverse_powers_of(double sine) {
+    SinePowers powers = {1};
+    for (std::size_t k = 1; k < powers.size(); ++k) powers[k] = powers[k - 1] / sine;
+    return powers;
 }
 
 double harmonic_norm(int l, int m) {
@@ -66,9 +85,10 @@ void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zeni
     const auto degree = static_cast<int>(light.size()) - 1;
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     zenith_harmonics(degree, sun_cos_zenith, harmonics.data());
-    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
-    double factor = 1;  // moments of order m are kept over sin^m theta_s
+    const SinePowers inverse =
+        inverse_powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
     for (int m = 0; m <= degree; ++m) {
+        const double factor = inverse[static_cast<std::size_t>(sine_power(m))];
         for (int l = m; l <= degree; ++l) {
             const auto lm = static_cast<std::size_t>(moment_index(l, m));
             for (std::size_t c = 0; c < kMaxChannels; ++c) {
@@ -76,7 +96,6 @@ void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zeni
                     factor * harmonics[lm] * light[static_cast<std::size_t>(l)][c];
             }
         }
-        factor /= sine;
     }
 }
 
@@ -99,7 +118,7 @@ SunStencil SolvedLight::stencil(double sun_cos_zenith) const {
 void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
     const LevelPlace place = level_at(altitude_km);
     const SunStencil around = stencil(sun_cos_zenith);
-    const double sine = std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith));
+    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
     const auto count = static_cast<std::size_t>(moment_count(light.degree));
     std::fill_n(values, count, Spectrum(0.0));
     for (int side = 0; side < 2; ++side) {
@@ -113,12 +132,10 @@ void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum
             }
         }
     }
-    double power = 1;
     for (int m = 0; m <= light.degree; ++m) {
         for (int l = m; l <= light.degree; ++l) {
-            values[moment_index(l, m)] *= power;
+            values[moment_index(l, m)] *= powers[static_cast<std::size_t>(sine_power(m))];
         }
-        power *= sine;
     }
 }
 

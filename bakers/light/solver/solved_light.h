@@ -15,6 +15,7 @@
 // sqrt(4 pi) times the mean radiance.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -33,7 +34,22 @@ inline int moment_index(int l, int m) { return l * (l + 1) / 2 + m; }
 // phi). `values` has room for moment_count(degree).
 void zenith_harmonics(int degree, double mu, double* values);
 
-// Computes the same divided by sin^m of the zenith angle, which is smooth at the vertical.
+// Where the sun is at the zenith, light of azimuthal order m vanishes as the sine of its zenith angle
+// to the power m. Moments are kept over this power of the sine: m itself, or, of high orders, the
+// power of the same parity next to it. Either way they are smooth functions of the cosine between
+// the columns of a sun axis. But a column's errors grow, on their way to a sun with twice its sine,
+// by 2 to that power, and what is left out of a high order is far more than sin^m.
+inline constexpr int kLargestSinePower = 8;
+inline int sine_power(int m) { return m <= kLargestSinePower ? m : kLargestSinePower - m % 2; }
+
+// The powers of a number from 0 to kLargestSinePower.
+using SinePowers = std::array<double, kLargestSinePower + 1>;
+SinePowers powers_of(double sine);
+// Returns one over each of them.
+SinePowers inverse_powers_of(double sine);
+
+// Computes zenith_harmonics divided by the sine of the zenith angle to sine_power(m), which is smooth
+// at the vertical.
 void harmonics_over_sines(int degree, double mu, double* values);
 
 // Returns n_lm = sqrt((2 - [m = 0]) (2 l + 1) / 4pi (l - m)! / (l + m)!).
@@ -45,8 +61,7 @@ double harmonic_norm(int l, int m);
 // irradiance of the ground.
 
 // Values are stored in groups of kChannelSlots, one per channel, and unused ones are 0. Moments of
-// azimuthal order m are divided by sin^m of the sun's zenith angle, so that they are smooth
-// functions of its cosine where the sun is at the zenith.
+// azimuthal order m are divided by the sine of the sun's zenith angle to sine_power(m).
 struct LightField {
     int levels = 0;
     int suns = 0;

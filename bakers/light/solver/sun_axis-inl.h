@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "bakers/math/channels-inl.h"
 #include "bakers/math/lanes-inl.h"
@@ -77,6 +78,34 @@ HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& st
         flatten_steep(axis, steep, t, columns, weights);
     }
 }
+
+// The recursion of sine^sine_power(m) cos(m phi) over m, from sine cos(phi) and sine^2, where the sine
+// is that of a sun's zenith angle: Chebyshev's, and over every second order where powers rise no more
+// (solved_light.h).
+template <class Reals>
+class AzimuthRecursion {
+  public:
+    // `orders` is the number of orders that are asked for.
+    HWY_INLINE AzimuthRecursion(Reals along, Reals squared_sine, std::size_t orders)
+        : twice_(along + along), squared_sine_(squared_sine), twice_cosine_(0.0) {
+        if (orders <= kLargestSinePower + 1) return;
+        // Of twice the azimuth. A sun at the zenith has none, and no light of these orders.
+        const Reals squared = along * along;
+        const Reals whole = maximum(maximum(squared_sine, squared), Reals(1e-30F));
+        twice_cosine_ = Reals(4.0) * squared / whole - Reals(2.0);
+    }
+    // Returns the next order, m, from those that are one, two and four less.
+    HWY_INLINE Reals next(std::size_t m, Reals less_1, Reals less_2, Reals less_4) const {
+        if (m <= kLargestSinePower) return twice_ * less_1 - squared_sine_ * less_2;
+        const bool rises = m <= kLargestSinePower + 2;
+        return twice_cosine_ * less_2 - (rises ? squared_sine_ * less_4 : less_4);
+    }
+
+  private:
+    Reals twice_;
+    Reals squared_sine_;
+    Reals twice_cosine_;
+};
 
 // Light by column and azimuthal order, and the suns for which it is looked up between the columns
 // of a sun axis.

@@ -14,6 +14,7 @@
 #define HWY_TARGET_INCLUDE "bakers/light/solver/transport_kernel.cpp"
 #include <hwy/foreach_target.h>
 
+#include "bakers/light/solver/sun_axis-inl.h"
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -153,7 +154,7 @@ class LevelPass {
     void gather_rows(const TransportNode& node, const Moments* weights);
     void gather_ground(const Moments& weight);
     void place_suns(const TransportNode& node, Number azimuth_cosine);
-    void store_powers(Reals first, Reals squared_sine, std::size_t i);
+    void store_powers(Reals along, Reals squared_sine, std::size_t i);
     template <bool kIsFirst>
     void add_rows(std::size_t quads, Moments* sum) const;
     void add_node(const LevelTransport<Number>& transport, const TransportNode& node);
@@ -174,7 +175,7 @@ class LevelPass {
     std::vector<Moments> rows_;      // [sun * quads + q]: what is sent along
     std::vector<Index> columns_;     // of the suns as seen from a node
     std::vector<Number> cubic_;      // [k * room + sun]
-    std::vector<Number> powers_;     // [(q * room + sun) * kQuad + ...]: sin^m theta_s' cos(m phi')
+    std::vector<Number> powers_;     // [(q * room + sun) * kQuad + ...]: of store_powers
     std::vector<Moments> along_[2];  // [azimuth * suns + sun]: by few and by many azimuths
     bool used_[2] = {};
     std::vector<Number> azimuth_cosines_[2];
@@ -255,20 +256,22 @@ void LevelPass<Number>::gather_rows(const TransportNode& node, const Moments* we
     }
 }
 
-// sin^m theta_s' cos(m phi') by Chebyshev's recursion.
+// Stores sine^sine_power(m) cos(m phi') for suns at the node.
 template <class Number>
-HWY_INLINE void LevelPass<Number>::store_powers(Reals first, Reals squared_sine, std::size_t i) {
-    const Reals twice = first + first;
-    Reals power[kQuad] = {Reals(1.0), first, twice * first - squared_sine, first};
+HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine, std::size_t i) {
+    const AzimuthRecursion<Reals> powers(along, squared_sine, orders_);
+    const Reals twice = along + along;
+    Reals power[kQuad] = {Reals(1.0), along, twice * along - squared_sine, along};
     power[3] = twice * power[2] - squared_sine * power[1];
     for (std::size_t q = 0;; ++q) {
         hn::StoreInterleaved4(power[0].v, power[1].v, power[2].v, power[3].v, typename Reals::Tag(),
                               powers_.data() + (q * room_ + i) * kQuad);
         if (q + 1 == quads_) return;
-        power[0] = twice * power[3] - squared_sine * power[2];
-        power[1] = twice * power[0] - squared_sine * power[3];
-        power[2] = twice * power[1] - squared_sine * power[0];
-        power[3] = twice * power[2] - squared_sine * power[1];
+        HWY_UNROLL(4)
+        for (std::size_t k = 0; k < kQuad; ++k) {
+            power[k] = powers.next((q + 1) * kQuad + k, power[(k + 3) % kQuad],
+                                   power[(k + 2) % kQuad], power[k]);
+        }
     }
 }
 
@@ -417,14 +420,12 @@ void LevelPass<Number>::add_ray(const TransportRay& ray, double* sky_irradiance)
     }
 }
 
-// Moments of order m are kept over sin^m theta_s.
+// Moments are kept over powers of the sun's sine.
 template <class Number>
 void LevelPass<Number>::write(double* out) const {
     for (std::size_t i = 0; i < suns_; ++i) {
         const double cosine = axis_.cosines[i];
-        const double inverse = 1 / square_root((1 - cosine) * (1 + cosine));
-        std::vector<double> factors = {1};
-        while (factors.size() < orders_) factors.push_back(factors.back() * inverse);
+        const SinePowers factors = powers_of(1 / square_root((1 - cosine) * (1 + cosine)));
         const Moments* from = sums_.data() + i * light_.sun_size();
         double* to =
             out + i * static_cast<std::size_t>(moment_count(light_.degree)) * kChannelSlots;
@@ -433,7 +434,7 @@ void LevelPass<Number>::write(double* out) const {
                 const auto k = static_cast<std::size_t>(m - least);
                 for (std::size_t c = 0; c < kChannelSlots; ++c) {
                     to[static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots + c] =
-                        factors[static_cast<std::size_t>(m)] *
+                        factors[static_cast<std::size_t>(sine_power(m))] *
                         from[block].values[k * kChannelSlots + c];
                 }
             }
