@@ -180,8 +180,9 @@ ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, 
     std::string text =
         heading(*file.value, path, *own, lookup, language) + lookup_glsl(lookup, name);
     const auto& color = asset.conventions.color;
-    if (color && !color->is_applied && asset.conventions.wavelengths_nm.size() > 1) {
-        text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm, name);
+    if (color && !color->is_applied) {
+        text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm,
+                                  config::packet_of(*own) > 0, name);
     }
     text = translated(text, language);
     console.result(json ? event_line({{"event", "lookup"},

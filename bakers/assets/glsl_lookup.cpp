@@ -102,10 +102,18 @@ GlslFunction with_channels(std::size_t channels, std::size_t components, GlslFun
     function.result = channels == 1 ? "float" : fmt::format("vec{}", channels);
     if (channels == 1) {
         function.value += ".r";
+    } else if (channels == 2) {
+        function.value += ".rg";
     } else if (channels != components) {
         function.value = fmt::format("vec{}({})", channels, function.value);
     }
     return function;
+}
+
+std::string_view of_4(std::size_t channels) { return channels == 4 ? "_of_4" : ""; }
+
+GlslFunction with_wavelengths(std::size_t channels, GlslFunction function) {
+    return with_channels(channels, channels == 4 ? 4 : 3, std::move(function));
 }
 
 std::string glsl_name(std::string_view asset) {
@@ -137,20 +145,23 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
 }
 
 std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,
-                       const std::string& name) {
+                       bool is_packet, const std::string& name) {
     const std::size_t count = wavelengths_nm.size();
     std::vector<std::string> terms;
     for (std::size_t i = 0; i < count; ++i) {
         const double* weights = color.weights.data() + 3 * i;
-        terms.push_back(fmt::format("light.{} * {}", "xyzw"[i],
-                                    glsl_vector({weights[0], weights[1], weights[2]})));
+        const std::string light = count == 1 ? "light" : fmt::format("light.{}", "xyzw"[i]);
+        terms.push_back(
+            fmt::format("{} * {}", light, glsl_vector({weights[0], weights[1], weights[2]})));
     }
     return glsl_comment(fmt::format(
                "Returns the colour ({}, white is the {}) of light at {} nm. March with the "
-               "wavelengths, for a solar irradiance of 1 at each, and call this at the end.",
+               "wavelengths, for a solar irradiance of 1 at each, and call this at the end.{}",
                color.space, color.white == "sun" ? "sun outside the air" : "space's own",
-               fmt::join(wavelengths_nm, ", "))) +
-           fmt::format("vec3 {}_color(vec{} light) {{\n    return {};\n}}\n", name, count,
+               fmt::join(wavelengths_nm, ", "),
+               is_packet ? " Add what the other packets make of their wavelengths." : "")) +
+           fmt::format("vec3 {}_color({} light) {{\n    return {};\n}}\n", name,
+                       count == 1 ? "float" : fmt::format("vec{}", count),
                        fmt::join(terms, "\n         + "));
 }
 

@@ -38,6 +38,12 @@ std::string glsl_shell(const Shell& shell);
 // The function as it returns so many channels of a value that has `components`.
 GlslFunction with_channels(std::size_t channels, std::size_t components, GlslFunction function);
 
+// The end of the name of a published lookup: "_of_4" of the one for four wavelengths.
+std::string_view of_4(std::size_t channels);
+
+// The function as it returns the channels of a lookup whose name ends as of_4 says.
+GlslFunction with_wavelengths(std::size_t channels, GlslFunction function);
+
 // "baked_sky" of the asset `sky`: a name that GLSL allows.
 std::string glsl_name(std::string_view asset);
 
@@ -45,9 +51,9 @@ std::string glsl_name(std::string_view asset);
 std::string lookup_glsl(const AssetLookup& lookup, const std::string& name);
 
 // A function NAME_color that turns light at the wavelengths of a file into colours, with what it does
-// as a comment.
+// as a comment. If the file holds one packet, its colours are a part of those of all.
 std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,
-                       const std::string& name);
+                       bool is_packet, const std::string& name);
 
 // The text of examples/lookups/LIBRARY.glsl, which the build puts into the program. Throws
 // std::out_of_range where there is none.

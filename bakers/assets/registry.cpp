@@ -6,7 +6,9 @@
 #include <charconv>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -16,6 +18,7 @@
 #include "bakers/assets/solvable_air.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
+#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 
 namespace skybake {
@@ -26,6 +29,29 @@ using config::Parameters;
 
 namespace {
 
+// Calls make(parameters) with those that a bake is made from: a packet has its own wavelengths only.
+template <class Make>
+auto with_own_wavelengths(const Parameters& parameters, const Bake& bake, const Make& make) {
+    const int packet = config::packet_of(bake);
+    return packet == 0 ? make(parameters) : make(config::packet_of(parameters, packet));
+}
+
+// What the light of a packet is compared with, which keeps the packet's parameters.
+template <class Asset>
+std::optional<TracedLight> traced_light(const Baker<Asset>& baker, const Parameters& parameters,
+                                        const Bake& bake) {
+    const int packet = config::packet_of(bake);
+    if (packet == 0) return baker.traced(parameters, bake.as<Asset>());
+    const auto own = std::make_shared<const Parameters>(config::packet_of(parameters, packet));
+    std::optional<TracedLight> light = baker.traced(*own, bake.as<Asset>());
+    if (light) {
+        light->found = [own, found = std::move(light->found)](const Baked& baked, int threads) {
+            return found(baked, threads);
+        };
+    }
+    return light;
+}
+
 template <class Asset>
 AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     AnyBaker any;
@@ -35,12 +61,18 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
         return baker.inputs ? baker.inputs(parameters, bake.as<Asset>()) : std::vector<InputFile>{};
     };
     any.estimate = [&baker](const Parameters& parameters, const Bake& bake) {
-        return baker.estimate(parameters, bake.as<Asset>());
+        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+            return baker.estimate(own, bake.as<Asset>());
+        });
     };
     any.needs = [&baker](const Parameters& parameters, const Bake& bake,
                          Certification certification) {
         std::vector<Need> needs;
-        if (baker.needs) needs = baker.needs(parameters, bake.as<Asset>(), certification);
+        if (baker.needs) {
+            needs = with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+                return baker.needs(own, bake.as<Asset>(), certification);
+            });
+        }
         if (config::kind_of(bake).facts.use_of_light != config::UseOfLight::none) {
             for (Need& need : color_needs(parameters)) needs.push_back(std::move(need));
         }
@@ -48,21 +80,27 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     };
     any.places = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
-        return baker.places(parameters, bake.as<Asset>(), stored);
+        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+            return baker.places(own, bake.as<Asset>(), stored);
+        });
     };
     any.lookup = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
-        return baker.lookup(parameters, bake.as<Asset>(), stored);
+        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+            return baker.lookup(own, bake.as<Asset>(), stored);
+        });
     };
     any.traced = [&baker](const Parameters& parameters, const Bake& bake) {
-        return baker.traced ? baker.traced(parameters, bake.as<Asset>()) : std::nullopt;
+        return baker.traced ? traced_light(baker, parameters, bake) : std::nullopt;
     };
     any.draft = [&baker](Bake& bake, int most_voxels) {
         if (baker.draft) baker.draft(bake.as<Asset>(), most_voxels);
     };
     any.bake = [&baker](const Parameters& parameters, const Bake& bake, const BakeOptions& options,
                         AssetLabel label) {
-        return baker.bake(parameters, bake.as<Asset>(), options, std::move(label));
+        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+            return baker.bake(own, bake.as<Asset>(), options, std::move(label));
+        });
     };
     return any;
 }
@@ -125,8 +163,10 @@ void add_colors(const Parameters& parameters, const Bake& bake, const BakeOption
     const std::shared_ptr<const SkyColors> colors = colors_of(parameters, options);
     if (options.cancelled()) baked.reset();
     if (!colors || !baked) return;
+    const config::PacketRange own = config::packet_range(parameters, config::packet_of(bake));
     baked->conventions.color = color_convention(
-        *parameters.color, *colors, use == config::UseOfLight::colors && holds_colors(parameters));
+        *parameters.color, std::span(colors->weights).subspan(own.first, own.count),
+        use == config::UseOfLight::colors && holds_colors(parameters));
     if (baked->certified) baked->certificate.color = colors->error;
 }
 

@@ -88,12 +88,12 @@ std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
     return colors_of(request_of(parameters), options);
 }
 
-ColorConvention color_convention(const config::Color& color, const SkyColors& colors,
+ColorConvention color_convention(const config::Color& color, std::span<const glm::dvec3> weights,
                                  bool is_applied) {
     ColorWords words = words_of(color);
     ColorConvention convention = {std::move(words.space), std::move(words.white),
                                   std::move(words.sun), std::move(words.observer), is_applied};
-    for (const glm::dvec3& weight : colors.weights) {
+    for (const glm::dvec3& weight : weights) {
         convention.weights.insert(convention.weights.end(), {weight.x, weight.y, weight.z});
     }
     return convention;

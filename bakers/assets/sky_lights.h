@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,8 +30,9 @@ int light_channels(const config::Parameters& parameters);
 std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
                                            const BakeOptions& options);
 
-// Returns what files say of the colours; `is_applied` says whether their channels are colours.
-ColorConvention color_convention(const config::Color& color, const SkyColors& colors,
+// Returns what files say of the colours that have a weight for each of their wavelengths; `is_applied`
+// says whether their channels are colours.
+ColorConvention color_convention(const config::Color& color, std::span<const glm::dvec3> weights,
                                  bool is_applied);
 
 // What fitting the colours needs, if the recipe has any.

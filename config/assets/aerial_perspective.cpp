@@ -107,11 +107,12 @@ Length default_view_distance() {
 
 void check_channels(const DecodedSection& bake, Decoder& decoder) {
     const DecodedField& content = bake.at("content");
-    if (!content.value || decoder.channels != 1) return;
+    if (!content.value || !decoder.channels || decoder.channels == 3) return;
     if (choice_of<AerialContent>(content) != AerialContent::in_scatter_and_transmittance) return;
     decoder.diagnostics.error(
         "E0129", content.source ? content.source->place : bake.place,
-        fmt::format("`{}` has two channels with one wavelength", join_path(bake.path, "content")),
+        fmt::format("`{}` is for three channels of light, and this recipe has {}",
+                    join_path(bake.path, "content"), *decoder.channels),
         "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
 }
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
 
@@ -18,7 +18,7 @@ enum class SliceSpacing { linear, squared };
 
 // The voxels hold the light that the air scatters into the view rays of a camera, and the
 // transmittance, up to given distances along the rays.
-struct AerialPerspectiveBake : AssetFiles {
+struct AerialPerspectiveBake : LightFiles {
     std::array<int, 3> size{};  // voxels across, down and along distance
     AerialContent content = AerialContent::in_scatter_and_transmittance;
     Length altitude;  // of the camera, within the atmosphere

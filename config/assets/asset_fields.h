@@ -4,12 +4,14 @@
 
 #include <array>
 #include <iterator>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 
 namespace skybake::config {
@@ -117,10 +119,21 @@ struct FileWords {
 inline constexpr FileWords table_files = {
     .mips = "number of levels of detail, with the table itself", .pixel_type = R"("float")"};
 
-// Returns a section's own rows, followed by those of AssetFiles.
+inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
+
+// Returns a section's own rows, followed by those of LightFiles and of AssetFiles.
 template <class S, std::size_t count>
 std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
     std::vector<Row<S>> rows(own.begin(), own.end());
+    if constexpr (std::is_base_of_v<LightFiles, S>) {
+        rows.push_back(
+            {{.key = "packet",
+              .kind = Kind::integer,
+              .range = packet_number_range,
+              .documentation = "which four of the wavelengths the channels are; without "
+                               "it, of more than four, assets NAME_1, NAME_2 ... hold all"},
+             &LightFiles::packet});
+    }
     const Row<S> file_rows[] = {
         {{.key = "formats",
           .kind = Kind::choice_list,

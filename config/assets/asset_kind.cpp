@@ -38,6 +38,8 @@ const AssetKind& kind_of(const Bake& bake) {
 
 const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
 
+int packet_of(const Bake& bake) { return kind_of(bake).packet(bake); }
+
 namespace {
 
 // The scattering and extinction of a layer of particles, a gas or an aerosol follow from the values
@@ -113,8 +115,6 @@ struct OpenBake {
     std::string name;
     const AssetKind* kind = nullptr;
     DecodedSection section;
-
-    Bake bind() const { return kind->bind(name, section); }
 };
 
 // Returns null if there is no asset of this name.
@@ -264,6 +264,102 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
     }
 }
 
+// Returns the section with its lists of one value per wavelength cut to the packet's.
+DecodedSection cut_to_packet(DecodedSection section, const Parameters& recipe, int packet) {
+    const PacketRange range = packet_range(recipe, packet);
+    for (DecodedField& decoded : section.fields) {
+        const bool is_per_channel = decoded.field->kind.read == read_channels;
+        if (!is_per_channel || !decoded.value) continue;
+        auto& values = std::get<std::vector<double>>(*decoded.value);
+        const auto first = values.begin() + static_cast<std::ptrdiff_t>(range.first);
+        values = {first, first + static_cast<std::ptrdiff_t>(range.count)};
+    }
+    return section;
+}
+
+Bake bind(const OpenBake& bake, const Parameters& recipe) {
+    const DecodedField* packet = find_decoded(bake.section, "packet");
+    if (!packet || !packet->value) return bake.kind->bind(bake.name, bake.section);
+    const int number = static_cast<int>(std::get<double>(*packet->value));
+    return bake.kind->bind(bake.name, cut_to_packet(bake.section, recipe, number));
+}
+
+// Whether the channels of an asset are wavelengths of the recipe.
+bool holds_wavelengths(const AssetKind& kind, const Parameters& recipe) {
+    const UseOfLight use = kind.facts.use_of_light;
+    return use == UseOfLight::channels || (use == UseOfLight::colors && !holds_colors(recipe));
+}
+
+// Reports and removes a packet that the recipe does not have, or that an asset of colours cannot
+// hold.
+void check_packet(OpenBake& bake, const Parameters& recipe, Decoder& decoder) {
+    DecodedField& decoded = bake.section.at("packet");
+    const int packet = static_cast<int>(std::get<double>(*decoded.value));
+    const bool has_wavelengths = holds_wavelengths(*bake.kind, recipe);
+    if (has_wavelengths && packet <= packet_count(recipe)) return;
+    decoded.value.reset();
+    const std::string path = join_path(bake.section.path, "packet");
+    decoder.diagnostics.error(
+        "E0147", decoded.source->place,
+        has_wavelengths
+            ? fmt::format("`{}` is {}; the recipe has {} wavelengths", path, packet,
+                          recipe.wavelengths.size())
+            : fmt::format("`{}`: this asset holds colours made of all wavelengths", path),
+        has_wavelengths ? fmt::format("give at most {}", packet_count(recipe))
+                        : "leave it out, or set [color] space to \"none\"");
+}
+
+// Returns a bake for each packet of the recipe. Their sections have the names NAME_1, NAME_2 ...
+std::vector<OpenBake> divided(const OpenBake& whole, const Parameters& recipe) {
+    std::vector<OpenBake> parts;
+    for (int packet = 1; packet <= packet_count(recipe); ++packet) {
+        OpenBake part = whole;
+        part.name = fmt::format("{}_{}", whole.name, packet);
+        part.section.path = join_path("bake", part.name);
+        derive(part.section.at("packet"), static_cast<double>(packet));
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+// Reports bakes that have the name of another bake's packet.
+void check_packet_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
+                        std::span<const Entry* const> entries, Decoder& decoder) {
+    for (const Entry* entry : entries) {
+        const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
+            return part.name == entry->key;
+        });
+        if (!is_taken) continue;
+        decoder.diagnostics.error(
+            "E0147", entry->key_place,
+            fmt::format("[bake.{0}] has the name of a packet of [bake.{1}], whose wavelengths are "
+                        "held by {1}_1 to {1}_{2}",
+                        entry->key, whole.name, parts.size()),
+            "choose another name");
+    }
+}
+
+// Replaces bakes by those of their packets, where a texture has too few channels.
+std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Parameters& recipe,
+                                           std::span<const Entry* const> entries,
+                                           Decoder& decoder) {
+    std::vector<OpenBake> result;
+    for (OpenBake& bake : open) {
+        const DecodedField* packet = find_decoded(bake.section, "packet");
+        if (packet && packet->value) check_packet(bake, recipe, decoder);
+        const bool is_divided = packet && !packet->source && packet_count(recipe) > 1 &&
+                                holds_wavelengths(*bake.kind, recipe);
+        if (!is_divided) {
+            result.push_back(std::move(bake));
+            continue;
+        }
+        std::vector<OpenBake> parts = divided(bake, recipe);
+        check_packet_names(bake, parts, entries, decoder);
+        std::move(parts.begin(), parts.end(), std::back_inserter(result));
+    }
+    return result;
+}
+
 }  // namespace
 
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
@@ -282,7 +378,6 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
             unreadable.push_back(entry->key);
         }
     }
-    std::vector<Bake> bakes;
     for (OpenBake& bake : open) {
         if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
@@ -291,13 +386,15 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }
-        bakes.push_back(bake.bind());
     }
+    open = divided_where_needed(std::move(open), recipe, entries, decoder);
+    std::vector<Bake> bakes;
+    for (const OpenBake& bake : open) bakes.push_back(bind(bake, recipe));
     // The bake that an asset is made from may stand after it in the file.
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open[i].kind->facts.of_another_bake) {
             open[i].kind->resolve(open[i].section, {recipe, bakes, unreadable}, decoder);
-            bakes[i] = open[i].bind();
+            bakes[i] = bind(open[i], recipe);
         }
         append_values(open[i].section, decoder);
     }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {
@@ -33,8 +35,8 @@ using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, D
 // What an asset does with the wavelengths of a recipe.
 enum class UseOfLight {
     none,
-    channels,  // one channel or number for each, at most four: what a runtime multiplies
-    colors,    // light of any number of wavelengths, turned into colours
+    channels,  // one channel or number for each: what a runtime multiplies
+    colors,    // light, turned into colours if the recipe has [color] with a space
 };
 
 struct AssetFacts {
@@ -54,6 +56,7 @@ struct AssetKind {
     // Lists what an asset is made from besides its own section.
     std::function<std::vector<Read>(const Parameters& parameters, const Bake& bake)> reads;
     const AssetFiles& (*files)(const Bake& bake) = nullptr;
+    int (*packet)(const Bake& bake) = nullptr;
 };
 
 // Returns the kinds of all assets, in the order of assets.h.
@@ -63,6 +66,9 @@ const AssetKind& kind_of(const Bake& bake);
 
 // Returns the settings of a bake's files.
 const AssetFiles& files_of(const Bake& bake);
+
+// Returns the packet of wavelengths that a bake holds, or 0 if it holds all.
+int packet_of(const Bake& bake);
 
 template <class Asset>
 AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
@@ -82,6 +88,10 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
         return reads(parameters, bake.as<Asset>());
     };
     kind.files = [](const Bake& bake) -> const AssetFiles& { return bake.as<Asset>(); };
+    kind.packet = [](const Bake& bake) {
+        if constexpr (std::is_base_of_v<LightFiles, Asset>) return bake.as<Asset>().packet;
+        return 0;
+    };
     return kind;
 }
 

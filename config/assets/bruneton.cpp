@@ -199,6 +199,20 @@ std::vector<std::string> peaked_layers(const Atmosphere& atmosphere) {
     return names;
 }
 
+// Reports a combined table whose A would be a fifth channel, or the second or third, which no
+// runtime takes for A.
+void check_combined(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
+    const std::size_t channels = channels_of_light(recipe);
+    if (channels == 1 || channels == 3 || channels == 0) return;
+    const DecodedField& combined = bake.at("combined");
+    if (!combined.value || !std::get<bool>(*combined.value)) return;
+    decoder.diagnostics.error(
+        "E0129", combined.source ? combined.source->place : bake.place,
+        fmt::format("`{}` is for one or three channels of light, and this recipe has {}",
+                    join_path(bake.path, "combined"), channels),
+        "give combined = false, and bake table = \"single_mie\" as another asset");
+}
+
 void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
     const auto problem = takram_problem(recipe.atmosphere, channels_of_light(recipe));
     if (!problem) return;
@@ -276,6 +290,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
         check_nu(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
         check_halves(bake, std::get<VoxelCounts>(*bake.at("size").value), decoder);
     }
+    if (*table == BrunetonTable::scattering) check_combined(bake, recipe, decoder);
     if (*table == BrunetonTable::higher_orders) check_higher_orders(bake, decoder);
     if (*convention == BrunetonConvention::takram && decoder.complete) {
         check_takram(bake, recipe, decoder);

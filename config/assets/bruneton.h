@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 
 namespace skybake::config {
 
@@ -16,7 +16,7 @@ enum class BrunetonMethod { solved, iterated };
 
 // This is one table of the precomputed scattering of Bruneton & Neyret 2008, in the form that
 // Bruneton's implementation of 2017 gives it.
-struct BrunetonBake : AssetFiles {
+struct BrunetonBake : LightFiles {
     BrunetonTable table = BrunetonTable::scattering;
     // These are the texels along u, v and w. The axes of the tables of scattering are nu and the
     // sun's cosine (u), the view's cosine (v) and altitude (w). Those of transmittance are zenith

@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
 
-struct EnvironmentBake : AssetFiles {
+struct EnvironmentBake : LightFiles {
     std::array<int, 2> size{};  // texels around the horizon, and from zenith to nadir
     Length altitude;            // of the camera, which may be in space
     Angle sun_elevation;

@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 
 namespace skybake::config {
 
 enum class IrradianceContent { direct, sky, total };
 
-struct IrradianceBake : AssetFiles {
+struct IrradianceBake : LightFiles {
     std::array<int, 2> size{};  // texels along the sun's cosine and along altitude
     IrradianceContent content = IrradianceContent::total;
     SkyOrders orders = SkyOrders::all;  // for content sky

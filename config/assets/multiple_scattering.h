@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 
 namespace skybake::config {
@@ -14,7 +14,7 @@ namespace skybake::config {
 enum class MultipleScatteringMethod { converged, as_in_paper, solved };
 enum class MultipleScatteringContent { hillaire, fitted, moments };
 
-struct MultipleScatteringBake : AssetFiles {
+struct MultipleScatteringBake : LightFiles {
     std::array<int, 2> size{};        // texels along the sun's cosine and along altitude
     std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     double max_texel_error = 0;       // quadrature error of a texel; sets the number of points

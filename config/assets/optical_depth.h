@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -17,7 +17,7 @@ enum class DepthSampling { exact, equal_attenuation, uniform };
 
 // The table holds column densities, densities or phase functions of up to four kinds of particles,
 // one kind per channel, after Ai et al. 2014.
-struct OpticalDepthBake : AssetFiles {
+struct OpticalDepthBake : LightFiles {
     OpticalDepthTable table = OpticalDepthTable::to_top;
     std::array<int, 3> size{};       // to_top: angle, altitude, 1; between: three; else n, 1, 1
     std::vector<std::string> kinds;  // layers of the atmosphere

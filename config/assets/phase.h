@@ -5,14 +5,14 @@
 #include <string>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 
 namespace skybake::config {
 
 enum class PhaseContent { phase, inverse_cumulative };
 enum class PhaseSpacing { best, angle, cosine, peaks };
 
-struct PhaseBake : AssetFiles {
+struct PhaseBake : LightFiles {
     std::string particles;            // NAME of a [particles.NAME]; empty: `layer` is given
     std::string layer;                // NAME of a layer of the atmosphere
     int size = 0;                     // texels

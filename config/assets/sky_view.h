@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
 
-struct SkyViewBake : AssetFiles {
+struct SkyViewBake : LightFiles {
     std::array<int, 2> size{};  // texels along azimuth and along elevation, for one sun
     Length altitude;            // of the camera, which may be in space
     std::vector<Angle> sun_elevations;

@@ -6,14 +6,14 @@
 #include <optional>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/packets.h"
 
 namespace skybake::config {
 
 enum class TransmittanceContent { transmittance, optical_depth };
 enum class TransmittanceMapping { bruneton, ue };
 
-struct TransmittanceBake : AssetFiles {
+struct TransmittanceBake : LightFiles {
     std::array<int, 2> size{};        // texels along the zenith angle and along altitude
     std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
     TransmittanceContent content = TransmittanceContent::transmittance;

@@ -171,7 +171,8 @@ constexpr std::array codes = {
                    "channel of type = \"constant\" can stand in for a missing one. `pack` needs "
                    "the channels that its formula names: shape needs R, G, B and A, and detail "
                    "needs R, G and B. An occupancy grid has one, three or four contents. An aerial "
-                   "perspective of one wavelength holds in_scatter or transmittance, not both.",
+                   "perspective holds in_scatter and transmittance together only with three "
+                   "channels of light, and a combined table of scattering only with one or three.",
                    "[noise.n.channels.R]\ntype = \"perlin\"\n"
                    "[noise.n.channels.G]\ntype = \"worley\"",
                    "[noise.n.channels.R]\ntype = \"perlin\"\n"
@@ -346,17 +347,15 @@ constexpr std::array codes = {
         usage},
     DiagnosticCode{
         "E0147", "wavelengths that an asset cannot hold",
-        "Tables of transmittance, multiple scattering and phase functions hold one channel for "
-        "each "
-        "wavelength, and files have at most four; optical_depth states extinctions for as many. "
-        "Light itself (sky_view, environment, irradiance, aerial_perspective, bruneton) is held as "
-        "colours made of any number of wavelengths if the recipe has [color] or asks for the best "
-        "ones; one wavelength alone has no colour.",
-        "preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 5 nm\"\n"
-        "[atmosphere.layers.rayleigh]\nscattering = \"1e-5 /m\"\n"
-        "[atmosphere.layers.ozone]\nabsorption = \"0 /m\"\n[bake.transmittance]",
-        "preset = \"earth\"\nwavelengths = [\"680 nm\", \"550 nm\", \"440 nm\"]\n"
-        "[bake.transmittance]",
+        "If the recipe has [color] with a space, light itself (sky_view, environment, irradiance, "
+        "aerial_perspective, bruneton) is held as colours, which are made of two wavelengths or "
+        "more, all of them visible. Other assets hold wavelengths, a channel for each. Of more "
+        "than four, assets NAME_1, NAME_2 and so on hold four each, so no other section may have "
+        "these names; `packet` asks for one of them.",
+        "preset = \"earth\"\nwavelengths = \"550 nm\"\n[color]\n"
+        "[bake.sky_view]\nsun_elevations = [\"30 deg\"]",
+        "preset = \"earth\"\nwavelengths = \"best 4\"\n[color]\n"
+        "[bake.sky_view]\nsun_elevations = [\"30 deg\"]",
         usage},
     DiagnosticCode{
         "E0143", "atmosphere that the convention cannot express",

@@ -161,21 +161,12 @@ constexpr WavelengthRange visible{{380e-9}, {780e-9}};
 
 // Returns why an asset cannot hold the recipe's wavelengths, or an empty text.
 std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
-    constexpr std::size_t most_channels = 4;
-    const std::size_t count = recipe.wavelengths.size();
-    const bool is_rgb = count == 1 || count == 3;
-    if (use == UseOfLight::colors && holds_colors(recipe)) {
-        if (count == 1) return "cannot make a colour of one wavelength";
-        const bool is_visible =
-            std::all_of(recipe.wavelengths.begin(), recipe.wavelengths.end(),
-                        [](Length wavelength) { return visible.contains(wavelength); });
-        return is_visible ? "" : "makes colours of wavelengths from 380 nm to 780 nm only";
-    }
-    if (use == UseOfLight::channels) {
-        return count <= most_channels ? "" : "holds at most four wavelengths, one per channel";
-    }
-    if (use == UseOfLight::none || is_rgb) return "";
-    return "holds one or three wavelengths unless [color] has a space";
+    if (use != UseOfLight::colors || !holds_colors(recipe)) return "";
+    if (recipe.wavelengths.size() == 1) return "cannot make a colour of one wavelength";
+    const bool is_visible =
+        std::all_of(recipe.wavelengths.begin(), recipe.wavelengths.end(),
+                    [](Length wavelength) { return visible.contains(wavelength); });
+    return is_visible ? "" : "makes colours of wavelengths from 380 nm to 780 nm only";
 }
 
 // Reports assets that cannot hold the recipe's wavelengths.

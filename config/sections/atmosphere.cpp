@@ -264,6 +264,13 @@ double depolarization_of(const Layer& layer) {
     return gas_optics(layer.gas->gas, aerosol_wavelength).depolarization;
 }
 
+// Molecules that scatter do so by Rayleigh's law, also where a recipe does not say it.
+void derive_phase_of_gas(DecodedSection& section) {
+    const std::optional<Gas> gas = choice_of<Gas>(section.at("gas"));
+    DecodedField& phase = section.at("phase");
+    if (gas && scatters(*gas)) derive(phase, chosen(*phase.field, Phase::rayleigh));
+}
+
 void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
     const DecodedField& named = section.at("gas");
     if (!named.value) return;
@@ -276,8 +283,8 @@ void bind_gas(const DecodedSection& section, Decoder& decoder, Layer& layer) {
         amount.column = {number_or(section.at("column"), 0)};
     }
     layer.gas = amount;
-    if (scatters(amount.gas) && layer.phase != Phase::rayleigh && section.at("phase").value) {
-        const DecodedField& phase = section.at("phase");
+    const DecodedField& phase = section.at("phase");
+    if (scatters(amount.gas) && layer.phase != Phase::rayleigh && phase.value) {
         decoder.diagnostics.error(
             "E0139", phase.source ? phase.source->place : section.place,
             fmt::format("`{}` does not fit gas = \"{}\"", join_path(section.path, "phase"),
@@ -479,6 +486,7 @@ std::optional<Layer> decode_layer(const std::string& name, const Place& place, c
     }
     check_slab(section, decoder);
     if (matter == Matter::spheres) derive(section.at("relative_humidity"), usual_humidity);
+    if (matter == Matter::gas) derive_phase_of_gas(section);
     append_values(section, decoder);
     if (matter == Matter::aerosol) carry_albedo(section, decoder);
     return bind_layer(name, section, recipe, decoder);

@@ -18,11 +18,21 @@ vec4 aerial_perspective(sampler3D air, vec2 picture, float d, float view_distanc
     return mix(vec4(0.0, 0.0, 0.0, 1.0), value, depth.y);
 }
 
-// This looks up content = "transmittance".
-vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
+// The same with content = "in_scatter" and four wavelengths.
+vec4 aerial_light_of_4(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
     vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
-    vec3 value = texture(air, vec3(picture, depth.x)).rgb;
-    return mix(vec3(1.0), value, depth.y);
+    return depth.y * texture(air, vec3(picture, depth.x));
+}
+
+// These look up content = "transmittance".
+vec4 aerial_transmittance_of_4(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
+    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+    vec4 value = texture(air, vec3(picture, depth.x));
+    return mix(vec4(1.0), value, depth.y);
+}
+
+vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
+    return vec3(aerial_transmittance_of_4(air, picture, d, view_distance, squared));
 }
 
 // Where a view direction is in the picture of a camera with these axes of length 1 (right: where x grows

@@ -40,9 +40,13 @@ vec4 bruneton_scattering(sampler3D table, float R, float D, float h, float mu, f
 }
 
 // Irradiance by the sky without the sun, times the solar irradiance.
-vec3 bruneton_irradiance(sampler2D table, float D, float h, float mu_s) {
+vec4 bruneton_irradiance_of_4(sampler2D table, float D, float h, float mu_s) {          // of four wavelengths
     vec2 size = vec2(textureSize(table, 0)), place = vec2(0.5 + 0.5 * mu_s, h / D);
-    return texture(table, (0.5 + place * (size - 1.0)) / size).rgb;
+    return texture(table, (0.5 + place * (size - 1.0)) / size);
+}
+
+vec3 bruneton_irradiance(sampler2D table, float D, float h, float mu_s) {
+    return vec3(bruneton_irradiance_of_4(table, D, h, mu_s));
 }
 
 // In 1/sr: Rayleigh's phase function, and that of Cornette and Shanks.

@@ -4,8 +4,12 @@
 //
 // D is the thickness of the air, h the altitude, both in km; sun_mu is the cosine of the sun's zenith
 // angle. `twilight` is true with mapping = "twilight" and false with "hillaire".
-vec3 irradiance(sampler2D table, float D, float h, float sun_mu, bool twilight) {
+vec4 irradiance_of_4(sampler2D table, float D, float h, float sun_mu, bool twilight) {    // wavelengths
     float x = 0.5 + 0.5 * (twilight ? sign(sun_mu) * sqrt(abs(sun_mu)) : sun_mu);
     vec2 size = vec2(textureSize(table, 0)), place = vec2(x, sqrt(h / D));
-    return texture(table, (0.5 + place * (size - 1.0)) / size).rgb;
+    return texture(table, (0.5 + place * (size - 1.0)) / size);
+}
+
+vec3 irradiance(sampler2D table, float D, float h, float sun_mu, bool twilight) {
+    return vec3(irradiance_of_4(table, D, h, sun_mu, twilight));
 }

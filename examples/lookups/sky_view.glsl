@@ -4,7 +4,8 @@
 // The unit vectors `dir`, `up` and `sun` point along the view ray, away from the planet's centre and to
 // the sun. The file holds the tables of n suns below each other; this one is the k-th from 0 on.
 // Angles come from atan(y, x): asin and acos are wrong by 4e-4 on some GPUs, 12 % of the radiance.
-vec3 sky_view(sampler2D table, float R, float D, float h, vec3 dir, vec3 up, vec3 sun, int k, int n) {
+vec4 sky_view_of_4(sampler2D table, float R, float D, float h, vec3 dir, vec3 up, vec3 sun, int k,
+                   int n) {                                        // of four wavelengths
     const float PI = 3.14159265;
     float cd = R / (R + h), sd = sqrt(h * (2.0 * R + h)) / (R + h);    // of the horizon's dip
     float mu = dot(dir, up), level = length(dir - up * mu);
@@ -13,7 +14,7 @@ vec3 sky_view(sampler2D table, float R, float D, float h, vec3 dir, vec3 up, vec
     if (h >= D) {                                                      // from space: the edge of the air
         float ce = (R + D) / (R + h), se = sqrt((h - D) * (2.0 * R + D + h)) / (R + h);
         above = atan(sd * ce - cd * se, cd * ce + sd * se);
-        if (l > above) return vec3(0.0);
+        if (l > above) return vec4(0.0);
     }
     vec3 a = dir - up * mu, b = sun - up * dot(sun, up);               // their azimuths
     float across = length(cross(a, b)), along = dot(a, b);
@@ -24,5 +25,9 @@ vec3 sky_view(sampler2D table, float R, float D, float h, vec3 dir, vec3 up, vec
     vec2 size = vec2(texels.x, rows), uv = (0.5 + vec2(x, min(y, 1.0)) * (size - 1.0)) / size;
     float horizon = float(rows / 2) / size.y, texel = 0.5 / size.y;    // sky and ground do not mix
     uv.y = l < 0.0 ? min(uv.y, horizon - texel) : max(uv.y, horizon + texel);
-    return texture(table, vec2(uv.x, (float(k) + uv.y) / float(n))).rgb;
+    return texture(table, vec2(uv.x, (float(k) + uv.y) / float(n)));
+}
+
+vec3 sky_view(sampler2D table, float R, float D, float h, vec3 dir, vec3 up, vec3 sun, int k, int n) {
+    return vec3(sky_view_of_4(table, R, D, h, dir, up, sun, k, n));
 }

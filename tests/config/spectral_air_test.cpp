@@ -120,6 +120,19 @@ TEST(Matter, AGasIsKnownAtSomeWavelengthsOnly) {
               Codes{"E0145 5:20"});
 }
 
+// A transmittance is made from no phase function, so that its file does not carry it.
+TEST(Gas, ScattersByRayleighsLawWhereNothingIsSaid) {
+    const std::string air =
+        "[atmosphere.layers.air]\ngas = 'air'\nprofile = 'exponential'\n"
+        "scale_height = '8 km'\n";
+    const Recipe recipe = valid(planet + air);
+    ASSERT_EQ(recipe.parameters.atmosphere.layers.size(), 1u);
+    EXPECT_EQ(recipe.parameters.atmosphere.layers[0].phase, Phase::rayleigh);
+    EXPECT_EQ(recipe.parameters.atmosphere,
+              valid(planet + air + "phase = 'rayleigh'\n").parameters.atmosphere);
+    EXPECT_EQ(parse(planet + air + "phase = 'isotropic'\n").diagnostics.at(0).code, "E0139");
+}
+
 // --- At other wavelengths ------------------------------------------------------------------------
 
 std::vector<Length> lengths(const std::vector<double>& nm) {

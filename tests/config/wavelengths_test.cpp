@@ -6,7 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "config/assets/asset_kind.h"
+#include "config/assets/bruneton.h"
 #include "config/sections/color.h"
+#include "config/sections/packets.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
@@ -71,30 +74,115 @@ TEST(Color, IsThereWhereTheRecipeAsksForIt) {
     EXPECT_EQ(recipe.parameters.color->white, WhitePoint::sun);
 }
 
+const std::string sky = "[bake.sky_view]\nsun_elevations = ['30 deg']\n";
+const std::string matrix = "[bake.transmittance]\n";
+const std::string none = "[color]\nspace = 'none'\n";
+
 TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
-    const std::string sky = "[bake.sky_view]\nsun_elevations = ['30 deg']\n";
-    const std::string matrix = "[bake.transmittance]\n";
     const std::string mean = "[bake.multiple_scattering]\nmethod = 'solved'\n";
-    EXPECT_EQ(faults("wavelengths = 'best 16'\n" + grey_air + sky), Codes{});
-    EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + sky + matrix + mean), Codes{});
-    EXPECT_EQ(faults("wavelengths = 'best 8'\n" + grey_air +
-                     "[bake.aerial_perspective]\naltitude = '1 km'\nsun_elevation = '9 deg'\n"),
-              Codes{});
-    EXPECT_EQ(faults("wavelengths = 'best 8'\n" + grey_air + matrix), Codes{"E0147 1:15"});
-    EXPECT_EQ(faults("wavelengths = ['500 nm', '900 nm']\n" + grey_air + sky + "[color]\n"),
-              Codes{"E0147 1:15"});
-    EXPECT_EQ(faults("wavelengths = ['500 nm', '600 nm']\n" + grey_air + sky), Codes{"E0147 1:15"});
-    EXPECT_EQ(faults("wavelengths = ['500 nm']\n" + grey_air + sky + "[color]\n"),
-              Codes{"E0147 1:15"});
-    EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + "[color]\nspace = 'none'\n" + sky),
-              Codes{"E0147 1:15"});
-    EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + mean + "content = 'moments'\n"),
-              Codes{});
+    const std::string aerial =
+        "[bake.aerial_perspective]\naltitude = '1 km'\nsun_elevation = '9 deg'\n";
     const std::string bruneton = "[bake.bruneton]\ntable = 'scattering'\n";
-    EXPECT_EQ(faults("wavelengths = 'best 4'\n" + grey_air + bruneton), Codes{});
+    const auto faults_of = [](const std::string& wavelengths, const std::string& rest) {
+        return faults("wavelengths = " + wavelengths + "\n" + grey_air + rest);
+    };
+    EXPECT_EQ(faults_of("'best 16'", sky + aerial + bruneton + matrix), Codes{});
+    EXPECT_EQ(faults_of("'best 4'", sky + matrix + mean + bruneton), Codes{});
+    EXPECT_EQ(faults_of("'best 4'", mean + "content = 'moments'\n"), Codes{});
+    EXPECT_EQ(faults_of("['500 nm', '600 nm']", sky), Codes{});
+    EXPECT_EQ(faults_of("'best 4'", none + sky + matrix), Codes{});
+    // Colours need two visible wavelengths.
+    EXPECT_EQ(faults_of("['500 nm', '900 nm']", sky + "[color]\n"), Codes{"E0147 1:15"});
+    EXPECT_EQ(faults_of("['500 nm']", sky + "[color]\n"), Codes{"E0147 1:15"});
+    EXPECT_EQ(faults_of("['500 nm', '900 nm']", sky + none), Codes{});
+    // Four wavelengths leave no channel for anything else.
+    EXPECT_EQ(faults_of("'best 4'", none + aerial), Codes{"E0129 11:7"});
+    EXPECT_EQ(faults_of("'best 4'", none + aerial + "content = 'in_scatter'\n"), Codes{});
+    EXPECT_EQ(faults_of("'best 8'", none + bruneton), Codes{"E0129 11:7"});
+    EXPECT_EQ(faults_of("'best 8'", none + bruneton + "combined = false\n"), Codes{});
+    EXPECT_EQ(faults_of("'best 3'", none + bruneton + aerial), Codes{});
+}
+
+// --- Packets -------------------------------------------------------------------------------------
+
+using Names = std::vector<std::string>;
+
+Names names_of(const Recipe& recipe) {
+    Names names;
+    for (const Bake& bake : recipe.parameters.bakes) names.push_back(bake.name);
+    return names;
+}
+
+TEST(Packets, HoldFourWavelengthsEach) {
+    const auto names = [](const std::string& wavelengths, const std::string& color) {
+        return names_of(valid("wavelengths = " + wavelengths + "\n" + grey_air + color + sky +
+                              matrix + "[bake.noise_volume]\nnoise = 'n'\nsize = [8, 8, 8]\n" +
+                              "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 1\n"));
+    };
+    EXPECT_EQ(names("'best 8'", none), (Names{"sky_view_1", "sky_view_2", "transmittance_1",
+                                              "transmittance_2", "noise_volume"}));
+    EXPECT_EQ(names("'best 8'", ""),
+              (Names{"sky_view", "transmittance_1", "transmittance_2", "noise_volume"}));
+    EXPECT_EQ(names("'best 4'", none), (Names{"sky_view", "transmittance", "noise_volume"}));
     EXPECT_EQ(
-        faults("wavelengths = 'best 4'\n" + grey_air + "[color]\nspace = 'none'\n" + bruneton),
-        Codes{"E0147 1:15"});
+        names("'500 nm..540 nm by 10 nm'", ""),
+        (Names{"sky_view_1", "sky_view_2", "transmittance_1", "transmittance_2", "noise_volume"}));
+}
+
+TEST(Packets, HaveTheAirOfTheirOwnWavelengths) {
+    const std::string air =
+        "[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6420 km'\n"
+        "ground_albedo = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6]\n"
+        "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
+        "scattering = ['1 /km', '2 /km', '3 /km', '4 /km', '5 /km', '6 /km']\n";
+    const Recipe recipe = valid("wavelengths = '500 nm..550 nm by 10 nm'\n" + air + matrix);
+    ASSERT_EQ(names_of(recipe), (Names{"transmittance_1", "transmittance_2"}));
+    const Bake& bake = recipe.parameters.bakes[1];
+    EXPECT_EQ(packet_of(bake), 2);
+    const Parameters own = packet_of(recipe.parameters, packet_of(bake));
+    ASSERT_EQ(own.wavelengths.size(), 2u);
+    EXPECT_NEAR(own.wavelengths[0].meters, 540e-9, 1e-18);
+    EXPECT_EQ(own.atmosphere.ground_albedo, (std::vector<double>{0.5, 0.6}));
+    EXPECT_NEAR(own.atmosphere.layers[0].scattering[1].per_meter, 6e-3, 1e-15);
+}
+
+// What a file carries is a recipe of its packet alone.
+TEST(Packets, AreAskedForByTheirNumber) {
+    const auto bakes = [](const std::string& keys) {
+        return "wavelengths = 'best 16'\n" + grey_air + keys;
+    };
+    const Recipe recipe = valid(bakes(matrix + "packet = 3\n"));
+    ASSERT_EQ(names_of(recipe), Names{"transmittance"});
+    EXPECT_EQ(packet_of(recipe.parameters.bakes[0]), 3);
+    EXPECT_EQ(faults(bakes(matrix + "packet = 5\n")), Codes{"E0147 10:10"});
+    EXPECT_EQ(faults(bakes(matrix + "packet = 0\n")), Codes{"E0110 10:10"});
+    EXPECT_EQ(faults(bakes(sky + "packet = 1\n")), Codes{"E0147 11:10"});
+    EXPECT_EQ(faults(bakes(matrix + "[bake.transmittance_2]\nasset = 'transmittance'\n")),
+              Codes{"E0147 10:7"});
+}
+
+// Lists of one value per wavelength are those of the whole recipe.
+TEST(Packets, TakeTheirPartOfLists) {
+    const std::string text =
+        "wavelengths = '500 nm..550 nm by 10 nm'\n" + grey_air +
+        "[bake.bruneton]\ntable = 'irradiance'\nsolar_irradiance = [1, 2, 3, 4, 5, 6]\n";
+    const auto sun = [](const Bake& bake) { return bake.as<BrunetonBake>().solar_irradiance; };
+    const Recipe recipe = valid(text);
+    ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
+    EXPECT_EQ(sun(recipe.parameters.bakes[0]), (std::vector<double>{1, 2, 3, 4}));
+    EXPECT_EQ(sun(recipe.parameters.bakes[1]), (std::vector<double>{5, 6}));
+    EXPECT_EQ(sun(valid(text + "packet = 2\n").parameters.bakes[0]), (std::vector<double>{5, 6}));
+}
+
+// A fault of a section is reported once, under its own name.
+TEST(Packets, HaveTheFaultsOfTheirSectionOnce) {
+    const auto diagnostics =
+        parse("wavelengths = 'best 8'\n" + grey_air + none + "[bake.sky_view]\nsize = [0, 2]\n")
+            .diagnostics;
+    EXPECT_EQ(codes_and_places(diagnostics), (Codes{"E0105 11:7", "E0110 12:9"}));
+    for (const Diagnostic& one : diagnostics) {
+        EXPECT_NE(one.message.find("`bake.sky_view."), std::string::npos) << one.message;
+    }
 }
 
 }  // namespace

@@ -295,7 +295,7 @@ TEST(TablesOfWavelengths, HaveFourChannelsAndTheWeights) {
 TEST(ColorGlsl, HasTheWeightsOfEachWavelengthAsAVector) {
     const ColorConvention color = {"linear_srgb", "sun", "measured",
                                    "cie_1931",    false, {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12.5}};
-    const std::string text = color_glsl(color, {446, 525, 576, 637}, "baked_sky");
+    const std::string text = color_glsl(color, {446, 525, 576, 637}, false, "baked_sky");
     EXPECT_NE(
         text.find("vec3 baked_sky_color(vec4 light) {\n    return light.x * vec3(1.0, 2.0, 3.0)\n"
                   "         + light.y * vec3(4.0, 5.0, 6.0)\n"
@@ -304,6 +304,16 @@ TEST(ColorGlsl, HasTheWeightsOfEachWavelengthAsAVector) {
         std::string::npos)
         << text;
     EXPECT_NE(text.find("light at 446, 525, 576, 637"), std::string::npos) << text;
+}
+
+TEST(ColorGlsl, OfAPacketSaysThatOthersAddToIt) {
+    const ColorConvention color = {"linear_srgb", "sun", "measured", "cie_1931", false, {1, 2, 3}};
+    const std::string text = color_glsl(color, {446}, true, "baked_sky_3");
+    EXPECT_NE(text.find("vec3 baked_sky_3_color(float light) {\n"
+                        "    return light * vec3(1.0, 2.0, 3.0);\n}"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("Add what the other packets make"), std::string::npos) << text;
 }
 
 }  // namespace

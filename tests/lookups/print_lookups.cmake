@@ -58,5 +58,8 @@ print_lookups(${FOLDER}/one_colour "one_colour_")
 skybake(said bake ${CMAKE_CURRENT_LIST_DIR}/printed_wavelengths.toml -o ${FOLDER}/four_wavelengths
     --certify=off --prune)
 print_lookups(${FOLDER}/four_wavelengths "four_wavelengths_")
+skybake(said bake ${CMAKE_CURRENT_LIST_DIR}/printed_packets.toml -o ${FOLDER}/packets
+    --certify=off --prune)
+print_lookups(${FOLDER}/packets "packets_")
 file(CONFIGURE OUTPUT ${FOLDER}/lookups.h CONTENT "${text_glsl}" @ONLY)
 file(CONFIGURE OUTPUT ${FOLDER}/lookups_msl.h CONTENT "${text_msl}" @ONLY)

@@ -326,6 +326,62 @@ TEST(PrintedLookups, AerialPerspective) {
     EXPECT_NEAR(corner.y, 0, 1e-6);
 }
 
+// --- Packets -------------------------------------------------------------------------------------
+
+TEST(PrintedLookups, SkiesOfPackets) {
+    const std::string folder = "packets";
+    expect_sky(BakedFile("sky.exr", folder), [](const Texture& table, const View& view, double) {
+        return SKYBAKE_CALL(packets_sky_exr, baked_sky, table, view.dir, view.up, view.sun);
+    });
+    BakedFile("panorama.exr", folder).holds([](const Texture& table, const Probe& at) {
+        const View view = view_of(test::at(at, "elevation_deg") * kDegree,
+                                  test::at(at, "azimuth_deg") * kDegree, 20 * kDegree);
+        return SKYBAKE_CALL(packets_panorama_exr, baked_panorama, table, view.dir, view.up,
+                            view.sun);
+    });
+    expect_air(BakedFile("air_light.exr", folder),
+               [](const Texture& air, const vec2& picture, float d) {
+                   return SKYBAKE_CALL(packets_air_light_exr, baked_air_light, air, picture, d);
+               });
+    expect_air(BakedFile("air_transmittance.exr", folder),
+               [](const Texture& air, const vec2& picture, float d) {
+                   return SKYBAKE_CALL(packets_air_transmittance_exr, baked_air_transmittance, air,
+                                       picture, d);
+               });
+}
+
+TEST(PrintedLookups, FlatTablesOfPackets) {
+    const std::string folder = "packets";
+    BakedFile("irradiance_2.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(packets_irradiance_2_exr, baked_irradiance_2, table, altitude(at),
+                            sun_cosine(at));
+    });
+    BakedFile("b_irradiance.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(packets_b_irradiance_exr, baked_b_irradiance, table, altitude(at),
+                            sun_cosine(at));
+    });
+    BakedFile("b_transmittance.exr", folder).holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(packets_b_transmittance_exr, baked_b_transmittance, table, altitude(at),
+                            cosine(at));
+    });
+}
+
+// Before the first slice, where no probe is, light falls to 0 and the transmittance rises to 1 in all
+// four channels.
+TEST(PrintedLookups, AirOfPacketsBeginsAtTheCamera) {
+    const BakedFile light("air_light.exr", "packets");
+    const BakedFile share("air_transmittance.exr", "packets");
+    const vec2 picture(0.5, 0.4);
+    const vec4 none =
+        SKYBAKE_CALL(packets_air_light_exr, baked_air_light, light.texture(), picture, 0.0f);
+    const vec4 all = SKYBAKE_CALL(packets_air_transmittance_exr, baked_air_transmittance,
+                                  share.texture(), picture, 0.0f);
+    for (int c = 0; c < 4; ++c) {
+        EXPECT_EQ(none[c], 0.0f) << c;
+        EXPECT_EQ(all[c], 1.0f) << c;
+    }
+}
+
 // --- Angles -------------------------------------------------------------------------------------
 
 TEST(PrintedLookups, Phase) {

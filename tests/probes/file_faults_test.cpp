@@ -520,6 +520,27 @@ pixel_type = "float"
     }
 }
 
+// Each packet of wavelengths has its own probes, which tell one from the other.
+TEST(FileFaults, AreToldByVerifyWherePacketsAreExchanged) {
+    const TemporaryFolder folder;
+    bake(
+        "preset = 'earth'\nwavelengths = 'best 8'\n[color]\nspace = 'none'\n"
+        "[bake.transmittance]\nsize = [16, 16]\n",
+        folder.path());
+    EXPECT_TRUE(failed_checks(folder.path()).empty());
+    Manifest manifest = *read_manifest(folder.path()).value;
+    ASSERT_EQ(manifest.assets.size(), 2u);
+    // Files, hashes and statistics change places; probes, wavelengths and places do not.
+    std::swap(manifest.assets[0].files, manifest.assets[1].files);
+    std::swap(manifest.assets[0].content_hash, manifest.assets[1].content_hash);
+    ManifestLevel& first = manifest.assets[0].levels[0];
+    ManifestLevel& second = manifest.assets[1].levels[0];
+    std::swap(first.content_hash, second.content_hash);
+    std::swap(first.statistics, second.statistics);
+    write_bytes(folder.path() / manifest_name, manifest_json(manifest));
+    EXPECT_GE(failed_checks(folder.path())["probe"], 10);
+}
+
 // Probes that would pass anything are no proof, and verify says so.
 TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
     const TemporaryFolder folder;

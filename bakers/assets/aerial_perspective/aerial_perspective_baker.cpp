@@ -69,6 +69,7 @@ AssetPlaces places(const Parameters&, const AerialPerspectiveBake& asset, const 
 AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
                    const StoredTexels& stored) {
     const bool has_light = asset.content != config::AerialContent::transmittance;
+    const bool has_both = asset.content == config::AerialContent::in_scatter_and_transmittance;
     const std::string arguments = fmt::format("air, picture, distance_km, {}, {}",
                                               glsl_number(asset.view_distance.kilometers()),
                                               asset.slices == config::SliceSpacing::squared);
@@ -76,13 +77,17 @@ AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
     function.comment = fmt::format(
         "Returns {} over a distance of 0 to {} km along the view ray. `picture` is the place in "
         "the camera's picture, (0, 0) at its upper left.",
-        has_light ? "the light that the air adds, in 1/sr for a solar irradiance of 1, and in the "
-                    "last of four channels the transmittance,"
-                  : "the transmittance",
+        has_both ? "the light that the air adds, in 1/sr for a solar irradiance of 1, and in the "
+                   "last of four channels the transmittance,"
+        : has_light ? "the light that the air adds, in 1/sr for a solar irradiance of 1,"
+                    : "the transmittance",
         glsl_number(asset.view_distance.kilometers()));
     function.arguments = "sampler3D air, vec2 picture, float distance_km";
-    function.value =
-        fmt::format("{}({})", has_light ? "aerial_perspective" : "aerial_transmittance", arguments);
+    const bool is_of_4 = stored.channels == 4 && !has_both;
+    const std::string_view name = !has_light ? "aerial_transmittance"
+                                  : is_of_4  ? "aerial_light"
+                                             : "aerial_perspective";
+    function.value = fmt::format("{}{}({})", name, is_of_4 ? "_of_4" : "", arguments);
     GlslFunction picture;
     picture.comment =
         "Returns the place of a view direction in the picture of the camera that has these axes of "
@@ -94,7 +99,7 @@ AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
                     glsl_number(std::tan(asset.fov.radians / 2)), glsl_number(asset.aspect));
     picture.suffix = "_picture";
     return {"aerial_perspective",
-            {with_channels(stored.channels, has_light ? 4 : 3, std::move(function)),
+            {with_channels(stored.channels, has_light || is_of_4 ? 4 : 3, std::move(function)),
              std::move(picture)}};
 }
 

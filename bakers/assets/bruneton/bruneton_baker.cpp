@@ -102,18 +102,18 @@ AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const Sto
             "a ray of this zenith angle that does not meet the ground.",
             thickness_km);
         function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-        function.value = fmt::format("transmittance_to_top(table, {}, altitude_km, cos_zenith)",
-                                     glsl_shell(shell));
-        return {"transmittance", {with_channels(stored.channels, 3, std::move(function))}};
+        function.value = fmt::format("transmittance_to_top{}(table, {}, altitude_km, cos_zenith)",
+                                     of_4(stored.channels), glsl_shell(shell));
+        return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
     }
     function.comment = fmt::format(
         "Returns the irradiance by the sky without the sun of a level surface that faces up, times "
         "the solar irradiance. altitude_km is from 0 to {}.",
         thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value =
-        fmt::format("bruneton_irradiance(table, {}, altitude_km, sun_cos_zenith)", thickness_km);
-    return {"bruneton", {with_channels(stored.channels, 3, std::move(function))}};
+    function.value = fmt::format("bruneton_irradiance{}(table, {}, altitude_km, sun_cos_zenith)",
+                                 of_4(stored.channels), thickness_km);
+    return {"bruneton", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
+#include "bakers/assets/asset_label.h"
 #include "bakers/assets/bruneton/flat_tables.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_table.h"
@@ -52,9 +53,9 @@ std::optional<LightRequest> light_request(const config::Atmosphere& atmosphere,
 }
 
 std::vector<std::string> channel_names(const PacketsOfAir& air, const BrunetonBake& bake) {
-    const bool is_grey = air.weights.empty() && air.packets.front().ground_albedo.size() == 1;
-    std::vector<std::string> names = {"R", "G", "B"};
-    if (is_grey) names = {"Y"};
+    const std::size_t wavelengths = air.packets.front().ground_albedo.size();
+    std::vector<std::string> names =
+        names_of_channels(air.weights.empty() ? wavelengths : std::size_t{kColors});
     const bool combined = bake.table == BrunetonTable::scattering && bake.combined;
     if (combined || bake.convention == BrunetonConvention::takram) names.emplace_back("A");
     return names;

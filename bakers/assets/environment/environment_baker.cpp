@@ -58,8 +58,8 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
         glsl_number(asset.altitude.kilometers()),
         to_digits(asset.sun_elevation.radians * 180 / std::numbers::pi, 9));
     function.arguments = "sampler2D table, vec3 dir, vec3 up, vec3 sun";
-    function.value = "environment(table, dir, up, sun)";
-    return {"environment", {with_channels(stored.channels, 3, std::move(function))}};
+    function.value = fmt::format("environment{}(table, dir, up, sun)", of_4(stored.channels));
+    return {"environment", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const EnvironmentBake& asset) {

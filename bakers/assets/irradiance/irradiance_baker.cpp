@@ -70,9 +70,9 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
         "altitude_km is from 0 to {}.",
         thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value = fmt::format("irradiance(table, {}, altitude_km, sun_cos_zenith, {})",
-                                 thickness_km, twilight);
-    return {"irradiance", {with_channels(stored.channels, 3, std::move(function))}};
+    function.value = fmt::format("irradiance{}(table, {}, altitude_km, sun_cos_zenith, {})",
+                                 of_4(stored.channels), thickness_km, twilight);
+    return {"irradiance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 // What comes straight from the sun onto a level surface.

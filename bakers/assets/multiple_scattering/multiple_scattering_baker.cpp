@@ -117,9 +117,7 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
         "                              {}, {});\n",
         sun.thickness_km, sun.axis, tables);
     GlslFunction scattered = moment;
-    const bool is_of_4 = stored.channels == 4;
-    const char* const suffix = is_of_4 ? "_of_4" : "";
-    const std::size_t components = is_of_4 ? 4 : 3;
+    const std::string_view suffix = of_4(stored.channels);
     moment.value = fmt::format("moment{}(table, place, {}, float(part))", suffix, tables);
     scattered.comment =
         "Returns what a km of a layer with a scattering coefficient of 1/km and the Legendre "
@@ -131,12 +129,10 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
         fmt::format("scattered_again{}(table, place, {}, view_cos_zenith, azimuth_cosine, chi)",
                     suffix, tables);
     scattered.suffix = "_scattered";
-    AssetLookup lookup = {"moments",
-                          {with_channels(stored.channels, components, std::move(moment))}};
+    AssetLookup lookup = {"moments", {with_wavelengths(stored.channels, std::move(moment))}};
     // Of a higher degree it would leave moments out.
     if (asset.degree == 2) {
-        lookup.functions.push_back(
-            with_channels(stored.channels, components, std::move(scattered)));
+        lookup.functions.push_back(with_wavelengths(stored.channels, std::move(scattered)));
     }
     return lookup;
 }
@@ -151,12 +147,10 @@ AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& a
         "coefficient alone. altitude_km is from 0 to {}.",
         sun.thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    const bool is_of_4 = stored.channels == 4;
     function.value =
         fmt::format("multiple_scattering{}(table, {}, altitude_km, sun_cos_zenith, {})",
-                    is_of_4 ? "_of_4" : "", sun.thickness_km, sun.axis);
-    return {"multiple_scattering",
-            {with_channels(stored.channels, is_of_4 ? 4 : 3, std::move(function))}};
+                    of_4(stored.channels), sun.thickness_km, sun.axis);
+    return {"multiple_scattering", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 // Cameras near the ground, in the scene if there is one.

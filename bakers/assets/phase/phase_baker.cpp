@@ -50,8 +50,7 @@ AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const Stor
 }
 
 AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
-    const bool is_of_4 = stored.channels == 4;
-    const char* const suffix = is_of_4 ? "_of_4" : "";
+    const std::string_view suffix = of_4(stored.channels);
     GlslFunction function;
     if (asset.content == config::PhaseContent::inverse_cumulative) {
         function.comment =
@@ -67,7 +66,7 @@ AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const Stor
         function.value = fmt::format("phase_function{}(table, phase_by_{}(half_angle(view, sun)))",
                                      suffix, stored.mapping);
     }
-    return {"phase", {with_channels(stored.channels, is_of_4 ? 4 : 3, std::move(function))}};
+    return {"phase", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 }  // namespace

@@ -115,10 +115,10 @@ AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
     function.arguments = "sampler2D table, vec3 dir, vec3 up, vec3 sun";
     if (suns > 1) function.arguments += ", int k";
     function.value =
-        fmt::format("sky_view(table, {}, {}, dir, up, sun, {}, {})",
+        fmt::format("sky_view{}(table, {}, {}, dir, up, sun, {}, {})", of_4(stored.channels),
                     glsl_shell(shell_of(parameters.atmosphere)),
                     glsl_number(asset.altitude.kilometers()), suns > 1 ? "k" : "0", suns);
-    return {"sky_view", {with_channels(stored.channels, 3, std::move(function))}};
+    return {"sky_view", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBake& asset) {

@@ -52,12 +52,10 @@ AssetLookup lookup(const Parameters& parameters, const config::TransmittanceBake
         "zenith angle that does not meet the ground.",
         is_depth ? "optical depth" : "transmittance", glsl_number(shell.thickness_km));
     function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-    const bool is_of_4 = stored.channels == 4;
     function.value = fmt::format("transmittance_to_top{}{}(table, {}, altitude_km, cos_zenith)",
                                  asset.mapping == config::TransmittanceMapping::ue ? "_ue" : "",
-                                 is_of_4 ? "_of_4" : "", glsl_shell(shell));
-    return {"transmittance",
-            {with_channels(stored.channels, is_of_4 ? 4 : 3, std::move(function))}};
+                                 of_4(stored.channels), glsl_shell(shell));
+    return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64}); }

@@ -15,6 +15,7 @@
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
+#include <string_view>
 
 #include "bakers/io/files/file_io.h"
 #include "config/text/key_path.h"
@@ -58,13 +59,13 @@ const Codec* codec_of(Imf::Compression compression) {
 }
 
 std::vector<std::string> texel_order(std::vector<std::string> names) {
-    const std::vector<std::string> rgba = {"R", "G", "B", "A"};
-    const std::vector<std::string> rgb = {"R", "G", "B"};
-    for (const auto& order : {rgba, rgb}) {
-        if (std::is_permutation(names.begin(), names.end(), order.begin(), order.end()))
-            return order;
-    }
-    return names;
+    constexpr std::string_view letters = "RGBA";
+    const std::size_t count = std::min(names.size(), letters.size());
+    std::vector<std::string> order;
+    for (const char letter : letters.substr(0, count)) order.emplace_back(1, letter);
+    const bool is_of_colours =
+        std::is_permutation(names.begin(), names.end(), order.begin(), order.end());
+    return is_of_colours ? order : names;
 }
 
 std::optional<std::string> unknown_channels(const Imf::ChannelList& channels) {
