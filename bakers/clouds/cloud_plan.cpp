@@ -86,6 +86,8 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* de
     CloudPlan plan;
     plan.size = size;
     plan.towers = TowerField(all_towers(cloud));
+    plan.domes = DomeField(
+        domes_of(cloud), {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
     plan.base = std::make_shared<const NoiseField>(make_noise_plan(shape, size));
     plan.channels = plan.base->plan().output_channels();
     plan.shaped_channels = std::min(plan.channels, kShapedChannels);

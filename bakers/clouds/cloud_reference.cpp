@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -93,8 +94,38 @@ double blended(double h, double type) {
 
 double tower_reference(std::span<const Tower> towers, const std::array<double, 2>& place) {
     double sum = 0;
-    for (const Tower& tower : towers) sum += images_of(tower, place);
+    for (const Tower& tower : towers) {
+        if (tower.shape == config::TowerShape::gaussian) sum += images_of(tower, place);
+    }
     return sum;
+}
+
+double dome_reference(std::span<const Dome> domes, const std::array<double, 2>& tile,
+                      const std::array<double, 3>& place) {
+    double greatest = 0;
+    for (const Dome& dome : domes) {
+        const double t = (place[2] - dome.foot[2]) / dome.height;
+        if (t < 0 || t > 1) continue;
+        const double from = t < dome.widest ? dome.widest : 1 - dome.widest;
+        const double s = from > 0 ? (t - dome.widest) / from : 0;
+        const double reach = std::max(dome.radii[0], dome.radii[1]);
+        const double axis_x = dome.foot[0] + dome.lean[0] * t * dome.height;
+        const double axis_y = dome.foot[1] + dome.lean[1] * t * dome.height;
+        for (double j = std::ceil((place[1] - axis_y - reach) / tile[1]);
+             axis_y + j * tile[1] <= place[1] + reach; ++j) {
+            for (double i = std::ceil((place[0] - axis_x - reach) / tile[0]);
+                 axis_x + i * tile[0] <= place[0] + reach; ++i) {
+                const std::complex<double> from_axis(place[0] - axis_x - i * tile[0],
+                                                     place[1] - axis_y - j * tile[1]);
+                const std::complex<double> own =
+                    from_axis / std::complex<double>(dome.direction[0], dome.direction[1]);
+                const double distance =
+                    std::hypot(s, own.real() / dome.radii[0], own.imag() / dome.radii[1]);
+                greatest = std::max(greatest, dome.amplitude * (1 - distance * distance));
+            }
+        }
+    }
+    return greatest;
 }
 
 double height_profile_reference(const config::HeightProfile& profile, double h) {
@@ -109,6 +140,7 @@ CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise& 
                                const config::Noise* detail, CloudMaps maps)
     : cloud_(cloud),
       towers_(cloud.towers),
+      domes_(domes_of(cloud)),
       base_(cloud_noise(base, cloud.noise_scale, cloud.channels)),
       maps_(std::move(maps)) {
     const std::vector<Tower> scattered = scattered_towers(cloud.scatter);
@@ -123,7 +155,12 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     const double profile = maps_.type ? blended(h, maps_.type->at(x, y))
                                       : height_profile_reference(cloud_.height_profile, h);
     const double coverage = cloud_.coverage * (maps_.coverage ? maps_.coverage->at(x, y) : 1);
-    const double base = base_noise * (profile + tower_reference(towers_, {x, y})) - (1 - coverage);
+    const auto& extent = cloud_.extent;
+    const double domes =
+        dome_reference(domes_, {extent[0].meters, extent[1].meters},
+                       {x * extent[0].meters, y * extent[1].meters, h * extent[2].meters});
+    const double towers = tower_reference(towers_, {x, y}) + domes;
+    const double base = base_noise * (profile + towers) - (1 - coverage);
     const bool in_file = cloud_.threshold_at == config::ThresholdAt::bake;
     if (base <= (in_file ? cloud_.threshold : 0)) return 0;
     double value = base;
@@ -142,7 +179,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
 
 bool CloudReference::is_expensive() const {
     constexpr std::size_t kTowers = 300;  // some microseconds each
-    return towers_.size() > kTowers;
+    return towers_.size() + domes_.size() > kTowers;
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {

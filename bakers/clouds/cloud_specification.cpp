@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 #include "bakers/clouds/column_field.h"
 
@@ -17,15 +18,28 @@ float density(const CloudPlan& plan, float value) {
     return inside * ((x * x) * (3.0f - 2.0f * x));
 }
 
-float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float noise,
-             float detail) {
+// T + S. A voxel outside the tile has the towers of its image within.
+float towers_at(const CloudPlan& plan, const Columns& column, const noise::Voxel& voxel) {
+    if (plan.domes.empty()) return column.towers[0];
+    VoxelBox box{{}, {1, 1, 1}};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto size = std::int64_t{plan.size[i]};
+        box.origin[i] = static_cast<int>((voxel[i] % size + size) % size);
+    }
+    box.origin[2] = static_cast<int>(voxel[2]);
+    const Columns within = make_columns(plan, box.origin[0], 1, box.origin[1], 1);
+    return raised_towers(plan, within, box)[0];
+}
+
+float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float towers,
+             float noise, float detail) {
     float profile = slice.profile[0];
     if (plan.type_map) {
         const float second = column.second_type[0] * (slice.profile[1] - slice.profile[0]);
         const float third = column.third_type[0] * (slice.profile[2] - slice.profile[1]);
         profile = (profile + second) + third;
     }
-    const float base = noise * (profile + column.towers[0]) + column.offset[0];
+    const float base = noise * (profile + towers) + column.offset[0];
     if (!(base > plan.level())) return 0;
     float value = base;
     if (plan.detail) {
@@ -42,11 +56,12 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
     const Columns column =
         make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
     const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
+    const float towers = towers_at(plan, column, voxel);
     std::vector<float> values = noise_at(plan.base->plan(), voxel);
     const float detail = plan.detail ? noise_at(plan.detail->plan(), voxel)[0] : 0.0f;
     for (int i = 0; i < plan.shaped_channels; ++i) {
         float& value = values[static_cast<std::size_t>(i)];
-        value = shaped(plan, slice, column, value, detail);
+        value = shaped(plan, slice, column, towers, value, detail);
     }
     return values;
 }

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "bakers/clouds/cloud_plan.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/memory.h"
 
 namespace skybake::cloud {
@@ -27,6 +28,10 @@ struct Columns {
                static_cast<std::size_t>(x - first_x);
     }
 };
+
+// Returns T + S of each voxel of a box, in its order. The box must lie within the columns, and the
+// columns within the tile.
+AlignedFloats raised_towers(const CloudPlan& plan, const Columns& columns, const VoxelBox& box);
 
 // Makes columns of the plan. Each value is a pure function of its place, rounded to float once.
 Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows);

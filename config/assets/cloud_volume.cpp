@@ -199,15 +199,28 @@ struct CloudVolumeResolver {
         return 1;
     }
 
+    static bool is_narrow_dome(double width_m, const Cloud& cloud, const VoxelCounts& size) {
+        const auto is_below_a_voxel = [&](std::size_t axis) {
+            return size[axis] > 1 && width_m * size[axis] < cloud.extent[axis].meters;
+        };
+        return is_below_a_voxel(0) || is_below_a_voxel(1);
+    }
+
     // Gives one warning for all narrow towers, which names the first of them.
     void warn_of_narrow_towers(const Cloud& cloud, const VoxelCounts& size) const {
         std::vector<std::string> narrow;
         for (const Tower& tower : cloud.towers) {
-            if (narrowest_sigma(tower, size) < 1) narrow.push_back("tower " + tower.name);
+            const bool is_narrow =
+                tower.shape == TowerShape::dome
+                    ? is_narrow_dome(std::min(tower.size[0].meters, tower.size[1].meters), cloud,
+                                     size)
+                    : narrowest_sigma(tower, size) < 1;
+            if (is_narrow) narrow.push_back("tower " + tower.name);
         }
-        if (cloud.scatter.count > 0 && narrowest_sigma(cloud.scatter, size) < 1) {
-            narrow.emplace_back("scatter");
-        }
+        const bool is_narrow = cloud.scatter.shape == TowerShape::dome
+                                   ? is_narrow_dome(cloud.scatter.width[0].meters, cloud, size)
+                                   : narrowest_sigma(cloud.scatter, size) < 1;
+        if (cloud.scatter.count > 0 && is_narrow) narrow.emplace_back("scatter");
         if (narrow.empty()) return;
         const std::string others =
             narrow.size() > 1 ? fmt::format(", like {} more,", narrow.size() - 1) : "";
@@ -215,7 +228,7 @@ struct CloudVolumeResolver {
             "W0204", size_place(),
             fmt::format("{} of cloud `{}`{} is narrower than a voxel at size {}", narrow.front(),
                         cloud.name, others, voxels_to_string(size)),
-            "it falls between voxels; use a larger size or a wider sigma");
+            "it falls between voxels; use a larger size or a wider tower");
     }
 };
 

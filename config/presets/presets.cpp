@@ -16,8 +16,8 @@ constexpr std::array kinds = {
 // Whether a cloud is much wider than tall. The cells of its noise must still be as tall as they are
 // wide.
 bool is_layer(std::string_view cloud) {
-    constexpr std::array<std::string_view, 3> layers = {"cumulus_humilis", "stratocumulus",
-                                                        "stratus"};
+    constexpr std::array<std::string_view, 5> layers = {"altocumulus", "cirrus", "fog_bank",
+                                                        "stratocumulus", "stratus"};
     return std::find(layers.begin(), layers.end(), cloud) != layers.end();
 }
 
@@ -44,6 +44,7 @@ const Preset* find_cloud_preset(std::string_view name) {
 
 CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
     if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
+    if (noise == "billows") return {find_noise_preset(noise), "none"};
     if (noise == "shape" && is_layer(cloud)) return {find_noise_preset("nubis_layer"), "shape"};
     return {find_noise_preset("nubis_" + std::string(noise)),
             noise == "detail" ? "detail" : "shape"};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -217,6 +218,21 @@ struct CloudNoises {
         const auto times = triple_of(keys, *find_section("clouds.*"), scale);
         for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], voxels[i] * times[i]);
     }
+
+    // Adds voxels where noise is coarse along one axis of the extent, so that all are cubes.
+    void make_cubes(const Table& keys) {
+        const Field& field = *find_field(*find_section("clouds.*"), "extent");
+        DiagnosticList none_expected;
+        const std::optional<FieldValue> value = read_field(
+            field, "extent", find_entry(keys, "extent")->value, std::nullopt, none_expected);
+        if (!value) return;
+        const auto& extent = std::get<std::array<double, 3>>(*value);
+        double edge = extent[0] / size[0];
+        for (std::size_t i = 1; i < 3; ++i) edge = std::min(edge, extent[i] / size[i]);
+        for (std::size_t i = 0; i < 3; ++i) {
+            size[i] = static_cast<int>(std::lround(extent[i] / edge));
+        }
+    }
 };
 
 // Writes the tables below a cloud as comments: its height profile and its towers.
@@ -292,6 +308,7 @@ std::string cloud_init_text(const Preset& preset) {
     CloudNoises noises;
     noises.add(preset, *keys, "noise", "noise_scale");
     noises.add(preset, *keys, "detail", "detail_scale");
+    noises.make_cubes(*keys);
     std::string text = head_comment(preset.text) + note_on_comments("clouds." + name);
     text += noises.text;
     text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);

@@ -19,6 +19,11 @@ constexpr Range angle_range{-1e3, 1e3};
 constexpr Range correlation_range{-0.999999, 0.999999};
 constexpr Range tower_count_range{0, 100000};
 constexpr Range tower_aspect_range{1, 10};
+constexpr Range dome_size_range{1e-3, 1e8};
+constexpr Range lean_range{-10, 10};
+constexpr Range lobes_range{0, 1000};
+constexpr Range lobe_size_range{0.01, 1};
+constexpr Range slenderness_range{0.01, 100};
 
 constexpr std::string_view schneider_2017 =
     "Schneider 2017, Nubis: Authoring Real-Time Volumetric Cloudscapes with the Decima Engine";
@@ -59,7 +64,14 @@ constexpr std::array color_space_choices = {
     Choice{MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
-// These are the profiles, and the place of the threshold, for which a key applies.
+constexpr std::array tower_shape_choices = {
+    Choice{TowerShape::gaussian, "gaussian", "a Gaussian over the ground plan, at every height"},
+    Choice{TowerShape::dome, "dome", "a solid with a round top, in metres"},
+};
+
+// These are the profiles, the place of the threshold and the towers for which a key applies.
+constexpr std::string_view gaussian[] = {"gaussian"};
+constexpr std::string_view dome[] = {"dome"};
 constexpr std::string_view at_bake[] = {"bake"};
 constexpr std::string_view thesis[] = {"thesis"};
 constexpr std::string_view blended[] = {"blended"};
@@ -275,14 +287,60 @@ std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
 const std::array coverage_map_table = map_table(coverage_file);
 const std::array type_map_table = map_table(type_file);
 
+// Towers and scatters share the keys of domes.
+constexpr Field shape_field{.key = "shape",
+                            .kind = Kind::choice,
+                            .choices = tower_shape_choices,
+                            .fallback = R"("gaussian")",
+                            .documentation = "what a tower is"};
+constexpr Field widest_field{
+    .key = "widest",
+    .kind = Kind::number,
+    .range = unit_range,
+    .fallback = "0",
+    .documentation =
+        "height of the widest place, as a share of the tower's height; above and "
+        "below it the tower narrows as an ellipsoid does",
+    .hint = "0 gives a dome on a flat base, 0.5 a ball, and 1 an anvil with a flat top",
+    .selector = "shape",
+    .selected_by = dome};
+constexpr Field lean_field{.key = "lean",
+                           .kind = Kind::pair,
+                           .range = lean_range,
+                           .fallback = "[0, 0]",
+                           .documentation =
+                               "how far the wind shifts the tower along x and y, per "
+                               "height",
+                           .selector = "shape",
+                           .selected_by = dome};
+constexpr Field lobes_field{
+    .key = "lobes",
+    .kind = Kind::integer,
+    .range = lobes_range,
+    .fallback = "0",
+    .documentation = "number of balls that bulge out of the tower, as on a cauliflower",
+    .selector = "shape",
+    .selected_by = dome};
+constexpr Field lobe_size_field{
+    .key = "lobe_size",
+    .kind = Kind::bounds,
+    .range = lobe_size_range,
+    .fallback = "[0.3, 0.55]",
+    .documentation = "range of the radius of a lobe, over the lesser radius of its tower",
+    .selector = "shape",
+    .selected_by = dome};
+
 const std::array tower_table = {
+    TowerField{shape_field, &Tower::shape},
     TowerField{{.key = "center",
                 .kind = Kind::pair,
                 .range = center_range,
                 .required = true,
                 .documentation = "x and y of the tower's middle, in tiles",
                 .hint = "[0.5, 0.5] is the middle of the cloud",
-                .citation = olajos_2016},
+                .citation = olajos_2016,
+                .selector = "shape",
+                .selected_by = gaussian},
                &Tower::center},
     TowerField{{.key = "sigma",
                 .kind = Kind::pair,
@@ -290,8 +348,28 @@ const std::array tower_table = {
                 .required = true,
                 .documentation = "standard deviations along the tower's own axes, in tiles",
                 .hint = "[0.03, 0.06]",
-                .citation = olajos_2016},
+                .citation = olajos_2016,
+                .selector = "shape",
+                .selected_by = gaussian},
                &Tower::sigma},
+    TowerField{{.key = "foot",
+                .kind = Kind::lengths,
+                .range = base_altitude_range,
+                .required = true,
+                .documentation = "x and y of the tower's middle, and how high above the cloud's "
+                                 "base it begins",
+                .hint = "a height below 0 cuts its foot off",
+                .selector = "shape",
+                .selected_by = dome},
+               &Tower::foot},
+    TowerField{{.key = "size",
+                .kind = Kind::lengths,
+                .range = dome_size_range,
+                .required = true,
+                .documentation = "widths along the tower's own axes, and its height",
+                .selector = "shape",
+                .selected_by = dome},
+               &Tower::size},
     TowerField{{.key = "rotation",
                 .kind = Kind::angle,
                 .range = angle_range,
@@ -302,7 +380,9 @@ const std::array tower_table = {
                 .kind = Kind::number,
                 .range = correlation_range,
                 .fallback = "0",
-                .documentation = "correlation between the tower's own axes, before rotation"},
+                .documentation = "correlation between the tower's own axes, before rotation",
+                .selector = "shape",
+                .selected_by = gaussian},
                &Tower::correlation},
     TowerField{{.key = "amplitude",
                 .kind = Kind::number,
@@ -311,9 +391,21 @@ const std::array tower_table = {
                 .documentation = "what the tower adds to the height profile at its middle",
                 .citation = olajos_2016},
                &Tower::amplitude},
+    TowerField{widest_field, &Tower::widest},
+    TowerField{lean_field, &Tower::lean},
+    TowerField{lobes_field, &Tower::lobes},
+    TowerField{lobe_size_field, &Tower::lobe_size},
+    TowerField{{.key = "seed",
+                .kind = Kind::seed,
+                .fallback = "0",
+                .documentation = "another seed gives other lobes",
+                .selector = "shape",
+                .selected_by = dome},
+               &Tower::seed},
 };
 
 const std::array tower_scatter_table = {
+    TowerScatterField{shape_field, &TowerScatter::shape},
     TowerScatterField{{.key = "count",
                        .kind = Kind::integer,
                        .range = tower_count_range,
@@ -330,8 +422,27 @@ const std::array tower_scatter_table = {
                        .range = scatter_sigma_range,
                        .fallback = "[0.02, 0.05]",
                        .documentation = "range of the standard deviation along the smaller axis, "
-                                        "in tiles; its logarithm is uniform"},
+                                        "in tiles; its logarithm is uniform",
+                       .selector = "shape",
+                       .selected_by = gaussian},
                       &TowerScatter::sigma},
+    TowerScatterField{{.key = "width",
+                       .kind = Kind::length_bounds,
+                       .range = dome_size_range,
+                       .fallback = R"(["300 m", "900 m"])",
+                       .documentation = "range of the width along the smaller axis; its logarithm "
+                                        "is uniform",
+                       .selector = "shape",
+                       .selected_by = dome},
+                      &TowerScatter::width},
+    TowerScatterField{{.key = "slenderness",
+                       .kind = Kind::bounds,
+                       .range = slenderness_range,
+                       .fallback = "[0.6, 1]",
+                       .documentation = "range of the height over the width of the smaller axis",
+                       .selector = "shape",
+                       .selected_by = dome},
+                      &TowerScatter::slenderness},
     TowerScatterField{{.key = "aspect",
                        .kind = Kind::bounds,
                        .range = tower_aspect_range,
@@ -344,6 +455,10 @@ const std::array tower_scatter_table = {
                        .fallback = "[0.2, 0.5]",
                        .documentation = "range of what a tower adds to the height profile"},
                       &TowerScatter::amplitude},
+    TowerScatterField{widest_field, &TowerScatter::widest},
+    TowerScatterField{lean_field, &TowerScatter::lean},
+    TowerScatterField{lobes_field, &TowerScatter::lobes},
+    TowerScatterField{lobe_size_field, &TowerScatter::lobe_size},
 };
 
 }  // namespace

@@ -142,6 +142,35 @@ TEST(CloudDecoder, TowersHaveRanges) {
     EXPECT_EQ(fault("towers = 3").code, "E0103");
 }
 
+TEST(CloudDecoder, TowersMayBeDomes) {
+    const std::string whole =
+        "[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['1 km', '-20 m', '0 m']\n"
+        "size = ['800 m', '0.6 km', '1.5 km']\namplitude = 1\n";
+    const Tower plain = cloud_of(whole).towers.at(0);
+    EXPECT_EQ(plain.shape, TowerShape::dome);
+    EXPECT_EQ(plain.foot[1].meters, -20);
+    EXPECT_EQ(plain.size[2].meters, 1500);
+    EXPECT_EQ(static_cast<const DomeShape&>(plain), DomeShape{});
+    const Tower all = cloud_of(whole + "widest = 0.5\nlean = [0.2, -1]\nlobes = 7\n"
+                                       "lobe_size = [0.1, 0.2]\nseed = 9\nrotation = '180 deg'\n")
+                          .towers.at(0);
+    EXPECT_EQ(static_cast<const DomeShape&>(all), (DomeShape{0.5, {0.2, -1}, 7, {0.1, 0.2}}));
+    EXPECT_EQ(all.seed, 9u);
+    EXPECT_EQ(fault(whole + "sigma = [0.1, 0.1]").code, "E0111");
+    EXPECT_EQ(fault(whole + "lean = [0, 11]").code, "E0110");
+    EXPECT_EQ(fault(whole + "widest = 1.1").code, "E0110");
+    EXPECT_EQ(fault(whole + "lobes = -1").code, "E0110");
+    EXPECT_EQ(fault("[[clouds.c.towers]]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n"
+                    "lobes = 3\n")
+                  .code,
+              "E0111");
+    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nsigma = [0.1, 0.2]\n").code, "E0111");
+    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['2 m', '1 m']\n").code, "E0113");
+    const TowerScatter scatter = cloud_of("scatter = { shape = 'dome', count = 2 }").scatter;
+    EXPECT_EQ(scatter.width[1].meters, 900);
+    EXPECT_EQ(scatter.slenderness, (Pair{0.6, 1}));
+}
+
 TEST(CloudDecoder, BoundsStandInOrder) {
     const Diagnostic diagnostic = fault("scatter.sigma = [0.2, 0.1]");
     EXPECT_EQ(diagnostic.code, "E0113");

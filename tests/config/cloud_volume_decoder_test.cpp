@@ -206,6 +206,17 @@ TEST(CloudVolumeDecoder, WarnsOfTowersBetweenVoxels) {
     EXPECT_EQ(fault(size, tower("a", "[0.011, 0.021]") + "rotation = '90 deg'").code, "W0204");
     EXPECT_EQ(fault(size, "scatter.count = 1\nscatter.sigma = [0.015, 0.1]").code, "W0204");
     EXPECT_TRUE(parse(volume_recipe(size, "scatter.sigma = [0.015, 0.1]")).diagnostics.empty());
+    // Voxels are 10 m and 40 m wide.
+    const auto dome = [](const std::string& widths) {
+        return "[clouds.c.towers.d]\nshape = 'dome'\nfoot = ['0 m', '0 m', '0 m']\namplitude = 1\n"
+               "size = [" +
+               widths + ", '1 m']\n";
+    };
+    EXPECT_TRUE(parse(volume_recipe(size, dome("'41 m', '41 m'"))).diagnostics.empty());
+    EXPECT_EQ(fault(size, dome("'41 m', '39 m'")).code, "W0204");
+    const std::string scatter = "[clouds.c.scatter]\nshape = 'dome'\ncount = 1\nwidth = ";
+    EXPECT_EQ(fault(size, scatter + "['39 m', '1 km']\n").code, "W0204");
+    EXPECT_TRUE(parse(volume_recipe(size, scatter + "['41 m', '1 km']\n")).diagnostics.empty());
 }
 
 }  // namespace

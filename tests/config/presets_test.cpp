@@ -82,8 +82,9 @@ TEST(Presets, AreValidRecipesWithATitleAndBakes) {
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
     EXPECT_EQ(noise_preset_names(),
-              (std::vector<std::string_view>{"nubis_detail", "nubis_layer", "nubis_shape",
-                                             "takram_detail", "takram_shape", "thesis"}));
+              (std::vector<std::string_view>{"billows", "nubis_detail", "nubis_layer",
+                                             "nubis_shape", "takram_detail", "takram_shape",
+                                             "thesis"}));
     for (const Preset& entry : noise_presets()) {
         EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;
@@ -94,8 +95,9 @@ TEST(Presets, OfNoisesAreThoseOfTheIssue) {
 
 TEST(Presets, OfCloudsAreThoseOfTheIssue) {
     EXPECT_EQ(cloud_preset_names(),
-              (std::vector<std::string_view>{"cumulus_congestus", "cumulus_humilis",
-                                             "stratocumulus", "stratus", "thesis"}));
+              (std::vector<std::string_view>{
+                  "altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus", "cumulus_humilis",
+                  "cumulus_mediocris", "fog_bank", "stratocumulus", "stratus", "thesis"}));
     for (const Preset& entry : cloud_presets()) {
         EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;

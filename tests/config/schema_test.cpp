@@ -70,7 +70,7 @@ TEST(Schema, KnowsClouds) {
     EXPECT_EQ(properties["towers"]["anyOf"][0]["items"]["$ref"], "#/definitions/tower");
     EXPECT_EQ(properties["towers"]["anyOf"][1]["additionalProperties"]["$ref"],
               "#/definitions/tower");
-    EXPECT_EQ(properties["preset"]["examples"][0], "cumulus_congestus");
+    EXPECT_EQ(properties["preset"]["examples"][0], "altocumulus");
     EXPECT_EQ(properties["edge_softness"]["anyOf"][0]["const"], 0);
     EXPECT_EQ(properties["extent"]["maxItems"], 3);
     EXPECT_EQ(schema()["properties"]["clouds"]["additionalProperties"]["$ref"],

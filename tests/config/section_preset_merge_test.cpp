@@ -58,7 +58,7 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
     EXPECT_EQ(slip.where.line, 2);
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-              "choose one of nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, "
+              "choose one of billows, nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, "
               "thesis");
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
@@ -94,9 +94,9 @@ TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
               "did you mean `cumulus_humilis`?");
 }
 
-const std::string plain_cloud = "[clouds.c]\npreset = 'cumulus_humilis'\n";
+const std::string plain_cloud = "[clouds.c]\npreset = 'stratocumulus'\n";
 const std::string bake_of_it =
-    "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 64]\n";
+    "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [512, 512, 32]\n";
 
 TEST(SectionPresetMerge, PresetsOfCloudsBringTheirNoises) {
     const Recipe alone = valid(plain_cloud + bake_of_it);
@@ -131,8 +131,8 @@ TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
     }
     EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cumulus_congestus'\n")
                   .parameters.noises.size(),
-              2u)
-        << "detail and shape, which both have";
+              3u)
+        << "detail, which both have, shape and billows";
 }
 
 TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {
