@@ -7,9 +7,12 @@ const path = require('node:path');
 const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
 const site = 'https://skybake.test/';  // answered from the disk; WebGPU is for secure pages only
 
-// `folders` are the page's, by name; its complaints are in page.complaints.
-async function browser_with_a_page(work, folders, html) {
-    const browser = await launched(work, patience, ['--disable-gpu', ...software_gl,
+const on_canvas = ['--enable-features=Vulkan', '--use-vulkan=swiftshader'];  // WebGPU draws on a canvas with these
+
+// `folders` are the page's, by name; its complaints are in page.complaints. `more` are further options of the command
+// line.
+async function browser_with_a_page(work, folders, html, more = ['--disable-gpu']) {
+    const browser = await launched(work, patience, [...more, ...software_gl,
         '--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader']);
     const page = await browser.newPage();
     page.setDefaultTimeout(patience);
@@ -29,4 +32,4 @@ async function browser_with_a_page(work, folders, html) {
     return {browser, page};
 }
 
-module.exports = {browser_with_a_page, patience, site};
+module.exports = {browser_with_a_page, on_canvas, patience, site};

@@ -4,15 +4,25 @@
 function bytes_of(source, width, height) {
     const canvas = Object.assign(document.createElement('canvas'), {width, height});
     const context = canvas.getContext('2d', {willReadFrequently: true});
-    context.drawImage(source, 0, 0);
+    context.imageSmoothingQuality = 'high';
+    context.drawImage(source, 0, 0, width, height);
     return context.getImageData(0, 0, width, height).data;
 }
 
-window.picture = async (url) => {
+// Of the given size, or else of its own.
+window.picture = async (url, width, height) => {
     const image = new Image();
     image.src = url;
     await image.decode();
-    return Array.from(bytes_of(image, image.naturalWidth, image.naturalHeight));
+    return Array.from(bytes_of(image, width ?? image.naturalWidth, height ?? image.naturalHeight));
+};
+
+window.upside_down = (canvas) => {
+    const turned = Object.assign(document.createElement('canvas'), {width: canvas.width, height: canvas.height});
+    const context = turned.getContext('2d');
+    context.scale(1, -1);
+    context.drawImage(canvas, 0, -canvas.height);
+    return turned;
 };
 
 // A canvas, with the means of squares of edge x edge pixels.

@@ -1,14 +1,12 @@
 // The air of recipe.toml, marched by its two tables (Hillaire 2020): sky, ground, the sun's disc, and what
 // the air adds and takes up to some distance. The camera is h km above the ground, z is up, and light is
-// per unit of solar irradiance.
+// per unit of solar irradiance. transmittance_table and multiple_scattering_table are the textures.
 //
 // `skybake show recipe.toml atmosphere` prints these numbers. Coefficients are per km.
 const float R = 6360.0, D = 100.0, ALBEDO = 0.3, PI = 3.14159265;
 const vec3 RAYLEIGH = vec3(5.802e-3, 1.3558e-2, 3.31e-2), OZONE = vec3(6.5e-4, 1.881e-3, 8.5e-5);
 const float MIE = 3.996e-3, MIE_EXTINCTION = 4.44e-3, MIE_G = 0.8;
 const int SKY_STEPS = 40;
-
-uniform sampler2D transmittance_table, multiple_scattering_table;
 
 // Rayleigh's phase function, and that of Cornette and Shanks, in 1/sr.
 float rayleigh_phase(float nu) { return 0.0596831037 * (1.0 + nu * nu); }

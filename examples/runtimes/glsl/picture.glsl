@@ -1,17 +1,12 @@
-// A picture by a camera on a plain: x and y along the ground, z up. Its axes and the direction to the sun
-// come from main.js.
-uniform vec3 camera, forward, right, up, sun;                               // camera in metres
-uniform vec2 size;
-uniform float tan_half_fov, exposure;
-out vec4 color;
-
-void main() {
-    vec2 place = (2.0 * gl_FragCoord.xy - size) / size.x * tan_half_fov;
+// A picture by a camera on a plain: x and y along the ground, z up. The camera, the direction to the sun and
+// the size of the picture in pixels are those of the block `View`. `pixel` counts from the lower left corner.
+vec4 picture(vec2 pixel) {
+    vec2 place = (2.0 * pixel - size) / size.x * tan_half_fov;
     vec3 ray = normalize(forward + place.x * right + place.y * up);
     float h = camera.z * 1e-3;
     vec3 light = sky(h, ray, sun);
     // Jimenez 2014: neighbouring pixels differ much.
-    float noise = fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715))));
+    float noise = fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715))));
     Clouds clouds = clouds_along(camera, ray, sun, 144e3, noise);
     if (clouds.through < 1.0) {
         Air air = air_along(h, ray, sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
@@ -19,5 +14,5 @@ void main() {
     }
     vec3 shown = 1.0 - exp(-exposure * light);
     vec3 gamma = mix(1.055 * pow(shown, vec3(1.0 / 2.4)) - 0.055, 12.92 * shown, lessThan(shown, vec3(0.0031308)));
-    color = vec4(gamma, 1.0);
+    return vec4(gamma, 1.0);
 }

@@ -1,11 +1,10 @@
 // The clouds of recipe.toml, lit by the sun and the sky: a march that leaps by the baked grid, and one from
-// each sample towards the sun. `camera` is in metres, z is the altitude.
+// each sample towards the sun. cloud_table and cells_table are the textures. `camera` is in metres, z is the
+// altitude.
 const float BASE = 1200.0, TOP = 1950.0, EXTINCTION = 0.06;                 // of the recipe, m and 1/m
 const float STEP = 23.4, SUN_STEP = 23.4, UP_STEP = 47.0, OPAQUE = 0.002;   // m; a voxel, and two
 const int SKY_OF_CLOUDS = 12;                                               // steps through the air before them
 const int OCTAVES = 8;
-
-uniform sampler3D cloud_table, cells_table;
 
 // Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023). Light that is
 // scattered n more times sees them wider by 2^-n (Wrenninge et al. 2013). u is 1 - cosine.

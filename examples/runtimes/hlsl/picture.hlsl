@@ -1,0 +1,41 @@
+// The pixel shader of a triangle that covers the picture, by a camera on a plain: x and y along the ground,
+// z up. In this folder:
+//   dxc -T ps_6_0 -E main picture.hlsl                            for Direct3D
+//   glslangValidator -D -V -S frag -e main picture.hlsl           for Vulkan
+cbuffer View : register(b0) {
+    float3 camera;                                                          // m
+    float tan_half_fov;
+    float3 forward;
+    float exposure;
+    float3 right, up, sun;
+    float2 size;                                                            // pixels
+};
+Texture2D transmittance_table : register(t0);
+Texture2D multiple_scattering_table : register(t1);
+Texture3D cloud_table : register(t2);
+Texture3D cells_table : register(t3);
+SamplerState transmittance_sampler : register(s0);
+SamplerState multiple_scattering_sampler : register(s1);
+SamplerState cloud_sampler : register(s2);
+
+#include "baked/lookups.hlsl"
+#include "sky.hlsl"
+#include "clouds.hlsl"
+
+float4 main(float4 at : SV_Position) : SV_Target {
+    float2 pixel = float2(at.x, size.y - at.y);                             // from the lower left corner
+    float2 place = (2.0 * pixel - size) / size.x * tan_half_fov;
+    float3 ray = normalize(forward + place.x * right + place.y * up);
+    float h = camera.z * 1e-3;
+    float3 light = sky(h, ray, sun);
+    // Jimenez 2014: neighbouring pixels differ much.
+    float noise = frac(52.9829189 * frac(dot(pixel, float2(0.06711056, 0.00583715))));
+    Clouds clouds = clouds_along(camera, ray, sun, 144e3, noise);
+    if (clouds.through < 1.0) {
+        Air air = air_along(h, ray, sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
+        light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
+    }
+    float3 shown = 1.0 - exp(-exposure * light);
+    float3 dark = step(shown, 0.0031308);
+    return float4(lerp(1.055 * pow(shown, 1.0 / 2.4) - 0.055, 12.92 * shown, dark), 1.0);
+}

@@ -1,0 +1,75 @@
+// The air of recipe.toml, marched by its two tables (Hillaire 2020): sky, ground, the sun's disc, and what
+// the air adds and takes up to some distance. The camera is h km above the ground, z is up, and light is
+// per unit of solar irradiance. transmittance_table and multiple_scattering_table are the textures.
+//
+// `skybake show recipe.toml atmosphere` prints these numbers. Coefficients are per km.
+static const float R = 6360.0, D = 100.0, ALBEDO = 0.3, PI = 3.14159265;
+static const float3 RAYLEIGH = float3(5.802e-3, 1.3558e-2, 3.31e-2), OZONE = float3(6.5e-4, 1.881e-3, 8.5e-5);
+static const float MIE = 3.996e-3, MIE_EXTINCTION = 4.44e-3, MIE_G = 0.8;
+static const int SKY_STEPS = 40;
+
+// Rayleigh's phase function, and that of Cornette and Shanks, in 1/sr.
+float rayleigh_phase(float nu) { return 0.0596831037 * (1.0 + nu * nu); }
+float mie_phase(float nu, float g) {
+    float b = 1.0 + g * g - 2.0 * g * nu;
+    return 0.119366207 * (1.0 - g * g) / (2.0 + g * g) * (1.0 + nu * nu) / (b * sqrt(b));
+}
+
+// Sunlight at an altitude; s is the radius times the cosine of the sun's zenith angle there.
+float3 sunlight(float h, float s) {
+    if (s < -sqrt(h * (2.0 * R + h))) return 0.0;                           // the planet hides it
+    return baked_transmittance(transmittance_table, transmittance_sampler, h, s / (R + h));
+}
+
+// The mean radiance of the sky there. The table has that of all directions, half of which are ground.
+float3 skylight(float h, float s) {
+    float3 sun = max(s / (R + h), 0.0) * sunlight(h, s) / PI;
+    float3 mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, h, s / (R + h));
+    return max(2.0 * mean - ALBEDO * sun, 0.0) / (1.0 + ALBEDO);
+}
+
+float3 ground(float s) { return ALBEDO * (max(s / R, 0.0) * sunlight(0.0, s) / PI + skylight(0.0, s)); }
+
+struct Air { float3 light, through; };
+
+// Along `ray` as far as `reach` km, or to its end at the ground or at the top, where through is the share
+// of light that comes from there. Segments are short where the air is dense.
+Air air_along(float h, float3 ray, float3 sun, float reach, int steps) {
+    float r = R + h, s = r * ray.z, rho2 = h * (R + r), rise = (D - h) * (R + D + r), nu = dot(ray, sun);
+    bool falls = s < -sqrt(rho2);
+    float end = falls ? rho2 / (sqrt(s * s - rho2) - s) : sqrt(s * s + rise) - s;
+    float densest = min(falls ? end : max(-s, 0.0), reach);
+    float begin = -sqrt(densest), range = sqrt(min(end, reach) - densest) - begin;
+    float3 rayleigh = RAYLEIGH * rayleigh_phase(nu);
+    float mie = MIE * mie_phase(nu, MIE_G), from = begin * abs(begin);
+    Air air = {float3(0.0, 0.0, 0.0), float3(1.0, 1.0, 1.0)};
+    for (int i = 1; i <= steps; ++i) {
+        float y = begin + range * float(i) / float(steps), to = y * abs(y), width = to - from;
+        float t = densest + 0.5 * (from + to), q = t * (t + 2.0 * s);
+        float altitude = clamp(h + q / (sqrt(r * r + q) + r), 0.0, D), sun_s = r * sun.z + t * nu;
+        float2 density = exp(-altitude / float2(8.0, 1.2));
+        float3 extinction = density.x * RAYLEIGH + density.y * MIE_EXTINCTION +
+                            max(1.0 - abs(altitude - 25.0) / 15.0, 0.0) * OZONE;
+        float3 mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, altitude,
+                                                sun_s / (R + altitude));
+        float3 source = (density.x * rayleigh + density.y * mie) * sunlight(altitude, sun_s) +
+                        (density.x * RAYLEIGH + density.y * MIE) * mean;
+        float3 passed = exp(-extinction * width);
+        air.light += air.through * source * (1.0 - passed) / extinction;
+        air.through *= passed;
+        from = to;
+    }
+    return air;
+}
+
+// What the camera sees where there is no cloud.
+float3 sky(float h, float3 ray, float3 sun) {
+    float s = (R + h) * ray.z, rho2 = h * (2.0 * R + h);
+    Air air = air_along(h, ray, sun, 1e9, SKY_STEPS);
+    if (s < -sqrt(rho2)) {
+        float end = rho2 / (sqrt(s * s - rho2) - s);
+        return air.light + air.through * ground((R + h) * sun.z + end * dot(ray, sun));
+    }
+    static const float SUN = 4.653e-3;                                      // the disc's radius
+    return air.light + (length(ray - sun) < SUN ? air.through / (PI * SUN * SUN) : float3(0.0, 0.0, 0.0));
+}

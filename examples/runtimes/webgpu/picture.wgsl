@@ -1,0 +1,42 @@
+// The shaders of a triangle that covers the picture, by a camera on a plain: x and y along the ground, z up.
+// main.js binds the textures by their order here.
+struct View {
+    camera: vec3f,                                                          // m
+    tan_half_fov: f32,
+    forward: vec3f,
+    exposure: f32,
+    right: vec3f,
+    up: vec3f,
+    sun: vec3f,
+    size: vec2f,                                                            // pixels
+}
+@group(0) @binding(0) var<uniform> view: View;
+@group(0) @binding(1) var transmittance_table: texture_2d<f32>;
+@group(0) @binding(2) var transmittance_sampler: sampler;
+@group(0) @binding(3) var multiple_scattering_table: texture_2d<f32>;
+@group(0) @binding(4) var multiple_scattering_sampler: sampler;
+@group(0) @binding(5) var cloud_table: texture_3d<f32>;
+@group(0) @binding(6) var cloud_sampler: sampler;
+@group(0) @binding(7) var cells_table: texture_3d<f32>;
+
+@vertex fn corner(@builtin(vertex_index) i: u32) -> @builtin(position) vec4f {
+    return vec4f(select(-1.0, 3.0, i == 1), select(-1.0, 3.0, i == 2), 0.0, 1.0);
+}
+
+@fragment fn picture(@builtin(position) at: vec4f) -> @location(0) vec4f {
+    let pixel = vec2f(at.x, view.size.y - at.y);                            // from the lower left corner
+    let place = (2.0 * pixel - view.size) / view.size.x * view.tan_half_fov;
+    let ray = normalize(view.forward + place.x * view.right + place.y * view.up);
+    let h = view.camera.z * 1e-3;
+    var light = sky(h, ray, view.sun);
+    // Jimenez 2014: neighbouring pixels differ much.
+    let noise = fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715))));
+    let clouds = clouds_along(view.camera, ray, view.sun, 144e3, noise);
+    if (clouds.through < 1.0) {
+        let air = air_along(h, ray, view.sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
+        light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
+    }
+    let shown = 1.0 - exp(-view.exposure * light);
+    let gamma = select(1.055 * pow(shown, vec3f(1.0 / 2.4)) - 0.055, 12.92 * shown, shown < vec3f(0.0031308));
+    return vec4f(gamma, 1.0);
+}

@@ -1,0 +1,131 @@
+'use strict';
+// What an example of examples/runtimes draws, in Chromium without a GPU, beside what `skybake preview` shows of the
+// same bake from the same camera; and that it is another picture if one of the files is upside down. The shaders for
+// Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that.
+//   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl
+const assert = require('node:assert/strict');
+const {execFileSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+const {browser_with_a_page, on_canvas, site} = require('./page_of.js');
+
+const [, , program, folder, examples, name_of_example] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, `${name_of_example}-`));
+const example = path.join(work, name_of_example);
+const has_page = fs.existsSync(path.join(examples, name_of_example, 'index.html'));
+
+// Small pictures have four samples for each pixel in the preview, and so here.
+const size = [96, 54];
+const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 12, size: size.map((edge) => 2 * edge)};
+// With root mean squares of differences in bytes of sRGB, a quarter above what is measured. The page's light of
+// clouds from sky and ground is that above and below each point alone, where the preview's comes from all around.
+// The ports of WebGL's shaders have fewer views.
+const is_port = name_of_example !== 'webgl';
+const views = {
+    clouds: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 20, bound: 8.5},
+    evening: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 4, bound: 11.8},
+    clear_sky: {...common, position: [0, 0, 3000], pitch: 30, sun_elevation: 20, bound: 0.6},
+    ground: {...common, position: [0, 0, 1000], pitch: -40, sun_elevation: 20, bound: 0.65},
+};
+
+// Draws a view by the program; returns the picture's path below the test's folder.
+function preview(name) {
+    const {position, heading, pitch, fov, sun_elevation, sun_azimuth, exposure} = views[name];
+    const camera = `position=0m,0m,${position[2]}m heading=${heading}deg pitch=${pitch}deg fov=${fov}deg`;
+    execFileSync(program, ['preview', path.join(example, 'baked'), '-o', path.join(work, `preview_${name}`), '-q',
+        '--camera', camera, '--size', size.join('x'), '--exposure', String(Math.log2(exposure)),
+        '--sun-elevation', String(sun_elevation), '--sun-azimuth', String(sun_azimuth)]);
+    return `preview_${name}/cloud_lit_sun_${sun_elevation}.png`;
+}
+
+// A copy of the bake in which one file has its rows, or a volume its slices, in the opposite order.
+function upside_down(name) {
+    const copy = path.join(work, `flipped_${name}`);
+    fs.cpSync(path.join(example, 'baked'), copy, {recursive: true});
+    const manifest = JSON.parse(fs.readFileSync(path.join(copy, 'manifest.json'), 'utf8'));
+    const count = manifest.assets.find((asset) => asset.name === name).size.at(-1);
+    const file = path.join(copy, `${name}.bin`), bytes = fs.readFileSync(file), length = bytes.length / count;
+    const rows = Array.from({length: count}, (_, i) => bytes.subarray(i * length, (i + 1) * length));
+    fs.writeFileSync(file, Buffer.concat(rows.reverse()));
+    return path.basename(copy);
+}
+
+// Draws a view of a bake. `shader` is WebGL's, of an example that has no page of its own. Its rows begin at the top,
+// as they do in Vulkan.
+const draw = (page, folder, view, shader) => page.evaluate(async ([url, view, main, shader]) => {
+    const {renderer} = await import(main);
+    const canvas = document.createElement('canvas');
+    (await renderer(canvas, url, shader))(view);
+    return window.reduced(shader ? window.upside_down(canvas) : canvas, 2);
+}, [`work/${folder}`, view, `./work/${has_page ? name_of_example : 'webgl'}/main.js`, shader]);
+
+// The shader of an example without a page, as GLSL of WebGL 2. SPIRV-Cross names a texture after itself and each of
+// its samplers.
+function ported_shader() {
+    const [file, ...options] = name_of_example === 'glsl' ? ['vulkan.frag'] : ['picture.hlsl', '-D', '-S', 'frag', '-e', 'main'];
+    const binary = path.join(work, 'picture.spv');
+    execFileSync('glslangValidator', ['-V', ...options, '-o', binary, path.join(example, file)]);
+    const text = execFileSync('spirv-cross', ['--es', '--version', '300', binary], {encoding: 'utf8'});
+    const lines = text.replaceAll('mediump', 'highp').replace(/SPIRV_Cross_Combined(\w+?_table)\w+/g, '$1').split('\n');
+    return lines.filter((line, i) => !line.startsWith('uniform') || lines.indexOf(line) === i).join('\n');
+}
+
+// The page that people open shows the view `clouds`, and draws again when a slider moves.
+async function check_page(page, picture) {
+    await page.goto(`${site}work/${name_of_example}/index.html`);
+    await page.waitForFunction(() => document.querySelectorAll('input').length === 5);
+    await page.addScriptTag({path: path.join(__dirname, 'pictures_page.js')});
+    const differs = async () => {
+        const shot = await page.locator('#picture').screenshot();
+        const shown = await page.evaluate(([url, size]) => window.picture(url, ...size),
+            [`data:image/png;base64,${shot.toString('base64')}`, size]);
+        return rms(shown, picture);
+    };
+    const error = await differs();
+    console.log(`index.html: RMS ${error.toFixed(2)} of 255`);
+    assert.ok(error <= 1.2 * views.clouds.bound);
+    await page.evaluate(() => {
+        const slider = document.querySelector('input');
+        slider.value = 4;
+        slider.dispatchEvent(new Event('input'));
+    });
+    await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+    assert.ok(await differs() > 1.2 * views.clouds.bound);
+}
+
+function rms(a, b) {
+    let sum = 0;
+    a.forEach((value, i) => { sum += i % 4 < 3 ? (value - b[i]) ** 2 : 0; });
+    return Math.sqrt(sum / (0.75 * a.length));
+}
+
+async function main() {
+    fs.cpSync(examples, work, {recursive: true, filter: (one) => path.basename(one) !== 'baked'});
+    execFileSync(path.join(work, 'bake.sh'), [name_of_example, program], {stdio: 'ignore'});
+    const shader = has_page ? undefined : ported_shader();
+    const {browser, page} = await browser_with_a_page(work, {work, page: __dirname},
+        '<script src="page/pictures_page.js"></script>', name_of_example === 'webgpu' ? on_canvas : undefined);
+    const pictures = {};
+    const wrong = [];
+    const measure = async (folder, name, is_right) => {
+        const error = rms(await draw(page, folder, views[name], shader), pictures[name]);
+        console.log(`${folder}, ${name}: RMS ${error.toFixed(2)} of 255`);
+        if ((error <= views[name].bound) !== is_right) wrong.push(`${folder}, ${name}`);
+    };
+    for (const name of Object.keys(views).filter((view) => !is_port || view !== 'evening')) {
+        pictures[name] = await page.evaluate((url) => window.picture(url), `work/${preview(name)}`);
+        await measure(`${name_of_example}/baked`, name, true);
+    }
+    for (const name of is_port ? [] : ['transmittance', 'multiple_scattering']) await measure(upside_down(name), 'clear_sky', false);
+    for (const name of is_port ? ['cloud'] : ['cloud', 'cells']) await measure(upside_down(name), 'clouds', false);
+    assert.deepEqual(wrong, []);
+    if (has_page) await check_page(page, pictures.clouds);
+    assert.deepEqual(page.complaints, []);
+    await browser.close();
+    fs.rmSync(work, {recursive: true, force: true});
+}
+
+main().catch((error) => {
+    console.log(error.stack);
+    process.exit(1);
+});
