@@ -4,6 +4,7 @@
 // Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true
 // --benchmark_report_aggregates_only=true.
 #include <benchmark/benchmark.h>
+#include <fmt/format.h>
 
 #include <cmath>
 #include <cstdio>
@@ -15,8 +16,10 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/assets/registry.h"
+#include "bakers/assets/sky_lights.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/table_model.h"
+#include "bakers/light/solver/solve_light.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/recipe.h"
@@ -134,6 +137,33 @@ void table_on_threads(benchmark::State& state, std::size_t section, int threads)
     }
 }
 
+// Light of all orders at this many wavelengths, packet by packet. Air is the measured one, since
+// coefficients of other presets are those of three wavelengths.
+void light_of_wavelengths(benchmark::State& state, int count) {
+    std::string wavelengths;
+    for (int i = 0; i < count; ++i) {
+        wavelengths += fmt::format("{}\"{} nm\"", i > 0 ? ", " : "", 400 + 300 * i / count);
+    }
+    const config::Recipe recipe =
+        *config::parse_recipe(
+             fmt::format("preset = \"earth\"\nwavelengths = [{}]\n"
+                         "[color]\nspace = \"linear_srgb\"\n[bake.sky_view]\naltitude = \"0 km\"\n"
+                         "sun_elevations = [\"30 deg\"]\n",
+                         wavelengths),
+             "benchmark")
+             .value;
+    std::vector<SkyMedium> packets;
+    for (const config::Atmosphere& packet : light_packets(recipe.parameters)) {
+        packets.push_back(make_sky_medium(packet));
+    }
+    for (auto _ : state) {
+        for (const SkyMedium& packet : packets) {
+            benchmark::DoNotOptimize(solve_light(packet, SolverSettings{}, 1));
+        }
+    }
+    state.counters["packets"] = static_cast<double>(packets.size());
+}
+
 }  // namespace
 }  // namespace skybake
 
@@ -152,6 +182,10 @@ int main(int argc, char** argv) {
     for (int level = 0; level < static_cast<int>(quadrature_levels().size()); ++level) {
         add("multiple scattering 32x32, converged, level " + std::to_string(level + 1),
             [level](benchmark::State& s) { multiple_scattering_converged(s, level); });
+    }
+    for (const int count : {3, 4, 8, 16, 40}) {
+        add(fmt::format("light of all orders, {} wavelengths", count),
+            [count](benchmark::State& s) { light_of_wavelengths(s, count); });
     }
     for (const int threads : {1, 2}) {
         add("transmittance 512x512, threads " + std::to_string(threads), [threads](
