@@ -4,6 +4,8 @@
 #include <array>
 #include <tuple>
 
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "tests/config/clouds.h"
 
@@ -68,6 +70,28 @@ TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
     EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 2").columns, 2);
     EXPECT_EQ(fault("layout = 'atlas'\ncolumns = 4").label, "the volume has 2 slices");
     EXPECT_EQ(fault("pixel_type = 'unorm8'").code, "E0131");
+}
+
+// The parameters that its file carries are a recipe, whose bake can be checked, of any volume: one of
+// bytes is no VDB file, which a volume is by default.
+TEST(OccupancyDecoder, FilesCarryARecipe) {
+    for (const char* files : {"", "pixel_type = 'unorm8'\nformats = ['bin']\n",
+                              "pixel_type = 'unorm16'\nformats = ['png']\nmips = 2\n",
+                              "pixel_type = 'float'\nformats = ['exr']\n"}) {
+        const Recipe recipe = valid("[bake.o]\nasset = 'occupancy'\nof = 'v'\n[bake.v]\n" +
+                                    std::string("asset = 'cloud_volume'\ncloud = 'c'\n") +
+                                    "size = [16, 32, 8]\n" + files + cloud_recipe(""));
+        ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << files;
+        const Bake& occupancy = recipe.parameters.bakes[0];
+        std::vector<Read> reads = kind_of(occupancy).reads(recipe.parameters, occupancy);
+        reads.push_back({"bake.o", Roles::all()});
+        const auto carried = parse(parameters_toml(recipe, reads));
+        ASSERT_TRUE(carried.value) << files << carried.diagnostics.at(0).message;
+        ASSERT_EQ(carried.value->parameters.bakes.size(), 2u) << files;
+        const auto& volume = bake_named(carried.value->parameters, "v").as<CloudVolumeBake>();
+        EXPECT_EQ(volume.pixel_type,
+                  bake_named(recipe.parameters, "v").as<CloudVolumeBake>().pixel_type);
+    }
 }
 
 // The diagnostics of an occupancy of a volume of this size, whose voxels are cubes of a metre; not
