@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -14,6 +15,7 @@
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/options.h"
+#include "cli/progress.h"
 #include "cli/table_printer.h"
 
 namespace skybake::cli {
@@ -136,13 +138,30 @@ std::set<std::string> files_in(const fs::path& folder,
     return names;
 }
 
-void compare_folders(const fs::path& first, const fs::path& second, Comparison& comparison) {
+// Returns the bytes of those files of a folder that are there.
+double bytes_of(const fs::path& folder, const std::set<std::string>& names) {
+    double bytes = 0;
+    for (const std::string& name : names) {
+        std::error_code error;
+        const std::uintmax_t size = fs::file_size(folder / name, error);
+        if (!error) bytes += static_cast<double>(size);
+    }
+    return bytes;
+}
+
+void compare_folders(const fs::path& first, const fs::path& second, Progress& progress,
+                     Comparison& comparison) {
     const auto in_first = files_in(first, comparison.diagnostics);
     const auto in_second = files_in(second, comparison.diagnostics);
     if (!comparison.diagnostics.empty()) return;
     std::set<std::string> names = in_first;
     names.insert(in_second.begin(), in_second.end());
+    double bytes_left = bytes_of(second, in_second);
+    const double bytes = std::max(bytes_left, 1.0);
     for (const std::string& name : names) {
+        if (progress.cancelled()) return;
+        progress.advance("files", 1 - bytes_left / bytes);
+        bytes_left -= bytes_of(second, {name});
         if (in_first.count(name) == 0) {
             comparison.files.push_back({name, second.string(), {}});
         } else if (in_second.count(name) == 0) {
@@ -153,7 +172,7 @@ void compare_folders(const fs::path& first, const fs::path& second, Comparison& 
     }
 }
 
-Comparison compare(const fs::path& first, const fs::path& second) {
+Comparison compare(const fs::path& first, const fs::path& second, Progress& progress) {
     Comparison comparison;
     std::error_code error;
     const bool folders = fs::is_directory(first, error);
@@ -161,7 +180,7 @@ Comparison compare(const fs::path& first, const fs::path& second) {
         fs::exists(second, error)) {
         comparison.diagnostics.push_back(usage_error("a file cannot be compared with a folder"));
     } else if (folders) {
-        compare_folders(first, second, comparison);
+        compare_folders(first, second, progress, comparison);
     } else {
         compare_files(first, second, comparison);
     }
@@ -274,7 +293,11 @@ std::string as_text(const Comparison& comparison, const Judgement& judgement) {
 }
 
 ExitCode run_diff(const Invocation& invocation, Console& console) {
-    const Comparison comparison = compare(invocation.arguments()[0], invocation.arguments()[1]);
+    const Comparison comparison = [&] {
+        BakeProgress progress("diff", console);
+        return compare(invocation.arguments()[0], invocation.arguments()[1], progress);
+    }();
+    if (interrupted()) return ExitCode::interrupted;
     const Judgement judgement{invocation[options::tolerance], invocation[options::metadata]};
     const ExitCode code = console.report(comparison.diagnostics);
     if (comparison.files.empty() && code != ExitCode::done) return code;

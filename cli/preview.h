@@ -28,6 +28,9 @@ config::Outcome<double> read_altitude(const std::string& text);
 config::Outcome<CameraRequest> read_camera(const std::string& text);
 config::Outcome<std::array<int, 2>> read_size(const std::string& text);
 config::Outcome<int> read_draft(const std::string& text);
+config::Outcome<config::Moment> read_time(const std::string& text);
+config::Outcome<EarthPlace> read_place(const std::string& text);
+config::Outcome<int> read_turntable(const std::string& text);
 
 inline const Option<std::vector<double>> sun_elevation{
     "sun-elevation", 0, "DEGREES", {}, read_elevations};
@@ -43,6 +46,9 @@ inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude}
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};
 inline const Option<bool> single{"single"};
+inline const Option<config::Moment> at{"at", 0, "TIME", {}, read_time};
+inline const Option<EarthPlace> place{"place", 0, "LAT,LON", {}, read_place};
+inline const Option<int> turntable{"turntable", 0, "N", {}, read_turntable};
 inline const Option<bool> report{"report"};
 inline const Option<bool> watch{"watch"};
 inline const Option<int> draft{"draft", 0, "N", {}, read_draft};

@@ -18,6 +18,7 @@
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/sweep_preview.h"
@@ -55,8 +56,8 @@ struct SharedLight {
     Intermediates::Expected pictures;
 };
 
-// Bakes the recipe's assets for the preview. Options that no picture uses are reported before
-// anything is baked.
+// Bakes the recipe's assets for the preview. Options that no picture uses or that contradict each
+// other are reported before anything is baked.
 Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest& request,
                                    SharedLight& shared, StageProgress& progress) {
     auto selection = select_bakes(invocation);
@@ -65,6 +66,8 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
     const LitPictures lit = lit_pictures_of(bakes);
     auto unused = unused_options(lit, request.options);
     if (!unused.empty()) return {{}, std::move(unused)};
+    auto complete = completed(request.options, &selection.value->recipe, lit);
+    if (!complete.value) return {{}, std::move(complete.diagnostics)};
     const BakeStages stages = {&progress,
                                static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());
@@ -198,10 +201,15 @@ Command preview_command() {
                        .repeatable = true}},
         .options =
             {options::output("write index.html and its pictures into this folder", "preview"),
-             set_row(), options::only("show only [bake.NAME]"),
+             set_row(),
+             options::only("show only [bake.NAME]"),
              options::sun_elevation(
                  "show skies and clouds under these suns; separate them by commas"),
              options::sun_azimuth("place the sun of clouds, from +x towards +y (default 105)"),
+             options::at(
+                 "place the sun as at this time, such as \"2026-06-21 18:30 +02:00\"; without "
+                 "an offset or Z it is mean solar time"),
+             options::place("take the time at this latitude and longitude, such as 47.4,8.5"),
              options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
              options::tone_curve("show skies and clouds by this tone curve (default exponential)"),
              options::glare("scatter the sun's light in pictures of skies as an eye does, or not "
@@ -212,16 +220,14 @@ Command preview_command() {
                  "pitch=12deg fov=50deg\" or some of these; the heading turns from +x towards +y"),
              options::size("make pictures of clouds this large (default 960x540)"),
              options::single("show a single tile of a cloud, framed as a whole"),
+             options::turntable("make N pictures around a single tile, numbered for ffmpeg"),
              options::report("also measure and plot speed against error"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
              options::force("overwrite files that no preview has made")},
-        .examples = {{"skybake preview earth.toml", "shows a recipe's sky in preview/index.html"},
-                     {"skybake preview out --sun-elevation 40,5,-4 -o sky",
-                      "shows baked files under three suns"},
-                     {"skybake preview cumulus.toml --watch",
-                      "follows the recipe while you write it"}},
+        .examples = {{"skybake preview out --sun-elevation 40,5,-4 -o sky",
+                      "shows baked files under three suns"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_preview};
 }

@@ -121,6 +121,11 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
             usage_error("--report does not work with a sweep",
                         "each of its variants is a folder: preview one of those with --report"));
     }
+    if (request.subject == Subject::sweep && invocation.has(options::turntable)) {
+        problems.push_back(
+            usage_error("--turntable does not work with a sweep",
+                        "each of its variants is a folder: preview one of those with --turntable"));
+    }
     if (request.subject == Subject::recipe) return;
     const auto refuse = [&](const auto& option) {
         if (!invocation.has(option)) return;
@@ -148,6 +153,9 @@ PreviewOptions picture_options(const Invocation& invocation) {
     take(options::camera, given.camera);
     take(options::size, given.picture_size);
     given.single = invocation[options::single];
+    take(options::at, given.at);
+    take(options::place, given.place);
+    take(options::turntable, given.turntable);
     given.threads = invocation[options::jobs];
     return given;
 }
@@ -240,6 +248,35 @@ Outcome<int> read_draft(const std::string& text) {
                        fmt::format("expected a number from {} to {}", least, most))}};
 }
 
+Outcome<config::Moment> read_time(const std::string& text) {
+    if (const auto moment = config::parse_moment(text)) return {*moment, {}};
+    return {{},
+            {not_valid("--at", text, "date and time",
+                       fmt::format("expected {}", config::moment_words))}};
+}
+
+Outcome<EarthPlace> read_place(const std::string& text) {
+    const auto pieces = pieces_of(text);
+    if (pieces.size() == 2) {
+        const auto latitude = degrees_of(pieces[0], -90, 90);
+        const auto longitude = degrees_of(pieces[1], -180, 180);
+        if (latitude && longitude) return {EarthPlace{*latitude, *longitude}, {}};
+    }
+    return {{},
+            {not_valid("--place", text, "place",
+                       "expected degrees of latitude and longitude, positive in the north and in "
+                       "the east, such as 47.4,8.5")}};
+}
+
+Outcome<int> read_turntable(const std::string& text) {
+    constexpr int least = 2;
+    constexpr int most = 360;
+    if (const auto count = parse_count(text, least, most)) return {static_cast<int>(*count), {}};
+    return {{},
+            {not_valid("--turntable", text, "number of pictures",
+                       fmt::format("expected a number from {} to {}", least, most))}};
+}
+
 }  // namespace options
 
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
@@ -259,6 +296,10 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     if (request.watch && request.report) {
         problems.push_back(usage_error("--watch and --report exclude each other",
                                        "a report takes too long to follow every save"));
+    }
+    if (request.watch && invocation.has(options::turntable)) {
+        problems.push_back(usage_error("--watch and --turntable exclude each other",
+                                       "a turntable takes too long to follow every save"));
     }
     check_combination(invocation, request, problems);
     if (invocation.has(options::draft)) request.draft_edge = invocation[options::draft];

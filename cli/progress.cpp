@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "cli/console.h"
+#include "cli/table_printer.h"
 
 namespace skybake::cli {
 namespace {
@@ -14,13 +15,24 @@ namespace {
 using std::chrono::milliseconds;
 
 milliseconds time_between_lines(const Console& console) {
-    return console.error_is_terminal() ? milliseconds{200} : milliseconds{10000};
+    return console.error_is_terminal() ? milliseconds{200} : milliseconds{5000};
 }
 
 std::string progress_bar(double fraction) {
     constexpr int width = 10;
-    const auto filled = static_cast<std::size_t>(std::clamp(fraction, 0.0, 1.0) * width);
-    return std::string(filled, '#') + std::string(width - filled, '.');
+    const int filled = static_cast<int>(std::clamp(fraction, 0.0, 1.0) * width);
+    std::string bar;
+    for (int i = 0; i < width; ++i) bar += i < filled ? "█" : "░";
+    return bar;
+}
+
+// Returns the longest beginning of a text that takes at most this many columns.
+std::string cut(std::string text, int columns) {
+    while (text_width(text) > columns) {
+        while ((text.back() & 0xC0) == 0x80) text.pop_back();
+        text.pop_back();
+    }
+    return text;
 }
 
 // Spells a duration: "8 s", "3 min 05 s", "2 h 10 min".
@@ -31,6 +43,20 @@ std::string clock_text(double seconds) {
     return fmt::format("{} h {:02} min", whole / 3600, whole / 60 % 60);
 }
 
+std::string line_text(const ProgressState& state, bool with_bar) {
+    std::string text;
+    if (state.count > 0) text += fmt::format("[{}/{}] ", state.index, state.count);
+    text += state.what;
+    if (!state.step.empty()) {
+        text += fmt::format(": {}  ", state.step);
+        if (with_bar) text += progress_bar(state.fraction) + "  ";
+        text += fmt::format("{:.0f} %", std::floor(100 * state.fraction));
+    }
+    text += fmt::format("  {}", clock_text(state.elapsed_s));
+    if (state.left_s >= 0) text += fmt::format(", about {} left", clock_text(state.left_s));
+    return text;
+}
+
 }  // namespace
 
 ProgressLine::ProgressLine(Console& console, std::function<std::string()> text)
@@ -39,7 +65,7 @@ ProgressLine::ProgressLine(Console& console, std::function<std::string()> text)
 ProgressLine::ProgressLine(Console& console, std::function<std::string()> text,
                            std::chrono::milliseconds every)
     : console_(console), text_(std::move(text)), every_(every) {
-    if (console.shows_notes()) teller_ = std::thread([this] { tell(); });
+    if (console.shows_notes() && !console.display().json) teller_ = std::thread([this] { tell(); });
 }
 
 ProgressLine::~ProgressLine() {
@@ -63,17 +89,10 @@ void ProgressLine::tell() {
     }
 }
 
-std::string progress_text(const ProgressState& state) {
-    std::string text;
-    if (state.count > 0) text += fmt::format("[{}/{}] ", state.index, state.count);
-    text += state.what;
-    if (!state.step.empty()) {
-        text += fmt::format(": {}  {}  {:.0f} %", state.step, progress_bar(state.fraction),
-                            std::floor(100 * state.fraction));
-    }
-    text += fmt::format("  {}", clock_text(state.elapsed_s));
-    if (state.left_s >= 0) text += fmt::format(", about {} left", clock_text(state.left_s));
-    return text;
+std::string progress_text(const ProgressState& state, int columns) {
+    std::string text = line_text(state, true);
+    if (columns == 0 || text_width(text) <= columns) return text;
+    return cut(line_text(state, false), columns);
 }
 
 bool StepClock::advance(double fraction, double seconds) {
@@ -94,12 +113,31 @@ double StepClock::seconds_left(double seconds) const {
     return std::max(left_s, 0.0);
 }
 
+void ProgressTeller::begin_stage(int index, int count, std::string_view what) {
+    index_ = index;
+    count_ = count;
+    what_ = what;
+    step_.clear();
+}
+
+void ProgressTeller::advance(std::string_view step, double fraction, double seconds) {
+    if (step != step_ || !clock_.advance(fraction, seconds)) clock_ = {fraction, seconds};
+    step_ = step;
+}
+
+std::string ProgressTeller::text(double seconds, int columns) const {
+    const double left = step_.empty() ? -1 : clock_.seconds_left(seconds);
+    return progress_text({index_, count_, what_, step_, clock_.fraction(), seconds, left}, columns);
+}
+
+// A terminal's last column stays free, and two blanks stand before the line.
 BakeProgress::BakeProgress(std::string what, Console& console, int index, int count)
     : start_(std::chrono::steady_clock::now()),
-      index_(index),
-      count_(count),
-      what_(std::move(what)),
-      line_(console, [this] { return text(); }) {}
+      teller_(std::move(what), index, count),
+      line_(console, [this, columns = std::max(console.error_columns() - 3, 0)] {
+          const std::lock_guard lock(mutex_);
+          return teller_.text(elapsed_s(), columns);
+      }) {}
 
 double BakeProgress::elapsed_s() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -107,24 +145,12 @@ double BakeProgress::elapsed_s() const {
 
 void BakeProgress::advance(std::string_view step, double fraction) {
     const std::lock_guard lock(mutex_);
-    const double elapsed = elapsed_s();
-    if (step != step_ || !clock_.advance(fraction, elapsed)) clock_ = {fraction, elapsed};
-    step_ = step;
+    teller_.advance(step, fraction, elapsed_s());
 }
 
 void BakeProgress::begin_stage(int index, int count, std::string_view what) {
     const std::lock_guard lock(mutex_);
-    index_ = index;
-    count_ = count;
-    what_ = what;
-    step_.clear();
-}
-
-std::string BakeProgress::text() const {
-    const std::lock_guard lock(mutex_);
-    const double elapsed = elapsed_s();
-    const double left = step_.empty() ? -1 : clock_.seconds_left(elapsed);
-    return progress_text({index_, count_, what_, step_, clock_.fraction(), elapsed, left});
+    teller_.begin_stage(index, count, what);
 }
 
 bool BakeProgress::cancelled() const { return interrupted(); }

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "bakers/render/stage_progress.h"
 
@@ -16,12 +17,12 @@ namespace skybake::cli {
 class Console;
 
 // This is the line that says how far a long run is. On a terminal it is rewritten in place;
-// elsewhere a new line is written every ten seconds. It is rewritten even if the work has not
+// elsewhere a new line is written every five seconds. It is rewritten even if the work has not
 // advanced, so that its clock never stands still.
 class ProgressLine {
   public:
     // `text` is called from another thread until the line ends. Nothing is shown if the console
-    // shows no notes.
+    // shows no notes, or if results are events (--json), which say what is done.
     ProgressLine(Console& console, std::function<std::string()> text);
     // Uses another time between two lines.
     ProgressLine(Console& console, std::function<std::string()> text,
@@ -56,8 +57,10 @@ struct ProgressState {
 };
 
 // Returns the text of the line:
-// "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg  ####......  43 %  31 s, about 20 s left"
-std::string progress_text(const ProgressState& state);
+// "[3/12] cumulus_humilis, pictures: lighting, sun 20 deg  ████░░░░░░  43 %  31 s, about 20 s left"
+// It takes at most `columns` columns, or any number if that is 0. The bar is left out first, and
+// then the end is cut off.
+std::string progress_text(const ProgressState& state, int columns = 0);
 
 // Says how far a step is, and estimates from its speed since it began how long it may still take.
 // Times are seconds since the start of the whole run.
@@ -80,10 +83,29 @@ class StepClock {
     double told_s_;
 };
 
+// Says how far the steps of some work are. Times are seconds since the start of the whole run, so
+// that the caller's clock is the only one.
+class ProgressTeller {
+  public:
+    // `what` is the piece of work, number `index` of `count`. Both are 0 if pieces are not counted.
+    ProgressTeller(std::string what, int index, int count)
+        : index_(index), count_(count), what_(std::move(what)) {}
+
+    void begin_stage(int index, int count, std::string_view what);
+    void advance(std::string_view step, double fraction, double seconds);
+    std::string text(double seconds, int columns) const;
+
+  private:
+    int index_;
+    int count_;
+    std::string what_;
+    std::string step_;
+    StepClock clock_{0, 0};
+};
+
 // Shows the steps of a bake, a preview or a report on a progress line.
 class BakeProgress : public StageProgress {
   public:
-    // `what` is the piece of work, number `index` of `count`. Both are 0 if pieces are not counted.
     BakeProgress(std::string what, Console& console, int index = 0, int count = 0);
 
     void advance(std::string_view step, double fraction) override;
@@ -92,15 +114,10 @@ class BakeProgress : public StageProgress {
 
   private:
     double elapsed_s() const;
-    std::string text() const;
 
     mutable std::mutex mutex_;
     std::chrono::steady_clock::time_point start_;
-    int index_;
-    int count_;
-    std::string what_;
-    std::string step_;
-    StepClock clock_{0, 0};
+    ProgressTeller teller_;
     ProgressLine line_;  // the last member: it ends before the members that it reads
 };
 

@@ -224,7 +224,8 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     std::vector<AssetReport> reports;
     for (const Bake& bake : bakes) {
         Outcome<AssetReport> report = [&] {
-            BakeProgress progress(bake.name, console);
+            BakeProgress progress(bake.name, console, static_cast<int>(reports.size()) + 1,
+                                  static_cast<int>(bakes.size()));
             const ReportOptions options{selection.value->threads, invocation[options::quick],
                                         &progress, &intermediates};
             return report_asset(selection.value->recipe, bake, options);

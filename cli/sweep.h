@@ -72,6 +72,7 @@ class SweepReporter : public SweepObserver {
     mutable std::mutex mutex_;  // protects the members below
     std::size_t finished_ = 0;
     int made_ = 0;
+    int worked_on_ = 0;  // made or failed in this run
     int failed_ = 0;
     std::string at_work_;  // "0002_seed=3: voxels 40 %"
     std::optional<ProgressLine> line_;

@@ -74,10 +74,10 @@ std::string SweepReporter::count_text() const {
     std::string text = fmt::format("[{}/{}] variants", finished_, variants_);
     if (failed_ > 0) text += fmt::format(", {} failed", failed_);
     text += fmt::format(", {:.0f} s", elapsed);
-    if (made_ > 0) {
+    if (worked_on_ > 0) {
         const auto left = static_cast<double>(variants_ - finished_);
-        const auto done = static_cast<double>(finished_);
-        text += fmt::format(", about {:.0f} s left", elapsed * left / done);
+        // Variants that were up to date took no time.
+        text += fmt::format(", about {:.0f} s left", elapsed * left / worked_on_);
     }
     return text;
 }
@@ -104,6 +104,7 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
         ++finished_;
         if (failed) ++failed_;
         if (made && !failed) ++made_;
+        if (made) ++worked_on_;
         at_work_.clear();
     }
     if (json_) {

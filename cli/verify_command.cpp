@@ -14,6 +14,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/progress.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {
@@ -65,7 +66,11 @@ ExitCode run_verify(const Invocation& invocation, Console& console) {
     }
     const std::array checks = {probe_check()};
     const std::array of_folder = {skipping_check()};
-    const auto outcome = verify_bake(invocation.arguments()[0], checks, of_folder);
+    const auto outcome = [&] {
+        BakeProgress progress("verify", console);
+        return verify_bake(invocation.arguments()[0], checks, of_folder, &progress);
+    }();
+    if (interrupted()) return ExitCode::interrupted;
     const ExitCode code = console.report(outcome.diagnostics);
     if (!outcome.value) return code;
     console.result(console.display().json ? as_json(*outcome.value) : as_text(*outcome.value));

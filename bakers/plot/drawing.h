@@ -51,6 +51,7 @@ struct PreviewPicture {
     Picture picture;
     std::optional<double> exposure = {};  // the factor of radiance, in pictures of light
     PictureKind kind = PictureKind::image;
+    std::string sequence = {};  // a page shows pictures of the same sequence as one that turns
 };
 
 inline PreviewPicture as_plot(PreviewPicture picture) {

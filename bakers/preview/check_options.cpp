@@ -3,39 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
-#include <variant>
 
 #include "bakers/assets/registry.h"
-#include "config/assets/cloud_volume.h"
-#include "config/assets/multiple_scattering.h"
-#include "config/assets/transmittance.h"
+#include "config/recipe/preview_section.h"
 
 namespace skybake {
 namespace {
 
-template <class Section>
-bool has_section(std::span<const config::Bake> bakes) {
-    return std::any_of(bakes.begin(), bakes.end(),
-                       [](const config::Bake& bake) { return bake.is<Section>(); });
-}
-
-// An option, whether it was given, and whether a picture uses it.
-struct OptionUse {
-    std::string_view name;
+struct GivenOption {
+    std::string_view name;  // with `_`, as the key of [preview] that is like it
     bool given = false;
-    bool used = false;
-    std::string_view what;  // names the pictures that use it
 };
+
+config::Diagnostic unused_option(std::string name, std::string_view reason) {
+    std::replace(name.begin(), name.end(), '_', '-');
+    config::Diagnostic problem;
+    problem.code = "E0001";
+    problem.message = fmt::format("no picture of this preview uses --{}", name);
+    problem.label = reason;
+    return problem;
+}
 
 }  // namespace
 
 LitPictures lit_pictures_of(std::span<const config::Bake> bakes) {
-    LitPictures lit;
-    lit.sky = has_section<config::TransmittanceBake>(bakes) &&
-              has_section<config::MultipleScatteringBake>(bakes);
-    lit.clouds = has_section<config::CloudVolumeBake>(bakes);
-    return lit;
+    const config::PicturesOfLight light = config::pictures_of_light(bakes);
+    return {light.sky, light.clouds, false};
 }
 
 LitPictures lit_pictures_of(const PreviewAssets& assets) {
@@ -49,34 +44,27 @@ LitPictures lit_pictures_of(const PreviewAssets& assets) {
 
 std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                const PreviewOptions& options) {
-    const bool sky = lit.sky && !(lit.sweep && lit.clouds);
-    const bool any = sky || lit.clouds;
-    constexpr std::string_view light = "only pictures of a sky or of a lit cloud use it";
-    constexpr std::string_view clouds =
-        "only pictures of a lit cloud use it, which need a [bake.*] cloud_volume";
-    constexpr std::string_view skies =
-        "only pictures of a sky use it, which need a transmittance and a multiple_scattering table";
-    const OptionUse uses[] = {
-        {"sun-elevation", !options.sun_elevations_deg.empty(), any, light},
-        {"exposure", options.exposure_stops.has_value(), any, light},
-        {"tone-curve", options.tone_curve.has_value(), any, light},
-        {"altitude", options.altitude_m.has_value(), sky,
-         lit.clouds ? "only pictures of a sky use it; --camera places the camera of a cloud"
-                    : skies},
-        {"glare", options.glare.has_value(), sky, skies},
-        {"sun-azimuth", options.sun_azimuth_deg.has_value(), lit.clouds, clouds},
-        {"camera", options.camera.has_value(), lit.clouds, clouds},
-        {"size", options.picture_size.has_value(), lit.clouds || lit.sweep, clouds},
-        {"single", options.single, lit.clouds, clouds},
+    const GivenOption all[] = {
+        {"sun_elevation", !options.sun_elevations_deg.empty()},
+        {"sun_azimuth", options.sun_azimuth_deg.has_value()},
+        {"at", options.at.has_value()},
+        {"place", options.place.has_value()},
+        {"exposure", options.exposure_stops.has_value()},
+        {"tone_curve", options.tone_curve.has_value()},
+        {"glare", options.glare.has_value()},
+        {"altitude", options.altitude_m.has_value()},
+        {"camera", options.camera.has_value()},
+        {"size", options.picture_size.has_value() && !lit.sweep},
+        {"single", options.single},
+        {"turntable", options.turntable > 0},
     };
+    const config::PicturesOfLight pictures = {lit.sky && !(lit.sweep && lit.clouds), lit.clouds};
     std::vector<config::Diagnostic> problems;
-    for (const OptionUse& use : uses) {
-        if (!use.given || use.used) continue;
-        config::Diagnostic problem;
-        problem.code = "E0001";
-        problem.message = fmt::format("no picture of this preview uses --{}", use.name);
-        problem.label = use.what;
-        problems.push_back(std::move(problem));
+    for (const GivenOption& option : all) {
+        const std::string_view reason = config::why_unused(option.name, pictures);
+        if (option.given && !reason.empty()) {
+            problems.push_back(unused_option(std::string(option.name), reason));
+        }
     }
     return problems;
 }
@@ -92,9 +80,9 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
     if (*options.altitude_m <= top_m) return std::nullopt;
     config::Diagnostic diagnostic;
     diagnostic.code = "E0110";
-    diagnostic.message =
-        fmt::format("--altitude: {:g} km is above the top of the atmosphere, {:g} km",
-                    *options.altitude_m / 1000, top_m / 1000);
+    diagnostic.message = fmt::format(
+        "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
+        *options.altitude_m / 1000, top_m / 1000);
     return diagnostic;
 }
 

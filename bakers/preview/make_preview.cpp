@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <string_view>
 #include <utility>
 #include <variant>
 
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/complete_options.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
 #include "config/assets/asset_kind.h"
@@ -31,6 +33,12 @@ std::string atmosphere_key(const config::Recipe& recipe) {
                                    config::reads_of_air(recipe.parameters, config::Roles::all()));
 }
 
+// Returns what the recipe says on pictures.
+std::string preview_key(const config::Recipe& recipe) {
+    const std::array<std::string, 2> patterns = {"preview.*", "preview.camera.*"};
+    return config::parameters_toml(recipe, patterns);
+}
+
 class Preview {
   public:
     Preview(const PreviewAssets& assets, const PreviewOptions& options)
@@ -39,6 +47,7 @@ class Preview {
     Outcome<PreviewPage> make() {
         page_.title = assets_.title;
         page_.notes = assets_.notes;
+        if (!options_.note.empty()) page_.notes.push_back(options_.note);
         add_sky();
         for (const PreviewAsset& asset : assets_.assets) {
             if (is_cancelled(options_.progress)) return {};
@@ -85,8 +94,8 @@ class Preview {
             return;
         }
         begin_stage("sky");
-        const std::string key = "sky\n" + key_of(*transmittance) + key_of(*scattering) +
-                                atmosphere_key(*assets_.recipe);
+        const std::string key = "sky\n" + preview_key(*assets_.recipe) + key_of(*transmittance) +
+                                key_of(*scattering) + atmosphere_key(*assets_.recipe);
         auto pictures = encoder_.encode(key, [&] {
             return sky_pictures(assets_.recipe->parameters.atmosphere, *transmittance, *scattering,
                                 sky_options(), options_.threads);
@@ -114,7 +123,8 @@ class Preview {
     }
 
     std::string cloud_key(const CloudPreviewInput& input) const {
-        std::string key = "cloud\n" + atmosphere_key(*assets_.recipe);
+        std::string key =
+            "cloud\n" + preview_key(*assets_.recipe) + atmosphere_key(*assets_.recipe);
         for (const PreviewAsset* asset :
              {input.volume, input.occupancy, input.transmittance, input.multiple_scattering}) {
             key += asset != nullptr ? key_of(*asset) : "none\n";
@@ -148,8 +158,12 @@ std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto unused = unused_options(lit_pictures_of(assets), options);
     if (!unused.empty()) return {{}, std::move(unused)};
-    if (auto problem = camera_above_air(assets, options)) return {{}, {std::move(*problem)}};
-    return Preview(assets, options).make();
+    const auto complete =
+        completed(options, assets.recipe ? &*assets.recipe : nullptr, lit_pictures_of(assets));
+    if (!complete.value) return {{}, complete.diagnostics};
+    if (auto problem = camera_above_air(assets, *complete.value))
+        return {{}, {std::move(*problem)}};
+    return Preview(assets, *complete.value).make();
 }
 
 namespace {
@@ -209,7 +223,8 @@ void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
         input.width = (*options.picture_size)[0];
         input.height = (*options.picture_size)[1];
     }
-    input.single = options.single;
+    input.single = options.single || options.turntable > 0;
+    input.turntable = options.turntable;
     input.progress = options.progress;
     input.draft = options.draft;
     const int longest = std::max(input.width, input.height);

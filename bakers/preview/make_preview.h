@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bakers/math/intermediates.h"
@@ -13,8 +14,10 @@
 #include "bakers/render/cloud_framing.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/sun_disc.h"
+#include "bakers/render/sun_position.h"
 #include "bakers/render/tone_curve.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/text/moment.h"
 
 namespace skybake {
 
@@ -33,9 +36,13 @@ struct PreviewOptions {
     std::optional<Glare> glare;              // of the sun in skies; none: an eye's
     std::optional<double> altitude_m;        // of the camera that looks at the sky
     std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y
-    std::optional<CameraRequest> camera;     // of lit clouds
+    std::optional<config::Moment> at;        // places the sun, together with `place`
+    std::optional<EarthPlace> place;
+    std::optional<CameraRequest> camera;             // of lit clouds
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
     bool single = false;  // shows one tile of a cloud alone, completely in the picture
+    int turntable = 0;    // pictures of one tile from all around; 0: none
+    std::string note;     // for the page, on the light; empty: none
     bool draft = false;   // few pictures, small and fast
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
@@ -52,8 +59,9 @@ int picture_stages(std::size_t assets, const LitPictures& lit);
 std::vector<Need> needs_of_pictures(const config::Recipe& recipe);
 
 // Makes all pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
-// the preset "earth". Diagnostics are those of unused_options and camera_above_air
-// (check_options.h) and of png_bytes. If the user interrupts, there is neither a value nor a
+// the preset "earth". What `options` leave open is taken from the recipe's [preview]
+// (complete_options.h). Diagnostics are those of unused_options and camera_above_air
+// (check_options.h), of completed() and of png_bytes. If the user interrupts, there is neither a value nor a
 // diagnostic.
 config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
                                           const PreviewOptions& options);

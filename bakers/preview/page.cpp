@@ -31,10 +31,14 @@ std::string_view kind_name(PictureKind kind) {
 // Describes a picture for the scripts. The image itself is in the HTML; scripts find it by the file
 // name.
 Json to_json(const PagePicture& picture) {
-    return {{"name", picture.name},           {"file", picture.name + ".png"},
-            {"title", picture.title},         {"caption", picture.caption},
-            {"width", picture.width},         {"height", picture.height},
-            {"kind", kind_name(picture.kind)}};
+    return {{"name", picture.name},
+            {"file", picture.name + ".png"},
+            {"title", picture.title},
+            {"caption", picture.caption},
+            {"width", picture.width},
+            {"height", picture.height},
+            {"kind", kind_name(picture.kind)},
+            {"sequence", picture.sequence}};
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {
@@ -238,8 +242,10 @@ std::string figure_html(const PagePicture& picture, const std::string& file,
 std::string figures_html(const std::vector<PagePicture>& pictures) {
     std::string html;
     for (const PagePicture& picture : pictures) {
-        html += figure_html(picture, picture.name + ".png",
-                            "data:image/png;base64," + base64(picture.png));
+        const std::string file = picture.name + ".png";
+        html += figure_html(
+            picture, file,
+            picture.sequence.empty() ? "data:image/png;base64," + base64(picture.png) : file);
     }
     return html;
 }

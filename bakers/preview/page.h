@@ -1,4 +1,5 @@
-// The page of a preview: one HTML file that contains everything it shows.
+// The page of a preview: one HTML file that contains everything it shows, except the pictures of
+// turntables, which are many and stay in the files beside it.
 #pragma once
 
 #include <optional>
@@ -20,6 +21,7 @@ struct PagePicture {
     int height = 0;
     std::string png;  // bytes
     PictureKind kind = PictureKind::image;
+    std::string sequence = {};  // of pictures that are shown as one that turns
 };
 
 // An asset with its pictures.

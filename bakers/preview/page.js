@@ -107,13 +107,62 @@
         const image = images.get(picture.file);
         return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
     }
-    function gallery(pictures) {
-        if (pictures.length === 0) return null;
-        return element('div', {class: 'gallery'}, ...pictures.map((picture) => element('figure',
+    function figureOf(picture, content) {
+        return element('figure',
             {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
              class: picture.kind},
-            pictureButton(picture),
-            element('figcaption', {}, element('b', {}, picture.title), picture.caption))));
+            ...content, element('figcaption', {}, element('b', {}, picture.title), picture.caption));
+    }
+    // Pictures of one sequence are a turntable; every other picture is a figure of its own.
+    function gallery(pictures) {
+        if (pictures.length === 0) return null;
+        const turns = (picture) => pictures.filter((other) => other.sequence === picture.sequence);
+        return element('div', {class: 'gallery'}, ...pictures.map((picture) => {
+            if (picture.sequence === '') return figureOf(picture, [pictureButton(picture)]);
+            const frames = turns(picture);
+            return frames[0] === picture ? turntable(frames) : null;
+        }).filter((figure) => figure !== null));
+    }
+
+    // One picture that turns: by its slider, by dragging, by the arrow keys, or by itself.
+    function turntable(frames) {
+        const image = imageOf(frames[0]);
+        const sources = frames.map((frame) => images.get(frame.file).getAttribute('src'));
+        sources.forEach((source) => { new Image().src = source; });
+        const slider = element('input', {type: 'range', min: 0, max: frames.length - 1, value: 0,
+                                         'aria-label': `Turn: ${frames[0].title}`});
+        const words = element('span');
+        let timer = null;
+        function show(index) {
+            const at = (Math.round(index) % frames.length + frames.length) % frames.length;
+            slider.value = at;
+            image.src = sources[at];
+            image.alt = frames[at].caption;
+            words.textContent = frames[at].caption;
+        }
+        function play() {
+            if (timer !== null) clearInterval(timer);
+            timer = timer === null ? setInterval(() => show(Number(slider.value) + 1), 1000 / 12) : null;
+            button.textContent = timer === null ? 'Play' : 'Stop';
+        }
+        const button = element('button', {type: 'button', onclick: play}, 'Play');
+        slider.addEventListener('input', () => show(slider.value));
+        // A drag across the whole picture turns it once.
+        let held = null;
+        image.draggable = false;
+        image.addEventListener('pointerdown', (event) => {
+            held = {x: event.clientX, index: Number(slider.value)};
+            image.setPointerCapture(event.pointerId);
+        });
+        image.addEventListener('pointermove', (event) => {
+            if (held) show(held.index + (event.clientX - held.x) / image.clientWidth * frames.length);
+        });
+        for (const end of ['pointerup', 'pointercancel']) image.addEventListener(end, () => { held = null; });
+        const figure = figureOf({...frames[0], caption: words}, [image,
+            element('div', {class: 'turn'}, button, slider)]);
+        figure.classList.add('turntable');
+        show(0);
+        return figure;
     }
 
     // --- The enlarged picture -------------------------------------------------------------------

@@ -53,7 +53,8 @@ std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPictur
         }
         const PreviewPicture& picture = pictures[i];
         result.push_back({picture.name, picture.title, picture.caption, picture.picture.width,
-                          picture.picture.height, std::move(*bytes[i].value), picture.kind});
+                          picture.picture.height, std::move(*bytes[i].value), picture.kind,
+                          picture.sequence});
     }
     return result;
 }

@@ -11,6 +11,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/preview/make_preview.h"
@@ -246,7 +247,10 @@ class SweepPreview {
         lit.sweep = true;
         // Options are checked only before the first picture, because the exposure stored afterwards
         // is not an option of the user.
-        if (pictures_.empty()) unused_ = unused_options(lit, options_);
+        if (pictures_.empty()) {
+            unused_ = unused_options(lit, options_);
+            if (unused_.empty()) complete(*assets.value, lit);
+        }
         if (!unused_.empty()) return std::nullopt;
         if (const auto problem = camera_above_air(*assets.value, options_)) {
             page_.notes.push_back(fmt::format("{}: {}", variant.name, problem->message));
@@ -261,6 +265,13 @@ class SweepPreview {
         auto encoded = encoder_.encode(variant.name, [&] { return std::vector{titled}; });
         if (encoded.empty()) return std::nullopt;
         return std::move(encoded.front());
+    }
+
+    // All pictures take what the first variant's recipe says on pictures.
+    void complete(const PreviewAssets& assets, const LitPictures& lit) {
+        auto complete = completed(options_, assets.recipe ? &*assets.recipe : nullptr, lit);
+        if (complete.value) options_ = std::move(*complete.value);
+        unused_ = std::move(complete.diagnostics);
     }
 
     // Chooses the number of columns so that the sheet is about twice as wide as it is high, because
@@ -295,7 +306,8 @@ class SweepPreview {
     std::vector<std::string> captions_;
     std::string light_;  // of the first picture of light, valid for all
     std::vector<config::Diagnostic> warnings_;
-    std::vector<config::Diagnostic> unused_;  // unused options, which end the preview
+    // Options that no picture uses or that contradict each other end the preview.
+    std::vector<config::Diagnostic> unused_;
     int stage_ = 0;
 };
 

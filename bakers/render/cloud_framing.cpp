@@ -172,6 +172,40 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
     return settings;
 }
 
+std::vector<CloudViewSettings> turntable_views(const CloudMedium& medium, const SunDirection& sun,
+                                               int width, int height, const CameraRequest& request,
+                                               int count) {
+    CloudViewSettings settings = framed_view(medium, sun, width, height, request);
+    const CloudBox box = occupied_box(medium);
+    const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
+    double turned = 0;  // of the first view against the camera
+    if (!request.position_m) {
+        // The box that holds the cloud in any turn is seen from its side.
+        const glm::dvec3 half = 0.5 * (box.high_m - box.low_m);
+        const double radius = std::sqrt(half.x * half.x + half.y * half.y);
+        const glm::dvec3 reach(radius, radius, half.z);
+        turned = settings.camera.azimuth_degrees;
+        settings.camera.azimuth_degrees = 0;
+        place_before_box({middle - reach, middle + reach}, request,
+                         static_cast<double>(height) / width, settings.camera);
+        settings.camera.position_m.z = std::max(settings.camera.position_m.z, kLowest_m);
+    }
+    const CloudCamera first = settings.camera;
+    const glm::dvec3 offset = first.position_m - middle;
+    std::vector<CloudViewSettings> views;
+    for (int i = 0; i < count; ++i) {
+        const double turn = std::remainder(turned + 360.0 * i / count, 360.0);
+        const double c = cosine_of_degrees(turn);
+        const double s = sine_of_degrees(turn);
+        settings.camera.azimuth_degrees = first.azimuth_degrees + turn;
+        settings.camera.position_m =
+            middle + glm::dvec3(c * offset.x - s * offset.y, s * offset.x + c * offset.y, offset.z);
+        settings.reach_m = reach_m(medium, settings.camera);
+        views.push_back(settings);
+    }
+    return views;
+}
+
 std::string camera_text(const CloudCamera& camera) {
     return fmt::format("position={},{},{} heading={:.4g}deg pitch={:.4g}deg fov={:.4g}deg",
                        kilometers(camera.position_m[0]), kilometers(camera.position_m[1]),

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "bakers/render/cloud_view.h"
 
@@ -24,6 +25,14 @@ struct CameraRequest {
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
+
+// Returns the settings of `count` views from all around the cloud of a medium that does not repeat,
+// in equal steps from the request's heading towards greater azimuths. The camera turns about the
+// vertical axis through the middle of what is there. It is so far away that all of it is in every
+// picture, unless the request has a position, which then turns too.
+std::vector<CloudViewSettings> turntable_views(const CloudMedium& medium, const SunDirection& sun,
+                                               int width, int height, const CameraRequest& request,
+                                               int count);
 
 // Describes the camera in the form that --camera reads: "position=1.86km,0.72km,0.3km heading=63deg
 // pitch=12deg fov=50deg".

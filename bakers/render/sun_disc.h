@@ -28,10 +28,11 @@
 #include "bakers/field/image.h"
 #include "bakers/render/sky_rays.h"
 #include "bakers/render/sky_tables.h"
+#include "config/sections/preview.h"
 
 namespace skybake {
 
-enum class Glare { none, eye };
+using config::Glare;
 
 // Returns the brightness of the disc at an angle from its middle, as a share of the disc's mean
 // brightness; `angle_share` is the angle over the disc's radius, in [0, 1].

@@ -3,21 +3,11 @@
 
 #include "bakers/field/image.h"
 #include "bakers/plot/drawing.h"
+#include "config/sections/preview.h"
 
 namespace skybake {
 
-// How scene-linear light with an exposure becomes display-linear light in [0, 1].
-enum class ToneCurve {
-    // 1 - exp(-light), of each channel.
-    exponential,
-    // The fit by Stephen Hill to the Reference Rendering Transform and Output Device Transform of the
-    // Academy Color Encoding System, for sRGB screens. Bright colours turn white.
-    aces,
-    // The base look of AgX by Troy Sobotka: logarithms of light from 2^-12.47393 to 2^4.026069 in
-    // desaturated primaries, with the polynomial of degree 6 by Benjamin Wrensch for its sigmoid. Bright
-    // colours turn white later and with fewer shifts of hue.
-    agx,
-};
+using config::ToneCurve;
 
 // Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the curve, and
 // converts to sRGB. Values must be finite; negative values become black.

@@ -78,7 +78,8 @@ constexpr std::array codes = {
     DiagnosticCode{"E0111", "key of another profile, phase or type",
                    "The key would have no effect: it belongs to a profile or phase function that "
                    "the layer does not have, to another type of noise, another layout or another "
-                   "height profile, or to a `detail` that is not given. A later source that names "
+                   "height profile, to a `detail` that is not given, or to pictures that the "
+                   "recipe does not have. A later source that names "
                    "another profile drops the keys of the earlier one automatically.",
                    "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
                    "profile = \"exponential\"\nscale_height = \"8 km\"", usage},

@@ -9,6 +9,7 @@
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
+#include "config/recipe/preview_section.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/sweep/sweep.h"
@@ -216,6 +217,7 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     parameters.noises = decode_noises(root, decoder);
     parameters.clouds = decode_clouds(root, parameters.noises, decoder);
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
+    decode_preview(root, parameters.bakes, decoder);
     check_atmosphere(root, parameters, source, decoder);
     check_wavelengths(root, parameters, source, decoder);
     return parameters;
@@ -247,6 +249,8 @@ std::vector<Section> make_sections() {
         make_section("atmosphere.layers.*", "one kind of gas or particle, under any name",
                      layer_fields()),
         make_section("scene", "the cameras and suns that the sky's tables are for", scene_fields()),
+        make_section("preview", "how pictures show the recipe", preview_fields()),
+        make_section("preview.camera", "the camera of pictures of clouds", preview_camera_fields()),
         make_section("particles.*", "spheres of given sizes, under any name", particles_fields()),
         make_section("noise.*", "a tileable noise, under any name", noise_fields()),
         make_section("noise.*.channels.*", "one channel of a noise: R, G, B, A, or Y alone",

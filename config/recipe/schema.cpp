@@ -188,6 +188,9 @@ std::string recipe_schema() {
     schema["properties"]["atmosphere"] = atmosphere;
     schema["properties"]["color"] = section_schema(*find_section("color"));
     schema["properties"]["scene"] = section_schema(*find_section("scene"));
+    Json preview = section_schema(*find_section("preview"));
+    preview["properties"]["camera"] = section_schema(*find_section("preview.camera"));
+    schema["properties"]["preview"] = preview;
     schema["properties"]["particles"] =
         with_bare_names(named_schema("particles, by name", "particles"));
     schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));

@@ -13,6 +13,7 @@
 #include "config/sections/noise.h"
 #include "config/sections/parameters.h"
 #include "config/sections/particles.h"
+#include "config/sections/preview.h"
 #include "config/sections/scene.h"
 
 namespace skybake::config {
@@ -25,6 +26,8 @@ using AtmosphereField = Row<Atmosphere>;
 using LayerField = Row<Layer>;
 using ColorField = Row<Color>;
 using SceneField = Row<Scene>;
+using PreviewField = Row<Preview>;
+using PreviewCameraField = Row<PreviewCamera>;
 using ParticlesField = Row<Particles>;
 using NoiseField = Row<Noise>;
 using NoiseChannelField = Row<NoiseChannel>;
@@ -39,6 +42,8 @@ std::span<const AtmosphereField> atmosphere_fields();
 std::span<const LayerField> layer_fields();
 std::span<const ColorField> color_fields();
 std::span<const SceneField> scene_fields();
+std::span<const PreviewField> preview_fields();
+std::span<const PreviewCameraField> preview_camera_fields();
 std::span<const ParticlesField> particles_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();

@@ -236,6 +236,43 @@ const tests = {
         }
     },
 
+    async 'turns a turntable by slider, drag, keys and by itself'(browser) {
+        const out = path.join(work, 'turning');
+        execFileSync(program, ['preview', write('turning.toml', recipe), '--only', 'cumulus', '--turntable', '6',
+                               '--size', '64x36', '-o', out, '-q']);
+        const page = await open(browser, path.join(out, 'index.html'));
+        const figure = page.locator('figure.turntable');
+        assert.equal(await figure.count(), 1);
+        const image = figure.locator('img');
+        const number = async () => Number(/_00(\d)\.png$/.exec(await image.getAttribute('src'))[1]);
+        const slider = figure.locator('input[type=range]');
+        assert.equal(await number(), 0);
+        await slider.fill('4');
+        assert.equal(await number(), 4);
+        assert.match(await figure.innerText(), /Picture 5 of 6/);
+        await slider.focus();
+        await page.keyboard.press('ArrowRight');
+        assert.equal(await number(), 5);
+        // A drag across two thirds of the picture turns by four pictures, past the last one.
+        const box = await image.boundingBox();
+        await page.mouse.move(box.x + box.width / 6, box.y + box.height / 2);
+        await page.mouse.down();
+        await page.mouse.move(box.x + box.width * 5 / 6, box.y + box.height / 2, {steps: 8});
+        await page.mouse.up();
+        assert.equal(await number(), 3);
+        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+        assert.equal(await number(), 3);
+        const button = figure.locator('button:text-is("Play")');
+        await button.click();
+        await until(async () => (await number()) === 1);
+        await figure.locator('button:text-is("Stop")').click();
+        const stopped = await number();
+        await page.waitForTimeout(300);
+        assert.equal(await number(), stopped);
+        assert.ok(await image.evaluate((shown) => shown.complete && shown.naturalWidth === 64));
+        assert.deepEqual(page.complaints, []);
+    },
+
     async 'follows a recipe'(browser) {
         const watched = write('watched.toml', recipe);
         const out = path.join(work, 'watched');

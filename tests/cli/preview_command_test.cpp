@@ -1,6 +1,7 @@
 // preview: of recipes, folders, sweeps and files.
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "tests/cli/program.h"
@@ -238,6 +239,18 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
         {cloud, "--camera", "position=1km,2km"},
         {cloud, "--camera", "position=1,2,3"},
         {cloud, "--camera", "position=1km,2km,-1m"},
+        {cloud, "--at", "18:30", "--place", "47.4,8.5"},
+        {cloud, "--at", "2026-06-21 18:30"},
+        {cloud, "--place", "47.4,8.5"},
+        {cloud, "--at", "2026-06-21 18:30", "--place", "47.4"},
+        {cloud, "--at", "2026-06-21 18:30", "--place", "147.4,8.5"},
+        {cloud, "--at", "2026-06-21 18:30", "--place", "47.4,8.5", "--sun-elevation", "3"},
+        {cloud, "--at", "2026-06-21 18:30", "--place", "47.4,8.5", "--sun-azimuth", "3"},
+        {cloud, "--turntable", "1"},
+        {cloud, "--turntable", "361"},
+        {cloud, "--turntable", "4", "--watch"},
+        {cloud, "--set", "preview.altitude=2 km"},
+        {cloud, "--set", "preview.camera.pitch=91 deg"},
     };
     for (const auto& words : wrong) EXPECT_EQ(scene.preview(words).code, 2) << words.back();
     EXPECT_FALSE(fs::exists(scene.out));
@@ -255,6 +268,8 @@ TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
         {scene.recipe, "--sun-elevation", "3"},
         {scene.baked, "--single"},
         {scene.baked, "--camera", "heading=63"},
+        {scene.recipe, "--turntable", "4"},
+        {scene.recipe, "--at", "2026-06-21 18:30", "--place", "47.4,8.5"},
         {scene.baked + "/volume.exr", "--size", "64x64"},
     };
     for (const auto& words : wrong) {
@@ -293,6 +308,107 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
               0);
     EXPECT_TRUE(contains(
         data_of(scene.page())["assets"][0]["pictures"][0]["caption"].get<std::string>(), camera));
+}
+
+constexpr const char* preview_text = R"(
+[preview]
+size = [40, 30]
+single = true
+sun_elevation = "-3 deg"
+sun_azimuth = "-20 deg"
+[preview.camera]
+position = ["0.1 km", "200 m", "50 m"]
+heading = "1 rad"
+fov = "40 deg"
+)";
+
+json first_picture(const Scene& scene) { return data_of(scene.page())["assets"][0]["pictures"][0]; }
+
+TEST(PreviewCommand, TakesWhatTheRecipeSaysOnPictures) {
+    const Scene scene;
+    write_bytes(scene.recipe, cloud_text);
+    ASSERT_EQ(
+        scene
+            .preview({scene.recipe, "--camera", "position=0.1km,200m,50m heading=1rad fov=40",
+                      "--size", "40x30", "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
+            .code,
+        0);
+    const json by_options = first_picture(scene);
+    const std::string png = read_bytes(scene.out + "/c_lit_sun_minus_3.png");
+    fs::remove_all(scene.out);
+    // A folder has what its recipe said.
+    write_bytes(scene.recipe, std::string(cloud_text) + preview_text);
+    scene.bake();
+    ASSERT_EQ(scene.preview({scene.baked}).code, 0);
+    EXPECT_EQ(first_picture(scene), by_options);
+    EXPECT_EQ(read_bytes(scene.out + "/c_lit_sun_minus_3.png"), png);
+
+    // The command line wins, key by key.
+    ASSERT_EQ(scene.preview({scene.recipe, "--camera", "heading=10", "--sun-elevation", "30"}).code,
+              0);
+    const json picture = first_picture(scene);
+    EXPECT_EQ(picture["file"], "c_lit_sun_30.png");
+    EXPECT_EQ(picture["width"], 40);
+    EXPECT_TRUE(contains(picture["caption"], "`position=0.1km,0.2km,0.05km heading=10deg"))
+        << picture["caption"];
+}
+
+TEST(PreviewCommand, SaysNothingThatChangesABake) {
+    const Scene scene;
+    write_bytes(scene.recipe, cloud_text);
+    scene.bake();
+    const json before = json::parse(read_bytes(scene.baked + "/manifest.json"));
+    const std::string bytes = read_bytes(scene.baked + "/c.vdb");
+    write_bytes(scene.recipe, std::string(cloud_text) + preview_text);
+    const Result plan = run_words({"bake", scene.recipe, "-o", scene.baked, "--dry-run"});
+    EXPECT_EQ(plan.code, 0) << plan.error;
+    EXPECT_FALSE(contains(plan.error + plan.out, "clouds.c")) << plan.error << plan.out;
+    scene.bake();
+    const json after = json::parse(read_bytes(scene.baked + "/manifest.json"));
+    EXPECT_EQ(after["assets"], before["assets"]);  // with its key and its time
+    EXPECT_EQ(read_bytes(scene.baked + "/c.vdb"), bytes);
+    EXPECT_EQ(after["parameters"]["preview"]["size"], json({40, 30}));
+}
+
+TEST(PreviewCommand, PlacesTheSunAtATime) {
+    const Scene scene;
+    write_bytes(scene.recipe, cloud_text);
+    const std::string preview =
+        "[preview]\nsize = [40, 30]\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'\n";
+    const Result result = scene.preview({scene.recipe, "--at", "2026-06-21 18:30 +02:00", "--place",
+                                         "47.4,8.5", "--size", "40x30"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const json by_options = first_picture(scene);
+    EXPECT_EQ(by_options["file"], "c_lit_sun_26_61.png");
+    EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "2026-06-21 16:30 UTC"));
+    write_bytes(scene.recipe, cloud_text + preview);
+    ASSERT_EQ(scene.preview({scene.recipe, "--at", "2026-06-21 16:30Z"}).code, 0);
+    EXPECT_EQ(first_picture(scene), by_options);
+}
+
+TEST(PreviewCommand, TurnsACloud) {
+    const Scene scene;
+    write_bytes(scene.recipe, cloud_text);
+    const Result result = scene.preview({scene.recipe, "--turntable", "6", "--size", "40x30"});
+    ASSERT_EQ(result.code, 0) << result.error;
+    const std::string html = scene.page();
+    const json pictures = data_of(html)["assets"][0]["pictures"];
+    std::set<std::string> different;
+    for (int i = 0; i < 6; ++i) {
+        const std::string name = "c_turntable_sun_20_00" + std::to_string(i);
+        const json& picture = pictures[static_cast<std::size_t>(i)];
+        EXPECT_EQ(picture["name"], name);
+        EXPECT_EQ(picture["sequence"], "c_turntable_sun_20");
+        different.insert(read_bytes(scene.out + "/" + name + ".png"));
+        EXPECT_TRUE(contains(html, "src=\"" + name + ".png\""));
+        const auto exposure = [](const std::string& caption) {
+            return caption.substr(caption.find("exposure"), 20);
+        };
+        EXPECT_EQ(exposure(picture["caption"]), exposure(pictures[0]["caption"]));
+    }
+    EXPECT_EQ(different.size(), 6U);
+    EXPECT_EQ(pictures[6]["sequence"], "");
+    EXPECT_TRUE(contains(pictures[0]["caption"], "Picture 1 of 6. One tile alone"));
 }
 
 TEST(PreviewCommand, LeavesAlonePagesOfOthers) {

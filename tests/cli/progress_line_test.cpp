@@ -84,7 +84,8 @@ TEST(ProgressLine, IsRewrittenOnATerminalAndTakenAway) {
 
 TEST(ProgressLine, IsSilentWhereThereAreNoNotes) {
     for (const Display& display :
-         {Display{.quiet = true}, Display{.diagnostics = DiagnosticFormat::json}}) {
+         {Display{.quiet = true}, Display{.diagnostics = DiagnosticFormat::json},
+          Display{.json = true}}) {
         Screen screen;
         Console console(nowhere(), screen.sink(true), display);
         bool asked = false;
@@ -105,13 +106,45 @@ TEST(ProgressLine, IsSilentWhereThereAreNoNotes) {
 
 TEST(ProgressText, HasCountBarClockAndTimeLeft) {
     EXPECT_EQ(progress_text({3, 12, "cumulus, pictures", "lighting, sun 20 deg", 0.439, 31, 20.2}),
-              "[3/12] cumulus, pictures: lighting, sun 20 deg  ####......  43 %  31 s, about 20 s "
+              "[3/12] cumulus, pictures: lighting, sun 20 deg  ████░░░░░░  43 %  31 s, about 20 s "
               "left");
     EXPECT_EQ(progress_text({0, 0, "manifest", "", 0, 0.2, -1}), "manifest  0 s");
     EXPECT_EQ(progress_text({1, 1, "shape", "voxels", 1, 185, 0}),
-              "[1/1] shape: voxels  ##########  100 %  3 min 05 s, about 0 s left");
+              "[1/1] shape: voxels  ██████████  100 %  3 min 05 s, about 0 s left");
     EXPECT_EQ(progress_text({1, 2, "shape", "voxels", 0.1, 7800, -1}),
-              "[1/2] shape: voxels  #.........  10 %  2 h 10 min");
+              "[1/2] shape: voxels  █░░░░░░░░░  10 %  2 h 10 min");
+}
+
+// A line that wraps could not be rewritten.
+TEST(ProgressText, FitsTheTerminal) {
+    const ProgressState state{3, 12, "wölkchen", "lighting", 0.439, 31, 20.2};
+    EXPECT_EQ(progress_text(state, 66),
+              "[3/12] wölkchen: lighting  ████░░░░░░  43 %  31 s, about 20 s left");
+    EXPECT_EQ(progress_text(state, 65), "[3/12] wölkchen: lighting  43 %  31 s, about 20 s left");
+    EXPECT_EQ(progress_text(state, 9), "[3/12] wö");
+    EXPECT_EQ(progress_text(state, 8), "[3/12] w");
+}
+
+// The time left comes from the work that was done since a step began, and runs on between two
+// pieces of news.
+TEST(ProgressTeller, TellsByTheClockOfItsCaller) {
+    ProgressTeller teller("preview", 0, 0);
+    EXPECT_EQ(teller.text(0.2, 0), "preview  0 s");
+    teller.begin_stage(2, 3, "cumulus");
+    teller.advance("voxels", 0, 10);
+    EXPECT_EQ(teller.text(11, 0), "[2/3] cumulus: voxels  ░░░░░░░░░░  0 %  11 s");
+    teller.advance("voxels", 0.5, 30);
+    EXPECT_EQ(teller.text(30, 0), "[2/3] cumulus: voxels  █████░░░░░  50 %  30 s, about 20 s left");
+    EXPECT_EQ(teller.text(38, 0), "[2/3] cumulus: voxels  █████░░░░░  50 %  38 s, about 12 s left");
+    // A step that runs slower than at first is told so at the next news.
+    teller.advance("voxels", 0.6, 70);
+    EXPECT_EQ(teller.text(70, 0),
+              "[2/3] cumulus: voxels  ██████░░░░  60 %  1 min 10 s, about 40 s left");
+    // Another step says nothing of the time before it.
+    teller.advance("certify", 0.01, 71);
+    EXPECT_EQ(teller.text(71, 0), "[2/3] cumulus: certify  ░░░░░░░░░░  1 %  1 min 11 s");
+    teller.begin_stage(3, 3, "shape");
+    EXPECT_EQ(teller.text(72, 0), "[3/3] shape  1 min 12 s");
 }
 
 TEST(StepClock, SaysHowLongAStepMayStillTake) {

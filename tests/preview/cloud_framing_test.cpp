@@ -92,6 +92,64 @@ TEST(CloudFraming, HasAllOfASingleTileInThePictureAndMostOfThePictureFilled) {
     }
 }
 
+double farthest_corner_in_picture(const CloudBox& box, const CloudViewSettings& settings) {
+    double farthest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        glm::dvec3 point;
+        for (std::size_t a = 0; a < 3; ++a) {
+            point[a] = ((corner >> a & 1) != 0 ? box.high_m[a] : box.low_m[a]) -
+                       settings.camera.position_m[a];
+        }
+        for (const double share : place_in_picture(settings, point)) {
+            farthest = std::max(farthest, std::fabs(share));
+        }
+    }
+    return farthest;
+}
+
+// All views have the whole cloud, look at its axis, and lie on one circle in equal steps.
+TEST(CloudFraming, TurnsAroundASingleTile) {
+    constexpr int count = 12;
+    for (const double base_m : {0.0, 3000.0}) {
+        const CloudMedium medium = tower(base_m, false);
+        const CloudBox box = occupied_box(medium);
+        const glm::dvec3 middle = 0.5 * (box.low_m + box.high_m);
+        const auto views = turntable_views(medium, {20, 105}, 96, 54, {}, count);
+        ASSERT_EQ(views.size(), 12U);
+        double nearest = 1;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            const CloudCamera& camera = views[i].camera;
+            const double share = farthest_corner_in_picture(box, views[i]);
+            EXPECT_LT(share, 0.91) << i;
+            nearest = std::min(nearest, share);
+            EXPECT_GE(camera.position_m.z, 2);
+            EXPECT_EQ(camera.position_m.z, views[0].camera.position_m.z);
+            EXPECT_EQ(camera.elevation_degrees, views[0].camera.elevation_degrees);
+            EXPECT_NEAR(std::remainder(camera.azimuth_degrees - 63 - 30.0 * double(i), 360.0), 0,
+                        1e-9);
+            const glm::dvec3 ahead = direction_of(0, camera.azimuth_degrees);
+            const glm::dvec3 back(camera.position_m.x - middle.x, camera.position_m.y - middle.y,
+                                  0);
+            const double distance = std::sqrt(glm::dot(back, back));
+            EXPECT_NEAR(glm::dot(back, ahead), -distance, 1e-6 * distance) << i;
+            EXPECT_GE(views[i].reach_m, distance);
+        }
+        EXPECT_GT(nearest, 0.5);
+    }
+}
+
+TEST(CloudFraming, TurnsACameraThatHasAPosition) {
+    CameraRequest request;
+    request.position_m = {{1000, -4000, 30}};  // beside the axis at (1000, 800)
+    request.heading_degrees = 80;
+    const auto views = turntable_views(tower(900, false), {20, 105}, 96, 54, request, 4);
+    EXPECT_EQ(views[0].camera.position_m, (glm::dvec3{1000, -4000, 30}));
+    EXPECT_EQ(views[0].camera.azimuth_degrees, 80);
+    EXPECT_NEAR(views[1].camera.position_m.x, 1000 + 4800, 1e-6);
+    EXPECT_NEAR(views[1].camera.position_m.y, 800, 1e-6);
+    EXPECT_EQ(views[1].camera.azimuth_degrees, 170);
+}
+
 TEST(CloudFraming, ObeysARequest) {
     CameraRequest request;
     request.position_m = {{10, 20, 30}};

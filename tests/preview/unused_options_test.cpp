@@ -31,6 +31,9 @@ const Case cases[] = {
      },
      false, true},
     {"single", [](PreviewOptions& options) { options.single = true; }, false, true},
+    {"turntable", [](PreviewOptions& options) { options.turntable = 8; }, false, true},
+    {"at", [](PreviewOptions& options) { options.at.emplace(); }, true, true},
+    {"place", [](PreviewOptions& options) { options.place.emplace(); }, true, true},
 };
 
 TEST(UnusedOptions, AreThoseThatNoPictureUses) {

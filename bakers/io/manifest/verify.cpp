@@ -253,19 +253,32 @@ void check_manifest(VerifyReport& report, const std::string& name, const Manifes
     }
 }
 
+double bytes_of(const ManifestAsset& asset) {
+    double bytes = 0;
+    for (const ManifestFile& file : asset.files) bytes += static_cast<double>(file.bytes);
+    return bytes;
+}
+
 }  // namespace
 
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
                                           std::span<const AssetCheck> further,
-                                          std::span<const FolderCheck> of_folder) {
+                                          std::span<const FolderCheck> of_folder,
+                                          Progress* progress) {
     const ManifestPlace place = manifest_place(path);
     config::Outcome<Manifest> manifest = read_manifest_file(place.file);
     if (!manifest.value) return {{}, std::move(manifest.diagnostics)};
     VerifyReport report;
     check_manifest(report, place.file.filename().string(), *manifest.value);
+    double bytes_left = 0;
+    for (const ManifestAsset& asset : manifest.value->assets) bytes_left += bytes_of(asset);
+    const double bytes = std::max(bytes_left, 1.0);
     for (const ManifestAsset& asset : manifest.value->assets) {
         for (const ManifestFile& file : asset.files) {
+            if (is_cancelled(progress)) return {std::move(report), {}};
             check_file(report, place.folder, asset, file);
+            bytes_left -= static_cast<double>(file.bytes);
+            if (progress != nullptr) progress->advance("files", 1 - bytes_left / bytes);
         }
         check_further(report, asset, further);
     }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bakers/io/manifest/manifest.h"
+#include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -48,10 +49,12 @@ struct FolderCheck {
 // by the manifest's hashes, so no change of the manifest goes unnoticed.
 //
 // `path` is the manifest or its folder. Volumes are read as streams. `further` checks are made for
-// each asset, `of_folder` checks for all assets together. E0300 if there is no manifest, E0304 if
-// it is damaged.
+// each asset, `of_folder` checks for all assets together. `progress` hears of the share of all bytes
+// after each file; once it is cancelled, the rest is left out, and the report must not be used.
+// E0300 if there is no manifest, E0304 if it is damaged.
 config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
                                           std::span<const AssetCheck> further = {},
-                                          std::span<const FolderCheck> of_folder = {});
+                                          std::span<const FolderCheck> of_folder = {},
+                                          Progress* progress = nullptr);
 
 }  // namespace skybake

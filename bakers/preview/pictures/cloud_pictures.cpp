@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -47,12 +48,19 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
     return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
 }
 
-std::optional<Lighting> earth_lighting(int threads) {
+// Tells that a step begins.
+void begin_step(Progress* progress, std::string_view step) {
+    if (progress != nullptr) progress->advance(step, 0);
+}
+
+std::optional<Lighting> earth_lighting(int threads, Progress* progress) {
     const auto recipe = config::parse_recipe(kEarth, "earth");
     if (!recipe.value) return std::nullopt;
     BakeOptions options;
     options.threads = threads;
     options.certification = Certification::off;
+    ProgressPart part(progress, "light of the preset earth", 0, 1);
+    options.progress = &part;
     const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
     if (!baked.value) return std::nullopt;
     return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
@@ -62,7 +70,7 @@ std::optional<Lighting> earth_lighting(int threads) {
 std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
     if (input.atmosphere == nullptr || input.transmittance == nullptr ||
         input.multiple_scattering == nullptr) {
-        return earth_lighting(threads);
+        return earth_lighting(threads, input.progress);
     }
     return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
                        "the recipe's atmosphere");
@@ -83,14 +91,21 @@ Leaps leaps_of(const CloudPreviewInput& input, const CloudMedium& medium, int th
     return {leaps_of_voxels(medium, 4, threads), "cells made from the volume"};
 }
 
-CloudViewSettings settings_of(const CloudPreviewInput& input, const CloudMedium& medium,
-                              const SunDirection& sun) {
+// Returns the views under a sun: one, or those of a turntable.
+std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const CloudMedium& medium,
+                                        const SunDirection& sun) {
     const int reduction = input.draft ? 2 : 1;
-    CloudViewSettings settings = framed_view(medium, sun, std::max(input.width / reduction, 1),
-                                             std::max(input.height / reduction, 1), input.camera);
-    settings.step_m *= reduction;
-    settings.light_step_m *= reduction;
-    return settings;
+    const int width = std::max(input.width / reduction, 1);
+    const int height = std::max(input.height / reduction, 1);
+    std::vector<CloudViewSettings> views =
+        input.turntable > 0
+            ? turntable_views(medium, sun, width, height, input.camera, input.turntable)
+            : std::vector{framed_view(medium, sun, width, height, input.camera)};
+    for (CloudViewSettings& view : views) {
+        view.step_m *= reduction;
+        view.light_step_m *= reduction;
+    }
+    return views;
 }
 
 // Returns two samples along each edge of a pixel for small pictures, else one.
@@ -151,35 +166,57 @@ std::string lit_caption(const CloudPreviewInput& input, const CloudViewSettings&
         static_cast<double>(fetches.cells) / pixels);
 }
 
+// Renders one view. Without `exposure`, one is chosen for this picture.
 PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& medium,
-                           const Lighting& lighting, const Leaps& leaps, const SunDirection& sun,
+                           const Lighting& lighting, const Leaps& leaps,
+                           const CloudViewSettings& settings, std::optional<double> exposure,
                            int threads, Progress* progress) {
-    const CloudViewSettings settings = settings_of(input, medium, sun);
     const CloudView view = render_samples(medium, lighting, settings, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
-    const double exposure = input.exposure_stops
-                                ? std::exp2(*input.exposure_stops)
-                                : kExposureShare * exposure_for(shown, input.tone_curve);
+    if (!exposure) exposure = kExposureShare * exposure_for(shown, input.tone_curve);
+    const double elevation = settings.sun.elevation_degrees;
     PreviewPicture picture;
-    picture.name =
-        fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(sun.elevation_degrees));
-    picture.title = fmt::format("Lit, {}", sun_text(sun.elevation_degrees));
-    picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, exposure);
-    picture.picture = tone_mapped(shown, exposure, input.tone_curve);
+    picture.name = fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(elevation));
+    picture.title = fmt::format("Lit, {}", sun_text(elevation));
+    picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, *exposure);
+    picture.picture = tone_mapped(shown, *exposure, input.tone_curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
     return picture;
 }
 
+// Makes a picture of a turntable a part of its sequence.
+void number_picture(const std::string& asset, std::size_t index, std::size_t count,
+                    const CloudViewSettings& settings, PreviewPicture& picture) {
+    const double elevation = settings.sun.elevation_degrees;
+    picture.sequence = fmt::format("{}_turntable_{}", asset, sun_stem(elevation));
+    picture.name = fmt::format("{}_{:03}", picture.sequence, index);
+    picture.title = fmt::format("Turntable, {}", sun_text(elevation));
+    picture.caption = fmt::format("Picture {} of {}. {}", index + 1, count, picture.caption);
+}
+
 void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
                       const Lighting& lighting, const Leaps& leaps, int threads,
                       std::vector<PreviewPicture>& pictures) {
-    const double share = 1.0 / static_cast<double>(input.suns.size());
-    for (std::size_t i = 0; i < input.suns.size() && !is_cancelled(input.progress); ++i) {
-        const SunDirection& sun = input.suns[i];
+    const std::size_t count = static_cast<std::size_t>(std::max(input.turntable, 1));
+    const double share = 1.0 / static_cast<double>(input.suns.size() * count);
+    double done = 0;
+    for (const SunDirection& sun : input.suns) {
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
-        ProgressPart part(input.progress, step, static_cast<double>(i) * share, share);
-        pictures.push_back(lit_picture(input, medium, lighting, leaps, sun, threads, &part));
+        std::optional<double> exposure;
+        if (input.exposure_stops) exposure = std::exp2(*input.exposure_stops);
+        const std::vector<CloudViewSettings> views = views_of(input, medium, sun);
+        for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
+            ProgressPart part(input.progress, step, done, share);
+            PreviewPicture picture =
+                lit_picture(input, medium, lighting, leaps, views[i], exposure, threads, &part);
+            done += share;
+            exposure = picture.exposure;  // one for all pictures of a turntable
+            if (input.turntable > 0) {
+                number_picture(input.volume->entry.name, i, views.size(), views[i], picture);
+            }
+            pictures.push_back(std::move(picture));
+        }
     }
 }
 
@@ -234,6 +271,7 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
         add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
         if (is_cancelled(input.progress)) return pictures;
     }
+    begin_step(input.progress, "slices");
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, entry.name, depth));
     const std::array<int, 3> slices = slice_voxel(medium, depth);

@@ -41,13 +41,15 @@ struct CloudPreviewInput {
     ToneCurve tone_curve = ToneCurve::exponential;
     CameraRequest camera;
     bool single = false;  // one tile alone, not the layer that it repeats to
+    int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;      // of lit pictures
     int height = 540;
     bool draft = false;  // half that size, steps twice as long, only the most important pictures
     Progress* progress = nullptr;  // reports lit pictures
 };
 
-// Makes the pictures. For a volume, they are a lit picture for each sun, the optical depth of
+// Makes the pictures. For a volume, they are a lit picture for each sun, or a turntable of pictures
+// of one exposure, numbered from 000 on, and the optical depth of
 // columns seen from above, and slices, with the cells of the occupancy grid over them if there is
 // one. For a grid alone, they are its slices. Slices go through the places with the most cloud.
 // There are no lit pictures if make_sky_tables (sky_tables.h) refuses the tables, and fewer

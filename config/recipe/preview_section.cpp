@@ -1,0 +1,127 @@
+#include "config/recipe/preview_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "config/assets/cloud_volume.h"
+#include "config/assets/multiple_scattering.h"
+#include "config/assets/transmittance.h"
+#include "config/diagnostics/toml_source.h"
+#include "config/sections/sections.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr const char* preview_path = "preview";
+constexpr const char* camera_path = "preview.camera";
+
+// Reports each key, and the camera, that the recipe gives and no picture uses.
+void check_use(const Table& table, std::span<const Bake> bakes, Decoder& decoder) {
+    if (bakes.empty()) return;
+    const PicturesOfLight pictures = pictures_of_light(bakes);
+    for (const Entry& entry : table) {
+        const std::string_view reason = why_unused(entry.key, pictures);
+        if (reason.empty()) continue;
+        decoder.diagnostics.error(
+            "E0111", entry.key_place,
+            fmt::format("no picture of this recipe uses `preview.{}`", entry.key),
+            std::string(reason));
+    }
+}
+
+// Reports a time without a place, and half of a place.
+void check_place(const DecodedSection& preview, Decoder& decoder) {
+    const std::array pairs = {std::array{"at", "latitude"}, std::array{"at", "longitude"},
+                              std::array{"latitude", "longitude"},
+                              std::array{"longitude", "latitude"}};
+    for (const auto& [given, needed] : pairs) {
+        const Value* source = preview.at(given).source;
+        if (source == nullptr || preview.at(needed).source != nullptr || !decoder.complete)
+            continue;
+        decoder.diagnostics.error(
+            "E0105", source->place,
+            fmt::format("`preview.{}` is missing: `preview.{}` needs it", needed, given),
+            "a place has a latitude and a longitude");
+    }
+}
+
+void check_height(const DecodedSection& camera, Decoder& decoder) {
+    const DecodedField& position = camera.at("position");
+    if (!position.value) return;
+    const double altitude = std::get<std::array<double, 3>>(*position.value)[2];
+    if (altitude >= 0) return;
+    decoder.diagnostics.error("E0110", position.source->place,
+                              fmt::format("`preview.camera.position` is {} below the ground",
+                                          length_to_string(-altitude)),
+                              "the third length is the altitude above the ground");
+}
+
+// Returns the values of a section as the table that they were read from.
+Table table_of(const Recipe& recipe, std::string_view section) {
+    Table table;
+    for (const ResolvedValue& value : recipe.values) {
+        if (value.section != section) continue;
+        auto parsed = parse_toml_value(value.canonical);
+        if (!parsed) continue;  // none of a valid recipe
+        table.push_back({value.path.substr(section.size() + 1), {}, std::move(*parsed)});
+    }
+    std::sort(table.begin(), table.end(),
+              [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    return table;
+}
+
+template <class S>
+void bind_values(const Recipe& recipe, const char* path, std::span<const Row<S>> rows, S& target) {
+    DiagnosticList none_expected;
+    std::vector<ResolvedValue> values;
+    Decoder decoder{none_expected, values, true, std::nullopt};
+    const Table table = table_of(recipe, path);
+    bind_section(decode_section(*find_section(path), path, {}, table, Absent::left_out, decoder),
+                 rows, target);
+}
+
+}  // namespace
+
+PicturesOfLight pictures_of_light(std::span<const Bake> bakes) {
+    const auto any = [bakes](auto is) { return std::any_of(bakes.begin(), bakes.end(), is); };
+    return {any([](const Bake& bake) { return bake.is<TransmittanceBake>(); }) &&
+                any([](const Bake& bake) { return bake.is<MultipleScatteringBake>(); }),
+            any([](const Bake& bake) { return bake.is<CloudVolumeBake>(); })};
+}
+
+void decode_preview(const Table& root, std::span<const Bake> bakes, Decoder& decoder) {
+    const Entry* entry = find_entry(root, preview_path);
+    if (entry == nullptr) return;
+    const Table& table = subtable(root, preview_path, "", decoder);
+    const DecodedSection preview =
+        decode_section(*find_section(preview_path), preview_path, entry->key_place, table,
+                       Absent::filled_in, decoder);
+    append_values(preview, decoder);
+    check_place(preview, decoder);
+    check_use(table, bakes, decoder);
+    const Entry* camera_entry = find_entry(table, "camera");
+    if (camera_entry == nullptr) return;
+    const DecodedSection camera = decode_section(
+        *find_section(camera_path), camera_path, camera_entry->key_place,
+        subtable(table, "camera", preview_path, decoder), Absent::filled_in, decoder);
+    append_values(camera, decoder);
+    check_height(camera, decoder);
+}
+
+std::optional<Preview> preview_of(const Recipe& recipe) {
+    const bool any =
+        std::any_of(recipe.values.begin(), recipe.values.end(), [](const ResolvedValue& value) {
+            return value.section == preview_path || value.section == camera_path;
+        });
+    if (!any) return std::nullopt;
+    Preview preview;
+    bind_values(recipe, preview_path, preview_fields(), preview);
+    bind_values(recipe, camera_path, preview_camera_fields(), preview.camera);
+    return preview;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,25 @@
+// This header reads [preview]. Its values stand among those of the recipe, so that `show` and
+// manifests have them, but no asset reads them.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "config/fields/section_decoder.h"
+#include "config/recipe/recipe.h"
+#include "config/sections/preview.h"
+
+namespace skybake::config {
+
+// Decodes [preview] and [preview.camera] and appends their values. It reports keys that no picture
+// of the recipe uses (E0111), a camera below the ground (E0110), and a time or half of a place
+// without the rest of the place (E0105). A recipe without bakes may have any of the keys.
+void decode_preview(const Table& root, std::span<const Bake> bakes, Decoder& decoder);
+
+// Returns the pictures of light that previews of these bakes have.
+PicturesOfLight pictures_of_light(std::span<const Bake> bakes);
+
+// Returns what the recipe's [preview] says, or none if it has no such section.
+std::optional<Preview> preview_of(const Recipe& recipe);
+
+}  // namespace skybake::config

@@ -1,0 +1,161 @@
+#include "config/recipe/preview_section.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "config/recipe/schema.h"
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::parse;
+using testing::valid;
+using testing::value_at;
+using Codes = std::vector<std::string>;
+
+constexpr double degree = std::numbers::pi / 180;
+
+// A sky and a cloud, with [preview] on line 17.
+const std::string base = R"(preset = "earth_hillaire"
+[noise.n.channels.Y]
+type = "worley"
+frequency = 2
+octaves = 1
+[clouds.c]
+noise = "n"
+extent = ["2 km", "2 km", "1 km"]
+[bake.transmittance]
+size = [32, 8]
+[bake.multiple_scattering]
+size = [8, 8]
+[bake.c]
+asset = "cloud_volume"
+cloud = "c"
+size = [16, 16, 8]
+[preview]
+)";
+
+Codes faults(const std::string& text) { return codes_and_places(parse(base + text).diagnostics); }
+
+TEST(PreviewSection, IsRead) {
+    const Recipe recipe = valid(base + R"(size = [1920, 1080]
+single = true
+altitude = "2 km"
+sun_elevation = ["20 deg", "-4 deg"]
+sun_azimuth = "150 deg"
+exposure = 2.5
+tone_curve = "agx"
+glare = "none"
+[preview.camera]
+position = ["2 km", "-3 km", "200 m"]
+heading = "120 deg"
+pitch = "-5 deg"
+fov = "40 deg"
+)");
+    const auto preview = preview_of(recipe);
+    ASSERT_TRUE(preview);
+    EXPECT_EQ(preview->size, (std::array{1920, 1080}));
+    EXPECT_TRUE(preview->single);
+    EXPECT_EQ(preview->altitude, 2000);
+    ASSERT_EQ(preview->sun_elevation.size(), 2U);
+    EXPECT_DOUBLE_EQ(preview->sun_elevation[1].radians, -4 * degree);
+    EXPECT_DOUBLE_EQ(preview->sun_azimuth.value(), 150 * degree);
+    EXPECT_EQ(preview->exposure, 2.5);
+    EXPECT_EQ(preview->tone_curve, ToneCurve::agx);
+    EXPECT_EQ(preview->glare, Glare::none);
+    EXPECT_EQ(preview->camera.position, (std::array<double, 3>{2000, -3000, 200}));
+    EXPECT_DOUBLE_EQ(preview->camera.heading.value(), 120 * degree);
+    EXPECT_DOUBLE_EQ(preview->camera.pitch.value(), -5 * degree);
+    EXPECT_DOUBLE_EQ(preview->camera.fov.value(), 40 * degree);
+    EXPECT_EQ(value_at(recipe, "preview.camera.heading").origin, "test.toml:28");
+}
+
+TEST(PreviewSection, SaysNothingThatItIsNotTold) {
+    EXPECT_FALSE(preview_of(valid("preset = 'earth_hillaire'")));
+    const auto preview = preview_of(valid(base + "[preview.camera]\nfov = '40 deg'\n"));
+    ASSERT_TRUE(preview);
+    EXPECT_FALSE(preview->size || preview->at || preview->exposure || preview->camera.heading);
+    EXPECT_TRUE(preview->sun_elevation.empty());
+}
+
+TEST(PreviewSection, TakesATimeAtAPlace) {
+    const auto preview = preview_of(valid(
+        base + "at = '2026-06-21 18:30 +02:00'\nlatitude = '47.4 deg'\nlongitude = '8.5 deg'"));
+    ASSERT_TRUE(preview);
+    EXPECT_EQ(preview->at, "2026-06-21 18:30 +02:00");
+    EXPECT_DOUBLE_EQ(preview->latitude.value(), 47.4 * degree);
+    EXPECT_DOUBLE_EQ(preview->longitude.value(), 8.5 * degree);
+    EXPECT_EQ(faults("at = '2026-06-31 18:30'\nlatitude = '1 deg'\nlongitude = '1 deg'"),
+              Codes{"E0110 18:6"});
+    EXPECT_EQ(faults("at = 2026-06-21T18:30:00\nlatitude = '1 deg'\nlongitude = '1 deg'"),
+              Codes{"E0103 18:6"});
+    EXPECT_EQ(faults("at = '2026-06-21 18:30'\nlatitude = '1 deg'"),
+              (Codes{"E0105 18:6", "E0105 19:12"}));
+    EXPECT_EQ(faults("longitude = '1 deg'"), Codes{"E0105 18:13"});
+    EXPECT_TRUE(faults("latitude = '1 deg'\nlongitude = '1 deg'").empty());
+    EXPECT_EQ(faults("latitude = '91 deg'\nlongitude = '1 deg'"), Codes{"E0110 18:12"});
+    EXPECT_EQ(faults("at = '2026-06-21 18:30'\nlatitude = '1 deg'\nlongitude = '1 deg'\n"
+                     "sun_azimuth = '5 deg'")
+                  .size(),
+              1U);
+}
+
+TEST(PreviewSection, ReportsMistakesInTheirPlace) {
+    EXPECT_EQ(faults("sice = [64, 64]"), Codes{"E0102 18:1"});
+    EXPECT_EQ(faults("size = [8, 64]"), Codes{"E0110 18:9"});
+    EXPECT_EQ(faults("tone_curve = 'filmic'"), Codes{"E0104 18:14"});
+    EXPECT_EQ(faults("[preview.camera]\nposition = ['1 km', '1 km', '-1 m']"),
+              Codes{"E0110 19:12"});
+    EXPECT_EQ(faults("[preview.camera]\nheading = 120"), Codes{"E0107 19:11"});
+    EXPECT_EQ(faults("[preview.camera]\nroll = '1 deg'"), Codes{"E0102 19:1"});
+    EXPECT_EQ(faults("camera = 1"), Codes{"E0103 18:10"});
+}
+
+TEST(PreviewSection, HasNoKeyThatNoPictureUses) {
+    const auto faults_of = [](const std::string& bakes) {
+        Codes codes;
+        const std::string text = "preset = 'earth_hillaire'\n" + bakes +
+                                 "[preview]\nglare = 'none'\nexposure = 1\n[preview.camera]\n";
+        for (const Diagnostic& diagnostic : parse(text).diagnostics)
+            codes.push_back(diagnostic.message);
+        return codes;
+    };
+    const std::string table = "[bake.transmittance]\nsize = [32, 8]\n";
+    const std::string sky = table + "[bake.multiple_scattering]\nsize = [8, 8]\n";
+    const std::string cloud =
+        base.substr(base.find('\n') + 1, base.find("[bake.") - base.find('\n') - 1) +
+        "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 8]\n";
+    const auto unused = [](const std::string& key) {
+        return "no picture of this recipe uses `preview." + key + "`";
+    };
+    EXPECT_EQ(faults_of(table), (Codes{unused("glare"), unused("exposure"), unused("camera")}));
+    EXPECT_EQ(faults_of(sky), Codes{unused("camera")});
+    EXPECT_EQ(faults_of(cloud), Codes{unused("glare")});
+    EXPECT_EQ(faults_of(sky + cloud), Codes{});
+    EXPECT_EQ(faults_of(""), Codes{});  // a part of recipes that bake
+}
+
+// Files carry what their assets are made from, and no asset is made from [preview].
+TEST(PreviewSection, IsNotPartOfWhatAssetsAreMadeFrom) {
+    const Recipe plain = valid(base);
+    const Recipe recipe = valid(base + "exposure = 3\n[preview.camera]\nheading = '3 deg'\n");
+    EXPECT_EQ(plain.values.size() + 2, recipe.values.size());
+    for (const Section& section : sections()) {
+        const Read read = {std::string(section.path), Roles::all()};
+        if (section.path.starts_with("preview")) continue;
+        EXPECT_EQ(parameters_toml(recipe, std::span(&read, 1)),
+                  parameters_toml(plain, std::span(&read, 1)));
+    }
+}
+
+TEST(PreviewSection, IsInTheSchema) {
+    const std::string schema = recipe_schema();
+    EXPECT_NE(schema.find("\"sun_elevation\""), std::string::npos);
+    EXPECT_NE(schema.find("\"heading\""), std::string::npos);
+}
+
+}  // namespace
+}  // namespace skybake::config
