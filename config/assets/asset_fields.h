@@ -11,6 +11,7 @@
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
 #include "config/sections/scene.h"
+#include "config/sections/targets.h"
 
 namespace skybake::config {
 
@@ -122,6 +123,13 @@ template <class S, std::size_t count>
 std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
     std::vector<Row<S>> rows(own.begin(), own.end());
     const Row<S> file_rows[] = {
+        {{.key = "target",
+          .kind = Kind::choice,
+          .choices = target_choices(),
+          .documentation = "the program that the files are for; it decides the keys below that the "
+                           "section leaves out, and adds the program's own files",
+          .role = Role::files},
+         &AssetFiles::target},
         {{.key = "formats",
           .kind = Kind::choice_list,
           .choices = format_choices,
