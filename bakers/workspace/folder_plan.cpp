@@ -10,8 +10,10 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
+#include "bakers/io/targets/sidecar.h"
 #include "bakers/math/hash.h"
 #include "config/assets/asset_kind.h"
+#include "config/sections/targets.h"
 
 namespace skybake {
 namespace {
@@ -247,6 +249,7 @@ std::string key_of(const AssetIdentity& identity) {
         add(input.file);
         add(input.xxh3);
     }
+    if (!identity.sidecars.empty()) add(identity.sidecars);
     return hasher.hex();
 }
 
@@ -265,6 +268,10 @@ config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
         config::Outcome<FileFingerprint> print = fingerprint(file.path);
         if (!print.value) return {{}, std::move(print.diagnostics)};
         identity.inputs.push_back({file.name, print.value->xxh3});
+    }
+    for (const std::string& name :
+         config::sidecar_names(config::files_of(bake), identity.kind, "NAME")) {
+        identity.sidecars += sidecar_template(name);
     }
     identity.key = key_of(identity);
     outcome.value = std::move(identity);

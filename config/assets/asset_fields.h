@@ -13,6 +13,7 @@
 #include "config/sections/files.h"
 #include "config/sections/packets.h"
 #include "config/sections/scene.h"
+#include "config/sections/targets.h"
 
 namespace skybake::config {
 
@@ -135,6 +136,13 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
              &LightFiles::packet});
     }
     const Row<S> file_rows[] = {
+        {{.key = "target",
+          .kind = Kind::choice,
+          .choices = target_choices(),
+          .documentation = "the program that the files are for; it decides the keys below that the "
+                           "section leaves out, and adds the program's own files",
+          .role = Role::files},
+         &AssetFiles::target},
         {{.key = "formats",
           .kind = Kind::choice_list,
           .choices = format_choices,

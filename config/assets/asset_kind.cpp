@@ -12,6 +12,7 @@
 
 #include "config/assets/assets.h"
 #include "config/assets/file_decoder.h"
+#include "config/assets/target_decoder.h"
 #include "config/sections/cloud.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -379,6 +380,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
     }
     for (OpenBake& bake : open) {
+        resolve_target(bake.section, bake.kind->facts.name, recipe.target, decoder);
         if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
         }

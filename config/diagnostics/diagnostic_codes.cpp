@@ -390,6 +390,15 @@ constexpr std::array codes = {
         "size = [68, 68, 17]\n[bake.o]\n"
         "asset = \"occupancy\"\nof = \"v\"",
         usage},
+    DiagnosticCode{
+        "E0160", "asset or file that a target cannot load",
+        "`target` names the program that files are for. It decides the keys of files that a "
+        "section "
+        "leaves out. It cannot load every asset, and not from any file: the message says what it "
+        "loads. Give the section another target, or none with target left out.",
+        "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"pbrt\"",
+        "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"three\"",
+        usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",

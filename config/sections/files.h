@@ -22,6 +22,23 @@ enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 enum class Ktx2Compression { none, zstd };
 
+// The program that files are for (targets.h).
+enum class Target {
+    none,
+    three,
+    babylon,
+    takram,
+    godot,
+    unity,
+    unreal,
+    bevy,
+    blender,
+    houdini,
+    omniverse,
+    mitsuba,
+    pbrt,
+};
+
 constexpr bool is_block_coded(PixelType type) { return type >= PixelType::bc4; }
 
 // Returns how many channels a type codes, or 0 if it takes any number.
@@ -159,6 +176,7 @@ struct AssetFiles {
     Compression compression = Compression::zip;  // for EXR
     VdbCompression vdb_compression = VdbCompression::blosc;
     Ktx2Compression ktx2_compression = Ktx2Compression::zstd;
+    Target target = Target::none;
 };
 
 // The rest of this header is about the cells of an image in which the slices of a volume are laid

@@ -14,6 +14,7 @@
 #include "config/sections/atmosphere.h"
 #include "config/sections/cloud.h"
 #include "config/sections/color.h"
+#include "config/sections/files.h"
 #include "config/sections/noise.h"
 #include "config/sections/particles.h"
 #include "config/sections/scene.h"
@@ -51,6 +52,7 @@ struct Bake {
 };
 
 struct Parameters {
+    Target target = Target::none;     // of bakes that name none
     std::vector<Length> wavelengths;  // without `color`, one per channel: Y, or R, G, B
     std::optional<Color> color;       // of the sky's tables of light
     Atmosphere atmosphere;            // has no radii and no layers if a recipe has only noises

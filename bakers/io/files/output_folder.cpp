@@ -15,6 +15,7 @@
 #include "bakers/io/files/temporary_file.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
+#include "config/sections/targets.h"
 
 namespace skybake {
 namespace {
@@ -151,6 +152,10 @@ std::vector<std::string> file_names(const config::Bake& bake) {
     const auto* bruneton = bake.find<config::BrunetonBake>();
     if (bruneton && config::has_companion(*bruneton)) {
         names.push_back(companion_file_name(bake.name, "json"));
+    }
+    for (std::string& name :
+         config::sidecar_names(files, config::kind_of(bake).facts.name, bake.name)) {
+        names.push_back(std::move(name));
     }
     return names;
 }

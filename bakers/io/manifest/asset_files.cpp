@@ -9,6 +9,7 @@
 #include "bakers/io/files/stopwatch.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/metadata.h"
+#include "bakers/io/targets/sidecar.h"
 
 namespace skybake {
 namespace {
@@ -29,10 +30,19 @@ ManifestFile make_file(const Baked& baked, const Format& format, int level) {
     return file;
 }
 
-config::Outcome<bool> write_companion(const CompanionFile& companion,
-                                      const std::filesystem::path& path) {
+// Returns a file of the asset that has no texels.
+ManifestFile make_text_file(const Baked& baked, std::string path, std::string_view format) {
+    ManifestFile file;
+    file.path = std::move(path);
+    file.format = format;
+    file.pixel_type = baked.pixel_type;
+    file.compression = "none";
+    return file;
+}
+
+config::Outcome<bool> write_text(std::string_view text, const std::filesystem::path& path) {
     FileOutput output(path);
-    output.write(companion.text);
+    output.write(text);
     if (!output.finish()) return {{}, {output.diagnostic()}};
     return {true, {}};
 }
@@ -60,7 +70,10 @@ config::Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& 
                                        const ManifestFile& file, int threads, Progress* progress,
                                        const std::filesystem::path& path) {
     if (baked.companion && file.format == baked.companion->format) {
-        return write_companion(*baked.companion, path);
+        return write_text(baked.companion->text, path);
+    }
+    if (file.format == sidecar_format) {
+        return write_text(sidecar_text(baked, asset, file.path), path);
     }
     const Format& format = *find_format(file.format);
     FileContent content{baked, file.level, {}, threads, progress};
@@ -77,12 +90,12 @@ ManifestAsset describe_with_files(const Baked& baked) {
         }
     }
     if (baked.companion) {
-        ManifestFile file;
-        file.path = companion_file_name(baked.name, baked.companion->format);
-        file.format = baked.companion->format;
-        file.pixel_type = baked.pixel_type;
-        file.compression = "none";
-        asset.files.push_back(std::move(file));
+        const std::string& format = baked.companion->format;
+        asset.files.push_back(
+            make_text_file(baked, companion_file_name(baked.name, format), format));
+    }
+    for (std::string& name : sidecars_of(baked)) {
+        asset.files.push_back(make_text_file(baked, std::move(name), sidecar_format));
     }
     return asset;
 }

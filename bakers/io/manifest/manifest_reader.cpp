@@ -12,6 +12,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
+#include "bakers/io/targets/sidecar.h"
 
 namespace skybake {
 namespace {
@@ -142,7 +143,8 @@ ManifestFile read_file_entry(const Node& node) {
     file.path = path_within_folder(node["path"]);
     file.format = node["format"].text();
     const Format* format = find_format(file.format);
-    if (format == nullptr && file.format != "json") node["format"].fail("there is no such format");
+    const bool is_text = file.format == "json" || file.format == sidecar_format;
+    if (format == nullptr && !is_text) node["format"].fail("there is no such format");
     const auto type = pixel_type_of(node["pixel_type"].text());
     if (!type) node["pixel_type"].fail("there is no such pixel type");
     file.pixel_type = *type;

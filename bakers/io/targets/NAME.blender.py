@@ -1,0 +1,52 @@
+$if FORMAT=vdb$"""Adds the volume of $FILE$ to the open scene, in metres, with a material whose density is extinction.
+$if FORMAT=exr$"""Makes $FILE$ the world of the open scene, with its numbers taken as they are: the sun stands over +x.
+
+Run it in Blender's text editor, or as `blender scene.blend --python $NAME$.blender.py`.
+"""
+import os
+
+import bpy
+
+text = bpy.data.texts.get(os.path.basename(__file__))
+script = bpy.path.abspath(text.filepath) if text and text.filepath else __file__
+path = os.path.join(os.path.dirname(os.path.abspath(script)), "$FILE$")
+
+$if FORMAT=vdb$volume = bpy.data.volumes.new("$NAME$")
+$if FORMAT=vdb$volume.filepath = path
+$if FORMAT=vdb$cloud = bpy.data.objects.new("$NAME$", volume)
+$if FORMAT=vdb$bpy.context.scene.collection.objects.link(cloud)
+$if FORMAT=vdb$
+$if FORMAT=vdb$material = bpy.data.materials.new("$NAME$")
+$if FORMAT=vdb$material.use_nodes = True
+$if FORMAT=vdb$nodes = material.node_tree.nodes
+$if FORMAT=vdb$nodes.clear()
+$if FORMAT=vdb$shader = nodes.new("ShaderNodeVolumePrincipled")
+$if FORMAT=vdb$shader.inputs["Color"].default_value = (1, 1, 1, 1)  # the albedo of water droplets
+$if FORMAT=vdb$shader.inputs["Density Attribute"].default_value = "$GRID$"
+$if FORMAT=vdb$shader.inputs["Density"].default_value = $EXTINCTION$  # 1/m, where the grid is 1
+$if FORMAT=vdb$shader.inputs["Anisotropy"].default_value = 0.8
+$if FORMAT=vdb$output = nodes.new("ShaderNodeOutputMaterial")
+$if FORMAT=vdb$material.node_tree.links.new(shader.outputs["Volume"], output.inputs["Volume"])
+$if FORMAT=vdb$volume.materials.append(material)
+$if FORMAT=vdb$
+$if FORMAT=vdb$# By default cameras see nothing beyond 100 m.
+$if FORMAT=vdb$reach = 10 * max($EXTENT_X$, $EXTENT_Y$, $HIGH_Z$)
+$if FORMAT=vdb$for camera in bpy.data.cameras:
+$if FORMAT=vdb$    camera.clip_end = max(camera.clip_end, reach)
+$if FORMAT=vdb$for screen in bpy.data.screens:
+$if FORMAT=vdb$    for area in screen.areas:
+$if FORMAT=vdb$        if area.type == "VIEW_3D":
+$if FORMAT=vdb$            area.spaces.active.clip_end = max(area.spaces.active.clip_end, reach)
+$if FORMAT=exr$image = bpy.data.images.load(path, check_existing=True)
+$if FORMAT=exr$image.colorspace_settings.name = "Non-Color"
+$if FORMAT=exr$world = bpy.data.worlds.new("$NAME$")
+$if FORMAT=exr$world.use_nodes = True
+$if FORMAT=exr$nodes = world.node_tree.nodes
+$if FORMAT=exr$nodes.clear()
+$if FORMAT=exr$texture = nodes.new("ShaderNodeTexEnvironment")
+$if FORMAT=exr$texture.image = image
+$if FORMAT=exr$background = nodes.new("ShaderNodeBackground")
+$if FORMAT=exr$output = nodes.new("ShaderNodeOutputWorld")
+$if FORMAT=exr$world.node_tree.links.new(texture.outputs["Color"], background.inputs["Color"])
+$if FORMAT=exr$world.node_tree.links.new(background.outputs["Background"], output.inputs["Surface"])
+$if FORMAT=exr$bpy.context.scene.world = world

@@ -1,0 +1,16 @@
+// This header fills in the keys of a bake that its target decides.
+#pragma once
+
+#include <string_view>
+
+#include "config/fields/section_decoder.h"
+#include "config/sections/files.h"
+
+namespace skybake::config {
+
+// Gives the keys of files that the section leaves out the values that its target loads. The target
+// is that of the section or, if it names none, `usual`. Reports an asset that the target does not
+// load, and given values that it does not load (E0160).
+void resolve_target(DecodedSection& bake, std::string_view asset, Target usual, Decoder& decoder);
+
+}  // namespace skybake::config

@@ -1,0 +1,70 @@
+'use strict';
+// What a web target writes, loaded by its own modules in Chromium without a GPU: every texture has, at the places
+// of the probes, the values that the manifest says.
+//   node targets.js PROGRAM FOLDER TARGET
+const {browser_with_a_page} = require('./page_of.js');
+const {execFileSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+
+const [, , program, folder, target] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, `target-${target}-`));
+const modules = path.join(folder, 'node_modules');
+const three = `<script type="importmap">${JSON.stringify({imports: {
+        'three': '/modules/three/build/three.module.js', 'three/addons/': '/modules/three/examples/jsm/'}})}</script>`;
+const scripts = {
+    three, takram: three,
+    babylon: '<script src="/modules/babylonjs/babylon.js"></script>',
+};
+
+// The places of all lookups of an asset's probes: x, y, z and 0 each. The loader of EXR files turns their rows, so
+// that v runs up.
+function places_of(asset) {
+    const lookups = asset.probes.flatMap((probe) => [probe.uvw ?? probe.uv, ...(probe.blend ? [probe.blend.uvw] : [])]);
+    const runs_up = asset.files[0].format === 'exr';
+    return lookups.flatMap(([u, v, w]) => [u, runs_up ? 1 - v : v, w ?? 0.5, 0]);
+}
+
+// What is wrong with the values that were found at those places.
+function faults_of(asset, values) {
+    let next = 0;
+    const found_there = () => values.slice(4 * next, 4 * ++next);
+    return asset.probes.flatMap((probe, i) => {
+        let found = found_there();
+        if (probe.blend) {
+            const other = found_there();
+            found = found.map((value, c) => value + (other[c] - value) * probe.blend.share);
+        }
+        return probe.value.flatMap((value, c) => Math.abs(found[c] - value) <= probe.tolerance[c] ? [] :
+            [`${asset.name}, probe ${i}: ${found[c]} is not ${value} ± ${probe.tolerance[c]}`]);
+    });
+}
+
+async function main() {
+    const recipe = target === 'takram' ? 'target_takram.toml' : 'targets.toml';
+    execFileSync(program, ['bake', path.join(__dirname, recipe), '-o', path.join(work, 'baked'), '-q',
+                           '--certify=off', '--set', `target="${target}"`], {stdio: 'inherit'});
+    const manifest = JSON.parse(fs.readFileSync(path.join(work, 'baked', 'manifest.json'), 'utf8'));
+    const {browser, page} = await browser_with_a_page(work,
+        {modules, baked: path.join(work, 'baked'), page: __dirname},
+        `${scripts[target]}<script type="module" src="/page/targets_page.js"></script>`);
+    await page.waitForFunction(() => window.look_up);
+    const faults = [];
+    let probes = 0;
+    for (const asset of manifest.assets) {
+        const sidecar = asset.files.find((file) => file.format === 'sidecar');
+        // Flat volumes are 2-D textures in takram's packages.
+        const dim = target === 'takram' && asset.size[2] === 1 ? 2 : asset.size.length;
+        const values = await page.evaluate(([name, ...rest]) => window.look_up[name](...rest),
+            [target, `/baked/${sidecar.path}`, dim, places_of(asset)]);
+        faults.push(...faults_of(asset, values));
+        probes += asset.probes.length;
+    }
+    faults.push(...page.complaints);
+    await browser.close();
+    console.log(faults.length > 0 ? faults.join('\n') : `${manifest.assets.length} assets, ${probes} probes`);
+    fs.rmSync(work, {recursive: true, force: true});
+    process.exit(faults.length > 0 || probes < 60 ? 1 : 0);
+}
+
+main();

@@ -1,0 +1,66 @@
+// Loads what the targets three, takram and babylon wrote, by their own modules, and reads the textures at the places of
+// probes. Runs in the page of targets.js.
+
+// A shader that writes to pixel `i` what the table has at the place in texel `i` of `places`.
+const fragment = (dim, head, color) => `
+    uniform highp sampler2D places;
+    uniform highp sampler${dim}D table;
+    ${head}
+    void main() {
+        vec4 at = texelFetch(places, ivec2(int(gl_FragCoord.x), 0), 0);
+        ${color} = texture(table, ${dim === 3 ? 'at.xyz' : 'at.xy'});
+    }`;
+
+// The values, four of each place, that three.js finds in the textures of the module.
+async function look_up_in_three(url, dim, places) {
+    const THREE = await import('three');
+    const renderer = new THREE.WebGLRenderer();
+    const texture = await (await import(url)).load(renderer);
+    const count = places.length / 4;
+    const at = new THREE.DataTexture(new Float32Array(places), count, 1, THREE.RGBAFormat, THREE.FloatType);
+    at.needsUpdate = true;
+    const material = new THREE.RawShaderMaterial({
+        glslVersion: THREE.GLSL3,
+        uniforms: {places: {value: at}, table: {value: texture}},
+        vertexShader: 'in vec3 position; void main() { gl_Position = vec4(position, 1.0); }',
+        fragmentShader: fragment(dim, 'precision highp float; out vec4 color;', 'color'),
+    });
+    const target = new THREE.WebGLRenderTarget(count, 1, {type: THREE.FloatType});
+    const quad = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), material);
+    quad.frustumCulled = false;
+    renderer.setRenderTarget(target);
+    renderer.render(new THREE.Scene().add(quad), new THREE.Camera());
+    const values = new Float32Array(4 * count);
+    renderer.readRenderTargetPixels(target, 0, 0, count, 1, values);
+    renderer.dispose();
+    return Array.from(values);
+}
+
+// The same in Babylon.js.
+async function look_up_in_babylon(url, dim, places) {
+    const engine = new BABYLON.Engine(document.createElement('canvas'));
+    const scene = new BABYLON.Scene(engine);
+    const texture = await (await import(url)).load(BABYLON, scene);
+    const {Constants, Texture} = BABYLON;
+    const count = places.length / 4;
+    const at = new BABYLON.RawTexture(new Float32Array(places), count, 1, Constants.TEXTUREFORMAT_RGBA, scene, false,
+        false, Texture.NEAREST_SAMPLINGMODE, Constants.TEXTURETYPE_FLOAT);
+    const wrapper = new BABYLON.EffectWrapper({
+        engine, name: `look_up_${dim}`, samplerNames: ['places', 'table'],
+        fragmentShader: fragment(dim, '', 'gl_FragColor'),
+    });
+    wrapper.onApplyObservable.add(() => {
+        wrapper.effect.setTexture('places', at);
+        wrapper.effect.setTexture('table', texture);
+    });
+    await new Promise((resolve) => wrapper.effect.executeWhenCompiled(resolve));
+    const target = engine.createRenderTargetTexture({width: count, height: 1}, {
+        type: Constants.TEXTURETYPE_FLOAT, format: Constants.TEXTUREFORMAT_RGBA, generateDepthBuffer: false,
+        samplingMode: Texture.NEAREST_SAMPLINGMODE, generateMipMaps: false});
+    new BABYLON.EffectRenderer(engine).render(wrapper, target);
+    const values = await engine._readTexturePixels(target.texture, count, 1);
+    engine.dispose();
+    return Array.from(values);
+}
+
+window.look_up = {three: look_up_in_three, takram: look_up_in_three, babylon: look_up_in_babylon};

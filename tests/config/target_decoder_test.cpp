@@ -1,0 +1,135 @@
+#include "config/assets/target_decoder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "config/assets/asset_kind.h"
+#include "config/sections/targets.h"
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::parse;
+using testing::valid;
+using testing::valid_with_warnings;
+using testing::value_at;
+using Codes = std::vector<std::string>;
+
+// A recipe with one section of that asset, which gives these keys.
+std::string recipe_of(std::string_view asset, const std::string& keys) {
+    std::string more;
+    if (asset == "noise_volume") more = "noise = 'n'\nsize = [16, 16, 16]\n";
+    if (asset == "cloud_volume") more = "cloud = 'c'\nsize = [16, 16, 16]\n";
+    if (asset == "occupancy") more = "of = 'v'\n";
+    if (asset == "sky_view") more = "sun_elevations = '30 deg'\n";
+    if (asset == "phase") more = "layer = 'mie'\n";
+    if (asset == "aerial_perspective" || asset == "environment")
+        more = "sun_elevation = '30 deg'\n";
+    return "preset = 'takram'\n[noise.n.channels.Y]\ntype = 'perlin'\nremap = [-1, 1, 0, "
+           "1]\n[clouds.c]\n"
+           "noise = 'n'\nextent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\ncloud = "
+           "'c'\n"
+           "size = [16, 16, 16]\n[bake.a]\nasset = '" +
+           std::string(asset) + "'\n" + keys + more;
+}
+
+std::string target_key(const TargetFacts& target) {
+    return "target = '" + std::string(target.name) + "'\n";
+}
+
+// Every target either loads an asset with what it chooses by itself, or the recipe is told so.
+TEST(Targets, LoadEveryAssetOrSayThatTheyDoNot) {
+    for (const TargetFacts& target : targets()) {
+        for (const AssetKind* kind : asset_kinds()) {
+            const auto recipe = parse(recipe_of(kind->facts.name, target_key(target)));
+            const TargetUse* use = find_use(target, kind->facts.name);
+            Codes errors;
+            for (const Diagnostic& diagnostic : recipe.diagnostics) {
+                if (diagnostic.severity == Severity::error) errors.push_back(diagnostic.code);
+            }
+            EXPECT_EQ(errors, use ? Codes{} : Codes{"E0160"})
+                << target.name << ' ' << kind->facts.name;
+            if (!use || !recipe.value) continue;
+            const AssetFiles& files = files_of(recipe.value->parameters.bakes[1]);
+            EXPECT_EQ(files.target, target.target);
+            EXPECT_EQ(files.formats.size(), use->written);
+            EXPECT_EQ(files.formats[0], use->formats[0]);
+            EXPECT_TRUE(use->pixel_types.contains(files.pixel_type));
+        }
+    }
+}
+
+TEST(Targets, NameOnlyAssetsThatThereAre) {
+    const std::vector<std::string_view> assets = asset_names();
+    for (const TargetFacts& target : targets()) {
+        for (const TargetUse& use : target.uses) {
+            for (const std::string_view asset : use.assets) {
+                EXPECT_EQ(std::count(assets.begin(), assets.end(), asset), 1) << asset;
+            }
+        }
+    }
+}
+
+TEST(Targets, StandForAllSectionsThatNameNone) {
+    const Recipe recipe = valid(
+        "preset = 'earth_hillaire'\ntarget = 'blender'\n[bake.transmittance]\ntarget = 'three'\n"
+        "[bake.environment]\nsun_elevation = '30 deg'\n");
+    EXPECT_EQ(files_of(recipe.parameters.bakes[0]).formats, std::vector{FileFormat::ktx2});
+    EXPECT_EQ(files_of(recipe.parameters.bakes[1]).formats, std::vector{FileFormat::exr});
+    EXPECT_EQ(value_at(recipe, "bake.environment.target").canonical, "\"blender\"");
+    EXPECT_EQ(value_at(recipe, "bake.environment.target").origin, "derived");
+}
+
+TEST(Targets, YieldToGivenKeysThatTheyLoad) {
+    const Recipe recipe = valid(
+        recipe_of("noise_volume", "target = 'unreal'\npixel_type = 'unorm8'\nmips = 'all'\n"));
+    const AssetFiles& files = files_of(recipe.parameters.bakes[1]);
+    EXPECT_EQ(files.pixel_type, PixelType::unorm8);
+    EXPECT_EQ(files.mips, 5);
+    EXPECT_EQ(files.formats, std::vector{FileFormat::dds});
+    const Recipe cloud = valid(recipe_of("cloud_volume", "target = 'unreal'\nformats = ['dds']\n"));
+    EXPECT_EQ(files_of(cloud.parameters.bakes[1]).formats, std::vector{FileFormat::dds});
+    const Recipe bevy =
+        valid(recipe_of("noise_volume", "target = 'bevy'\nktx2_compression = 'zstd'\n"));
+    EXPECT_EQ(files_of(bevy.parameters.bakes[1]).ktx2_compression, Ktx2Compression::zstd);
+}
+
+TEST(Targets, RefuseGivenKeysThatTheyDoNotLoad) {
+    const auto errors = [](std::string_view asset, const std::string& keys) {
+        return parse(recipe_of(asset, keys)).diagnostics;
+    };
+    const auto formats = errors("noise_volume", "target = 'godot'\nformats = ['dds', 'exr']\n");
+    ASSERT_EQ(codes_and_places(formats), (Codes{"E0160 15:11"}));
+    EXPECT_EQ(formats[0].message, "`bake.a.formats`: godot cannot load noise_volume with \"exr\"");
+    EXPECT_EQ(formats[0].label, "it loads dds");
+    const auto types = errors("noise_volume", "pixel_type = 'unorm16'\ntarget = 'three'\n");
+    ASSERT_EQ(codes_and_places(types), (Codes{"E0160 14:14"}));
+    EXPECT_EQ(types[0].label, "it loads float, half, unorm8");
+    const auto convention = errors("bruneton", "target = 'takram'\nconvention = 'bruneton'\n");
+    ASSERT_EQ(codes_and_places(convention), (Codes{"E0160 15:14"}));
+    EXPECT_EQ(convention[0].label, "it loads takram");
+}
+
+TEST(Targets, RefuseAssetsWithWhatTheyLoadInstead) {
+    const auto refused = parse(recipe_of("transmittance", "target = 'pbrt'\n")).diagnostics;
+    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 14:10"}));
+    EXPECT_EQ(refused[0].message, "[bake.a]: pbrt has no use for the asset transmittance");
+    EXPECT_EQ(refused[0].label, "it loads cloud_volume, noise_volume");
+    const auto usual =
+        parse("preset = 'vacuum'\ntarget = 'pbrt'\n[bake.transmittance]\n").diagnostics;
+    EXPECT_EQ(codes_and_places(usual), (Codes{"E0160 3:7"}));
+}
+
+TEST(Targets, HaveFilesNamedAfterTheSection) {
+    AssetFiles files;
+    EXPECT_TRUE(sidecar_names(files, "cloud_volume", "cirrus").empty());
+    files.target = Target::godot;
+    EXPECT_EQ(sidecar_names(files, "cloud_volume", "cirrus"),
+              (std::vector<std::string>{"cirrus.gdshaderinc", "cirrus.tscn"}));
+}
+
+}  // namespace
+}  // namespace skybake::config

@@ -1,0 +1,130 @@
+// The files that targets have besides those of assets are outputs like all others.
+#include <algorithm>
+#include <regex>
+
+#include "bakers/io/files/output_folder.h"
+#include "bakers/io/manifest/verify.h"
+#include "bakers/io/targets/sidecar.h"
+#include "config/assets/asset_kind.h"
+#include "config/sections/targets.h"
+#include "tests/incremental/bakes.h"
+
+namespace skybake {
+namespace {
+
+using namespace skybake::testing;
+using Names = std::vector<std::string>;
+using States = std::vector<AssetState>;
+constexpr AssetState up_to_date = AssetState::up_to_date;
+constexpr AssetState baked = AssetState::baked;
+
+// One asset of each kind that bakes in milliseconds.
+const std::string assets = R"(
+preset = "earth_hillaire"
+[noise.shape]
+size = [8, 8, 8]
+[noise.shape.channels.Y]
+type = "worley"
+[clouds.c]
+noise = "shape"
+extent = ["800 m", "400 m", "200 m"]
+extinction_scale = "0.05 /m"
+base_altitude = "1 km"
+[bake.transmittance]
+size = [8, 8]
+[bake.my-sky]
+asset = "environment"
+orders = "single"
+sun_elevation = "20 deg"
+size = [8, 4]
+[bake.shape]
+asset = "noise_volume"
+noise = "shape"
+[bake.cloud]
+asset = "cloud_volume"
+cloud = "c"
+size = [16, 8, 4]
+)";
+
+// The sections of `assets` that the target loads.
+config::Recipe loaded_by(const config::TargetFacts& target) {
+    config::Recipe recipe = recipe_of(assets);
+    std::string text = assets.substr(0, assets.find("[bake."));
+    for (const config::Bake& bake : recipe.parameters.bakes) {
+        if (!config::find_use(target, config::kind_of(bake).facts.name)) continue;
+        const std::size_t begin = assets.find("[bake." + bake.name);
+        text += assets.substr(begin, assets.find("[bake.", begin + 1) - begin);
+    }
+    return recipe_of(text, {}, {"target=\"" + std::string(target.name) + "\""});
+}
+
+TEST(TargetFiles, AreListedAndVerifiedAndNameWhatLiesBesideThem) {
+    static const std::regex key(R"(\$(if |[A-Z_]+\$))");
+    for (const config::TargetFacts& target : config::targets()) {
+        const TemporaryFolder folder;
+        TestBake bake(loaded_by(target), folder / "out");
+        ASSERT_TRUE(bake.run().value) << target.name;
+        const auto manifest = read_manifest(folder / "out");
+        ASSERT_TRUE(manifest.value) << target.name;
+        for (const ManifestAsset& asset : manifest.value->assets) {
+            for (const ManifestFile& file : asset.files) {
+                if (file.format != sidecar_format) continue;
+                const std::string text = read_bytes(folder / "out" / file.path);
+                EXPECT_NE(text.find(asset.files[0].path), std::string::npos) << file.path;
+                EXPECT_FALSE(std::regex_search(text, key)) << file.path << ":\n" << text;
+                EXPECT_EQ(file.bytes, text.size());
+            }
+        }
+        const auto report = verify_bake(folder / "out", {}, {});
+        ASSERT_TRUE(report.value) << target.name;
+        EXPECT_TRUE(report.value->failures.empty()) << target.name;
+        EXPECT_EQ(bake.states(), States(bake.bake.bakes.size(), up_to_date)) << target.name;
+    }
+}
+
+TEST(TargetFiles, AreTheSameInEveryBake) {
+    const TemporaryFolder folder;
+    for (const char* name : {"one", "two"}) {
+        TestBake bake(loaded_by(config::facts_of(config::Target::godot)), folder / name);
+        ASSERT_TRUE(bake.run().value);
+    }
+    EXPECT_EQ(read_bytes(folder / "one/cloud.tscn"), read_bytes(folder / "two/cloud.tscn"));
+}
+
+TEST(TargetFiles, AreMadeAgainWhenTheyWereChangedAndFailVerification) {
+    const TemporaryFolder folder;
+    TestBake bake(loaded_by(config::facts_of(config::Target::pbrt)), folder / "out");
+    ASSERT_TRUE(bake.run().value);
+    const std::string whole = read_bytes(folder / "out/cloud.pbrt");
+    write_bytes(folder / "out/cloud.pbrt", whole + "#");
+    EXPECT_EQ(verify_bake(folder / "out", {}, {}).value->failures.size(), 2U);  // length and hash
+    EXPECT_EQ(bake.states(), (States{up_to_date, baked}));
+    EXPECT_EQ(read_bytes(folder / "out/cloud.pbrt"), whole);
+}
+
+TEST(TargetFiles, AreRetiredWithTheirTarget) {
+    const TemporaryFolder folder;
+    TestBake first(loaded_by(config::facts_of(config::Target::mitsuba)), folder / "out");
+    ASSERT_TRUE(first.run().value);
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/cloud.mitsuba.xml"));
+    TestBake second(loaded_by(config::facts_of(config::Target::blender)), folder / "out");
+    second.bake.prune = true;
+    ASSERT_TRUE(second.run().value);
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/cloud.mitsuba.xml"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "out/cloud.vol"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/cloud.blender.py"));
+}
+
+// The place of the cloud and the number that makes extinction of its density, in another program's words.
+TEST(TargetFiles, SayWhereTheVolumeIsAndWhatItMeans) {
+    const TemporaryFolder folder;
+    TestBake bake(loaded_by(config::facts_of(config::Target::godot)), folder / "out");
+    ASSERT_TRUE(bake.run().value);
+    const std::string text = read_bytes(folder / "out/cloud.tscn");
+    EXPECT_NE(text.find("size = Vector3(800, 400, 200)"), std::string::npos) << text;
+    EXPECT_NE(text.find(", 400, 1100, -200)"), std::string::npos) << text;
+    EXPECT_NE(text.find("density = 0.05\n"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace skybake
