@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cstring>
 
+#include "bakers/field/value_kernel.h"
+
 namespace skybake {
 
 namespace {
@@ -48,7 +50,7 @@ Run run_from(const std::uint64_t* words, std::size_t piece) {
 }
 
 // Whether all values are +0. A -0 is not, so that rows come back bit for bit.
-bool is_all_zero(const float* values, std::size_t count) {
+bool is_zero_piece(const float* values, std::size_t count) {
     std::uint32_t bits = 0;
     for (std::size_t i = 0; i < count; ++i) bits |= std::bit_cast<std::uint32_t>(values[i]);
     return bits == 0;
@@ -103,11 +105,17 @@ bool SparseRows::store(std::size_t row, const float* voxels) {
     std::uint64_t* words = stored_.data() + row * words_;
     std::fill_n(words, words_, std::uint64_t{0});
     std::size_t count = 0;
-    for (std::size_t first = 0; first < length_; first += kPiece) {
-        if (is_all_zero(voxels + first, std::min(kPiece, length_ - first))) continue;
-        const std::size_t piece = first / kPiece;
-        words[piece / kWordBits] |= std::uint64_t{1} << piece % kWordBits;
-        ++count;
+    // Most of a row is empty, which is seen from many pieces at once.
+    constexpr std::size_t kManyPieces = 16 * kPiece;
+    for (std::size_t first = 0; first < length_; first += kManyPieces) {
+        const std::size_t end = std::min(first + kManyPieces, length_);
+        if (are_zeros(voxels + first, end - first)) continue;
+        for (std::size_t at = first; at < end; at += kPiece) {
+            if (is_zero_piece(voxels + at, std::min(kPiece, end - at))) continue;
+            const std::size_t piece = at / kPiece;
+            words[piece / kWordBits] |= std::uint64_t{1} << piece % kWordBits;
+            ++count;
+        }
     }
     if (count == 0) return true;
     float* to = allocate(count);

@@ -23,20 +23,35 @@ constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 
 HWY_INLINE FloatVector constant(float value) { return hn::Set(kFloats, value); }
 
-// The weighted sum of a channel's cell fields. A loop for each field, without a branch inside: rows
-// stay in the first cache.
+// Adds kFields weighted rows to `out`, or sets it.
+template <std::size_t kFields>
+void add_fields(const WeightedField* uses, const std::vector<const float*>& fields, bool set,
+                std::size_t count, float* HWY_RESTRICT out) {
+    const float* rows[kFields];
+    FloatVector weights[kFields];
+    for (std::size_t k = 0; k < kFields; ++k) {
+        rows[k] = fields[static_cast<std::size_t>(uses[k].field)];
+        weights[k] = constant(uses[k].weight);
+    }
+    for (std::size_t i = 0; i < count; i += kLanes) {
+        FloatVector sum = set ? hn::Zero(kFloats) : hn::LoadU(kFloats, out + i);
+        HWY_UNROLL(4)
+        for (std::size_t k = 0; k < kFields; ++k) {
+            sum = hn::Add(sum, hn::Mul(hn::LoadU(kFloats, rows[k] + i), weights[k]));
+        }
+        hn::StoreU(sum, kFloats, out + i);
+    }
+}
+
+// The weighted sum of a channel's cell fields, up to three in one pass.
 void sum_cells(const ChannelPlan& channel, const std::vector<const float*>& fields,
                std::size_t count, float* HWY_RESTRICT out) {
-    bool first = true;
-    for (const auto& [field, weight_] : channel.cells) {
-        const float* HWY_RESTRICT row = fields[static_cast<std::size_t>(field)];
-        const FloatVector weight = constant(weight_);
-        for (std::size_t i = 0; i < count; i += kLanes) {
-            const FloatVector before = first ? hn::Zero(kFloats) : hn::LoadU(kFloats, out + i);
-            hn::StoreU(hn::Add(before, hn::Mul(hn::LoadU(kFloats, row + i), weight)), kFloats,
-                       out + i);
-        }
-        first = false;
+    const std::size_t uses = channel.cells.size();
+    for (std::size_t k = 0; k < uses; k += 3) {
+        const auto add = uses - k == 1   ? add_fields<1>
+                         : uses - k == 2 ? add_fields<2>
+                                         : add_fields<3>;
+        add(channel.cells.data() + k, fields, k == 0, count, out);
     }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "bakers/math/scratch_floats.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"
 #include "bakers/noise/gradient_kernel.h"
@@ -60,7 +61,7 @@ class BoxFiller {
     void prepare() {
         fields_.resize(plan_.fields.size());
         rows_.resize(plan_.fields.size());
-        combined_.resize(std::max<std::size_t>(4, plan_.channels.size()) * row_stride_);
+        combined_.reserve(std::max<std::size_t>(4, plan_.channels.size()) * row_stride_);
         callers_.resize(plan_.fields.size(), nullptr);
         lattices_.resize(plan_.fields.size());
         gradients_.resize(plan_.channels.size());
@@ -82,7 +83,7 @@ class BoxFiller {
 
     void prepare_field(std::size_t index) {
         if (!fields_[index].empty()) return;
-        fields_[index].resize(chunk_floats_);
+        fields_[index].reserve(chunk_floats_);
         const CellField& field = plan_.fields[index];
         if (pointwise_ || !is_resolved(plan_.axes, field.frequency)) return;
         lattices_[index] = make_cell_planes(field, box_, kChunkDepth);
@@ -91,12 +92,12 @@ class BoxFiller {
 
     void prepare_gradient(std::size_t index) {
         const GradientStack& stack = plan_.channels[index].gradient;
-        gradients_[index].resize(chunk_floats_);
+        gradients_[index].reserve(chunk_floats_);
         const bool separable = std::all_of(
             stack.octaves.begin(), stack.octaves.end(),
             [&](const auto& octave) { return is_resolved(plan_.axes, octave.frequency); });
         if (pointwise_ || !separable) {
-            octave_.resize(chunk_floats_);
+            octave_.reserve(chunk_floats_);
         } else {
             gradient_lattices_[index] = make_gradient_lattices(stack, box_, kChunkDepth);
         }
@@ -239,16 +240,16 @@ class BoxFiller {
     int chunk_rows_ = 0;
     bool pointwise_ = false;
     bool all_direct_ = true;             // no channel needs its rows combined
-    std::vector<AlignedFloats> fields_;  // of the chunk; empty where no wanted channel has it
+    std::vector<ScratchFloats> fields_;  // of the chunk; empty where no wanted channel has it
     std::vector<float*> callers_;        // per field: the channel over the box that it is, or none
-    std::vector<AlignedFloats> gradients_;  // of the chunk, per channel
-    AlignedFloats octave_;
+    std::vector<ScratchFloats> gradients_;  // of the chunk, per channel
+    ScratchFloats octave_;
     std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
     NarrowCellScratch narrow_;
     std::vector<std::optional<std::vector<GradientLattice>>> gradient_lattices_;  // none: pointwise
     std::vector<const float*> rows_;  // of the fields, the row at hand
-    AlignedFloats combined_;          // a row of each channel
+    ScratchFloats combined_;          // a row of each channel
 };
 
 }  // namespace

@@ -102,6 +102,7 @@ TEST(ValueKernel, AddsAndCountsAsFromValueToValue) {
     }
     values[5] = 0.75f;
     values[6] = -0.25f;
+    values[kCount - 1] = 0.75f;  // which no whole vector holds
     std::array<double, LaneSummary::kLanes> sums{};
     for (std::size_t i = 0; i < kCount; ++i) sums[i % LaneSummary::kLanes] += double{values[i]};
     for_each_target([&] {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <limits>
 
+#include "bakers/field/value_kernel.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 
@@ -17,8 +19,9 @@ using config::PixelType;
 // some noises are cheap along x. A node has several strips, because small volumes have only one
 // node.
 constexpr std::array<int, 3> strip_edges = {vdb_node_edge, 32, vdb_node_edge};
-// Floats from here on round to an infinite half. This is half-way between 65504 and 65536.
-constexpr float half_overflow = 65520;
+// The largest float that does not round to an infinite half: the one before 65520, which is half-way
+// between 65504 and 65536.
+constexpr float largest_half_source = 65519.99609375F;
 
 }  // namespace
 
@@ -61,13 +64,11 @@ void VdbStripMaker::encode(const VoxelBox& strip, VdbStripSlot& slot) const {
 std::optional<Diagnostic> VdbStripMaker::unstorable_voxel(const AlignedFloats& values,
                                                           const VoxelBox& strip,
                                                           std::size_t channel) const {
-    const float bound = encoding_.half ? half_overflow : INFINITY;
+    const float bound = encoding_.half ? largest_half_source : std::numeric_limits<float>::max();
     // First checks whether there is such a voxel at all, because a typical strip has none.
-    int outside = 0;
-    for (const float value : values) outside |= std::abs(value) < bound ? 0 : 1;  // no NaN is below
-    if (outside == 0) return std::nullopt;
+    if (are_within(values.data(), values.size(), -bound, bound)) return std::nullopt;
     std::size_t i = 0;
-    while (std::abs(values[i]) < bound) ++i;
+    while (std::abs(values[i]) <= bound) ++i;  // no NaN is
     const std::size_t width = static_cast<std::size_t>(strip.size[0]);
     const std::size_t plane = width * static_cast<std::size_t>(strip.size[1]);
     const std::string place = fmt::format(
