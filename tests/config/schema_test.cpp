@@ -41,7 +41,7 @@ TEST(Schema, KnowsNoises) {
     const nlohmann::json& channel = schema()["definitions"]["noise_channel"];
     expect_fields(channel, *find_section("noise.*.channels.*"));
     EXPECT_EQ(noise["properties"]["channels"]["properties"].size(), 5u);
-    EXPECT_EQ(noise["properties"]["preset"]["examples"][0], "nubis_detail");
+    EXPECT_EQ(noise["properties"]["preset"]["examples"][0], "billows");
     EXPECT_EQ(schema()["properties"]["noise"]["additionalProperties"]["$ref"],
               "#/definitions/noise");
     EXPECT_EQ(channel["properties"]["frequency"]["anyOf"][1]["maxItems"], 3);
