@@ -111,12 +111,13 @@ const std::array root_table = {
                .hint = "visible light is 380 nm to 750 nm; \"best 4\" is enough for its colours",
                .citation = bruneton_2008},
               &Parameters::wavelengths},
-    RootField{{.key = "target",
-               .kind = Kind::choice,
-               .choices = target_choices(),
-               .documentation = "the program that all files are for, unless a section names another",
-               .role = Role::usual},
-              &Parameters::target},
+    RootField{
+        {.key = "target",
+         .kind = Kind::choice,
+         .choices = target_choices(),
+         .documentation = "the program that all files are for, unless a section names another",
+         .role = Role::usual},
+        &Parameters::target},
 };
 
 const std::array atmosphere_table = {

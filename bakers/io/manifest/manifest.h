@@ -24,7 +24,7 @@ inline constexpr std::string_view manifest_name = "manifest.json";
 
 struct ManifestFile {
     std::string path;    // relative to the manifest's folder, never leaving it
-    std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" for a companion
+    std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" or "sidecar" for texts
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t bytes = 0;
     std::string xxh3;                      // xxh3_hex of the file
