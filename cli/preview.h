@@ -44,10 +44,16 @@ inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera}
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};
 inline const Option<bool> single{"single"};
 inline const Option<bool> report{"report"};
+inline const Option<bool> live{"live"};
 inline const Option<bool> watch{"watch"};
 inline const Option<int> draft{"draft", 0, "N", {}, read_draft};
 
 }  // namespace options
+
+// A live page shows no errors, so that nothing has to be certified for it.
+inline Certification certification_of(const PreviewOptions& options) {
+    return options.live ? Certification::off : Certification::quick;
+}
 
 struct PreviewRequest {
     enum class Subject { recipe, folder, sweep, files };

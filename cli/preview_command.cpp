@@ -69,6 +69,7 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
                                static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());
     const BakeOptions options{.threads = selection.value->threads,
+                              .certification = certification_of(request.options),
                               .progress = &progress,
                               .intermediates = &shared.intermediates};
     shared.pictures = shared.intermediates.expect(needs_of_pictures(selection.value->recipe));
@@ -213,6 +214,7 @@ Command preview_command() {
              options::size("make pictures of clouds this large (default 960x540)"),
              options::single("show a single tile of a cloud, framed as a whole"),
              options::report("also measure and plot speed against error"),
+             options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
@@ -221,7 +223,9 @@ Command preview_command() {
                      {"skybake preview out --sun-elevation 40,5,-4 -o sky",
                       "shows baked files under three suns"},
                      {"skybake preview cumulus.toml --watch",
-                      "follows the recipe while you write it"}},
+                      "follows the recipe while you write it"},
+                     {"skybake preview cumulus.toml --live --watch",
+                      "does so in a page to fly through, in preview/index.html"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_preview};
 }

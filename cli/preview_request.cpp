@@ -104,6 +104,24 @@ Subject subject_of(const fs::path& path) {
     return baked ? Subject::files : Subject::recipe;
 }
 
+// Reports options that a live page has no use for.
+void check_live(const Invocation& invocation, const PreviewRequest& request,
+                std::vector<Diagnostic>& problems) {
+    if (!invocation[options::live]) return;
+    if (request.subject == Subject::sweep) {
+        problems.push_back(usage_error("--live does not work with a sweep",
+                                       "each of its variants is a folder: show one of those"));
+    }
+    const auto refuse = [&](const auto& option, const char* why) {
+        if (!invocation.has(option)) return;
+        problems.push_back(
+            usage_error(fmt::format("--live and --{} exclude each other", option.name), why));
+    };
+    refuse(options::report, "a live page shows no plots");
+    refuse(options::size, "the picture of a live page is as large as the browser's window");
+    refuse(options::glare, "a live page has a switch for it");
+}
+
 // Reports options that only recipes have, if baked files are given, and other options that
 // contradict each other.
 void check_combination(const Invocation& invocation, const PreviewRequest& request,
@@ -121,6 +139,7 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
             usage_error("--report does not work with a sweep",
                         "each of its variants is a folder: preview one of those with --report"));
     }
+    check_live(invocation, request, problems);
     if (request.subject == Subject::recipe) return;
     const auto refuse = [&](const auto& option) {
         if (!invocation.has(option)) return;
@@ -148,6 +167,7 @@ PreviewOptions picture_options(const Invocation& invocation) {
     take(options::camera, given.camera);
     take(options::size, given.picture_size);
     given.single = invocation[options::single];
+    given.live = invocation[options::live];
     given.threads = invocation[options::jobs];
     return given;
 }

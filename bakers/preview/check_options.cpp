@@ -49,6 +49,7 @@ LitPictures lit_pictures_of(const PreviewAssets& assets) {
 
 std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                const PreviewOptions& options) {
+    if (options.live) return {};  // a live page uses all that it can be asked for
     const bool sky = lit.sky && !(lit.sweep && lit.clouds);
     const bool any = sky || lit.clouds;
     constexpr std::string_view light = "only pictures of a sky or of a lit cloud use it";

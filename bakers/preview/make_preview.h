@@ -37,6 +37,7 @@ struct PreviewOptions {
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
     bool single = false;  // shows one tile of a cloud alone, completely in the picture
     bool draft = false;   // few pictures, small and fast
+    bool live = false;    // a page that renders the assets (live/live_scene.h)
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
     int stages_before = 0;                   // stages already reported, of the same preview
