@@ -50,10 +50,16 @@ inline const Option<config::Moment> at{"at", 0, "TIME", {}, read_time};
 inline const Option<EarthPlace> place{"place", 0, "LAT,LON", {}, read_place};
 inline const Option<int> turntable{"turntable", 0, "N", {}, read_turntable};
 inline const Option<bool> report{"report"};
+inline const Option<bool> live{"live"};
 inline const Option<bool> watch{"watch"};
 inline const Option<int> draft{"draft", 0, "N", {}, read_draft};
 
 }  // namespace options
+
+// A live page shows no errors, so that nothing has to be certified for it.
+inline Certification certification_of(const PreviewOptions& options) {
+    return options.live ? Certification::off : Certification::quick;
+}
 
 struct PreviewRequest {
     enum class Subject { recipe, folder, sweep, files };

@@ -72,6 +72,7 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
                                static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
     request.options.stages_before = static_cast<int>(bakes.size());
     const BakeOptions options{.threads = selection.value->threads,
+                              .certification = certification_of(request.options),
                               .progress = &progress,
                               .intermediates = &shared.intermediates};
     shared.pictures = shared.intermediates.expect(needs_of_pictures(selection.value->recipe));
@@ -222,12 +223,15 @@ Command preview_command() {
              options::single("show a single tile of a cloud, framed as a whole"),
              options::turntable("make N pictures around a single tile, numbered for ffmpeg"),
              options::report("also measure and plot speed against error"),
+             options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
              options::force("overwrite files that no preview has made")},
         .examples = {{"skybake preview out --sun-elevation 40,5,-4 -o sky",
-                      "shows baked files under three suns"}},
+                      "shows baked files under three suns"},
+                     {"skybake preview cumulus.toml --live --watch",
+                      "flies through a cloud while you write it"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_preview};
 }

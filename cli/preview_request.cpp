@@ -104,6 +104,25 @@ Subject subject_of(const fs::path& path) {
     return baked ? Subject::files : Subject::recipe;
 }
 
+// Reports options that a live page has no use for.
+void check_live(const Invocation& invocation, const PreviewRequest& request,
+                std::vector<Diagnostic>& problems) {
+    if (!invocation[options::live]) return;
+    if (request.subject == Subject::sweep) {
+        problems.push_back(usage_error("--live does not work with a sweep",
+                                       "each of its variants is a folder: show one of those"));
+    }
+    const auto refuse = [&](const auto& option, const char* why) {
+        if (!invocation.has(option)) return;
+        problems.push_back(
+            usage_error(fmt::format("--live and --{} exclude each other", option.name), why));
+    };
+    refuse(options::report, "a live page shows no plots");
+    refuse(options::turntable, "a live page turns as you look around in it");
+    refuse(options::size, "the picture of a live page is as large as the browser's window");
+    refuse(options::glare, "a live page has a switch for it");
+}
+
 // Reports options that only recipes have, if baked files are given, and other options that
 // contradict each other.
 void check_combination(const Invocation& invocation, const PreviewRequest& request,
@@ -126,6 +145,7 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
             usage_error("--turntable does not work with a sweep",
                         "each of its variants is a folder: preview one of those with --turntable"));
     }
+    check_live(invocation, request, problems);
     if (request.subject == Subject::recipe) return;
     const auto refuse = [&](const auto& option) {
         if (!invocation.has(option)) return;
@@ -156,6 +176,7 @@ PreviewOptions picture_options(const Invocation& invocation) {
     take(options::at, given.at);
     take(options::place, given.place);
     take(options::turntable, given.turntable);
+    given.live = invocation[options::live];
     given.threads = invocation[options::jobs];
     return given;
 }

@@ -178,7 +178,7 @@ class Watch {
         pictures_need_ = intermediates_.expect(needs_of_pictures(recipe));
         const BakeOptions options{
             .threads = selection.threads,
-            .certification = draft ? Certification::off : Certification::quick,
+            .certification = draft ? Certification::off : certification_of(request_.options),
             .progress = &progress,
             .intermediates = &intermediates_};
         const BakeStages stages{&progress,

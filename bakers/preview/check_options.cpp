@@ -44,6 +44,7 @@ LitPictures lit_pictures_of(const PreviewAssets& assets) {
 
 std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                const PreviewOptions& options) {
+    if (options.live) return {};  // a live page uses all that it can be asked for
     const GivenOption all[] = {
         {"sun_elevation", !options.sun_elevations_deg.empty()},
         {"sun_azimuth", options.sun_azimuth_deg.has_value()},

@@ -10,6 +10,7 @@
 
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/complete_options.h"
+#include "bakers/preview/live/live_scene.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
 #include "config/assets/asset_kind.h"
@@ -155,12 +156,40 @@ std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
     return needs_of_sky_pictures(recipe.parameters.atmosphere);
 }
 
+namespace {
+
+// Makes the page that renders the assets. Its pictures are those of a draft, for browsers that cannot; a draft has
+// none, because it is to be there at once.
+Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const PreviewOptions& options) {
+    auto scene = live_scene(assets, options);
+    if (!scene.value) return {{}, std::move(scene.diagnostics)};
+    Outcome<PreviewPage> page{PreviewPage(), {}};
+    if (!options.draft) {
+        PreviewOptions stills = options;
+        stills.draft = true;
+        stills.memory = nullptr;
+        page = Preview(assets, stills).make();
+        if (!page.value) return page;
+        for (PageAsset& asset : page.value->assets) {
+            std::erase_if(asset.pictures, [](const PagePicture& picture) {
+                return picture.kind != PictureKind::scene;
+            });
+        }
+    }
+    page.value->title = assets.title;
+    page.value->live_scene = std::move(*scene.value);
+    return page;
+}
+
+}  // namespace
+
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto unused = unused_options(lit_pictures_of(assets), options);
     if (!unused.empty()) return {{}, std::move(unused)};
     const auto complete =
         completed(options, assets.recipe ? &*assets.recipe : nullptr, lit_pictures_of(assets));
     if (!complete.value) return {{}, complete.diagnostics};
+    if (options.live) return make_live_preview(assets, *complete.value);
     if (auto problem = camera_above_air(assets, *complete.value))
         return {{}, {std::move(*problem)}};
     return Preview(assets, *complete.value).make();

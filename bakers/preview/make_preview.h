@@ -44,6 +44,7 @@ struct PreviewOptions {
     int turntable = 0;    // pictures of one tile from all around; 0: none
     std::string note;     // for the page, on the light; empty: none
     bool draft = false;   // few pictures, small and fast
+    bool live = false;    // a page that renders the assets (live/live_scene.h)
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
     int stages_before = 0;                   // stages already reported, of the same preview

@@ -10,6 +10,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
+#include "bakers/preview/page_text.h"
 
 namespace skybake {
 namespace {
@@ -184,22 +185,8 @@ Json array_of(const std::vector<T>& elements) {
     return json;
 }
 
-std::string generator() { return fmt::format("{} {} preview", tool_name(), release()); }
-
-// Returns JSON for a script element. "</script" would end the element even within a JSON string,
-// and "<!--" would change how its end is found, so every "<" is escaped.
 std::string script_text(const Json& json) {
-    const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-    std::string safe;
-    safe.reserve(text.size());
-    for (const char c : text) {
-        if (c == '<') {
-            safe += "\\u003c";
-        } else {
-            safe += c;
-        }
-    }
-    return safe;
+    return safe_in_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
 Json retired_json(const std::vector<std::string>& names) {
@@ -216,17 +203,6 @@ std::string page_data(const PreviewPage& page) {
                         {"scenes", array_of(page.scenes)},
                         {"assets", array_of(page.assets)},
                         {"retired", retired_json(page.retired)}});
-}
-
-std::string html_text(std::string_view text) {
-    static const std::map<char, std::string_view> entities = {
-        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
-    std::string escaped;
-    for (const char c : text) {
-        const auto entity = entities.find(c);
-        entity == entities.end() ? void(escaped += c) : void(escaped += entity->second);
-    }
-    return escaped;
 }
 
 std::string figure_html(const PagePicture& picture, const std::string& file,
@@ -250,7 +226,8 @@ std::string figures_html(const std::vector<PagePicture>& pictures) {
     return html;
 }
 
-// Returns the HTML of all pictures of the page, in the order in which its scripts show them.
+}  // namespace
+
 std::string pictures_html(const PreviewPage& page) {
     std::string html;
     if (page.sweep) {
@@ -269,26 +246,11 @@ std::string pictures_html(const PreviewPage& page) {
     return html;
 }
 
-// Returns the template with each {{name}} replaced. Replacement is not repeated within the values.
-std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values) {
-    std::string text;
-    for (std::size_t at = 0;;) {
-        const std::size_t open = form.find("{{", at);
-        const std::size_t close = form.find("}}", open);
-        if (close == std::string_view::npos) return text.append(form.substr(at));
-        text.append(form.substr(at, open - at));
-        text.append(values.at(form.substr(open + 2, close - open - 2)));
-        at = close + 2;
-    }
-}
-
 std::string watch_element(int revision) {
     if (revision == 0) return "";
     return "<script>\n" + filled(page_watch_script(), {{"revision", std::to_string(revision)}}) +
            "</script>\n";
 }
-
-}  // namespace
 
 std::string base64(std::string_view bytes) {
     constexpr std::string_view digits =

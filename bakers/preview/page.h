@@ -70,6 +70,7 @@ struct PreviewPage {
     // skybake's.
     std::vector<std::string> retired;
     int watch_revision = 0;  // counts from 1 for pages that follow a recipe; 0 for others
+    std::string live_scene;  // what a live page renders (live/live_scene.h); none for other pages
 };
 
 // Encodes bytes as text for data: URIs, as in RFC 4648, section 4, with padding.

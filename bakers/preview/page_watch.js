@@ -1,7 +1,7 @@
 // Only in pages of `preview --watch`. A page from file:// may not fetch, but it may load scripts: the
 // state lies in one beside it, which is loaded again and again and calls skybakePreview.
 (() => {
-    const revision = {{revision}};
+    let revision = {{revision}};
     const place = history.state || {};
     history.scrollRestoration = 'manual';
     const sign = document.createElement('div');
@@ -24,6 +24,32 @@
         history.replaceState({scroll: scrollY, enlarged: dialog ? dialog.dataset.name : null}, '');
         location.reload();
     }
+
+    // A live page replaces what it renders; the camera stays.
+    function renew() {
+        if (!window.skybakeLive || window.skybakeLive.failed) {
+            reload();
+            return;
+        }
+        const script = document.createElement('script');
+        script.src = `live_scene.js?${Date.now()}`;
+        script.onload = () => script.remove();
+        script.onerror = () => {
+            script.remove();
+            setTimeout(look, 1000);
+        };
+        document.head.append(script);
+    }
+    window.skybakeScene = async (made, scene) => {
+        await window.skybakeLive.begun;
+        try {
+            await window.skybakeLive.replace(scene);
+        } catch (error) {
+            sign.textContent = error.message;
+        }
+        revision = made;
+        look();
+    };
 
     // A recipe's texts, as texts.
     function line(name, content, className) {
@@ -71,7 +97,7 @@
 
     window.skybakePreview = (state) => {
         if (state.revision !== revision) {
-            reload();
+            renew();
             return;
         }
         tell(state);

@@ -8,6 +8,7 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/math/parallel.h"
+#include "bakers/preview/live/live_page.h"
 
 namespace skybake {
 
@@ -98,6 +99,7 @@ config::Diagnostic foreign_file(const fs::path& path) {
 }  // namespace
 
 std::vector<PreviewFile> preview_files(const PreviewPage& page) {
+    if (!page.live_scene.empty()) return live_files(page);
     std::vector<PreviewFile> files;
     for (const PagePicture* picture : pictures_of(page)) {
         files.push_back({picture->name + ".png", picture->png});
@@ -107,6 +109,7 @@ std::vector<PreviewFile> preview_files(const PreviewPage& page) {
 }
 
 std::vector<std::string> preview_file_names(const PreviewPage& page) {
+    if (!page.live_scene.empty()) return live_file_names(page);
     std::vector<std::string> names;
     for (const PagePicture* picture : pictures_of(page)) names.push_back(picture->name + ".png");
     names.emplace_back(page_name);

@@ -16,7 +16,8 @@ namespace skybake {
 namespace {
 
 constexpr int kDistances = 48;
-constexpr int kElevations = 64;
+// Optical depths change fast with the elevation next to the horizon.
+constexpr int kElevations = 256;
 // Few azimuths suffice, because the sky changes slowly along azimuth.
 constexpr int kAzimuths = 256;
 
@@ -72,11 +73,9 @@ CloudAir::CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, cons
     view.height = std::max(2, static_cast<int>((range.highest_degrees - range.lowest_degrees) /
                                                range.degrees_per_pixel));
     panorama_ = render_sky(atmosphere.medium, atmosphere.tables, view, threads);
-    const double rho = horizon_distance_km(shell, view.camera_altitude_km);
-    const double dip =
-        arc_cosine(shell.ground_radius_km /
-                   std::sqrt(shell.ground_radius_km * shell.ground_radius_km + rho * rho));
-    horizon_degrees_ = -dip * kDegreesPerRadian;
+    SkyMedium over_black_ground = atmosphere.medium;
+    over_black_ground.air.ground_albedo = Spectrum(0.0);
+    air_ = render_sky(over_black_ground, atmosphere.tables, view, threads);
     fill_optical_depths(air, view.camera_altitude_km);
 }
 
@@ -126,12 +125,8 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     Spectrum whole{};
     bilinear(optical_depth_, (column + 0.5) / (kDistances + 1), v, data(depth));
     bilinear(optical_depth_, 1, v, data(whole));
-    Spectrum air = result.sky;
-    if (elevation_degrees < horizon_degrees_ + range_.degrees_per_pixel) {
-        const double horizon =
-            (horizon_degrees_ + range_.degrees_per_pixel - range_.lowest_degrees) / span;
-        bilinear(panorama_, u, 1 - std::clamp(horizon, 0.0, 1.0), data(air));
-    }
+    Spectrum air{};
+    bilinear(air_, u, 1 - height, data(air));
     for (int c = 0; c < panorama_.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);
         result.transmittance[i] = exponential(-depth[i]);

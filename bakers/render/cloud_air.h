@@ -35,8 +35,8 @@ class CloudAir {
 
     Range range_;
     double sun_azimuth_degrees_;
-    double horizon_degrees_;
     Image2<float> panorama_;
+    Image2<float> air_;  // the same without the light of the ground
     // Optical depths of the air, channels interleaved. Columns are distances from 0 to the reach,
     // spaced quadratically; the last column is for the whole ray. Rows are the panorama's
     // elevations, from the lowest up, but fewer of them.

@@ -10,8 +10,8 @@
 //
 // The air between camera and cloud attenuates and adds light as if everything seen were at its mean
 // distance (Hillaire 2016, section 5.9). With the transmittance T up to that distance and T_end
-// along the whole ray, the air adds the share (1 - T) / (1 - T_end) of the sky's radiance in that
-// direction. For rays that meet the ground, it is the horizon's radiance.
+// along the whole ray, the air adds the share (1 - T) / (1 - T_end) of the radiance of all air in that
+// direction, without the ground behind it.
 #pragma once
 
 #include <array>

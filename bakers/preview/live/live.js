@@ -1,0 +1,279 @@
+'use strict';
+// The controls of a live page: a camera that looks by dragging and flies by keys, sliders, and figures.
+(() => {
+    const byId = (id) => document.getElementById(id);
+    const canvas = byId('picture'), stage = byId('stage');
+    const most_samples = 16;
+    const page = {view: null, first: null, scene: null, renderer: null, keys: new Set(), stale: true, auto: true, fetches: null};
+    window.skybakeLive = page;
+
+    // --- The view ---------------------------------------------------------------------------------
+
+    // Each slider with the words that stand for its value.
+    const degrees = (value) => `${Number(value).toFixed(1)}°`;
+    const sliders = {
+        sun_elevation: degrees, sun_azimuth: degrees, fov: degrees,
+        exposure: (value) => `${Number(value).toFixed(2)} stops`,
+        extinction: (value) => `× ${(2 ** value).toFixed(2)}`,
+    };
+
+    function first_view(scene) {
+        const {view} = scene;
+        return {...view, exposure: view.exposure ?? 3, extinction: 1, disc: true, shadow: true,
+            single: scene.cloud ? !scene.cloud.repeats : false};
+    }
+
+    const slider_value = (name) => name === 'extinction' ? Math.log2(page.view.extinction) : page.view[name];
+
+    function tell_controls() {
+        for (const [name, words] of Object.entries(sliders)) {
+            byId(name).value = slider_value(name);
+            byId(name).setAttribute('aria-valuetext', words(slider_value(name)));
+            byId(`${name}_value`).textContent = words(slider_value(name));
+        }
+        byId('tone_curve').value = page.view.tone_curve;
+        byId('auto').checked = page.auto;
+        for (const name of ['disc', 'shadow', 'single']) byId(name).checked = page.view[name];
+    }
+
+    // Text in the form that --camera reads.
+    function camera_text({position, heading, pitch, fov}) {
+        const km = position.map((meters) => `${(meters / 1000).toFixed(3)}km`).join(',');
+        return `position=${km} heading=${heading.toFixed(1)}deg pitch=${pitch.toFixed(1)}deg fov=${fov.toFixed(1)}deg`;
+    }
+
+    function changed(fits_exposure = false) {
+        page.stale = true;
+        if (fits_exposure && page.auto) page.fits_exposure = true;
+        byId('camera').value = camera_text(page.view);
+    }
+
+    for (const name of Object.keys(sliders)) {
+        byId(name).addEventListener('input', ({target}) => {
+            page.view[name] = name === 'extinction' ? 2 ** Number(target.value) : Number(target.value);
+            if (name === 'exposure') page.auto = false;
+            tell_controls();
+            changed(name !== 'exposure' && name !== 'fov');
+        });
+    }
+    byId('tone_curve').addEventListener('change', ({target}) => {
+        page.view.tone_curve = target.value;
+        changed(true);
+    });
+    byId('auto').addEventListener('change', ({target}) => {
+        page.auto = target.checked;
+        changed(true);
+    });
+    for (const name of ['disc', 'shadow', 'single']) {
+        byId(name).addEventListener('change', ({target}) => {
+            page.view[name] = target.checked;
+            changed();
+        });
+    }
+    byId('home').addEventListener('click', () => {
+        page.view = structuredClone(page.first);
+        page.auto = page.scene.view.exposure === null;
+        tell_controls();
+        changed(true);
+    });
+
+    // --- Looking and flying -----------------------------------------------------------------------
+
+    function look(right, up) {
+        page.view.heading = ((page.view.heading - right) % 360 + 360) % 360;
+        page.view.pitch = Math.max(-89, Math.min(89, page.view.pitch + up));
+        changed();
+    }
+    canvas.addEventListener('pointerdown', (event) => {
+        canvas.setPointerCapture(event.pointerId);
+        page.drag = [event.clientX, event.clientY];
+    });
+    canvas.addEventListener('pointermove', (event) => {
+        if (!page.drag || !page.view) return;
+        const turn = page.view.fov / canvas.clientWidth;  // the picture follows the hand
+        look(-(event.clientX - page.drag[0]) * turn, (event.clientY - page.drag[1]) * turn);
+        page.drag = [event.clientX, event.clientY];
+    });
+    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { page.drag = null; });
+
+    const flight = {KeyW: [1, 0, 0], KeyS: [-1, 0, 0], KeyA: [0, -1, 0], KeyD: [0, 1, 0], KeyE: [0, 0, 1], KeyQ: [0, 0, -1]};
+    const turns = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
+    addEventListener('keydown', (event) => {
+        if (event.ctrlKey || event.metaKey || event.altKey || !page.view) return;
+        const types = event.target === byId('tone_curve') || event.target === byId('camera');
+        if (flight[event.code] && !types) page.keys.add(event.code);
+        if (turns[event.code] && event.target === canvas) {
+            page.keys.add(event.code);
+            event.preventDefault();
+        }
+        page.fast = event.shiftKey;
+    });
+    addEventListener('keyup', (event) => {
+        page.keys.delete(event.code);
+        page.fast = event.shiftKey;
+    });
+    addEventListener('blur', () => page.keys.clear());
+
+    // Flies for so many seconds. The speed grows with the distance to the ground and to the clouds' base.
+    function fly(seconds) {
+        const {view} = page;
+        for (const [code, [right, up]] of Object.entries(turns)) {
+            if (page.keys.has(code)) look(40 * seconds * right, 40 * seconds * up);
+        }
+        const ways = [...page.keys].filter((code) => flight[code]);
+        if (ways.length === 0) return;
+        const speed = Math.min(Math.max(150, 0.4 * view.position[2]), 20e3) * (page.fast ? 5 : 1);
+        const axes = [direction(view.pitch, view.heading), direction(0, view.heading - 90), [0, 0, 1]];
+        for (const code of ways) {
+            flight[code].forEach((way, axis) => {
+                for (let a = 0; a < 3; ++a) view.position[a] += way * speed * seconds * axes[axis][a];
+            });
+        }
+        view.position[2] = Math.min(Math.max(view.position[2], 2), view.top);
+        changed();
+    }
+
+    // --- Frames -----------------------------------------------------------------------------------
+
+    // Brings the 99th percentile of luminance to 0.85 of white, or less with clouds, as the preview's pictures do.
+    function fit_exposure(target) {
+        const floats = page.renderer.pixels(target), luminances = [];
+        for (let i = 0; i < floats.length; i += 4) {
+            luminances.push(0.2126 * floats[i] + 0.7152 * floats[i + 1] + 0.0722 * floats[i + 2]);
+        }
+        const rank = luminances.sort((a, b) => a - b)[Math.floor(0.99 * (luminances.length - 1))];
+        const well = page.scene.well_exposed[page.view.tone_curve] * (page.scene.cloud ? 0.8 : 1);
+        if (rank > 0) page.view.exposure = Math.max(-4, Math.min(30, Math.log2(well / rank)));
+        page.fits_exposure = false;
+        tell_controls();
+    }
+
+    function mean_fetches(target) {
+        const floats = page.renderer.pixels(target);
+        let sum = 0;
+        for (let i = 3; i < floats.length; i += 4) sum += floats[i];
+        return sum / (target.width * target.height);
+    }
+
+    const picture_size = () => {
+        const ratio = Math.min(devicePixelRatio || 1, 2), box = stage.getBoundingClientRect();
+        return [Math.max(16, Math.round(box.width * ratio)), Math.max(16, Math.round(box.height * ratio))];
+    };
+
+    function draw() {
+        const {renderer, view} = page, [width, height] = picture_size();
+        const resized = canvas.width !== width || canvas.height !== height;
+        const start = performance.now();
+        if (page.stale || resized) {
+            page.stale = false;
+            const rough = renderer.draw_rough(view, width, height, 25);
+            if (page.fits_exposure) fit_exposure(rough);
+            page.fetches = mean_fetches(rough);
+            tell_figures(performance.now() - start, rough);
+        } else if (renderer.passes < most_samples && !page.drag) {
+            if (renderer.draw_fine(view, width, height, 25) && renderer.passes === 1) {
+                page.fetches = mean_fetches(renderer.targets.get('fine0'));
+            }
+            tell_figures(null, null);
+        } else {
+            return;
+        }
+        renderer.show(view, width, height);
+        page.painted ??= performance.now();
+        if (page.figures_due) {
+            page.figures_due = false;
+            tell_textures();
+        }
+        stage.classList.add('drawn');
+    }
+
+    function frame(now) {
+        fly(Math.min(0.1, (now - (page.last || now)) / 1000));
+        page.last = now;
+        if (page.view && !page.halted) draw();
+        requestAnimationFrame(frame);
+    }
+
+    // --- Figures ----------------------------------------------------------------------------------
+
+    const mebibytes = (bytes) => bytes < 1 << 20 ? `${(bytes / 1024).toFixed(0)} KiB` : `${(bytes / (1 << 20)).toFixed(1)} MiB`;
+
+    function tell_figures(ms, rough) {
+        const {renderer} = page, [width, height] = [canvas.width, canvas.height];
+        if (rough) {
+            byId('frame_time').textContent = `${ms.toFixed(1)} ms at ${rough.width} × ${rough.height}`;
+        }
+        byId('full_time').textContent = `${(width * height / renderer.speed).toFixed(0)} ms at ${width} × ${height}`;
+        byId('fetches').textContent = page.scene.cloud ? `${page.fetches.toFixed(1)} a pixel` : 'none: no cloud';
+        byId('samples').textContent = renderer.passes > 0 ? `${renderer.passes} a pixel` : `${Math.round(100 * renderer.rows / height)} % of the first`;
+    }
+
+    function tell_textures() {
+        byId('memory').textContent = mebibytes(page.renderer.memory());
+        byId('textures').replaceChildren(...[...page.renderer.textures.values()].map((texture) => {
+            const row = document.createElement('tr');
+            const type = `${'RGBA'.slice(0, texture.channels)} ${texture.stored}`;
+            for (const text of [texture.label, texture.size.join(' × '), type, mebibytes(texture.bytes)]) {
+                row.append(Object.assign(document.createElement('td'), {textContent: text}));
+            }
+            return row;
+        }));
+        const {cloud, light, notes} = page.scene;
+        const error = cloud && cloud.greatest_error > 0
+            ? ` The volume on this page differs from the baked one by at most ${cloud.greatest_error.toPrecision(2)}.` : '';
+        const half = page.renderer.filters_floats ? '' : ' This browser cannot filter floats: tables are stored as halves, exact to 0.05 %.';
+        byId('about').textContent = `The light is that of ${light}.` +
+            (cloud ? ` Rays leap by ${cloud.leaps}.` : '') + error + half + notes.map((note) => ` Note: ${note}.`).join('');
+    }
+
+    // --- Scenes -----------------------------------------------------------------------------------
+
+    // Replaces the textures; the camera, the sun and the sliders stay.
+    async function replace(scene) {
+        await page.renderer.load(scene);
+        page.scene = scene;
+        page.first = first_view(scene);
+        page.view ??= structuredClone(page.first);
+        page.auto = page.auto && scene.view.exposure === null;
+        byId('clouds').hidden = byId('cloud_checks').hidden = scene.cloud === null;
+        tell_controls();
+        changed(true);
+        page.figures_due = true;
+    }
+    page.replace = replace;
+
+    // For tests: one sample of each pixel, drawn at once. The page's own frames stop.
+    page.render = (view, width, height) => {
+        page.halted = true;
+        const whole = {...page.first, ...view};
+        page.renderer.restart();
+        while (!page.renderer.draw_fine(whole, width, height, 1000));
+        page.renderer.show(whole, width, height);
+        return page.renderer.pixels(page.renderer.targets.get('fine0'));
+    };
+
+    function give_up(reason) {
+        stage.classList.add('still');
+        byId('reason').textContent = `There is no live picture: ${reason}. These pictures were drawn by skybake.`;
+        document.body.classList.add('without');
+    }
+
+    async function begin() {
+        try {
+            const text = (id) => JSON.parse(byId(id).textContent);
+            page.renderer = new LiveRenderer(canvas, text('shaders'));
+            canvas.addEventListener('webglcontextlost', (event) => {
+                event.preventDefault();
+                page.halted = true;
+                give_up('the browser has given up WebGL; reload the page');
+            });
+            await replace(text('scene'));
+            page.ready = true;
+            requestAnimationFrame(frame);
+        } catch (error) {
+            page.failed = String(error.stack);
+            give_up(error.message);
+        }
+    }
+    page.begun = begin();
+})();

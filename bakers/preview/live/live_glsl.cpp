@@ -1,0 +1,194 @@
+#include "bakers/preview/live/live_glsl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "bakers/assets/registry.h"
+#include "bakers/render/cloud_light.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+namespace {
+
+std::string light_of(const Spectrum& value, int channels) {
+    std::string text = "Light(";
+    for (int c = 0; c < channels; ++c) {
+        text += (c > 0 ? ", " : "") + glsl_number(value[c]);
+    }
+    return text + ")";
+}
+
+// Returns "const Light NAME[n] = Light[n](...);" with one value for each layer.
+template <class Value>
+std::string layer_values(const std::string& name, const SkyMedium& medium, const Value& value_of) {
+    std::string values;
+    for (const SkyLayer& layer : medium.layers) {
+        values +=
+            (values.empty() ? "" : ",\n    ") + light_of(value_of(layer), medium.air.channels);
+    }
+    if (values.empty()) values = "Light(0.0)";
+    const std::size_t count = std::max<std::size_t>(medium.layers.size(), 1);
+    return fmt::format("const Light {}[{}] = Light[{}](\n    {});\n", name, count, count, values);
+}
+
+const Spectrum& scattering_of(const SkyLayer& layer) {
+    return layer.alone.exponential_layers.empty()
+               ? layer.alone.piecewise_layers.front().scattering_per_km
+               : layer.alone.exponential_layers.front().scattering_per_km;
+}
+
+const Spectrum& extinction_of(const SkyLayer& layer) {
+    return layer.alone.exponential_layers.empty()
+               ? layer.alone.piecewise_layers.front().extinction_per_km
+               : layer.alone.exponential_layers.front().extinction_per_km;
+}
+
+// Returns density_at, and the pieces of layers that are linear piece by piece.
+std::string densities(const SkyMedium& medium) {
+    std::string pieces;
+    std::string cases;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < medium.layers.size(); ++i) {
+        const Medium& alone = medium.layers[i].alone;
+        if (!alone.exponential_layers.empty()) {
+            cases += fmt::format("    if (layer == {}) return exp(h * {});\n", i,
+                                 glsl_number(-1 / alone.exponential_layers[0].scale_height_km));
+            continue;
+        }
+        const std::vector<LinearPiece>& own = alone.piecewise_layers.front().pieces;
+        for (const LinearPiece& piece : own) {
+            pieces += fmt::format("{}vec4({}, {}, {}, {})", pieces.empty() ? "" : ",\n    ",
+                                  glsl_number(piece.bottom_km), glsl_number(piece.top_km),
+                                  glsl_number(piece.density_at_bottom),
+                                  glsl_number(piece.density_per_km));
+        }
+        cases += fmt::format("    if (layer == {}) return density_of_pieces({}, {}, h);\n", i,
+                             count, count + own.size());
+        count += own.size();
+    }
+    if (count == 0)
+        return "float density_at(int layer, float h) {\n" + cases + "    return 0.0;\n}\n";
+    return fmt::format(
+        "// Altitudes of bottom and top in km, the density at the bottom, and its slope.\n"
+        "const vec4 PIECES[{0}] = vec4[{0}](\n    {1});\n"
+        "float density_of_pieces(int first, int end, float h) {{\n"
+        "    for (int i = first; i < end; ++i) {{\n"
+        "        if (h >= PIECES[i].x && h < PIECES[i].y) return PIECES[i].z + PIECES[i].w * (h - "
+        "PIECES[i].x);\n"
+        "    }}\n    return 0.0;\n}}\n"
+        "float density_at(int layer, float h) {{\n{2}    return 0.0;\n}}\n",
+        count, pieces, cases);
+}
+
+// Returns the lookup of a table under that name.
+std::string lookup_of(const config::Recipe& recipe, const PreviewAsset& asset,
+                      const std::string& name) {
+    const auto& bakes = recipe.parameters.bakes;
+    const auto bake = std::find_if(bakes.begin(), bakes.end(), [&](const config::Bake& one) {
+        return one.name == asset.entry.name;
+    });
+    if (bake == bakes.end()) return "";  // find_light has looked for it
+    return lookup_glsl(baker_of(*bake).lookup(
+                           recipe.parameters, *bake,
+                           {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
+                       name);
+}
+
+// Returns shown(Light), which makes linear sRGB of the channels.
+std::string screen_glsl(const ScreenColor& screen, int channels) {
+    Image2<float> units(channels, 1, channels);
+    for (int c = 0; c < channels; ++c) units.texel(c, 0)[c] = 1;
+    const Image2<float> columns = screen.shown(units);
+    std::string text;
+    for (int c = 0; c < channels; ++c) {
+        const float* to = columns.texel(c, 0);
+        text += (c > 0 ? " + " : "") +
+                fmt::format("light[{}] * {}", c, glsl_vector({to[0], to[1], to[2]}));
+    }
+    return fmt::format("vec3 shown(Light light) {{ return {}; }}\n", text);
+}
+
+// Returns the exponents of the sun's darkening towards its limb (bakers/render/sun_disc.h). Channels of unknown
+// wavelengths are as dark there as green light is.
+std::string limb_glsl(const SkyTables& tables, int channels) {
+    Spectrum exponents(-0.023 + 0.292 / 0.55);
+    for (std::size_t c = 0; c < tables.wavelengths_nm.size(); ++c) {
+        if (static_cast<int>(c) < channels && tables.wavelengths_nm[c] > 0) {
+            exponents[static_cast<Spectrum::length_type>(c)] =
+                -0.023 + 292 / tables.wavelengths_nm[c];
+        }
+    }
+    return fmt::format("const Light LIMB = {};\n", light_of(exponents, channels));
+}
+
+}  // namespace
+
+std::string live_air_glsl(const LiveLight& light) {
+    const Medium& air = light.medium.air;
+    const Shell shell = shell_of(air);
+    return fmt::format("#define Light vec{}\n", air.channels) +
+           fmt::format("const float R = {}, D = {};\n", glsl_number(shell.ground_radius_km),
+                       glsl_number(shell.thickness_km)) +
+           fmt::format("const int LAYERS = {};\n",
+                       std::max<std::size_t>(light.medium.layers.size(), 1)) +
+           fmt::format("const Light ALBEDO = {};\n", light_of(air.ground_albedo, air.channels)) +
+           limb_glsl(light.tables, air.channels) +
+           layer_values("SCATTERING", light.medium, scattering_of) +
+           layer_values("EXTINCTION_OF_AIR", light.medium, extinction_of) +
+           densities(light.medium) +
+           lookup_of(*light.recipe, *light.transmittance, "baked_transmittance") + "\n" +
+           lookup_of(*light.recipe, *light.multiple_scattering, "baked_multiple_scattering") +
+           "\n" + std::string(published_lookup("phase")) +
+           fmt::format(
+               "uniform highp sampler2D transmittance_table;\n"
+               "Light sun_through(float h, float mu) {{ return {}; }}\n",
+               light.tables.holds_optical_depth
+                   ? "exp(-baked_transmittance(transmittance_table, h, mu))"
+                   : "baked_transmittance(transmittance_table, h, mu)") +
+           screen_glsl(light.tables.screen, air.channels);
+}
+
+std::string live_cloud_glsl(const CloudMedium& medium, int cell) {
+    const CloudOptics& optics = medium.optics;
+    const DropletPhase drops = droplet_phase(kDropletDiameter_um);
+    const std::string density =
+        optics.has_edge ? fmt::format("cloud_edge(value, {}, {})", glsl_number(optics.threshold),
+                                      glsl_number(optics.edge_softness))
+                        : "max(value, 0.0)";
+    return fmt::format(
+               "const vec3 TILE = {};\nconst float BASE = {}, EXTINCTION = {}, CELL = {};\n",
+               glsl_vector(medium.extent_m), glsl_number(medium.base_m),
+               glsl_number(optics.extinction_per_m), glsl_number(cell)) +
+           fmt::format("const vec4 DROPLETS = vec4({}, {}, {}, {});\n", glsl_number(drops.hg_g),
+                       glsl_number(drops.draine_g), glsl_number(drops.draine_alpha),
+                       glsl_number(drops.draine_share)) +
+           std::string(published_lookup("clouds")) +
+           fmt::format("float density_of(float value) {{ return {}; }}\n", density);
+}
+
+Image2<float> live_phases(const SkyMedium& medium) {
+    constexpr int kPlaces = 1024;
+    const int rows = static_cast<int>(std::max<std::size_t>(medium.layers.size(), 1));
+    Image2<float> image(kPlaces, rows, 4);
+    for (int i = 0; i < kPlaces; ++i) {
+        // The sine, or the cosine, of half the angle: (x / 2^(-3/4))^2 in either half of the table.
+        const double x = static_cast<double>(i) / (kPlaces - 1);
+        const double root = std::min(x, 1 - x) * 1.6817928305074292;  // 2^(3/4)
+        const double near = 2 * std::min(root * root * root * root, 0.5);
+        const double one_minus = x < 0.5 ? near : 2 - near;
+        for (std::size_t layer = 0; layer < medium.layers.size(); ++layer) {
+            const Spectrum values =
+                phase_values(medium.layers[layer].phase, one_minus, 2 - one_minus);
+            float* to = image.texel(i, static_cast<int>(layer));
+            for (int c = 0; c < 4; ++c) to[c] = static_cast<float>(values[c]);
+        }
+    }
+    return image;
+}
+
+}  // namespace skybake

@@ -1,0 +1,33 @@
+// The numbers of a recipe as GLSL, for the shaders of a live page.
+#pragma once
+
+#include <string>
+
+#include "bakers/air/medium.h"
+#include "bakers/field/image.h"
+#include "bakers/preview/bake_assets.h"
+#include "bakers/render/cloud_medium.h"
+#include "bakers/render/sky_tables.h"
+
+namespace skybake {
+
+// An atmosphere with the two tables that rays are marched by.
+struct LiveLight {
+    const config::Recipe* recipe = nullptr;
+    const PreviewAsset* transmittance = nullptr;
+    const PreviewAsset* multiple_scattering = nullptr;
+    SkyMedium medium;
+    SkyTables tables;
+};
+
+// Returns the constants and functions that sky.glsl names, with the lookups of the tables.
+std::string live_air_glsl(const LiveLight& light);
+
+// Returns those that clouds.glsl names, with the published lookups. `cell` is the grid's, in voxels.
+std::string live_cloud_glsl(const CloudMedium& medium, int cell);
+
+// The phase function of each layer in its own row, over the places of phase_by_peaks (examples/lookups/phase.glsl),
+// in four channels.
+Image2<float> live_phases(const SkyMedium& medium);
+
+}  // namespace skybake

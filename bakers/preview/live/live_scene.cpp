@@ -1,0 +1,316 @@
+#include "bakers/preview/live/live_scene.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/math/half_conversion.h"
+#include "bakers/preview/live/live_glsl.h"
+#include "bakers/preview/occupancy_leaps.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+namespace {
+
+using config::Outcome;
+using Json = nlohmann::ordered_json;
+
+// --- Light ---------------------------------------------------------------------------------------
+
+// The tables that are baked for an atmosphere without its own.
+constexpr const char* kTables =
+    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
+
+// Tables that the page needs and the recipe lacks.
+struct BakedLight {
+    config::Recipe recipe;
+    PreviewAssets assets;
+};
+
+bool reads_air(const PreviewAsset& asset) {
+    constexpr std::array without_air = {"cloud_volume", "noise_volume", "occupancy", "phase"};
+    return std::find(without_air.begin(), without_air.end(), asset.entry.kind) == without_air.end();
+}
+
+bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
+    const auto& bakes = recipe.parameters.bakes;
+    return std::any_of(bakes.begin(), bakes.end(),
+                       [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
+}
+
+std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets) {
+    const PreviewAsset* transmittance = assets.of_kind("transmittance");
+    const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
+    if (transmittance == nullptr || scattering == nullptr || !has_section(recipe, *transmittance) ||
+        !has_section(recipe, *scattering)) {
+        return std::nullopt;
+    }
+    auto tables = make_sky_tables(*transmittance, *scattering);
+    if (!tables.value) return std::nullopt;
+    return LiveLight{&recipe, transmittance, scattering,
+                     make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
+}
+
+// Bakes the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
+Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
+    auto recipe = config::parse_recipe(kTables, "earth");
+    if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
+    BakedLight light{std::move(*recipe.value), {}};
+    if (std::any_of(assets.assets.begin(), assets.assets.end(), reads_air)) {
+        const std::vector<config::Bake> tables = std::move(light.recipe.parameters.bakes);
+        light.recipe = *assets.recipe;
+        light.recipe.parameters.bakes = tables;
+    }
+    const BakeOptions bake{.threads = options.threads, .certification = Certification::off};
+    auto baked = bake_assets(light.recipe, light.recipe.parameters.bakes, "light", bake);
+    if (!baked.value) return {{}, std::move(baked.diagnostics)};
+    light.assets = std::move(*baked.value);
+    return {std::move(light), {}};
+}
+
+// --- Textures ------------------------------------------------------------------------------------
+
+std::string bytes_of(const void* data, std::size_t size) {
+    std::string bytes(size, '\0');
+    std::memcpy(bytes.data(), data, size);
+    return bytes;
+}
+
+// Describes a texture and holds its texels. `type` is "float", "half" or "unorm8".
+Json texture(const std::string& name, const std::string& label, std::vector<int> size, int channels,
+             const char* type, const std::string& texels) {
+    return {{"name", name},         {"label", label}, {"size", std::move(size)},
+            {"channels", channels}, {"type", type},   {"texels", base64(zlib_bytes(texels))}};
+}
+
+Json table_texture(const std::string& name, const std::string& label, const Image2<float>& table) {
+    return texture(name, label, {table.width, table.height}, table.channels, "float",
+                   bytes_of(table.texels.data(), table.texels.size() * sizeof(float)));
+}
+
+// The first channel of a volume, as unorm8 or half.
+struct PackedVolume {
+    const char* type = "half";
+    std::string texels;
+    double greatest_error = 0;
+};
+
+PackedVolume packed_volume(const PreviewAsset& asset) {
+    const std::size_t channels = asset.entry.channels.size();
+    std::vector<float> values;
+    values.reserve(asset.voxels.size() / channels);
+    for (std::size_t i = 0; i < asset.voxels.size(); i += channels) {
+        values.push_back(asset.voxels[i]);
+    }
+    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
+    const bool fits = *least >= 0 && *greatest <= 1;
+    const bool is_unorm8 = fits && std::all_of(values.begin(), values.end(), [](float value) {
+                               return std::round(value * 255) / 255 == value;
+                           });
+    PackedVolume packed;
+    if (is_unorm8 || (fits && 2 * values.size() > kMostHalfBytes)) {
+        packed.type = "unorm8";
+        packed.texels.reserve(values.size());
+        for (const float value : values) {
+            const float level = std::round(value * 255);
+            packed.greatest_error =
+                std::max(packed.greatest_error, std::fabs(double{level} / 255 - double{value}));
+            packed.texels += static_cast<char>(static_cast<std::uint8_t>(level));
+        }
+        return packed;
+    }
+    std::vector<std::uint16_t> halves;
+    halves.reserve(values.size());
+    for (const float value : values) {
+        halves.push_back(half_of_float(value));
+        packed.greatest_error = std::max(
+            packed.greatest_error, std::fabs(double{float_of_half(halves.back())} - double{value}));
+    }
+    packed.texels = bytes_of(halves.data(), 2 * halves.size());
+    return packed;
+}
+
+// --- Clouds --------------------------------------------------------------------------------------
+
+// A cloud with all that a march through it needs.
+struct LiveCloud {
+    CloudPreviewInput input;
+    CloudMedium medium;
+    std::string leaps_name;
+};
+
+// Returns the leaps in cells, as bytes. Longer ones than 255 cells are held as 255.
+std::string leap_bytes(const LeapGrid& grid) {
+    std::string bytes;
+    bytes.reserve(grid.reach.size());
+    for (const float reach : grid.reach) {
+        const float leap = reach < 0 ? 0 : 1 + std::floor(reach / static_cast<float>(grid.cell));
+        bytes += static_cast<char>(static_cast<std::uint8_t>(std::min(leap, 255.0F)));
+    }
+    return bytes;
+}
+
+std::optional<LiveCloud> find_cloud(const PreviewAssets& assets, const PreviewOptions& options) {
+    for (const PreviewAsset& asset : assets.assets) {
+        CloudPreviewInput input = cloud_input(assets, asset, options);
+        if (input.cloud == nullptr || input.volume == nullptr || asset.entry.size.size() != 3) {
+            continue;
+        }
+        const config::Cloud cloud = input.volume_bake != nullptr
+                                        ? config::stretched(*input.cloud, *input.volume_bake)
+                                        : *input.cloud;
+        const std::vector<int>& size = asset.entry.size;
+        LiveCloud found{input,
+                        cloud_medium(cloud, asset.voxels.data(), {size[0], size[1], size[2]},
+                                     static_cast<int>(asset.entry.channels.size()), options.threads,
+                                     !options.single),
+                        "cells made from the volume"};
+        std::optional<LeapGrid> grid;
+        if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
+            grid = leap_grid_of(asset, *input.occupancy, *input.occupancy_bake,
+                                filtered_threshold(*input.cloud));
+        }
+        if (grid) found.leaps_name = input.occupancy->entry.name;
+        found.medium.leaps =
+            grid ? std::move(*grid) : leaps_of_voxels(found.medium, 4, options.threads);
+        return found;
+    }
+    return std::nullopt;
+}
+
+// Returns what the page's own part of the march needs besides the shaders' constants.
+Json cloud_json(const LiveCloud& cloud, const PackedVolume& packed,
+                const CloudViewSettings& settings) {
+    const CloudOptics& optics = cloud.medium.optics;
+    const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
+    return {{"name", cloud.input.volume->entry.name},
+            {"leaps", cloud.leaps_name},
+            {"greatest_error", packed.greatest_error},
+            {"tile", cloud.medium.extent_m},
+            {"base", cloud.medium.base_m},
+            {"extinction", optics.extinction_per_m},
+            {"threshold", optics.has_edge ? Json(optics.threshold) : Json(nullptr)},
+            {"edge_softness", optics.edge_softness},
+            {"backward", (1 - g) / 2},
+            {"step", settings.step_m},
+            {"most_sun_samples", kSunSamples},
+            {"reach", cloud.medium.repeats ? settings.reach_m : 1e6},
+            {"repeats", cloud.medium.repeats}};
+}
+
+Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
+    const double sun_deg =
+        options.sun_elevations_deg.empty() ? 20 : options.sun_elevations_deg.front();
+    constexpr std::array curves = {"exponential", "aces", "agx"};
+    const auto curve =
+        static_cast<std::size_t>(options.tone_curve.value_or(ToneCurve::exponential));
+    return {{"position", {camera.position_m.x, camera.position_m.y, camera.position_m.z}},
+            {"heading", camera.azimuth_degrees},
+            {"pitch", camera.elevation_degrees},
+            {"fov", camera.horizontal_field_degrees},
+            {"sun_elevation", sun_deg},
+            {"sun_azimuth", options.sun_azimuth_deg.value_or(105)},
+            {"exposure", options.exposure_stops ? Json(*options.exposure_stops) : Json(nullptr)},
+            {"tone_curve", curves[curve]},
+            {"top", 1000 * thickness_km}};
+}
+
+// Returns the camera of a sky without clouds.
+CloudCamera sky_camera(const PreviewOptions& options) {
+    const CameraRequest request = options.camera.value_or(CameraRequest());
+    const std::array<double, 3> place =
+        request.position_m.value_or(std::array{0.0, 0.0, options.altitude_m.value_or(200)});
+    return {{place[0], place[1], place[2]},
+            request.heading_degrees.value_or(90),
+            request.pitch_degrees.value_or(12),
+            request.field_degrees.value_or(70)};
+}
+
+config::Diagnostic not_live(std::string message, std::string label) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0001";
+    diagnostic.message = std::move(message);
+    diagnostic.label = std::move(label);
+    return diagnostic;
+}
+
+Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const LiveLight& light,
+              const std::string& light_name) {
+    Json scene = {{"title", assets.title}, {"notes", assets.notes}, {"light", light_name}};
+    scene["air"] = live_air_glsl(light);
+    scene["textures"] = {
+        table_texture("transmittance_table", light.transmittance->entry.name,
+                      light.transmittance->table),
+        table_texture("scattering_table", light.multiple_scattering->entry.name,
+                      light.multiple_scattering->table),
+        table_texture("phase_table", "phase functions of the recipe", live_phases(light.medium))};
+    CloudCamera camera = sky_camera(options);
+    scene["cloud"] = nullptr;
+    scene["clouds"] = "";
+    if (const auto cloud = find_cloud(assets, options)) {
+        const CloudViewSettings settings =
+            framed_view(cloud->medium, cloud->input.suns.front(), 960, 540, cloud->input.camera);
+        const PackedVolume packed = packed_volume(*cloud->input.volume);
+        const LeapGrid& leaps = cloud->medium.leaps;
+        camera = settings.camera;
+        scene["clouds"] = live_cloud_glsl(cloud->medium, leaps.cell);
+        scene["cloud"] = cloud_json(*cloud, packed, settings);
+        scene["textures"].push_back(texture("cloud_table", cloud->input.volume->entry.name,
+                                            cloud->input.volume->entry.size, 1, packed.type,
+                                            packed.texels));
+        scene["textures"].push_back(texture("cells_table", cloud->leaps_name,
+                                            {leaps.cells[0], leaps.cells[1], leaps.cells[2]}, 1,
+                                            "unorm8", leap_bytes(leaps)));
+    }
+    Image2<float> grey(1, 1, 1);
+    grey.texels[0] = 1;
+    scene["well_exposed"] = {{"exponential", exposure_for(grey, ToneCurve::exponential)},
+                             {"aces", exposure_for(grey, ToneCurve::aces)},
+                             {"agx", exposure_for(grey, ToneCurve::agx)}};
+    scene["view"] = view_json(options, camera, light.medium.air.thickness_km);
+    return scene;
+}
+
+}  // namespace
+
+Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options) {
+    if (!assets.recipe) {
+        return {{},
+                {not_live("--live needs the numbers of a recipe, and these files name none",
+                          "show the folder of a bake, or a recipe")}};
+    }
+    std::string light_name = "the recipe's atmosphere";
+    std::optional<LiveLight> light = light_of(*assets.recipe, assets);
+    std::optional<BakedLight> baked;
+    if (!light) {
+        auto made = bake_light(assets, options);
+        if (!made.value) return {{}, std::move(made.diagnostics)};
+        baked = std::move(*made.value);
+        light = light_of(baked->recipe, baked->assets);
+        light_name = std::any_of(assets.assets.begin(), assets.assets.end(), reads_air)
+                         ? "the recipe's atmosphere, whose tables were baked for this page"
+                         : "the preset earth, whose tables were baked for this page";
+    }
+    const int channels = light ? light->medium.air.channels : 0;
+    if (channels != 3 && channels != 4) {
+        return {{},
+                {not_live("--live shows light of three or four channels",
+                          fmt::format("this air has {}", channels))}};
+    }
+    const Json scene = scene_of(assets, options, *light, light_name);
+    return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
+}
+
+}  // namespace skybake

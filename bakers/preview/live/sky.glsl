@@ -1,0 +1,107 @@
+// The air, marched by its two tables as bakers/render/sky_view.h describes. The camera is h km above the ground,
+// z is up, and light is per unit of solar irradiance, in the channels of the tables. Above this text stand the
+// numbers of the recipe and the lookups of the tables (live_glsl.h).
+uniform highp sampler2D scattering_table, phase_table;
+uniform vec3 sun;
+
+const float PI = 3.14159265;
+const int SKY_STEPS = 40;
+const int CLOUD_AIR_STEPS = 4;                                              // between the camera and a cloud
+
+// Sunlight at an altitude; s is the radius times the cosine of the sun's zenith angle there.
+Light sunlight(float h, float s) {
+    if (s < -sqrt(h * (2.0 * R + h))) return Light(0.0);                    // the planet hides it
+    return sun_through(h, s / (R + h));
+}
+
+Light scattered_light(float h, float s) { return baked_multiple_scattering(scattering_table, h, s / (R + h)); }
+
+// The radiance of the ground, of which the share `lit` sees the sun.
+Light ground_light(float s, float lit) {
+    Light direct = max(s / R, 0.0) * sunlight(0.0, s) / PI;
+    Light from_sky = max(2.0 * scattered_light(0.0, s) - ALBEDO * direct, 0.0) / (1.0 + ALBEDO);
+    return ALBEDO * (lit * direct + from_sky);
+}
+
+// The phase functions of all layers between a ray and the sun. The table is read between two texels.
+void find_phases(vec3 ray, out Light phases[LAYERS]) {
+    float x = phase_by_peaks(half_angle(ray, sun)) * float(textureSize(phase_table, 0).x - 1);
+    int low = int(min(x, float(textureSize(phase_table, 0).x - 2)));
+    for (int i = 0; i < LAYERS; ++i) {
+        phases[i] = Light(mix(texelFetch(phase_table, ivec2(low, i), 0),
+                              texelFetch(phase_table, ivec2(low + 1, i), 0), x - float(low)));
+    }
+}
+
+// (1 - exp(-x)) / x; the series is for what the difference would round away.
+Light mean_through(Light x, Light through) {
+    Light series = 1.0 + x * (-0.5 + x * (1.0 / 6.0 + x * (-1.0 / 24.0 + x * (1.0 / 120.0))));
+    return mix((1.0 - through) / max(x, Light(0.1)), series, step(x, Light(0.1)));
+}
+
+struct Air {
+    Light light, through;
+    float end;      // km, where the ray ends at the ground or at the top of the air
+    bool grounded;  // it ends at the ground
+};
+
+// Along `ray` to its end, without the light of the ground. Segments are short where the air is dense.
+Air air_along(float h, vec3 ray) {
+    float r = R + h, s = r * ray.z, rho2 = h * (R + r), rise = (D - h) * (R + D + r), nu = dot(ray, sun);
+    bool falls = s < -sqrt(rho2);
+    float root = sqrt(s * s + rise);
+    float end = falls ? rho2 / (sqrt(max(s * s - rho2, 0.0)) - s) : s > 0.0 ? rise / (root + s) : root - s;
+    float densest = falls ? end : max(-s, 0.0);
+    Air air = Air(Light(0.0), Light(1.0), end, falls);
+    Light phases[LAYERS];
+    find_phases(ray, phases);
+    float begin = -sqrt(densest), range = sqrt(max(end - densest, 0.0)) - begin, from = -densest;
+    for (int i = 1; i <= SKY_STEPS; ++i) {
+        float y = begin + range * float(i) / float(SKY_STEPS), to = y * abs(y), width = to - from;
+        float t = densest + 0.5 * (from + to), q = t * (t + 2.0 * s);
+        float altitude = clamp(h + q / (sqrt(max(r * r + q, 0.0)) + r), 0.0, D), sun_s = r * sun.z + t * nu;
+        Light extinction = Light(0.0), scattering = Light(0.0), to_eye = Light(0.0);
+        for (int layer = 0; layer < LAYERS; ++layer) {
+            float density = density_at(layer, altitude);
+            extinction += density * EXTINCTION_OF_AIR[layer];
+            scattering += density * SCATTERING[layer];
+            to_eye += density * SCATTERING[layer] * phases[layer];
+        }
+        Light depth = extinction * width, passed = exp(-depth);
+        Light source = to_eye * sunlight(altitude, sun_s) + scattering * scattered_light(altitude, sun_s);
+        air.light += air.through * source * width * mean_through(depth, passed);
+        air.through *= passed;
+        from = to;
+    }
+    return air;
+}
+
+// What the air lets through from `reach` km away, by Simpson's rule.
+Light through_air(float h, vec3 ray, float reach) {
+    float r = R + h, s = r * ray.z, width = reach / float(CLOUD_AIR_STEPS);
+    Light depth = Light(0.0);
+    for (int i = 0; i <= 2 * CLOUD_AIR_STEPS; ++i) {
+        float t = 0.5 * float(i) * width, q = t * (t + 2.0 * s);
+        float altitude = clamp(h + q / (sqrt(max(r * r + q, 0.0)) + r), 0.0, D);
+        float share = i == 0 || i == 2 * CLOUD_AIR_STEPS ? 1.0 : i % 2 == 1 ? 4.0 : 2.0;
+        for (int layer = 0; layer < LAYERS; ++layer) {
+            depth += share * density_at(layer, altitude) * EXTINCTION_OF_AIR[layer];
+        }
+    }
+    return exp(-depth * width / 6.0);
+}
+
+// The sun's disc and the light of it that an eye scatters around it (bakers/render/sun_disc.h), for sunlight
+// `seen`. `wide` is at least the angle of a pixel, so that the disc has no jagged edge.
+const float SUN = 4.651e-3;                                                 // the disc's radius
+Light sun_disc(vec3 ray, Light seen, float wide) {
+    float angle = length(ray - sun), degrees_off = min(angle, 1.5) * 57.29578;
+    float inside = 1.0 - smoothstep(SUN - 0.5 * wide, SUN + 0.5 * wide, angle);
+    float mu = sqrt(max(1.0 - angle * angle / (SUN * SUN), 0.0));
+    Light disc = inside / (PI * SUN * SUN) * (1.0 + 0.5 * LIMB) * pow(Light(max(mu, 0.05)), LIMB);
+    float a = degrees_off / 0.045, t = 1.0 + degrees_off * degrees_off * 100.0;
+    float veil = 1.5e5 * 0.99870 / pow(1.0 + a * a, 1.5) +
+                 1.02604 * (400.0 / t + 3e-8 * degrees_off * degrees_off + 0.5 * (1300.0 / pow(t, 1.5) + 0.8 / sqrt(t))) +
+                 1.25e-3;
+    return seen * (disc / 3.0 + veil);
+}

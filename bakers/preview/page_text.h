@@ -1,0 +1,31 @@
+// Text of HTML pages: templates, and what stands in them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "bakers/preview/page.h"
+
+namespace skybake {
+
+// The content of a page's <meta name="generator">, by which a later preview knows it.
+std::string generator();
+
+// Returns text for HTML, outside of tags or within quotes.
+std::string html_text(std::string_view text);
+
+// Returns JSON for a script element. "</script" would end the element even within a JSON string,
+// and "<!--" would change how its end is found, so every "<" is escaped.
+std::string safe_in_script(std::string_view json);
+
+// Returns the template with each {{name}} replaced. Replacement is not repeated within the values.
+std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values);
+
+// Returns the HTML of all pictures of the page, in the order in which its scripts show them.
+std::string pictures_html(const PreviewPage& page);
+
+// Returns the script of a page that follows a recipe; nothing for revision 0.
+std::string watch_element(int revision);
+
+}  // namespace skybake

@@ -1,0 +1,332 @@
+'use strict';
+// What `skybake preview --live` draws, in Chromium without a GPU, beside the pictures of the CPU's renderer of the same
+// bake from the same camera; that it is another picture if a table is upside down or empty; and what a reader does
+// with the page's controls.
+//   node live_page.js PROGRAM FOLDER [WORDS OF A TEST'S NAME]
+const {launched, software_gl} = require('./chromium.js');
+const assert = require('node:assert/strict');
+const {execFileSync, spawnSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+const {pathToFileURL} = require('node:url');
+
+const [, , program, folder, wanted = ''] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, 'live-'));
+const patience = 1800000;  // ms; nothing here is a test of time, this ends what hangs
+
+const tables = `
+preset = "earth_hillaire"
+[bake.transmittance]
+size = [64, 32]
+[bake.multiple_scattering]
+mapping = "twilight"
+size = [32, 32]
+`;
+const cloud = `
+[noise.shape]
+preset = "nubis_layer"
+pack = "shape"
+seed = 7
+[clouds.cumulus]
+preset = "cumulus_humilis"
+base_altitude = "1.2 km"
+detail = ""
+[bake.cumulus]
+asset = "cloud_volume"
+cloud = "cumulus"
+size = [128, 128, 16]
+formats = ["bin"]
+pixel_type = "half"
+[bake.cells]
+asset = "occupancy"
+of = "cumulus"
+cell = 4
+contents = ["leap"]
+formats = ["bin"]
+pixel_type = "unorm8"
+`;
+
+// The root mean square of differences that the page may have from the renderer's picture, in bytes of 255: 1 %.
+const bound = 2.55;
+// Small pictures have four samples for each pixel in the preview, and so here.
+const size = [96, 54];
+const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 3.5, disc: false, shadow: false};
+const views = {
+    clouds: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 20},
+    evening: {...common, position: [0, 0, 200], pitch: 15, sun_elevation: 4, exposure: 5},
+    above: {...common, position: [0, 0, 3000], pitch: -20, sun_elevation: 40},
+    clear_sky: {...common, position: [0, 0, 3000], pitch: 30, sun_elevation: 20},
+    twilight: {...common, position: [0, 0, 3000], pitch: 10, sun_elevation: -4, exposure: 12},
+};
+
+function write(name, text) {
+    const file = path.join(work, name);
+    fs.writeFileSync(file, text);
+    return file;
+}
+
+// Writes a live page; returns its path.
+function live(name, text, more = []) {
+    const out = path.join(work, name);
+    execFileSync(program, ['preview', write(`${name}.toml`, text), '--live', '-o', out, '-q', ...more]);
+    return path.join(out, 'index.html');
+}
+
+// Draws a view by the CPU's renderer; returns the picture as a data URL.
+function rendered(name) {
+    const {position, heading, pitch, fov, sun_elevation, sun_azimuth, exposure} = views[name];
+    const camera = `position=0m,0m,${position[2]}m heading=${heading}deg pitch=${pitch}deg fov=${fov}deg`;
+    const out = path.join(work, `rendered_${name}`);
+    execFileSync(program, ['preview', path.join(work, 'baked'), '-o', out, '-q', '--camera', camera, '--size', size.join('x'),
+        '--exposure', String(exposure), '--sun-elevation', String(sun_elevation), '--sun-azimuth', String(sun_azimuth)]);
+    const png = fs.readFileSync(path.join(out, `cumulus_lit_sun_${String(sun_elevation).replace('-', 'minus_')}.png`));
+    return `data:image/png;base64,${png.toString('base64')}`;
+}
+
+// A page that listens to itself: what it complains of, and what it asks the world for.
+async function open(browser, file, options = {}) {
+    const context = await browser.newContext({viewport: {width: 640, height: 480}, ...options});
+    const page = await context.newPage();
+    page.setDefaultTimeout(patience);
+    page.complaints = [];
+    page.requests = [];
+    page.on('console', (message) => {
+        if (message.type() === 'error') page.complaints.push(message.text());
+    });
+    page.on('pageerror', (error) => page.complaints.push(error.stack));
+    page.on('request', (request) => {
+        if (!/^(data|blob):/.test(request.url())) page.requests.push(request.url());
+    });
+    await page.goto(pathToFileURL(file).href);
+    await page.waitForFunction(() => window.skybakeLive.painted || window.skybakeLive.failed);
+    assert.equal(await page.evaluate(() => window.skybakeLive.failed), undefined);
+    return page;
+}
+
+// A view as the page draws it, with four samples for each pixel as the renderer has: their mean light, in bytes by the
+// exponential curve. The page's own bytes of the samples must be those of their light, but for the dither.
+const drawn = (page, view) => page.evaluate(([view, width, height]) => {
+    const light = window.skybakeLive.render(view, 2 * width, 2 * height);
+    const byte = (linear) => {
+        const shown = 1 - Math.exp(-Math.max(linear, 0) * 2 ** view.exposure);
+        return 255 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055);
+    };
+    const bytes = window.reduced(document.getElementById('picture'), 1), means = new Array(4 * width * height).fill(0);
+    let farthest = 0;
+    for (let y = 0; y < 2 * height; ++y) {
+        for (let x = 0; x < 8 * width; ++x) {
+            const value = light[8 * width * (2 * height - 1 - y) + x];  // their row 0 is at the bottom
+            if ((x & 3) < 3) farthest = Math.max(farthest, Math.abs(byte(value) - bytes[8 * width * y + x]));
+            means[4 * ((y >> 1) * width + (x >> 3)) + (x & 3)] += value / 4;
+        }
+    }
+    return {bytes: means.map(byte), farthest};
+}, [view, ...size]);
+
+function rms(a, b) {
+    let sum = 0;
+    a.forEach((value, i) => { sum += i % 4 < 3 ? (value - b[i]) ** 2 : 0; });
+    return Math.sqrt(sum / (0.75 * a.length));
+}
+
+// Loads the page's scene again with a texture that is upside down, or all zeros.
+const spoil = (page, name, how) => page.evaluate(async ([name, how]) => {
+    const scene = JSON.parse(document.getElementById('scene').textContent);
+    const texture = scene.textures.find((one) => one.name === name);
+    if (texture) {
+        const bytes = new Uint8Array(await unpacked(texture.texels)), length = bytes.length / texture.size.at(-1);
+        const spoilt = new Uint8Array(bytes.length);
+        for (let row = 0; how === 'flipped' && row < texture.size.at(-1); ++row) {
+            spoilt.set(bytes.subarray(row * length, (row + 1) * length), bytes.length - (row + 1) * length);
+        }
+        const stream = new Blob([spoilt]).stream().pipeThrough(new CompressionStream('deflate'));
+        const packed = new Uint8Array(await new Response(stream).arrayBuffer());
+        let text = '';
+        for (const byte of packed) text += String.fromCharCode(byte);
+        texture.texels = btoa(text);
+    }
+    await window.skybakeLive.replace(scene);
+}, [name, how]);
+
+const tests = {
+    async 'draws what the CPU renders, and a spoilt table is seen'(browser) {
+        execFileSync(program, ['bake', write('cloud.toml', tables + cloud), '-o', path.join(work, 'baked'), '-q']);
+        const out = path.join(work, 'of_bake');
+        execFileSync(program, ['preview', path.join(work, 'baked'), '--live', '-o', out, '-q']);
+        const page = await open(browser, path.join(out, 'index.html'));
+        await page.addScriptTag({path: path.join(__dirname, 'pictures_page.js')});
+        const pictures = {}, wrong = [];
+        const measure = async (what, name, is_right) => {
+            const {bytes, farthest} = await drawn(page, views[name]);
+            assert.ok(farthest < 1.5, `${farthest} bytes between the light and the screen`);
+            const error = rms(bytes, pictures[name]);
+            console.log(`    ${what}, ${name}: RMS ${error.toFixed(2)} of 255`);
+            if ((error <= bound) !== is_right) wrong.push(`${what}, ${name}`);
+        };
+        for (const name of Object.keys(views)) {
+            pictures[name] = await page.evaluate((url) => window.picture(url), rendered(name));
+            await measure('as baked', name, true);
+        }
+        for (const [name, view] of [['transmittance_table', 'clear_sky'], ['scattering_table', 'clear_sky'],
+            ['phase_table', 'clear_sky'], ['cloud_table', 'clouds'], ['cells_table', 'clouds']]) {
+            for (const how of ['flipped', 'zeroed']) {
+                // A phase function that lies in two rows upside down is another layer's; leaps of 0 only cost time.
+                if (name === 'cells_table' && how === 'zeroed') continue;
+                await spoil(page, name, how);
+                await measure(`${how} ${name}`, view, false);
+            }
+        }
+        await spoil(page, 'none');
+        await measure('as baked again', 'clouds', true);
+        assert.deepEqual(wrong, []);
+        assert.deepEqual(page.complaints, []);
+        assert.deepEqual(page.requests, [pathToFileURL(path.join(out, 'index.html')).href]);
+    },
+
+    async 'leaps change no picture, only its cost'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'));
+        const draw = () => page.evaluate(([view, width, height]) => Array.from(window.skybakeLive.render(view, width, height)), [views.clouds, ...size]);
+        const quick = await draw();
+        await spoil(page, 'cells_table', 'zeroed');
+        const slow = await draw();
+        const reads = (floats) => floats.reduce((sum, value, i) => sum + (i % 4 === 3 ? value : 0), 0);
+        console.log(`    ${(reads(quick) / (size[0] * size[1])).toFixed(1)} reads a pixel, without leaps ${(reads(slow) / (size[0] * size[1])).toFixed(1)}`);
+        assert.ok(reads(quick) < 0.8 * reads(slow));
+        const differing = quick.filter((value, i) => i % 4 !== 3 && Math.abs(value - slow[i]) > 1e-3 * Math.abs(slow[i]) + 1e-7).length;
+        assert.ok(differing < 0.005 * quick.length, `${differing} values differ`);
+    },
+
+    async 'draws a sun, and the shadows of clouds'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'));
+        const mean = (view) => page.evaluate(([view, width, height]) => {
+            const floats = window.skybakeLive.render(view, width, height);
+            let sum = 0, most = 0;
+            floats.forEach((value, i) => {
+                if (i % 4 !== 1) return;
+                sum += value;
+                most = Math.max(most, value);
+            });
+            return {mean: sum / (width * height), most};
+        }, [view, ...size]);
+        const at_sun = {...views.clear_sky, heading: 105, pitch: 20, fov: 20};
+        const dark = await mean(at_sun), bright = await mean({...at_sun, disc: true});
+        // The disc and what the eye scatters within 1.5 degrees hold nearly all of the sunlight.
+        const pixel = (2 * Math.tan(10 * Math.PI / 180) / size[0]) ** 2;
+        const sunlight = (bright.mean - dark.mean) * pixel * size[0] * size[1];
+        console.log(`    the disc and its glare bring ${sunlight.toFixed(3)} of the sun's light`);
+        assert.ok(sunlight > 0.3 && sunlight < 1 && bright.most > 1000 * dark.most);
+        const ground = {...views.above, position: [0, 0, 900], pitch: -45, sun_elevation: 60};
+        const lit = await mean(ground), shaded = await mean({...ground, shadow: true});
+        console.log(`    the ground has ${(shaded.mean / lit.mean).toFixed(3)} of its light below the clouds`);
+        assert.ok(shaded.mean < 0.98 * lit.mean && shaded.mean > 0.2 * lit.mean);
+    },
+
+    async 'can be used by keyboard alone'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'));
+        const view = () => page.evaluate(() => structuredClone(window.skybakeLive.view));
+        const reached = new Set();
+        for (let i = 0; i < 25; ++i) {
+            await page.keyboard.press('Tab');
+            reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.tagName));
+        }
+        for (const id of ['picture', 'sun_elevation', 'sun_azimuth', 'disc', 'extinction', 'shadow', 'single', 'exposure',
+            'auto', 'tone_curve', 'fov', 'camera', 'home', 'SUMMARY']) assert.ok(reached.has(id), `${id} of ${[...reached]}`);
+        const first = await view();
+        await page.focus('#sun_elevation');
+        await page.keyboard.press('ArrowRight');
+        assert.ok((await view()).sun_elevation > first.sun_elevation);
+        await page.focus('#picture');
+        const hold = async (key) => {
+            const before = await view();
+            await page.keyboard.down(key);
+            await page.waitForFunction((old) => JSON.stringify(window.skybakeLive.view) !== old, JSON.stringify(before));
+            await page.keyboard.up(key);
+            return [before, await view()];
+        };
+        const [at, on] = await hold('w');
+        assert.ok(Math.hypot(...on.position.map((x, a) => x - at.position[a])) > 0);
+        const [level, up] = await hold('ArrowUp');
+        assert.ok(up.pitch > level.pitch);
+        await page.focus('#home');
+        await page.keyboard.press('Enter');
+        assert.deepEqual(await view(), {...first, exposure: (await view()).exposure});
+        assert.deepEqual(page.complaints, []);
+    },
+
+    async 'turns as the picture is dragged'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'));
+        const before = await page.evaluate(() => structuredClone(window.skybakeLive.view));
+        await page.mouse.move(100, 100);
+        await page.mouse.down();
+        await page.mouse.move(150, 120);
+        await page.mouse.up();
+        const after = await page.evaluate(() => window.skybakeLive.view);
+        assert.ok(after.heading > before.heading && after.pitch > before.pitch);
+    },
+
+    async 'fits a phone, in light and in dark'(browser) {
+        const shades = [];
+        for (const colorScheme of ['light', 'dark']) {
+            const page = await open(browser, path.join(work, 'of_bake', 'index.html'), {viewport: {width: 400, height: 740}, colorScheme});
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= 400);
+            const picture = await page.locator('#picture').boundingBox();
+            assert.ok(picture.width === 400 && picture.y < 10 && picture.height > 300, JSON.stringify(picture));
+            shades.push(await page.evaluate(() => getComputedStyle(document.querySelector('aside')).backgroundColor));
+        }
+        assert.notEqual(shades[0], shades[1]);
+    },
+
+    async 'shows pictures where WebGL 2 is missing'(browser) {
+        const context = await browser.newContext();
+        const page = await context.newPage();
+        await page.addInitScript(() => { HTMLCanvasElement.prototype.getContext = () => null; });
+        await page.goto(pathToFileURL(path.join(work, 'of_bake', 'index.html')).href);
+        await page.waitForFunction(() => window.skybakeLive.failed);
+        assert.match(await page.innerText('#reason'), /no WebGL 2/);
+        const box = await page.locator('#stills img').first().boundingBox();
+        assert.ok(box.width > 200 && box.height > 100, JSON.stringify(box));
+    },
+
+    async 'bakes the tables that a recipe lacks'(browser) {
+        const about = async (page) => {
+            await page.waitForFunction(() => document.getElementById('about').textContent !== '');
+            return page.textContent('#about');
+        };
+        const clouds_alone = await open(browser, live('clouds_alone', cloud));
+        assert.match(await about(clouds_alone), /the preset earth, whose tables were baked for this page/);
+        assert.equal(await clouds_alone.evaluate(() => window.skybakeLive.scene.textures.length), 5);
+        const one_table = tables.slice(0, tables.indexOf('[bake.multiple'));
+        const sky_alone = await open(browser, live('sky_alone', one_table));
+        assert.match(await about(sky_alone), /the recipe's atmosphere, whose tables were baked for this page/);
+        assert.ok(await sky_alone.evaluate(() => window.skybakeLive.scene.cloud === null && document.getElementById('clouds').hidden));
+        assert.deepEqual([...clouds_alone.complaints, ...sky_alone.complaints], []);
+    },
+
+    async 'refuses what it cannot show'() {
+        const refused = (...given) => {
+            const {status, stderr} = spawnSync(program, ['preview', ...given], {encoding: 'utf8'});
+            return `${status} ${stderr}`;
+        };
+        const recipe = path.join(work, 'cloud.toml');
+        assert.match(refused(recipe, '--live', '--report'), /^2 [^]*--live and --report exclude each other/);
+        assert.match(refused(recipe, '--live', '--size', '100x100'), /^2 [^]*--live and --size exclude each other/);
+    },
+};
+
+(async () => {
+    const browser = await launched(work, patience, ['--disable-gpu', ...software_gl]);
+    let failed = 0;
+    for (const [name, test] of Object.entries(tests).filter(([name]) => name.includes(wanted))) {
+        try {
+            await test(browser);
+            console.log(`ok    ${name}`);
+        } catch (error) {
+            ++failed;
+            console.log(`FAIL  ${name}\n${error.stack}`);
+        }
+        for (const context of browser.contexts()) await context.close();
+    }
+    await browser.close();
+    if (failed === 0) fs.rmSync(work, {recursive: true, force: true});
+    process.exit(failed === 0 ? 0 : 1);
+})();
