@@ -178,8 +178,10 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
 }
 
 bool CloudReference::is_expensive() const {
-    constexpr std::size_t kTowers = 300;  // some microseconds each
-    return towers_.size() + domes_.size() > kTowers;
+    // Of Gaussians, each with some microseconds, and of domes, each with some ten nanoseconds.
+    constexpr std::size_t kTowers = 300;
+    constexpr std::size_t kDomes = 30000;
+    return towers_.size() > kTowers || domes_.size() > kDomes;
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {
