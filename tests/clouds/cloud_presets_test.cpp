@@ -19,6 +19,9 @@
 namespace skybake::cloud {
 namespace {
 
+// A lidar sees no less than this.
+constexpr double cloudy = 0.3;
+
 // Of vertical optical depths. ISCCP (Rossow and Schiffer 1999, "Advances in understanding clouds from
 // ISCCP") calls less than 3.6 cumulus, altocumulus or cirrus by its altitude, up to 23 stratocumulus,
 // and more than that stratus or deep convection; it knows nothing above 379. Its pixels of 5 km mix
@@ -32,9 +35,8 @@ struct NaturalRange {
 
 constexpr std::array ranges = {
     NaturalRange{"altocumulus", {2, 8}, {0.5, 3.6}, {0.4, 0.9}},
-    // Sassen and Comstock 2001, "A Midlatitude Cirrus Cloud Climatology from FARS. Part III", J.
-    // Atmos. Sci. 58: 0.75 +- 0.91 over 2200 hours of lidar; below 3.6 by ISCCP.
-    NaturalRange{"cirrus", {0.75, 3.6}, {0.1, 1.66}, {0.2, 0.8}},
+    // Layers of ice clouds have at least 0.5 (Heymsfield, Matrosov and Baum 2003, J. Appl. Meteor. 42).
+    NaturalRange{"cirrus", {0.5, 3.6}, {cloudy, 3.6}, {0.2, 0.8}},
     NaturalRange{"cumulonimbus", {379, 2000}, {23, 379}, {0.1, 0.6}},
     NaturalRange{"cumulus_congestus", {60, 379}, {15, 150}, {0.1, 0.5}},
     NaturalRange{"cumulus_humilis", {15, 60}, {3.6, 23}, {0.1, 0.5}},
@@ -43,9 +45,6 @@ constexpr std::array ranges = {
     NaturalRange{"stratocumulus", {10, 30}, {3.6, 23}, {0.6, 0.97}},
     NaturalRange{"stratus", {10, 40}, {10, 25}, {0.99, 1}},
 };
-
-// A lidar sees no less than this.
-constexpr double cloudy = 0.3;
 
 struct BakedPreset {
     config::Cloud cloud;
