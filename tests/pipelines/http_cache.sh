@@ -90,6 +90,18 @@ says dribble 'it failed 3 times and was then left alone'
 says sink 'it failed 3 times and was then left alone, first with `PUT'
 echo "15 kinds of wrong servers"
 
+# An interrupt ends a bake that waits for a silent server.
+before=$(requests silent)
+"$program" bake sky.toml --certify off -o interrupted --cache "$url/silent/a" >/dev/null 2>interrupted.log &
+process=$!
+until (($(requests silent) > before)); do sleep 0.05; done
+kill -TERM $process
+code=0
+wait $process || code=$?
+[[ $code == 130 && ! -e interrupted ]] || fail "exit code $code after an interrupt"
+(($(requests silent) == before + 1)) || fail "the server was asked again after the interrupt"
+echo "an interrupt"
+
 # A password opens the server and is seen nowhere.
 locked=http://farm:s3cret@127.0.0.1:$port
 url=$locked served locked b locked
