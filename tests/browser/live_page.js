@@ -5,7 +5,7 @@
 //   node live_page.js PROGRAM FOLDER [WORDS OF A TEST'S NAME]
 const {launched, software_gl} = require('./chromium.js');
 const assert = require('node:assert/strict');
-const {execFileSync, spawnSync} = require('node:child_process');
+const {execFileSync, spawn, spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const {pathToFileURL} = require('node:url');
@@ -300,6 +300,36 @@ const tests = {
         assert.match(await about(sky_alone), /the recipe's atmosphere, whose tables were baked for this page/);
         assert.ok(await sky_alone.evaluate(() => window.skybakeLive.scene.cloud === null && document.getElementById('clouds').hidden));
         assert.deepEqual([...clouds_alone.complaints, ...sky_alone.complaints], []);
+    },
+
+    async 'follows a recipe while the camera stays'(browser) {
+        const watched = write('watched.toml', tables), out = path.join(work, 'watched');
+        const child = spawn(program, ['preview', watched, '--live', '--watch', '-o', out], {stdio: 'ignore'});
+        const ended = new Promise((resolve) => child.on('exit', resolve));
+        try {
+            while (!fs.existsSync(path.join(out, 'preview_state.js'))) await new Promise((resolve) => setTimeout(resolve, 20));
+            const page = await open(browser, path.join(out, 'index.html'));
+            const has_albedo = (albedo) => page.waitForFunction((text) => window.skybakeLive.scene.air.includes(text),
+                `ALBEDO = Light(${albedo}, ${albedo}, ${albedo})`);
+            await has_albedo('0.3');
+            await page.evaluate(() => { window.skybakeLive.view.heading = 200; });
+            fs.writeFileSync(watched, tables.replace('\n[bake', '\n[atmosphere]\nground_albedo = 0.9\n[bake'));
+            await has_albedo('0.9');
+            assert.equal(await page.evaluate(() => window.skybakeLive.view.heading), 200);
+            fs.writeFileSync(watched, tables.replace('size', 'sise'));
+            await page.waitForSelector('#diagnostics .diagnostic');
+            assert.match(await page.innerText('#diagnostics'), /E0102[^]*sise[^]*did you mean/);
+            await has_albedo('0.9');
+            fs.writeFileSync(watched, tables);
+            await has_albedo('0.3');
+            await page.waitForSelector('#diagnostics:not(:has(*))', {state: 'attached'});
+            child.kill('SIGINT');
+            assert.equal(await ended, 130);
+            await page.waitForSelector('.watch.ended');
+            assert.deepEqual(page.complaints, []);
+        } finally {
+            child.kill('SIGKILL');
+        }
     },
 
     async 'refuses what it cannot show'() {
