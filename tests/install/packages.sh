@@ -7,7 +7,9 @@
 set -euo pipefail
 cpack=$1 build=$2 folder=$3 mode=$4
 skip() { echo "skipped: $1"; exit 77; }
-command -v dpkg-shlibdeps >/dev/null || skip "there is no dpkg-shlibdeps"
+for program in dpkg-shlibdeps file; do
+    command -v $program >/dev/null || skip "there is no $program"
+done
 if [[ $mode == --bare ]]; then
     ((EUID == 0)) || skip "it needs root"
     command -v mmdebstrap >/dev/null || skip "it needs mmdebstrap"
