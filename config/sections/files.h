@@ -22,9 +22,8 @@ enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 enum class Ktx2Compression { none, zstd };
 
-// The program that files are for (targets.h).
+// The program that files are for (targets.h). Recipes do not offer none, the last one.
 enum class Target {
-    none,
     three,
     babylon,
     takram,
@@ -37,6 +36,7 @@ enum class Target {
     omniverse,
     mitsuba,
     pbrt,
+    none,
 };
 
 constexpr bool is_block_coded(PixelType type) { return type >= PixelType::bc4; }
