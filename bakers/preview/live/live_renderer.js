@@ -104,7 +104,7 @@ class LiveRenderer {
         this.targets = new Map();
         this.passes = 0;
         this.rows = 0;
-        this.speed = 2e3;  // pixels a millisecond, measured as it draws
+        this.speed = 200;  // pixels a millisecond, measured as it draws: the first picture is there soon anywhere
     }
 
     // Replaces what is drawn. The camera is the caller's.
