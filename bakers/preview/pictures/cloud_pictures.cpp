@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -48,19 +47,12 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
     return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
 }
 
-// Tells that a step begins.
-void begin_step(Progress* progress, std::string_view step) {
-    if (progress != nullptr) progress->advance(step, 0);
-}
-
-std::optional<Lighting> earth_lighting(int threads, Progress* progress) {
+std::optional<Lighting> earth_lighting(int threads) {
     const auto recipe = config::parse_recipe(kEarth, "earth");
     if (!recipe.value) return std::nullopt;
     BakeOptions options;
     options.threads = threads;
     options.certification = Certification::off;
-    ProgressPart part(progress, "light of the preset earth", 0, 1);
-    options.progress = &part;
     const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
     if (!baked.value) return std::nullopt;
     return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
@@ -70,7 +62,7 @@ std::optional<Lighting> earth_lighting(int threads, Progress* progress) {
 std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
     if (input.atmosphere == nullptr || input.transmittance == nullptr ||
         input.multiple_scattering == nullptr) {
-        return earth_lighting(threads, input.progress);
+        return earth_lighting(threads);
     }
     return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
                        "the recipe's atmosphere");
@@ -271,7 +263,6 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
         add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
         if (is_cancelled(input.progress)) return pictures;
     }
-    begin_step(input.progress, "slices");
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, entry.name, depth));
     const std::array<int, 3> slices = slice_voxel(medium, depth);
