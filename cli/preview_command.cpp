@@ -228,9 +228,7 @@ Command preview_command() {
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
              options::force("overwrite files that no preview has made")},
-        .examples = {{"skybake preview out --sun-elevation 40,5,-4 -o sky",
-                      "shows baked files under three suns"},
-                     {"skybake preview cumulus.toml --live --watch",
+        .examples = {{"skybake preview cumulus.toml --live --watch",
                       "flies through a cloud while you write it"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_preview};

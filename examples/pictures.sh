@@ -10,9 +10,25 @@ trap 'rm -rf "$folder"' EXIT
 "$skybake" preview earth.toml -o "$folder/sky" --sun-elevation 30,10,2,-4 -q >/dev/null
 "$skybake" preview phase.toml --only cloud_phase --only sky_view -o "$folder/phase" -q >/dev/null
 "$skybake" preview clouds.toml -o "$folder/clouds" --sun-elevation 20 -q >/dev/null
+"$skybake" init "$folder/mars.toml" --preset mars -q
+"$skybake" preview "$folder/mars.toml" -o "$folder/mars" --sun-elevation 30,2 -q >/dev/null
+cat >"$folder/presets.toml" <<'RECIPE'
+preset = "earth"
+
+[bake.transmittance]
+
+[bake.multiple_scattering]
+method = "solved"
+mapping = "twilight"
+RECIPE
+"$skybake" sweep "$folder/presets.toml" -o "$folder/presets" --certify off -q \
+    --vary preset=earth,earth_clear_mountain,earth_maritime,earth_urban_haze,earth_desert_dust,mars
+"$skybake" preview "$folder/presets" -o "$folder/presets_page" --sun-elevation 8 -q >/dev/null
 
 mkdir -p pictures
 for picture in clouds/cumulus_lit_sun_20 clouds/cumulus_occupancy_cells_z phase/cloud_phase sky/sky_panoramas sky/sky_sun_10; do
     cp "$folder/$picture.png" pictures/
 done
 cp "$folder/phase/sky_view_sun_20.png" pictures/fog_bow.png
+cp "$folder/mars/sky_panoramas.png" pictures/mars_panoramas.png
+cp "$folder/presets_page/contact_sheet.png" pictures/sky_presets.png

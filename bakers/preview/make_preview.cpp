@@ -158,8 +158,8 @@ std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
 
 namespace {
 
-// Makes the page that renders the assets. Its pictures are those of a draft, for browsers that cannot; a draft has
-// none, because it is to be there at once.
+// Makes the page that renders the assets. Its pictures are those of a draft, for browsers that
+// cannot; a draft has none, because it is to be there at once.
 Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto scene = live_scene(assets, options);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "config/fields/field_value.h"
 #include "config/fields/section_decoder.h"
@@ -105,11 +106,46 @@ struct CloudReader {
             fmt::format("type = \"{}\" comes from {}", found, said));
     }
 
+    // Each tile that a dome reaches holds an image of it.
+    void check_reach(const DecodedSection& section, std::string_view key, const DomeShape& shape,
+                     double width_m, double height_m) const {
+        constexpr double kMostTiles = 16;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double reach_m = width_m / 2 + std::fabs(shape.lean[axis]) * height_m;
+            const double extent_m = cloud.extent[axis].meters;
+            if (!(extent_m > 0) || reach_m <= kMostTiles * extent_m) continue;
+            const DecodedField& decoded = section.at(key);
+            decoder.diagnostics.error(
+                "E0110", decoded.source ? decoded.source->place : section.place,
+                fmt::format("`{}` lets a dome reach {:.3g} m from its foot",
+                            join_path(section.path, key), reach_m),
+                fmt::format("at most {} tiles of {:g} m are allowed", kMostTiles, extent_m));
+            return;
+        }
+    }
+
+    void check_lobes(const DecodedSection& section) const {
+        constexpr double kMostDomes = 1'000'000;
+        const double domes = double{1} * cloud.scatter.count * (1 + cloud.scatter.lobes);
+        if (domes <= kMostDomes) return;
+        const DecodedField& decoded = section.at("lobes");
+        decoder.diagnostics.error("E0110", decoded.source ? decoded.source->place : section.place,
+                                  fmt::format("{} towers with {} lobes each are {:.3g} domes",
+                                              cloud.scatter.count, cloud.scatter.lobes, domes),
+                                  fmt::format("at most {:.3g} are allowed", kMostDomes));
+    }
+
     void read_scatter() const {
         if (!find_entry(table, "scatter")) return;
-        decode_into(cloud.scatter, tower_scatter_fields(), "clouds.*.scatter",
-                    join_path(path, "scatter"), place_of("scatter"),
-                    subtable(table, "scatter", path, decoder), decoder);
+        const TowerScatter& scatter = cloud.scatter;
+        const DecodedSection section = decode_into(
+            cloud.scatter, tower_scatter_fields(), "clouds.*.scatter", join_path(path, "scatter"),
+            place_of("scatter"), subtable(table, "scatter", path, decoder), decoder);
+        if (scatter.shape != TowerShape::dome) return;
+        const double width_m = scatter.width[1].meters;
+        check_reach(section, "width", scatter, width_m * scatter.aspect[1],
+                    width_m * scatter.slenderness[1]);
+        check_lobes(section);
     }
 
     void read_towers() const {
@@ -120,8 +156,14 @@ struct CloudReader {
             if (!keys) continue;
             Tower tower;
             tower.name = entry->key;
-            decode_into(tower, tower_fields(), "clouds.*.towers.*",
-                        join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
+            const DecodedSection section =
+                decode_into(tower, tower_fields(), "clouds.*.towers.*",
+                            join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
+            if (tower.shape == TowerShape::dome) {
+                check_reach(section, "size", tower,
+                            std::max(tower.size[0].meters, tower.size[1].meters),
+                            tower.size[2].meters);
+            }
             cloud.towers.push_back(std::move(tower));
         }
     }

@@ -166,6 +166,14 @@ TEST(CloudDecoder, TowersMayBeDomes) {
               "E0111");
     EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nsigma = [0.1, 0.2]\n").code, "E0111");
     EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['2 m', '1 m']\n").code, "E0113");
+    EXPECT_EQ(fault("[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['0 m', '0 m', '0 m']\n"
+                    "size = ['1e7 m', '1 km', '1 km']\namplitude = 1\n")
+                  .code,
+              "E0110");
+    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['1 m', '1e7 m']\n").code,
+              "E0110");
+    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\ncount = 100000\nlobes = 10\n").code,
+              "E0110");
     const TowerScatter scatter = cloud_of("scatter = { shape = 'dome', count = 2 }").scatter;
     EXPECT_EQ(scatter.width[1].meters, 900);
     EXPECT_EQ(scatter.slenderness, (Pair{0.6, 1}));

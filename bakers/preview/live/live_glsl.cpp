@@ -113,8 +113,8 @@ std::string screen_glsl(const ScreenColor& screen, int channels) {
     return fmt::format("vec3 shown(Light light) {{ return {}; }}\n", text);
 }
 
-// Returns the exponents of the sun's darkening towards its limb (bakers/render/sun_disc.h). Channels of unknown
-// wavelengths are as dark there as green light is.
+// Returns the exponents of the sun's darkening towards its limb (bakers/render/sun_disc.h).
+// Channels of unknown wavelengths are as dark there as green light is.
 std::string limb_glsl(const SkyTables& tables, int channels) {
     Spectrum exponents(-0.023 + 0.292 / 0.55);
     for (std::size_t c = 0; c < tables.wavelengths_nm.size(); ++c) {

@@ -26,8 +26,8 @@ std::string live_air_glsl(const LiveLight& light);
 // Returns those that clouds.glsl names, with the published lookups. `cell` is the grid's, in voxels.
 std::string live_cloud_glsl(const CloudMedium& medium, int cell);
 
-// The phase function of each layer in its own row, over the places of phase_by_peaks (examples/lookups/phase.glsl),
-// in four channels.
+// The phase function of each layer in its own row, over the places of phase_by_peaks
+// (examples/lookups/phase.glsl), in four channels.
 Image2<float> live_phases(const SkyMedium& medium);
 
 }  // namespace skybake

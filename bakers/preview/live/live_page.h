@@ -1,5 +1,5 @@
-// A page that renders a scene while one flies through it: one HTML file that contains everything it shows. Where the
-// browser cannot, it shows the pictures of the page.
+// A page that renders a scene while one flies through it: one HTML file that contains everything it
+// shows. Where the browser cannot, it shows the pictures of the page.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@
 
 namespace skybake {
 
-// Returns the page's text, for a page with a live_scene. It needs no other file and no network, except that a page
-// that follows a recipe reads the files page_state_name and live_scene_name beside it.
+// Returns the page's text, for a page with a live_scene. It needs no other file and no network,
+// except that a page that follows a recipe reads the files page_state_name and live_scene_name
+// beside it.
 std::string live_html(const PreviewPage& page);
 
 // The file from which a page that follows a recipe takes what has changed.
