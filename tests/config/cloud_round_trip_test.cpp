@@ -129,7 +129,7 @@ std::string any_towers() {
 std::string any_scatter() {
     if (coin()) {
         return "[clouds.c.scatter]\ncount = 3\n" + any_dome_shape() +
-               "width = ['200 m', '0.3 km']\nslenderness = " + any_bounds(0.01, 100) + "\n";
+               "width = ['200 m', '0.3 km']\nslenderness = " + any_bounds(0.01, 10) + "\n";
     }
     return fmt::format(
         "[clouds.c.scatter]\ncount = {}\nseed = '{:#x}'\nsigma = {}\naspect = {}\namplitude = {}\n",
@@ -140,7 +140,7 @@ std::string any_scatter() {
 std::string any_cloud() {
     std::string text = fmt::format(
         "[clouds.c]\nnoise = {}\nextent = ['{} km', '{} m', '{} cm']\nbase_altitude = '{} m'\n",
-        any_of("n", "d"), any_number(0.1, 99), any_number(0.1, 99), any_number(0.1, 99),
+        any_of("n", "d"), any_number(4, 99), any_number(4e3, 9.9e4), any_number(0.1, 99),
         any_number(-1e8, 1e8));
     if (coin()) text += "noise_scale = " + any_scale() + "\n";
     if (coin()) text += fmt::format("coverage = '{} %'\n", any_number(0, 100));

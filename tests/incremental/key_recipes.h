@@ -252,6 +252,21 @@ type_map = { file = "rgba8.png", channel = "G" }
 noise = "shape"
 extent = ["1 km", "1 km", "1 km"]
 height_profile = { type = "thesis", bottom_sharpness = 40, top_falloff = 3 }
+[clouds.of_thesis.scatter]
+shape = "dome"
+count = 2
+width = ["200 m", "300 m"]
+lobes = 3
+[[clouds.of_thesis.towers]]
+shape = "dome"
+foot = ["400 m", "500 m", "10 m"]
+size = ["500 m", "400 m", "600 m"]
+widest = 0.2
+lean = [0.1, 0.2]
+lobes = 4
+lobe_size = [0.2, 0.4]
+seed = 3
+amplitude = 0.8
 [bake.transmittance]
 size = [4, 4]
 [bake.mixed]
