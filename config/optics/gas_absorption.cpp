@@ -125,7 +125,7 @@ double ozone_m2(double nm, double temperature_K) {
 
 template <class Row>
 WavelengthRange range_of_rows(std::span<const Row> rows) {
-    return {{rows.front().nm * 1e-9}, {rows.back().nm * 1e-9}};
+    return {{rows.front().nm / 1e9}, {rows.back().nm / 1e9}};
 }
 
 }  // namespace

@@ -178,6 +178,11 @@ TEST(WaterVapor, AbsorbsInItsBands) {
     EXPECT_NEAR(water_vapor_column_per_m2(1), 55.508 * 6.02214e23, 1e22);
 }
 
+// Messages print the ends of a range.
+TEST(Gases, RangesEndAtWholeNanometres) {
+    EXPECT_EQ(range_of(Gas::ozone).shortest.meters, 360e-9);
+}
+
 TEST(Gases, AreKnownOverTheVisible) {
     EXPECT_EQ(all_gases().size(), 7u);
     for (const Gas gas : all_gases()) {
