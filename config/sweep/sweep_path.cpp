@@ -70,6 +70,11 @@ struct PathReader {
               "`skybake explain` lists all keys");
     }
 
+    void report_of_pictures() const {
+        error(fmt::format("`{}` changes pictures alone", shorten(path)),
+              "a sweep varies what is baked; `skybake preview` takes this as an option");
+    }
+
     void report_no_key(const Section& section, const std::string& table,
                        const std::string& key) const {
         std::string label = did_you_mean(key, field_keys(section));
@@ -124,6 +129,10 @@ std::optional<SweptKey> find_swept_key(const Table& root, const std::string& pat
     result.section = section_at(root, *names);
     if (!result.section) {
         reader.report_no_section();
+        return std::nullopt;
+    }
+    if (result.section->path.starts_with("preview")) {
+        reader.report_of_pictures();
         return std::nullopt;
     }
     if (!reader.has_named_tables(*names, *result.section)) return std::nullopt;

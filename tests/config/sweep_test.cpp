@@ -178,6 +178,7 @@ TEST(Sweep, UnknownPathsAreErrorsOfTheWhole) {
     EXPECT_EQ(errors_of("'clouds.c' = [1]\n"), (Strings{"E0102 2:1"}));
     EXPECT_EQ(errors_of("'' = [1]\n"), (Strings{"E0102 2:1"}));
     EXPECT_EQ(errors_of("'sweep.zip' = [1]\n"), (Strings{"E0102 2:1"}));
+    EXPECT_EQ(errors_of("'preview.exposure' = [1]\n"), (Strings{"E0102 2:1"}));
     EXPECT_EQ(errors_of("clouds.c.threshold = [1]\n"), (Strings{"E0102 2:1"}));
     const auto misspelt = parse("[sweep]\n'clouds.c.treshold' = [1]\n" + clouds).diagnostics;
     EXPECT_EQ(misspelt.at(0).label, "did you mean `threshold`?");
