@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "bakers/assets/registry.h"
 #include "config/recipe/preview_section.h"
@@ -19,14 +20,19 @@ struct GivenOption {
 
 config::Diagnostic unused_option(std::string name, std::string_view reason) {
     std::replace(name.begin(), name.end(), '_', '-');
-    config::Diagnostic problem;
-    problem.code = "E0001";
-    problem.message = fmt::format("no picture of this preview uses --{}", name);
-    problem.label = reason;
-    return problem;
+    return option_fault(fmt::format("no picture of this preview uses --{}", name),
+                        std::string(reason));
 }
 
 }  // namespace
+
+config::Diagnostic option_fault(std::string message, std::string label) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0001";
+    diagnostic.message = std::move(message);
+    diagnostic.label = std::move(label);
+    return diagnostic;
+}
 
 LitPictures lit_pictures_of(std::span<const config::Bake> bakes) {
     const config::PicturesOfLight light = config::pictures_of_light(bakes);

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bakers/preview/bake_assets.h"
@@ -17,6 +18,9 @@ namespace skybake {
 // Returns which pictures of light a preview will have.
 LitPictures lit_pictures_of(std::span<const config::Bake> bakes);
 LitPictures lit_pictures_of(const PreviewAssets& assets);
+
+// Makes an E0001: what is wrong with the options, and what is meant or allowed.
+[[nodiscard]] config::Diagnostic option_fault(std::string message, std::string label);
 
 // Returns E0001 for each given option that no picture uses.
 [[nodiscard]] std::vector<config::Diagnostic> unused_options(const LitPictures& lit,

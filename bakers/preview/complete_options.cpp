@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/preview/check_options.h"
 #include "bakers/render/sun_position.h"
 #include "config/recipe/preview_section.h"
 
@@ -69,14 +70,6 @@ void take_section(const config::Preview& preview, const LitPictures& lit, Previe
     take_sun(preview, lit.clouds, options);
 }
 
-config::Diagnostic fault(std::string message, std::string label) {
-    config::Diagnostic diagnostic;
-    diagnostic.code = "E0001";
-    diagnostic.message = std::move(message);
-    diagnostic.label = std::move(label);
-    return diagnostic;
-}
-
 std::string place_text(const EarthPlace& place) {
     return fmt::format("{:g} degrees {}, {:g} degrees {}", std::fabs(place.latitude_degrees),
                        place.latitude_degrees < 0 ? "south" : "north",
@@ -107,20 +100,20 @@ Outcome<PreviewOptions> completed(PreviewOptions options, const config::Recipe* 
     const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
     if (options.at && by_angles) {
         return {{},
-                {fault("--at excludes --sun-elevation and --sun-azimuth",
-                       "the time and the place say where the sun stands")}};
+                {option_fault("--at excludes --sun-elevation and --sun-azimuth",
+                              "the time and the place say where the sun stands")}};
     }
     const bool place_is_asked = options.place.has_value();
     const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
     if (preview) take_section(*preview, lit, options);
     if (options.at && !options.place) {
         return {{},
-                {fault("--at needs a place",
-                       "give --place 47.4,8.5, or latitude and longitude in "
-                       "[preview]")}};
+                {option_fault("--at needs a place",
+                              "give --place 47.4,8.5, or latitude and longitude in "
+                              "[preview]")}};
     }
     if (place_is_asked && !options.at) {
-        return {{}, {fault("--place needs a time", "give --at \"2026-06-21 18:30\"")}};
+        return {{}, {option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"")}};
     }
     if (options.at) place_sun(lit.clouds, options);
     return {std::move(options), {}};

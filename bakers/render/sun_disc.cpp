@@ -44,17 +44,12 @@ struct SeenSun {
         return look_up_sunlight(tables, shell, view.camera_altitude_km, r_km * mu);
     }
 
-    double wavelength_nm(std::size_t channel) const {
-        const auto& known = tables.wavelengths_nm;
-        return channel < known.size() ? known[channel] : kGreenNm;
-    }
-
     Spectrum radiance(const SkyDirection& direction) const {
         const double share = angle_to_sun(direction) / kDiscRadius;
         if (share >= 1) return Spectrum{};
         Spectrum light = sunlight(direction.mu);
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            light[c] *= limb_darkening(share, wavelength_nm(c)) / kDiscSolidAngle;
+            light[c] *= limb_darkening(share, wavelength_nm_of(tables, c)) / kDiscSolidAngle;
         }
         return light;
     }
@@ -89,7 +84,7 @@ Spectrum light_of_disc(const SeenSun& sun) {
         const Spectrum point = sun.sunlight(std::sin(elevation));
         const double share = std::sqrt(across * across + up * up);
         for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            light[c] += weight * point[c] * limb_darkening(share, sun.wavelength_nm(c));
+            light[c] += weight * point[c] * limb_darkening(share, wavelength_nm_of(sun.tables, c));
         }
     });
     return light;
@@ -189,8 +184,15 @@ double widest_pixel(const SkyView& view) {
 
 }  // namespace
 
+double limb_exponent(double wavelength_nm) { return -0.023 + 292 / wavelength_nm; }
+
+double wavelength_nm_of(const SkyTables& tables, std::size_t channel) {
+    const auto& known = tables.wavelengths_nm;
+    return channel < known.size() ? known[channel] : kGreenNm;
+}
+
 double limb_darkening(double angle_share, double wavelength_nm) {
-    const double alpha = -0.023 + 292 / wavelength_nm;
+    const double alpha = limb_exponent(wavelength_nm);
     const double mu_squared = (1 - angle_share) * (1 + angle_share);
     return (1 + alpha / 2) * std::pow(mu_squared, alpha / 2);
 }

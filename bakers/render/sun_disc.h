@@ -24,6 +24,8 @@
 // the disc, tables whose wavelengths are unknown, one channel.
 #pragma once
 
+#include <cstddef>
+
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/render/sky_rays.h"
@@ -33,6 +35,12 @@
 namespace skybake {
 
 using config::Glare;
+
+// Returns alpha at a wavelength.
+double limb_exponent(double wavelength_nm);
+
+// Returns the wavelength of a channel; of channels whose wavelength is unknown, that of green light.
+double wavelength_nm_of(const SkyTables& tables, std::size_t channel);
 
 // Returns the brightness of the disc at an angle from its middle, as a share of the disc's mean
 // brightness; `angle_share` is the angle over the disc's radius, in [0, 1].

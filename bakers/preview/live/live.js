@@ -135,7 +135,8 @@
 
     // --- Frames -----------------------------------------------------------------------------------
 
-    // Brings the 99th percentile of luminance to 0.85 of white, or less with clouds, as the preview's pictures do.
+    // Brings the 99th percentile of luminance to 0.85 of white, or less with clouds, as the preview's pictures of
+    // clouds do; its pictures of skies show their median as 0.25 of white.
     function fit_exposure(target) {
         const floats = page.renderer.pixels(target), luminances = [];
         for (let i = 0; i < floats.length; i += 4) {

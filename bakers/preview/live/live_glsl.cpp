@@ -10,6 +10,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/render/cloud_light.h"
+#include "bakers/render/sun_disc.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -88,15 +89,11 @@ std::string densities(const SkyMedium& medium) {
 // Returns the lookup of a table under that name.
 std::string lookup_of(const config::Recipe& recipe, const PreviewAsset& asset,
                       const std::string& name) {
-    const auto& bakes = recipe.parameters.bakes;
-    const auto bake = std::find_if(bakes.begin(), bakes.end(), [&](const config::Bake& one) {
-        return one.name == asset.entry.name;
-    });
-    if (bake == bakes.end()) return "";  // find_light has looked for it
-    return lookup_glsl(baker_of(*bake).lookup(
-                           recipe.parameters, *bake,
-                           {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
-                       name);
+    const config::Bake& bake = config::bake_named(recipe.parameters, asset.entry.name);
+    return lookup_glsl(
+        baker_of(bake).lookup(recipe.parameters, bake,
+                              {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
+        name);
 }
 
 // Returns shown(Light), which makes linear sRGB of the channels.
@@ -113,15 +110,11 @@ std::string screen_glsl(const ScreenColor& screen, int channels) {
     return fmt::format("vec3 shown(Light light) {{ return {}; }}\n", text);
 }
 
-// Returns the exponents of the sun's darkening towards its limb (bakers/render/sun_disc.h).
-// Channels of unknown wavelengths are as dark there as green light is.
+// Returns the exponents of the sun's darkening towards its limb.
 std::string limb_glsl(const SkyTables& tables, int channels) {
-    Spectrum exponents(-0.023 + 0.292 / 0.55);
-    for (std::size_t c = 0; c < tables.wavelengths_nm.size(); ++c) {
-        if (static_cast<int>(c) < channels && tables.wavelengths_nm[c] > 0) {
-            exponents[static_cast<Spectrum::length_type>(c)] =
-                -0.023 + 292 / tables.wavelengths_nm[c];
-        }
+    Spectrum exponents{};
+    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
+        exponents[c] = limb_exponent(wavelength_nm_of(tables, c));
     }
     return fmt::format("const Light LIMB = {};\n", light_of(exponents, channels));
 }

@@ -14,6 +14,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/half_conversion.h"
+#include "bakers/preview/check_options.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "config/assets/asset_kind.h"
@@ -28,20 +29,18 @@ using Json = nlohmann::ordered_json;
 
 // --- Light ---------------------------------------------------------------------------------------
 
-// The tables that are baked for an atmosphere without its own.
-constexpr const char* kTables =
-    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
-    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
-
 // Tables that the page needs and the recipe lacks.
 struct BakedLight {
     config::Recipe recipe;
     PreviewAssets assets;
 };
 
-bool reads_air(const PreviewAsset& asset) {
+bool read_air(const PreviewAssets& assets) {
     constexpr std::array without_air = {"cloud_volume", "noise_volume", "occupancy", "phase"};
-    return std::find(without_air.begin(), without_air.end(), asset.entry.kind) == without_air.end();
+    return std::any_of(assets.assets.begin(), assets.assets.end(), [&](const PreviewAsset& asset) {
+        return std::find(without_air.begin(), without_air.end(), asset.entry.kind) ==
+               without_air.end();
+    });
 }
 
 bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
@@ -65,10 +64,10 @@ std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAss
 
 // Bakes the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
 Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
-    auto recipe = config::parse_recipe(kTables, "earth");
+    auto recipe = config::parse_recipe(kEarthLight, "earth");
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
     BakedLight light{std::move(*recipe.value), {}};
-    if (std::any_of(assets.assets.begin(), assets.assets.end(), reads_air)) {
+    if (read_air(assets)) {
         const std::vector<config::Bake> tables = std::move(light.recipe.parameters.bakes);
         light.recipe = *assets.recipe;
         light.recipe.parameters.bakes = tables;
@@ -238,14 +237,6 @@ CloudCamera sky_camera(const PreviewOptions& options) {
             request.field_degrees.value_or(70)};
 }
 
-config::Diagnostic not_live(std::string message, std::string label) {
-    config::Diagnostic diagnostic;
-    diagnostic.code = "E0001";
-    diagnostic.message = std::move(message);
-    diagnostic.label = std::move(label);
-    return diagnostic;
-}
-
 Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const LiveLight& light,
               const std::string& light_name) {
     Json scene = {{"title", assets.title}, {"notes", assets.notes}, {"light", light_name}};
@@ -288,8 +279,8 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
 Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options) {
     if (!assets.recipe) {
         return {{},
-                {not_live("--live needs the numbers of a recipe, and these files name none",
-                          "show the folder of a bake, or a recipe")}};
+                {option_fault("--live needs the numbers of a recipe, and these files name none",
+                              "show the folder of a bake, or a recipe")}};
     }
     std::string light_name = "the recipe's atmosphere";
     std::optional<LiveLight> light = light_of(*assets.recipe, assets);
@@ -299,15 +290,15 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
         light = light_of(baked->recipe, baked->assets);
-        light_name = std::any_of(assets.assets.begin(), assets.assets.end(), reads_air)
+        light_name = read_air(assets)
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";
     }
     const int channels = light ? light->medium.air.channels : 0;
     if (channels != 3 && channels != 4) {
         return {{},
-                {not_live("--live shows light of three or four channels",
-                          fmt::format("this air has {}", channels))}};
+                {option_fault("--live shows light of three or four channels",
+                              fmt::format("this air has {}", channels))}};
     }
     const Json scene = scene_of(assets, options, *light, light_name);
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};

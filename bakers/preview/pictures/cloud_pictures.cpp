@@ -23,11 +23,6 @@ namespace skybake {
 
 namespace {
 
-// The recipe of the light for a cloud without an atmosphere of its own.
-constexpr const char* kEarth =
-    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
-    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
-
 // The factor on the exposure that tone_curve.h chooses for whole pictures. It brings the 99th
 // percentile to 0.78 of white, because clouds are the brightest part and their shades must be
 // visible.
@@ -48,7 +43,7 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
 }
 
 std::optional<Lighting> earth_lighting(int threads) {
-    const auto recipe = config::parse_recipe(kEarth, "earth");
+    const auto recipe = config::parse_recipe(kEarthLight, "earth");
     if (!recipe.value) return std::nullopt;
     BakeOptions options;
     options.threads = threads;

@@ -23,6 +23,11 @@ namespace skybake {
 // one sample is as large as the details, and four samples take little time.
 inline constexpr int kSmallPixels = 640 * 400;
 
+// The recipe of the light for clouds without an atmosphere of their own.
+inline constexpr const char* kEarthLight =
+    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
+
 // The input for the pictures. All pointers except `cloud` may be null.
 struct CloudPreviewInput {
     const config::Cloud* cloud = nullptr;                  // the cloud that the volume shows
