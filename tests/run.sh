@@ -28,7 +28,7 @@ run() {
 }
 case "${1:-}" in
     --all) run ;;
-    --hard) ctest --test-dir build/dev --output-on-failure -j "$jobs" -L hard --verbose | grep -E '\[hard\]|tests passed|tests failed' ;;
+    --hard) ctest --test-dir build/dev --output-on-failure -j "$jobs" -L hard | grep -E '\(bound |^total |tests passed|tests failed' ;;
     "") run -LE slow ;;
     *) echo "tests/run.sh [--all|--hard]" >&2; exit 2 ;;
 esac
