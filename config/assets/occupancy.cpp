@@ -12,6 +12,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/file_decoder.h"
+#include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/cloud.h"
@@ -50,16 +51,8 @@ constexpr std::array occupancy_content_choices = {
 
 const std::array occupancy_table = {
     OccupancyField{asset_field, {}},
-    OccupancyField{{.key = "of",
-                    .kind = Kind::text,
-                    .required = true,
-                    .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\""},
-                   &OccupancyBake::of},
-    OccupancyField{{.key = "channel",
-                    .kind = Kind::text,
-                    .documentation = "channel of that volume; its first by default",
-                    .hint = "R, G, B or A, or Y for a volume of one channel"},
-                   &OccupancyBake::channel},
+    OccupancyField{source_volume_field, &OccupancyBake::of},
+    OccupancyField{source_channel_field, &OccupancyBake::channel},
     OccupancyField{{.key = "cell",
                     .kind = Kind::power_of_two,
                     .range = cell_range,
@@ -89,78 +82,11 @@ const std::array occupancy_table = {
                    &OccupancyBake::contents},
 };
 
-template <class T>
-const T* find_by_name(std::span<const T> things, std::string_view name) {
-    const auto found = std::find_if(things.begin(), things.end(),
-                                    [&](const T& thing) { return thing.name == name; });
-    return found == things.end() ? nullptr : &*found;
-}
-
 // This is one section while it is resolved.
 struct OccupancyResolver {
     DecodedSection& bake;
     const RecipeSoFar& recipe;
     Decoder& decoder;
-
-    std::vector<std::string_view> volume_names() const {
-        std::vector<std::string_view> names;
-        for (const Bake& other : recipe.bakes) {
-            if (other.is<CloudVolumeBake>()) names.push_back(other.name);
-        }
-        return names;
-    }
-
-    void report_no_volume(const std::string& name, bool is_other_asset) const {
-        const std::vector<std::string_view> names = volume_names();
-        std::string label = did_you_mean(name, names);
-        if (label.empty() && names.empty()) {
-            label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
-        }
-        if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
-        decoder.diagnostics.error(
-            "E0133", bake.at("of").source->place,
-            is_other_asset
-                ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
-                              join_path(bake.path, "of"), shorten(name))
-                : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
-                              shorten(name)),
-            std::move(label));
-    }
-
-    const CloudVolumeBake* find_volume() const {
-        const std::string* name = text_of(bake.at("of"));
-        if (!name) return nullptr;
-        const Bake* found = find_by_name(recipe.bakes, *name);
-        const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
-        const auto& unreadable = recipe.unreadable;
-        const bool is_reported =
-            std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
-        if (!volume && !is_reported && decoder.complete) report_no_volume(*name, found != nullptr);
-        return volume;
-    }
-
-    // Returns the channels of the volume, or an empty list if its cloud or noise is at fault.
-    std::vector<std::string> channels_of(const CloudVolumeBake& volume) const {
-        const Cloud* cloud = find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
-        const Noise* noise =
-            cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
-        if (!noise) return {};
-        return cloud_channel_names(*noise, cloud->channels);
-    }
-
-    void check_channel(const CloudVolumeBake& volume) const {
-        const DecodedField& decoded = bake.at("channel");
-        const std::string* name = text_of(decoded);
-        const std::vector<std::string> channels = channels_of(volume);
-        if (!name || name->empty() || channels.empty()) return;
-        if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
-        decoder.diagnostics.error(
-            "E0134", decoded.source->place,
-            fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
-                        *text_of(bake.at("of")), shorten(*name)),
-            fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
-                        fmt::join(channels, ", ")));
-    }
 
     std::size_t check_contents() const {
         const DecodedField& decoded = bake.at("contents");
@@ -216,7 +142,7 @@ struct OccupancyResolver {
     }
 
     void check_voxels(const CloudVolumeBake& volume, int cell) const {
-        const Cloud* cloud = find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
+        const Cloud* cloud = find_cloud(volume, recipe);
         if (!cloud || cloud->extent[0].meters <= 0) return;
         std::array<double, 3> edges = voxel_edges(*cloud, volume);
         for (double& edge : edges) edge *= cell;
@@ -242,9 +168,9 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     check_pixel_type(bake, decoder);
     refuse_blocks(bake, "occupancy, whose empty cells must stay empty", decoder);
     const std::size_t contents = resolver.check_contents();
-    const CloudVolumeBake* volume = resolver.find_volume();
+    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
     if (!volume) return;
-    resolver.check_channel(*volume);
+    check_source_channel(bake, *volume, recipe, decoder);
     const DecodedField& cell = bake.at("cell");
     if (!cell.value || volume->size[0] == 0) return;
     const int edge = static_cast<int>(std::get<double>(*cell.value));

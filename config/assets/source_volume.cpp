@@ -1,0 +1,97 @@
+#include "config/assets/source_volume.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+#include "config/text/text.h"
+
+namespace skybake::config {
+namespace {
+
+template <class T>
+const T* find_by_name(std::span<const T> things, std::string_view name) {
+    const auto found = std::find_if(things.begin(), things.end(),
+                                    [&](const T& thing) { return thing.name == name; });
+    return found == things.end() ? nullptr : &*found;
+}
+
+std::vector<std::string_view> volume_names(const RecipeSoFar& recipe) {
+    std::vector<std::string_view> names;
+    for (const Bake& other : recipe.bakes) {
+        if (other.is<CloudVolumeBake>()) names.push_back(other.name);
+    }
+    return names;
+}
+
+void report_no_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
+                      const std::string& name, bool is_other_asset, Decoder& decoder) {
+    const std::vector<std::string_view> names = volume_names(recipe);
+    std::string label = did_you_mean(name, names);
+    if (label.empty() && names.empty()) {
+        label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
+    }
+    if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
+    decoder.diagnostics.error(
+        "E0133", bake.at("of").source->place,
+        is_other_asset
+            ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
+                          join_path(bake.path, "of"), shorten(name))
+            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
+                          shorten(name)),
+        std::move(label));
+}
+
+// Returns the channels of the volume, or an empty list if its cloud or noise is at fault.
+std::vector<std::string> channels_of(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {
+    const Cloud* cloud = find_cloud(volume, recipe);
+    const Noise* noise =
+        cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
+    if (!noise) return {};
+    return cloud_channel_names(*noise, cloud->channels);
+}
+
+}  // namespace
+
+const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
+                                          Decoder& decoder) {
+    const std::string* name = text_of(bake.at("of"));
+    if (!name) return nullptr;
+    const Bake* found = find_by_name(recipe.bakes, *name);
+    const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
+    const auto& unreadable = recipe.unreadable;
+    const bool is_reported =
+        std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+    if (!volume && !is_reported && decoder.complete) {
+        report_no_volume(bake, recipe, *name, found != nullptr, decoder);
+    }
+    return volume;
+}
+
+void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,
+                          const RecipeSoFar& recipe, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("channel");
+    const std::string* name = text_of(decoded);
+    const std::vector<std::string> channels = channels_of(volume, recipe);
+    if (!name || name->empty() || channels.empty()) return;
+    if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
+    decoder.diagnostics.error(
+        "E0134", decoded.source->place,
+        fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
+                    *text_of(bake.at("of")), shorten(*name)),
+        fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
+                    fmt::join(channels, ", ")));
+}
+
+const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {
+    return find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
+}
+
+}  // namespace skybake::config

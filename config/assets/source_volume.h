@@ -1,0 +1,37 @@
+// This header reads the keys `of` and `channel`, which name the cloud volume that another asset is
+// made from.
+#pragma once
+
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+
+namespace skybake::config {
+
+inline constexpr Field source_volume_field{
+    .key = "of",
+    .kind = Kind::text,
+    .required = true,
+    .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\""};
+
+inline constexpr Field source_channel_field{
+    .key = "channel",
+    .kind = Kind::text,
+    .documentation = "channel of that volume; its first by default",
+    .hint = "R, G, B or A, or Y for a volume of one channel"};
+
+// Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
+// (E0133), unless that volume has errors of its own.
+const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
+                                          Decoder& decoder);
+
+// Reports a channel that the volume does not have (E0134).
+void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,
+                          const RecipeSoFar& recipe, Decoder& decoder);
+
+// Returns the cloud of the volume, or null if it has errors.
+const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe);
+
+}  // namespace skybake::config
