@@ -213,8 +213,31 @@ RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& lev
 
 namespace {
 
-// Nodes that contribute less than this share of the light from all directions are left out.
+// Points that contribute less than this share of the light from all directions make no nodes.
 constexpr double kLeastShare = 1e-6;
+
+// What the points of a ray scatter to its beginning: [point * layers + layer]. A point below
+// kLeastShare is 0 and its share moved to the point before it, since light that is lost at each of
+// the thousands of scatterings in thick fog would add up to a percent.
+std::vector<Spectrum> shares_of_points(const FanRay& ray, std::size_t layers) {
+    const std::size_t points = ray.points.size();
+    std::vector<Spectrum> shares(points * layers);
+    for (std::size_t k = points; k-- > 0;) {
+        double most = 0;
+        for (std::size_t i = 0; i < layers; ++i) {
+            Spectrum& share = shares[k * layers + i];
+            if (k > 0) share += ray.far[(k - 1) * layers + i];
+            if (k + 1 < points) share += ray.near[k * layers + i];
+            most = std::max(most, largest(share));
+        }
+        if (most > kLeastShare || k == 0) continue;
+        for (std::size_t i = 0; i < layers; ++i) {
+            shares[(k - 1) * layers + i] += shares[k * layers + i];
+            shares[k * layers + i] = Spectrum(0.0);
+        }
+    }
+    return shares;
+}
 
 // Moments up to a degree are told apart by as many azimuths over half a turn, and one more. Where
 // the sun moves over the terminator with the azimuth, twice as many.
@@ -255,15 +278,12 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
             node.turn_sine = distance_km * ray.sine / to_r;
             node.azimuths = azimuth_count(node.turn_sine, dip_sine, degree);
         };
+        const std::vector<Spectrum> shares = shares_of_points(ray, layers);
         for (std::size_t k = 0; k < ray.points.size(); ++k) {
-            std::vector<Spectrum> scattered(layers);
-            double most = 0;
-            for (std::size_t i = 0; i < layers; ++i) {
-                if (k > 0) scattered[i] += ray.far[(k - 1) * layers + i];
-                if (k + 1 < ray.points.size()) scattered[i] += ray.near[k * layers + i];
-                most = std::max(most, largest(scattered[i]));
-            }
-            if (!(most > kLeastShare)) continue;
+            const Spectrum* const scattered = shares.data() + k * layers;
+            const bool is_dark = std::all_of(scattered, scattered + layers,
+                                             [](const Spectrum& of) { return largest(of) == 0; });
+            if (is_dark) continue;
             const FanPoint& point = ray.points[k];
             TransportNode node;
             node.level = point.level;
