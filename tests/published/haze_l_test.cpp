@@ -1,14 +1,20 @@
-// Paths of light against the radiance of Haze L by Garcia & Siewert 1985, which is problem 4a of
-// DISORT: a slab of depth 1 that absorbs nothing, over black ground, under a sun at the zenith of
+// Paths of light and the solver against the radiance of Haze L by Garcia & Siewert 1985, which is
+// problem 4a of DISORT: a slab of depth 1 that absorbs nothing, over black ground, under a sun at the zenith of
 // irradiance pi.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <numbers>
 #include <vector>
 
 #include "bakers/air/particles/tabulated_phase.h"
+#include "bakers/light/higher_orders.h"
+#include "bakers/light/sky_light.h"
+#include "bakers/light/solver/solve_light.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/published/slab.h"
 
@@ -54,14 +60,15 @@ SkyMedium haze_l_slab() {
     return slab;
 }
 
+struct Value {
+    double cosine;
+    double up;    // at the top
+    double down;  // at the bottom
+};
+constexpr Value kValues[] = {
+    {0.1, 0.0926837, 0.156893}, {0.5, 0.0659569, 0.219835}, {1, 0.0364755, 3.37302}};
+
 TEST(HazeL, PathsFindThePublishedRadiance) {
-    struct Value {
-        double cosine;
-        double up;    // at the top
-        double down;  // at the bottom
-    };
-    constexpr Value kValues[] = {
-        {0.1, 0.0926837, 0.156893}, {0.5, 0.0659569, 0.219835}, {1, 0.0364755, 3.37302}};
     const SkyMedium slab = haze_l_slab();
     const PathTracer tracer(slab);
     const SunZenith sun = slab_sun(1);
@@ -81,6 +88,32 @@ TEST(HazeL, PathsFindThePublishedRadiance) {
                 << value.cosine << (is_up ? " up" : " down");
         }
     }
+}
+
+TEST(SlowHazeL, SolverFindsThePublishedRadiance) {
+    const SkyMedium slab = haze_l_slab();
+    SolverSettings settings;
+    settings.degree = 32;
+    settings.degree_of_all_orders = 16;
+    settings.level_scale = 2;
+    settings.tolerance = 1e-5;
+    const SolvedLight solved = solve_light(slab, settings, 2);
+    const SkyLight light(slab, config::SkyOrders::all,
+                         std::make_unique<SolvedOrders>(slab, solved, settings.degree));
+    const SunZenith sun = slab_sun(1);
+    double worst = 0;
+    for (const Value& value : kValues) {
+        for (const bool is_up : {true, false}) {
+            const SlabView view = slab_view(sun, value.cosine, is_up);
+            const SkyRadiance found =
+                light.integrator().radiance(view.altitude_km, sun, view.direction);
+            const double radiance = std::numbers::pi * (found.single[0] + found.multiple[0]);
+            const double error = radiance / (is_up ? value.up : value.down) - 1;
+            fmt::print("{} {}: {:+.2e}\n", value.cosine, is_up ? "up" : "down", error);
+            worst = std::max(worst, std::fabs(error));
+        }
+    }
+    EXPECT_LT(worst, 1e-3);
 }
 
 }  // namespace
