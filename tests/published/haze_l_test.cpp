@@ -95,6 +95,9 @@ TEST(SlowHazeL, SolverFindsThePublishedRadiance) {
     SolverSettings settings;
     settings.degree = 32;
     settings.degree_of_all_orders = 16;
+    settings.suns = 96;
+    settings.zenith_nodes = 32;
+    settings.first_zenith_nodes = 32;
     settings.level_scale = 2;
     settings.tolerance = 1e-5;
     const SolvedLight solved = solve_light(slab, settings, 2);

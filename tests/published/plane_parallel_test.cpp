@@ -134,6 +134,8 @@ struct FinerCase {
     double level_scale = 2;
     int degree = 8;
     int degree_of_all_orders = 8;
+    int suns = 48;
+    int zenith_nodes = 8;
 };
 
 void expect_finer_solver(const FinerCase& of) {
@@ -141,6 +143,9 @@ void expect_finer_solver(const FinerCase& of) {
     SolverSettings settings;
     settings.degree = of.degree;
     settings.degree_of_all_orders = of.degree_of_all_orders;
+    settings.suns = of.suns;
+    settings.zenith_nodes = of.zenith_nodes;
+    settings.first_zenith_nodes = of.zenith_nodes;
     settings.level_scale = of.level_scale;
     settings.sunlight.columns = 1024;
     settings.tolerance = 1e-5;
@@ -173,7 +178,7 @@ TEST(SlowPlaneParallel, FinerSolverInThickAir) {
 TEST(SlowPlaneParallel, FinerSolverInThickestAir) { expect_finer_solver({"1e", 2e-3, 1.2e-2}); }
 
 TEST(SlowPlaneParallel, FinerSolverOfPeakedScattering) {
-    expect_finer_solver({"3a", 1e-3, 1e-3, 2, 24, 16});
+    expect_finer_solver({"3a", 1e-3, 1e-3, 2, 24, 16, 96, 24});
 }
 
 TEST(PlaneParallel, PathsFindTheRadiance) {
