@@ -39,7 +39,7 @@ const AssetKind& kind_of(const Bake& bake) {
 
 const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
 
-int packet_of(const Bake& bake) { return kind_of(bake).packet(bake); }
+int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
 
 namespace {
 
