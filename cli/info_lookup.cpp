@@ -182,7 +182,7 @@ ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, 
     const auto& color = asset.conventions.color;
     if (color && !color->is_applied) {
         text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm,
-                                  config::packet_of(*own) > 0, name);
+                                  config::packet_number(*own) > 0, name);
     }
     text = translated(text, language);
     console.result(json ? event_line({{"event", "lookup"},

@@ -32,7 +32,7 @@ namespace {
 // Calls make(parameters) with those that a bake is made from: a packet has its own wavelengths only.
 template <class Make>
 auto with_own_wavelengths(const Parameters& parameters, const Bake& bake, const Make& make) {
-    const int packet = config::packet_of(bake);
+    const int packet = config::packet_number(bake);
     return packet == 0 ? make(parameters) : make(config::packet_of(parameters, packet));
 }
 
@@ -40,7 +40,7 @@ auto with_own_wavelengths(const Parameters& parameters, const Bake& bake, const 
 template <class Asset>
 std::optional<TracedLight> traced_light(const Baker<Asset>& baker, const Parameters& parameters,
                                         const Bake& bake) {
-    const int packet = config::packet_of(bake);
+    const int packet = config::packet_number(bake);
     if (packet == 0) return baker.traced(parameters, bake.as<Asset>());
     const auto own = std::make_shared<const Parameters>(config::packet_of(parameters, packet));
     std::optional<TracedLight> light = baker.traced(*own, bake.as<Asset>());
@@ -163,7 +163,7 @@ void add_colors(const Parameters& parameters, const Bake& bake, const BakeOption
     const std::shared_ptr<const SkyColors> colors = colors_of(parameters, options);
     if (options.cancelled()) baked.reset();
     if (!colors || !baked) return;
-    const config::PacketRange own = config::packet_range(parameters, config::packet_of(bake));
+    const config::PacketRange own = config::packet_range(parameters, config::packet_number(bake));
     baked->conventions.color = color_convention(
         *parameters.color, std::span(colors->weights).subspan(own.first, own.count),
         use == config::UseOfLight::colors && holds_colors(parameters));

@@ -1,5 +1,6 @@
 #include "bakers/color/color_space.h"
 
+#include <cassert>
 #include <glm/matrix.hpp>
 
 namespace skybake {
@@ -34,9 +35,11 @@ std::string_view to_string(ColorSpace space) {
         case ColorSpace::acescg:
             return "acescg";
         case ColorSpace::xyz:
+            return "xyz";
+        case ColorSpace::none:
             break;
     }
-    return "xyz";
+    return "none";
 }
 
 std::optional<ColorSpace> color_space_named(std::string_view name) {
@@ -57,8 +60,10 @@ Primaries primaries_of(ColorSpace space) {
         case ColorSpace::acescg:  // AP1, S-2014-004
             return {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, kAcesWhite};
         case ColorSpace::xyz:
+        case ColorSpace::none:
             break;
     }
+    assert(space == ColorSpace::xyz);
     return {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}};
 }
 

@@ -25,18 +25,15 @@
 #include <span>
 #include <string_view>
 
+#include "config/sections/color.h"
+
 namespace skybake {
 
-enum class ColorSpace {
-    linear_srgb,  // Rec. 709 primaries, D65
-    display_p3,   // linear
-    rec2020,      // linear
-    acescg,       // AP1, ACES white
-    xyz
-};
+using config::ColorSpace;
 
 enum class White { sun, sun_per_channel, own };
 
+// All but none, which has no primaries.
 std::span<const ColorSpace> all_color_spaces();
 
 // Return the name of a space as recipes and files spell it, "linear_srgb", and the space of a name.

@@ -195,6 +195,9 @@ void store_values(const float* values, std::size_t count, PixelType type, char* 
     if (type == PixelType::half) {
         return halves_of_floats(values, count, reinterpret_cast<std::uint16_t*>(out));
     }
+    if (type == PixelType::unorm8) {
+        return bytes_of_floats(values, count, reinterpret_cast<std::uint8_t*>(out));
+    }
     with_conversion(type, [&]<class Conversion>(Conversion) {
         auto* stored = reinterpret_cast<typename Conversion::Stored*>(out);
         for (std::size_t i = 0; i < count; ++i) stored[i] = Conversion::store(values[i]);

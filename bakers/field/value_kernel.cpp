@@ -36,6 +36,9 @@ constexpr Doubles kDoubles;
 constexpr std::size_t kDoubleLanes = hn::MaxLanes(kDoubles);
 using DoubleVector = hn::Vec<Doubles>;
 
+using AllDoubles = hn::ScalableTag<double>;
+constexpr AllDoubles kAllDoubles;
+
 // Doubles of kDoubleLanes floats.
 HWY_INLINE DoubleVector load_doubles(const float* from) {
     const hn::Rebind<float, Doubles> floats;
@@ -189,6 +192,25 @@ void FloatsOfHalves(const std::uint16_t* halves, std::size_t count, float* out) 
     for (; i < count; ++i) out[i] = float_of_half(halves[i]);
 }
 
+void BytesOfFloats(const float* values, std::size_t count, std::uint8_t* out) {
+    const hn::Rebind<std::int32_t, AllDoubles> wide;
+    const hn::Rebind<std::uint8_t, AllDoubles> bytes;
+    const hn::Rebind<float, AllDoubles> floats;
+    const auto steps = hn::Set(kAllDoubles, 255);
+    const auto half = hn::Set(kAllDoubles, 0.5);
+    constexpr std::size_t kStep = hn::MaxLanes(kAllDoubles);
+    std::size_t i = 0;
+    for (; i + kStep <= count; i += kStep) {
+        const auto value = hn::PromoteTo(kAllDoubles, hn::LoadU(floats, values + i));
+        const auto sum = hn::Add(hn::Mul(value, steps), half);
+        hn::StoreU(hn::DemoteTo(bytes, hn::DemoteTo(wide, sum)), bytes, out + i);
+    }
+    for (; i < count; ++i) {
+        out[i] =
+            static_cast<std::uint8_t>(static_cast<std::int32_t>(double{values[i]} * 255 + 0.5));
+    }
+}
+
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();
@@ -203,6 +225,7 @@ HWY_EXPORT(AddValues);
 HWY_EXPORT(FindBins);
 HWY_EXPORT(HalvesOfFloats);
 HWY_EXPORT(FloatsOfHalves);
+HWY_EXPORT(BytesOfFloats);
 
 bool are_zeros(const float* values, std::size_t count) {
     return HWY_DYNAMIC_DISPATCH(AreZeros)(values, count);
@@ -231,6 +254,10 @@ void halves_of_floats(const float* values, std::size_t count, std::uint16_t* out
 
 void floats_of_halves(const std::uint16_t* halves, std::size_t count, float* out) {
     HWY_DYNAMIC_DISPATCH(FloatsOfHalves)(halves, count, out);
+}
+
+void bytes_of_floats(const float* values, std::size_t count, std::uint8_t* out) {
+    HWY_DYNAMIC_DISPATCH(BytesOfFloats)(values, count, out);
 }
 
 }  // namespace skybake

@@ -45,4 +45,7 @@ void find_bins(const float* values, std::size_t count, const std::array<double, 
 void halves_of_floats(const float* values, std::size_t count, std::uint16_t* out);
 void floats_of_halves(const std::uint16_t* halves, std::size_t count, float* out);
 
+// Writes floor(255 value + 1/2) of values in [0, 1]. The product is exact in double.
+void bytes_of_floats(const float* values, std::size_t count, std::uint8_t* out);
+
 }  // namespace skybake

@@ -39,7 +39,7 @@ const AssetKind& kind_of(const Bake& bake) {
 
 const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake); }
 
-int packet_of(const Bake& bake) { return kind_of(bake).packet(bake); }
+int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
 
 namespace {
 
@@ -380,7 +380,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
     }
     for (OpenBake& bake : open) {
-        resolve_target(bake.section, bake.kind->facts.name, recipe.target, decoder);
+        resolve_target(bake.section, bake.kind->facts.name, recipe, decoder);
         if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
         }

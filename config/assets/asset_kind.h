@@ -68,7 +68,7 @@ const AssetKind& kind_of(const Bake& bake);
 const AssetFiles& files_of(const Bake& bake);
 
 // Returns the packet of wavelengths that a bake holds, or 0 if it holds all.
-int packet_of(const Bake& bake);
+int packet_number(const Bake& bake);
 
 template <class Asset>
 AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,

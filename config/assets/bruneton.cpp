@@ -1,15 +1,12 @@
 #include "config/assets/bruneton.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/bruneton_checks.h"
 #include "config/assets/file_decoder.h"
-#include "config/assets/takram_layers.h"
 #include "config/fields/fields.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -41,6 +38,8 @@ constexpr std::array convention_choices = {
     Choice{BrunetonConvention::takram, "takram",
            "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
            "parameters"},
+    Choice{BrunetonConvention::calcmysky, "calcmysky",
+           "the sun's axis of CalcMySky and Stellarium"},
 };
 
 constexpr std::array bruneton_method_choices = {
@@ -121,7 +120,8 @@ const std::array bruneton_table = {
                    .kind = Kind::number,
                    .range = sun_cosine_range,
                    .documentation = "where the sun's axis begins; by default -0.5 for takram, as "
-                                    "its loader expects, and else cos 102 deg",
+                                    "its loader expects, -R / (2 R_top) for calcmysky, which takes "
+                                    "no other, and else cos 102 deg",
                    .citation = bruneton_2017,
                    .selector = "table",
                    .selected_by = by_nu},
@@ -152,6 +152,24 @@ constexpr double takram_sun_cosine = -0.5;
 // E-490), as takram uses them.
 constexpr std::array takram_solar_irradiance = {1.474, 1.8504, 1.91198};
 
+// CalcMySky's axis begins at the sun whose ray from the ground to the top is as long as R_top. By the
+// law of cosines, R_top^2 = R^2 + D^2 + 2 R D cos, the cosine is -R / (2 R_top).
+double calcmysky_sun_cosine(const Atmosphere& atmosphere) {
+    return -atmosphere.ground_radius.meters / (2 * atmosphere.top_radius.meters);
+}
+
+double default_sun_cosine(BrunetonConvention convention, const Parameters& recipe) {
+    switch (convention) {
+        case BrunetonConvention::takram:
+            return takram_sun_cosine;
+        case BrunetonConvention::calcmysky:
+            return calcmysky_sun_cosine(recipe.atmosphere);
+        case BrunetonConvention::bruneton:
+            break;
+    }
+    return bruneton_sun_cosine;
+}
+
 VoxelCounts default_size(BrunetonTable table) {
     switch (table) {
         case BrunetonTable::transmittance:
@@ -161,24 +179,6 @@ VoxelCounts default_size(BrunetonTable table) {
         default:
             return {256, 128, 32};
     }
-}
-
-void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
-    const DecodedField& decoded = bake.at("nu_size");
-    if (!decoded.value) return;
-    const int nu_size = static_cast<int>(std::get<double>(*decoded.value));
-    if (nu_size >= 2 && size[0] % nu_size == 0 && size[0] / nu_size >= 2) return;
-    report_size(bake,
-                fmt::format("`{}` does not divide {} texels into sub-images: {}",
-                            join_path(bake.path, "nu_size"), size[0], nu_size),
-                "it needs at least two sub-images, each of at least two texels", decoder);
-}
-
-void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
-    if (size[1] % 2 == 0) return;
-    report_size(bake,
-                fmt::format("`{}` has {} texels along v", join_path(bake.path, "size"), size[1]),
-                "give an even number: half of them are for rays to the ground", decoder);
 }
 
 bool is_peaked(const Layer& layer) {
@@ -197,62 +197,6 @@ std::vector<std::string> peaked_layers(const Atmosphere& atmosphere) {
         if (is_peaked(layer) && scatters(layer)) names.push_back(layer.name);
     }
     return names;
-}
-
-// Reports a combined table whose A would be a fifth channel, or the second or third, which no
-// runtime takes for A.
-void check_combined(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
-    const std::size_t channels = channels_of_light(recipe);
-    if (channels == 1 || channels == 3 || channels == 0) return;
-    const DecodedField& combined = bake.at("combined");
-    if (!combined.value || !std::get<bool>(*combined.value)) return;
-    decoder.diagnostics.error(
-        "E0129", combined.source ? combined.source->place : bake.place,
-        fmt::format("`{}` is for one or three channels of light, and this recipe has {}",
-                    join_path(bake.path, "combined"), channels),
-        "give combined = false, and bake table = \"single_mie\" as another asset");
-}
-
-void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
-    const auto problem = takram_problem(recipe.atmosphere, channels_of_light(recipe));
-    if (!problem) return;
-    const DecodedField& convention = bake.at("convention");
-    decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
-                              fmt::format("`{}`: {}", join_path(bake.path, "convention"), *problem),
-                              "convention = \"bruneton\" takes any atmosphere");
-}
-
-// Warns of values other than those that the package's loader takes for granted. The loader would
-// look such a file up wrongly.
-void warn_of_loader(const DecodedSection& bake, BrunetonTable table, Decoder& decoder) {
-    const auto is_number = [&](std::string_view key, double wanted) {
-        const DecodedField& decoded = bake.at(key);
-        return !decoded.value || std::get<double>(*decoded.value) == wanted;
-    };
-    const char* unusual = nullptr;
-    if (std::get<VoxelCounts>(*bake.at("size").value) != default_size(table)) unusual = "size";
-    if (!is_number("nu_size", 8)) unusual = "nu_size";
-    if (!is_number("mips", 1)) unusual = "mips";
-    if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::stack) unusual = "layout";
-    if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
-    if (!std::get<bool>(*bake.at("flip").value)) unusual = "flip";
-    if (!unusual) return;
-    const DecodedField& decoded = bake.at(unusual);
-    decoder.diagnostics.warning(
-        "W0205", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("`{}` is not what @takram/three-atmosphere loads",
-                    join_path(bake.path, unusual)),
-        "it loads the default sizes, half floats and one stack upside down, without mips");
-}
-
-// Reports `orders = 1` for the table of orders above the first, which would have no orders.
-void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
-    const DecodedField& orders = bake.at("orders");
-    if (!orders.value || std::get<double>(*orders.value) != 1) return;
-    decoder.diagnostics.error(
-        "E0110", orders.source->place,
-        fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
-        "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
 
 // The colours of sunlight are 1 already.
@@ -278,8 +222,8 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
     derive(bake.at("size"), default_size(*table));
     derive(bake.at("flip"), *convention == BrunetonConvention::takram);
     if (!is_flat) {
-        derive(bake.at("sun_cos_zenith_min"),
-               *convention == BrunetonConvention::takram ? takram_sun_cosine : bruneton_sun_cosine);
+        derive(bake.at("sun_cos_zenith_min"), default_sun_cosine(*convention, recipe));
+        if (*convention == BrunetonConvention::calcmysky) check_calcmysky(bake, decoder);
         derive(bake.at("mie_layers"), peaked_layers(recipe.atmosphere));
     }
     if (has_light) {
@@ -294,7 +238,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
     if (*table == BrunetonTable::higher_orders) check_higher_orders(bake, decoder);
     if (*convention == BrunetonConvention::takram && decoder.complete) {
         check_takram(bake, recipe, decoder);
-        if (bake.at("size").value) warn_of_loader(bake, *table, decoder);
+        if (bake.at("size").value) warn_of_loader(bake, default_size(*table), decoder);
     }
 }
 

@@ -11,7 +11,7 @@
 namespace skybake::config {
 
 enum class BrunetonTable { transmittance, scattering, single_mie, higher_orders, irradiance };
-enum class BrunetonConvention { bruneton, takram };
+enum class BrunetonConvention { bruneton, takram, calcmysky };
 enum class BrunetonMethod { solved, iterated };
 
 // This is one table of the precomputed scattering of Bruneton & Neyret 2008, in the form that

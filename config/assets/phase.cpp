@@ -27,10 +27,12 @@ constexpr std::array phase_content_choices = {
 
 constexpr std::array spacing_choices = {
     Choice{PhaseSpacing::best, "best",
-           "the most accurate of the three, or the smallest with max_error"},
+           "the most accurate of angle, cosine and peaks, or the smallest with max_error"},
     Choice{PhaseSpacing::angle, "angle", "uniform in the scattering angle"},
     Choice{PhaseSpacing::cosine, "cosine", "uniform in its cosine"},
     Choice{PhaseSpacing::peaks, "peaks", "closer together towards 0 and 180 deg"},
+    Choice{PhaseSpacing::cosine_from_back, "cosine_from_back",
+           "uniform in the cosine, from 180 deg to 0, as Bevy reads it"},
 };
 
 constexpr std::string_view phase[] = {"phase"};

@@ -10,7 +10,7 @@
 namespace skybake::config {
 
 enum class PhaseContent { phase, inverse_cumulative };
-enum class PhaseSpacing { best, angle, cosine, peaks };
+enum class PhaseSpacing { best, angle, cosine, peaks, cosine_from_back };
 
 struct PhaseBake : LightFiles {
     std::string particles;            // NAME of a [particles.NAME]; empty: `layer` is given

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "config/sections/packets.h"
 #include "config/sections/targets.h"
 #include "config/text/key_path.h"
 
@@ -78,8 +79,16 @@ class TargetKeys {
                fmt::format("it loads {}", fmt::join(loaded, ", ")));
     }
 
+    // Whether the key is one of this section, whose other keys decide that.
+    bool is_used(const Field& field) const {
+        if (field.selector.empty()) return true;
+        const DecodedField& selector = bake_.at(field.selector);
+        return selector.value && applies(field, word_of(selector));
+    }
+
     void resolve_key(const TargetKey& key) {
         DecodedField& decoded = bake_.at(key.key);
+        if (!is_used(*decoded.field)) return;
         const bool is_flag = decoded.field->choices.empty();
         if (is_flag) {
             derive(decoded, FieldValue(key.word == "true"));
@@ -118,22 +127,40 @@ std::vector<std::string_view> assets_of(const TargetFacts& target) {
     return assets;
 }
 
+// Whether each file of an asset has so many channels of light, or the wavelengths are not known.
+bool has_channels(const Parameters& recipe, std::size_t wanted) {
+    const std::size_t all = channels_of_light(recipe);
+    if (wanted == 0 || all == 0 || all == wanted) return true;
+    return wanted == wavelengths_per_packet && !holds_colors(recipe) && all % wanted == 0;
+}
+
 }  // namespace
 
-void resolve_target(DecodedSection& bake, std::string_view asset, Target usual, Decoder& decoder) {
+void resolve_target(DecodedSection& bake, std::string_view asset, const Parameters& recipe,
+                    Decoder& decoder) {
     DecodedField& decoded = bake.at("target");
-    if (usual != Target::none) derive(decoded, chosen(*decoded.field, usual));
+    if (recipe.target != Target::none) derive(decoded, chosen(*decoded.field, recipe.target));
     const auto choice = choice_of<Target>(decoded);
     if (!choice) return;
     const TargetFacts& target = facts_of(*choice);
-    if (const TargetUse* use = find_use(target, asset)) {
-        TargetKeys(bake, asset, target, *use, decoder).resolve();
+    const Place& place = decoded.source ? decoded.source->place : bake.place;
+    const TargetUse* use = find_use(target, asset);
+    if (use == nullptr) {
+        decoder.diagnostics.error(
+            "E0160", place,
+            fmt::format("[{}]: {} has no use for the asset {}", bake.path, target.name, asset),
+            fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
         return;
     }
+    TargetKeys(bake, asset, target, *use, decoder).resolve();
+    if (has_channels(recipe, use->light_channels)) return;
     decoder.diagnostics.error(
-        "E0160", decoded.source ? decoded.source->place : bake.place,
-        fmt::format("[{}]: {} has no use for the asset {}", bake.path, target.name, asset),
-        fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
+        "E0160", place,
+        fmt::format("[{}]: {} loads light of {} channels, and this recipe has {}", bake.path,
+                    target.name, use->light_channels, channels_of_light(recipe)),
+        use->light_channels == wavelengths_per_packet
+            ? "give `wavelengths` in multiples of four, and no [color]"
+            : "give three `wavelengths`, or a [color] with a space");
 }
 
 }  // namespace skybake::config

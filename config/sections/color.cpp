@@ -8,6 +8,7 @@ namespace {
 
 constexpr std::array space_choices = {
     Choice{ColorSpace::linear_srgb, "linear_srgb", "primaries of sRGB and Rec. 709, linear"},
+    Choice{ColorSpace::display_p3, "display_p3", "primaries of Display P3, linear"},
     Choice{ColorSpace::rec2020, "rec2020", "primaries of Rec. 2020, linear"},
     Choice{ColorSpace::acescg, "acescg", "primaries AP1 of ACES, linear"},
     Choice{ColorSpace::xyz, "xyz", "the observer's tristimulus values"},

@@ -3,8 +3,15 @@
 
 namespace skybake::config {
 
-// The colour space of tables of light. `none` keeps the wavelengths.
-enum class ColorSpace { linear_srgb, rec2020, acescg, xyz, none };
+// The colour space of tables of light, by its primaries. `none` keeps the wavelengths.
+enum class ColorSpace {
+    linear_srgb,  // Rec. 709 primaries, D65
+    display_p3,   // linear
+    rec2020,      // linear
+    acescg,       // AP1, ACES white
+    xyz,
+    none
+};
 
 enum class Observer { cie_1931 };
 

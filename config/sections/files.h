@@ -17,7 +17,7 @@ namespace skybake::config {
 enum class PixelType { float32, half, unorm8, unorm16, bc4, bc6h, fp8, fp16, bc5 };
 enum class Compression { none, zip, zips, piz };
 
-enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda };
+enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda, tif, f32 };
 enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 enum class Ktx2Compression { none, zstd };
@@ -36,6 +36,8 @@ enum class Target {
     omniverse,
     mitsuba,
     pbrt,
+    cosmoscout,
+    stellarium,
     none,
 };
 
@@ -152,6 +154,14 @@ inline constexpr std::array file_formats = {
                 .pixel_types = all_types,
                 .only_volumes = true,
                 .only_refers = true},
+    FormatFacts{.format = FileFormat::tif,
+                .name = "tif",
+                .description = "TIFF without compression, a page per slice; float",
+                .pixel_types = PixelTypes(PixelType::float32)},
+    FormatFacts{.format = FileFormat::f32,
+                .name = "f32",
+                .description = "texture of CalcMySky and Stellarium, four floats per texel",
+                .pixel_types = PixelTypes(PixelType::float32)},
 };
 
 constexpr const FormatFacts& facts_of(FileFormat format) {

@@ -18,6 +18,7 @@ constexpr PixelTypes filtered_types(PixelType::half, PixelType::float32, PixelTy
 constexpr PixelTypes volume_types(PixelType::half, PixelType::unorm8, PixelType::bc4);
 constexpr PixelTypes only_half(PixelType::half);
 constexpr PixelTypes only_unorm8(PixelType::unorm8);
+constexpr PixelTypes only_float32(PixelType::float32);
 
 // Rows of keys ask for this before the variables of this file would have their values.
 std::vector<TargetFacts> make_targets() {
@@ -32,9 +33,8 @@ std::vector<TargetFacts> make_targets() {
     const Words occupancies = {"occupancy"};
     const Words sky = all_of({tables, textures});
     const Words most = all_of({tables, textures, clouds, occupancies});
-    // Bevy's materials take phase functions whose texels run from backward to forward.
-    Words loaded_as_they_are = most;
-    std::erase(loaded_as_they_are, "phase");
+    Words all_but_phase = most;
+    std::erase(all_but_phase, "phase");
     return {
         {Target::three,
          "three",
@@ -113,12 +113,22 @@ std::vector<TargetFacts> make_targets() {
         {Target::bevy,
          "bevy",
          "Bevy: KTX2 textures, with Rust modules that load them",
-         {{.assets = loaded_as_they_are,
+         {{.assets = all_but_phase,
            .formats = {FileFormat::ktx2},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.bevy.rs"},
-           .keys = {{"ktx2_compression", "none", false}}}}},
+           .keys = {{"ktx2_compression", "none", false}}},
+          // Bevy reads the texels of phase functions itself, and only those of this type.
+          {.assets = {"phase"},
+           .formats = {FileFormat::ktx2},
+           .pixel_types = only_float32,
+           .pixel_type = PixelType::float32,
+           .sidecars = {"*.bevy.rs"},
+           .keys = {{"content", "phase"},
+                    {"spacing", "cosine_from_back"},
+                    {"ktx2_compression", "none", false}},
+           .light_channels = 3}}},
         {Target::blender,
          "blender",
          "Blender: VDB volumes and EXR environments, with scripts that build volumes and worlds",
@@ -174,6 +184,33 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::nvdb},
            .pixel_types = floating_types,
            .sidecars = {"*.pbrt"}}}},
+        {Target::cosmoscout,
+         "cosmoscout",
+         "CosmoScout VR: TIFF textures for Bruneton's model of csp-atmospheres, with its metadata",
+         {{.assets = {"bruneton"},
+           .formats = {FileFormat::tif},
+           .pixel_types = only_float32,
+           .pixel_type = PixelType::float32,
+           .sidecars = {"*.cosmoscout.json"},
+           .keys = {{"convention", "bruneton"}, {"combined", "false"}},
+           .light_channels = 3},
+          {.assets = {"phase"},
+           .formats = {FileFormat::tif},
+           .pixel_types = only_float32,
+           .pixel_type = PixelType::float32,
+           .sidecars = {"*.cosmoscout.json"},
+           .keys = {{"content", "phase"}, {"spacing", "angle"}},
+           .light_channels = 3}}},
+        {Target::stellarium,
+         "stellarium",
+         "Stellarium: textures of CalcMySky, with scripts that put them into its folder",
+         {{.assets = {"bruneton"},
+           .formats = {FileFormat::f32},
+           .pixel_types = only_float32,
+           .pixel_type = PixelType::float32,
+           .sidecars = {"*.stellarium.py"},
+           .keys = {{"convention", "calcmysky"}, {"combined", "false"}},
+           .light_channels = 4}}},
     };
 }
 

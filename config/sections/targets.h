@@ -32,6 +32,7 @@ struct TargetUse {
     std::vector<std::string_view> sidecars = {};  // "*.three.js" is NAME.three.js
     std::size_t written = 1;  // how many of the formats, the first ones, are written by default
     std::vector<TargetKey> keys = {};
+    std::size_t light_channels = 0;  // that light has in each file; 0: any number
 };
 
 struct TargetFacts {

@@ -10,6 +10,7 @@ vec2 half_angle(vec3 a, vec3 b) { return 0.5 * vec2(length(a - b), length(a + b)
 // in the manifest.
 float phase_by_angle(vec2 t) { return atan(t.x, t.y) * 0.636619772; }               // 2 / pi
 float phase_by_cosine(vec2 t) { return t.x * t.x; }
+float phase_by_cosine_from_back(vec2 t) { return t.y * t.y; }
 float phase_by_peaks(vec2 t) {                                                      // 2^(-3/4)
     return t.x < t.y ? 0.594603558 * sqrt(t.x) : 1.0 - 0.594603558 * sqrt(t.y);
 }

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "config/assets/asset_kind.h"
+#include "config/assets/bruneton.h"
 #include "config/sections/targets.h"
 #include "tests/config/recipes.h"
 
@@ -46,6 +49,7 @@ TEST(Targets, LoadEveryAssetOrSayThatTheyDoNot) {
         for (const AssetKind* kind : asset_kinds()) {
             const auto recipe = parse(recipe_of(kind->facts.name, target_key(target)));
             const TargetUse* use = find_use(target, kind->facts.name);
+            if (use && use->light_channels > 3) use = nullptr;  // the preset has three
             Codes errors;
             for (const Diagnostic& diagnostic : recipe.diagnostics) {
                 if (diagnostic.severity == Severity::error) errors.push_back(diagnostic.code);
@@ -71,6 +75,55 @@ TEST(Targets, NameOnlyAssetsThatThereAre) {
             }
         }
     }
+}
+
+// The page has a row for what each target writes and one for how that is known.
+TEST(Targets, AreAllOnTheirPage) {
+    std::ifstream file(SKYBAKE_EXAMPLES "/targets.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    for (const TargetFacts& target : targets()) {
+        const std::string word = "`" + std::string(target.name) + "`";
+        std::size_t rows = 0;
+        for (std::size_t at = page.find('\n'); at != page.npos; at = page.find('\n', at + 1)) {
+            const std::string line = page.substr(at + 1, page.find('\n', at + 1) - at - 1);
+            rows += line.starts_with("| ") && line.find(word) != line.npos ? 1 : 0;
+        }
+        EXPECT_GE(rows, 3U) << target.name << ": its files, its proof and its runtime";
+    }
+}
+
+// Light of other wavelengths than the program's textures hold is an error, with a way out.
+TEST(Targets, RefuseLightOfOtherChannels) {
+    const auto errors = [](const std::string& head, const std::string& keys) {
+        return parse(head + "[bake.a]\nasset = 'bruneton'\n" + keys).diagnostics;
+    };
+    const std::string four = "preset = 'earth'\nwavelengths = 'best 4'\n[color]\nspace = 'none'\n";
+    const std::string three = "preset = 'earth_hillaire'\n";
+    EXPECT_EQ(codes_and_places(errors(three, "target = 'cosmoscout'\n")), Codes{});
+    EXPECT_EQ(codes_and_places(errors(four, "target = 'stellarium'\n")), Codes{});
+    const auto many = errors(four, "target = 'cosmoscout'\n");
+    ASSERT_EQ(codes_and_places(many), (Codes{"E0160 7:10"}));
+    EXPECT_EQ(many[0].message,
+              "[bake.a]: cosmoscout loads light of 3 channels, and this recipe has 4");
+    const auto few = errors(three, "target = 'stellarium'\n");
+    ASSERT_EQ(codes_and_places(few), (Codes{"E0160 4:10"}));
+    EXPECT_EQ(few[0].label, "give `wavelengths` in multiples of four, and no [color]");
+    const auto combined = errors(three, "target = 'cosmoscout'\ncombined = true\n");
+    ASSERT_EQ(codes_and_places(combined), (Codes{"E0160 5:12"}));
+}
+
+// CalcMySky's axis of the sun follows from the planet.
+TEST(Targets, StellariumHasTheSunsAxisOfCalcMySky) {
+    const std::string head =
+        "preset = 'earth'\nwavelengths = 'best 8'\ntarget = 'stellarium'\n[color]\nspace = 'none'\n"
+        "[bake.a]\nasset = 'bruneton'\n";
+    const Recipe recipe = valid(head);
+    ASSERT_EQ(recipe.parameters.bakes.size(), 2U) << "packets of four";
+    const auto& bake = recipe.parameters.bakes[1].as<BrunetonBake>();
+    EXPECT_NEAR(bake.sun_cos_zenith_min, -6371.0 / (2 * 6471), 1e-12);
+    EXPECT_EQ(bake.formats, std::vector{FileFormat::f32});
+    EXPECT_EQ(codes_and_places(parse(head + "sun_cos_zenith_min = -0.2\n").diagnostics),
+              (Codes{"E0110 8:22"}));
 }
 
 TEST(Targets, StandForAllSectionsThatNameNone) {

@@ -138,8 +138,8 @@ TEST(Packets, HaveTheAirOfTheirOwnWavelengths) {
     const Recipe recipe = valid("wavelengths = '500 nm..550 nm by 10 nm'\n" + air + matrix);
     ASSERT_EQ(names_of(recipe), (Names{"transmittance_1", "transmittance_2"}));
     const Bake& bake = recipe.parameters.bakes[1];
-    EXPECT_EQ(packet_of(bake), 2);
-    const Parameters own = packet_of(recipe.parameters, packet_of(bake));
+    EXPECT_EQ(packet_number(bake), 2);
+    const Parameters own = packet_of(recipe.parameters, packet_number(bake));
     ASSERT_EQ(own.wavelengths.size(), 2u);
     EXPECT_NEAR(own.wavelengths[0].meters, 540e-9, 1e-18);
     EXPECT_EQ(own.atmosphere.ground_albedo, (std::vector<double>{0.5, 0.6}));
@@ -153,7 +153,7 @@ TEST(Packets, AreAskedForByTheirNumber) {
     };
     const Recipe recipe = valid(bakes(matrix + "packet = 3\n"));
     ASSERT_EQ(names_of(recipe), Names{"transmittance"});
-    EXPECT_EQ(packet_of(recipe.parameters.bakes[0]), 3);
+    EXPECT_EQ(packet_number(recipe.parameters.bakes[0]), 3);
     EXPECT_EQ(faults(bakes(matrix + "packet = 5\n")), Codes{"E0147 10:10"});
     EXPECT_EQ(faults(bakes(matrix + "packet = 0\n")), Codes{"E0110 10:10"});
     EXPECT_EQ(faults(bakes(sky + "packet = 1\n")), Codes{"E0147 11:10"});

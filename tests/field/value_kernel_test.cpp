@@ -71,6 +71,27 @@ TEST(ValueKernel, ConvertsToHalvesAndBackAsImath) {
     });
 }
 
+// Floats next to the bounds between bytes, small ones, and the ends, in arrays of each length.
+TEST(ValueKernel, RoundsToTheNearestByte) {
+    std::vector<float> values = {0, 1, 1e-40f, 0x1p-30f, 0.5f};
+    for (int byte = 0; byte < 255; ++byte) {
+        float value = static_cast<float>((byte + 0.5) / 255);
+        for (int i = 0; i < 4; ++i) value = std::nextafter(value, 0.0f);
+        for (int i = 0; i < 8; ++i) values.push_back(value = std::nextafter(value, 1.0f));
+    }
+    for_each_target([&] {
+        for (std::size_t count = 1; count <= values.size(); count += count < 80 ? 1 : 331) {
+            std::vector<std::uint8_t> bytes(count + 1, 7);
+            bytes_of_floats(values.data(), count, bytes.data());
+            for (std::size_t i = 0; i < count; ++i) {
+                const long double wanted = std::floor(255.0L * values[i] + 0.5L);
+                ASSERT_EQ(bytes[i], static_cast<int>(wanted)) << values[i];
+            }
+            ASSERT_EQ(bytes[count], 7) << "beyond the end";
+        }
+    });
+}
+
 // One value among zeros, at each place of arrays of each length, is seen.
 TEST(ValueKernel, SeesEachValue) {
     for_each_target([&] {

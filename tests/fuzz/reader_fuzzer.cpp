@@ -98,7 +98,9 @@ const std::vector<Sample>& samples() {
         sample_of(FileFormat::vol, PixelType::half, 3, 1, false),
         sample_of(FileFormat::npy, PixelType::unorm16, 4, 1, false),
         sample_of(FileFormat::tga, PixelType::unorm8, 4, 1, false),
-        sample_of(FileFormat::tga, PixelType::unorm8, 1, 1, false)};
+        sample_of(FileFormat::tga, PixelType::unorm8, 1, 1, false),
+        sample_of(FileFormat::tif, PixelType::float32, 3, 1, false),
+        sample_of(FileFormat::f32, PixelType::float32, 3, 1, false)};
     return all;
 }
 

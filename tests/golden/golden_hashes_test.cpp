@@ -92,9 +92,10 @@ std::string hash_of_png(const fs::path& path, const ManifestAsset& asset,
     return hasher.hex();
 }
 
-// Levels, as the texture has them: zstd's bytes are those of the system's library.
-std::string hash_of_ktx2(const fs::path& path, const ManifestAsset& asset,
-                         const ManifestFile& file) {
+// Levels, as the file has them: zstd's bytes are those of the system's library, and TIFF files say of
+// themselves which release wrote them.
+std::string hash_of_levels(const fs::path& path, const ManifestAsset& asset,
+                           const ManifestFile& file) {
     Hasher hasher;
     for (int level = 0; level < file.levels; ++level) {
         hasher.update(fmt::format("{}\n", level));
@@ -115,8 +116,8 @@ std::string hash_of_stored(const fs::path& folder, const ManifestAsset& asset,
     const std::string& format = file.format;
     if (format == "vdb" || format == "nvdb") return hash_of_vdb(path, asset, file);
     if (format == "png" || format == "tga") return hash_of_png(path, asset, file);
-    if (format == "ktx2") return hash_of_ktx2(path, asset, file);
-    const std::set<std::string> bare = {"bin", "dds", "json", "npy", "usda", "vol"};
+    if (format == "ktx2" || format == "tif") return hash_of_levels(path, asset, file);
+    const std::set<std::string> bare = {"bin", "dds", "f32", "json", "npy", "usda", "vol"};
     EXPECT_TRUE(bare.contains(format)) << format;
     return xxh3_hex(read_bytes(path));
 }

@@ -54,15 +54,18 @@ struct PhaseTrial {
           texture(texture_of(baked.asset())) {}
 
     std::string name() const {
-        return spacing == PhaseSpacing::angle    ? "angle"
-               : spacing == PhaseSpacing::cosine ? "cosine"
-                                                 : "peaks";
+        return spacing == PhaseSpacing::angle              ? "angle"
+               : spacing == PhaseSpacing::cosine           ? "cosine"
+               : spacing == PhaseSpacing::cosine_from_back ? "cosine_from_back"
+                                                           : "peaks";
     }
     vec3 in_float(const Pair& pair) const {
         const gpu::vec2 t = gpu::phase_lookups::half_angle(pair.a, pair.b);
-        const float x = spacing == PhaseSpacing::angle    ? gpu::phase_lookups::phase_by_angle(t)
-                        : spacing == PhaseSpacing::cosine ? gpu::phase_lookups::phase_by_cosine(t)
-                                                          : gpu::phase_lookups::phase_by_peaks(t);
+        using namespace gpu::phase_lookups;
+        const float x = spacing == PhaseSpacing::angle              ? phase_by_angle(t)
+                        : spacing == PhaseSpacing::cosine           ? phase_by_cosine(t)
+                        : spacing == PhaseSpacing::cosine_from_back ? phase_by_cosine_from_back(t)
+                                                                    : phase_by_peaks(t);
         return gpu::phase_lookups::phase_function({texture}, x);
     }
     template <class Lookup>
@@ -89,7 +92,8 @@ struct PhaseTrial {
 
 TEST(PhaseLookup, FloatLosesLittle) {
     for (const PhaseSpacing spacing :
-         {PhaseSpacing::angle, PhaseSpacing::cosine, PhaseSpacing::peaks}) {
+         {PhaseSpacing::angle, PhaseSpacing::cosine, PhaseSpacing::peaks,
+          PhaseSpacing::cosine_from_back}) {
         const PhaseTrial trial(spacing);
         SCOPED_TRACE(trial.name());
         EXPECT_EQ(trial.baked.asset().mapping, trial.name());

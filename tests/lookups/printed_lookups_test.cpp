@@ -393,6 +393,11 @@ TEST(PrintedLookups, Phase) {
         const auto [a, b] = pair_of(at);
         return SKYBAKE_CALL(phase_by_cosine_exr, baked_phase_by_cosine, table, a, b);
     });
+    BakedFile("phase_by_cosine_from_back.exr").holds([](const Texture& table, const Probe& at) {
+        const auto [a, b] = pair_of(at);
+        return SKYBAKE_CALL(phase_by_cosine_from_back_exr, baked_phase_by_cosine_from_back, table,
+                            a, b);
+    });
     BakedFile("phase_by_peaks.exr").holds([](const Texture& table, const Probe& at) {
         const auto [a, b] = pair_of(at);
         return SKYBAKE_CALL(phase_by_peaks_exr, baked_phase_by_peaks, table, a, b);

@@ -23,7 +23,7 @@ namespace {
 using config::PhaseSpacing;
 
 constexpr PhaseSpacing kSpacings[] = {PhaseSpacing::angle, PhaseSpacing::cosine,
-                                      PhaseSpacing::peaks};
+                                      PhaseSpacing::peaks, PhaseSpacing::cosine_from_back};
 
 const std::string kParticles =
     "preset = 'earth_hillaire'\n[particles.fog]\npreset = 'fog'\n[particles.haze]\npreset = "
@@ -88,6 +88,18 @@ TEST(PhaseTable, ErrorBoundsChooseSizeAndSpacing) {
         const int width = other.value ? other.value->image().width : 16384;
         EXPECT_GT(width, coarse.image().width) << spacing;
     }
+}
+
+// Bevy's first texel is backward scattering, and its last forward scattering.
+TEST(PhaseTable, FromTheBackIsTheCosineReversed) {
+    const Baked forth = bake("particles = 'haze'\nspacing = 'cosine'\nsize = 64\n");
+    const Baked back = bake("particles = 'haze'\nspacing = 'cosine_from_back'\nsize = 64\n");
+    EXPECT_EQ(back.mapping, "cosine_from_back");
+    for (int i = 0; i < 64; ++i) {
+        const double x = i / 63.0;
+        EXPECT_NEAR(lookup(back, x, 1) / lookup(forth, 1 - x, 1), 1, 1e-6) << i;
+    }
+    EXPECT_GT(lookup(back, 1, 1), 10 * lookup(back, 0, 1));
 }
 
 TEST(PhaseTable, FogHasItsBowAndGlory) {

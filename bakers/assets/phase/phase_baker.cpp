@@ -35,6 +35,9 @@ double share_of_table(const std::string& spacing, double at) {
     const ScatteringAngle angle = {2 * half_sine * half_sine, 2 * half_cosine * half_cosine};
     if (spacing == "angle") return at / 180;
     if (spacing == "cosine") return phase_coordinate(config::PhaseSpacing::cosine, angle);
+    if (spacing == "cosine_from_back") {
+        return phase_coordinate(config::PhaseSpacing::cosine_from_back, angle);
+    }
     if (spacing == "peaks") return phase_coordinate(config::PhaseSpacing::peaks, angle);
     return at;  // a share of the light
 }

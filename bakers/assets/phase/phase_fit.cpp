@@ -191,6 +191,7 @@ ScatteringAngle scattering_angle(PhaseSpacing spacing, double x) {
         return {2 * sine * sine, 2 * cosine * cosine};
     }
     if (spacing == PhaseSpacing::cosine) return {2 * x, 2 * (1 - x)};
+    if (spacing == PhaseSpacing::cosine_from_back) return {2 * (1 - x), 2 * x};
     const double w = x <= 0.5 ? 2 * x : 2 * (1 - x);
     const double from_pole = w * w * w * w;
     return x <= 0.5 ? ScatteringAngle{from_pole, 2 - from_pole}
@@ -200,6 +201,7 @@ ScatteringAngle scattering_angle(PhaseSpacing spacing, double x) {
 double phase_coordinate(PhaseSpacing spacing, const ScatteringAngle& angle) {
     if (spacing == PhaseSpacing::angle) return radians(angle) / std::numbers::pi;
     if (spacing == PhaseSpacing::cosine) return 0.5 * angle.one_minus;
+    if (spacing == PhaseSpacing::cosine_from_back) return 0.5 * angle.one_plus;
     return angle.one_minus <= angle.one_plus ? 0.5 * fourth_root(angle.one_minus)
                                              : 1 - 0.5 * fourth_root(angle.one_plus);
 }

@@ -38,11 +38,29 @@ std::string_view spacing_name(PhaseSpacing spacing) {
             return "angle";
         case PhaseSpacing::cosine:
             return "cosine";
+        case PhaseSpacing::cosine_from_back:
+            return "cosine_from_back";
         case PhaseSpacing::peaks:
         case PhaseSpacing::best:
             break;
     }
     return "peaks";
+}
+
+std::string_view formula_of(PhaseSpacing spacing) {
+    switch (spacing) {
+        case PhaseSpacing::angle:
+            return "x = theta / pi";
+        case PhaseSpacing::cosine:
+            return "x = (1 - cos theta) / 2";
+        case PhaseSpacing::cosine_from_back:
+            return "x = (1 + cos theta) / 2";
+        case PhaseSpacing::peaks:
+        case PhaseSpacing::best:
+            break;
+    }
+    return "x = 2^(-3/4) sqrt(sin(theta / 2)) up to 90 deg, 1 - 2^(-3/4) sqrt(cos(theta / 2)) "
+           "beyond";
 }
 
 TableModel flat_model(std::size_t channels) {
@@ -101,12 +119,8 @@ void describe(const PhaseBake& bake, const PhaseSource& source, PhaseSpacing spa
         table.content = fmt::format(
             "phase function (1/sr) of {}: its integral over directions is 1", source.text);
         table.mapping = spacing_name(spacing);
-        const std::string_view formula = spacing == PhaseSpacing::angle ? "x = theta / pi"
-                                         : spacing == PhaseSpacing::cosine
-                                             ? "x = (1 - cos theta) / 2"
-                                             : "x = 2^(-3/4) sqrt(sin(theta / 2)) up to 90 deg, 1 "
-                                               "- 2^(-3/4) sqrt(cos(theta / 2)) beyond";
-        table.axes[0] = {"scattering_angle_deg", std::string(formula), convention, 0, 180};
+        table.axes[0] = {"scattering_angle_deg", std::string(formula_of(spacing)), convention, 0,
+                         180};
         table.certificate.scale = "relative";
     }
     table.axes[1] = {"none", "one row", convention, 0, 0};

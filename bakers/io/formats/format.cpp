@@ -9,11 +9,13 @@
 #include "bakers/io/formats/bin/bin.h"
 #include "bakers/io/formats/dds/dds.h"
 #include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/f32/f32.h"
 #include "bakers/io/formats/ktx2/ktx2.h"
 #include "bakers/io/formats/npy/npy.h"
 #include "bakers/io/formats/nvdb/nvdb_file.h"
 #include "bakers/io/formats/png/png_file.h"
 #include "bakers/io/formats/tga/tga.h"
+#include "bakers/io/formats/tif/tif.h"
 #include "bakers/io/formats/usda/usda.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vol/vol.h"
@@ -25,7 +27,8 @@ namespace skybake {
 std::span<const Format> formats() {
     static const std::array all = {exr_format(), vdb_format(),  bin_format(),  png_format(),
                                    dds_format(), ktx2_format(), nvdb_format(), vol_format(),
-                                   npy_format(), tga_format(),  usda_format()};
+                                   npy_format(), tga_format(),  usda_format(), tif_format(),
+                                   f32_format()};
     return all;
 }
 
@@ -54,20 +57,44 @@ config::Diagnostic contradiction(const std::filesystem::path& path, const std::s
 namespace {
 
 struct Slot {
-    AlignedFloats values;  // channel after channel
-    std::string bytes;     // channels interleaved
+    AlignedFloats values;  // of one part, channel after channel
+    std::string bytes;     // of a box, channels interleaved
 };
+
+// The floats of a part of a box. They stay in a processor's cache until they are converted.
+constexpr std::int64_t floats_per_part = 1 << 17;
+
+// Calls `work` with the parts of a box, which are rows of one slice, in the order of voxels.
+template <class Work>
+void for_each_part(const VoxelBox& box, std::size_t channels, const Work& work) {
+    const std::int64_t row = box.size[0] * static_cast<std::int64_t>(channels);
+    const auto rows =
+        static_cast<int>(std::clamp<std::int64_t>(floats_per_part / row, 1, box.size[1]));
+    for (int z = 0; z < box.size[2]; ++z) {
+        for (int y = 0; y < box.size[1]; y += rows) {
+            work(VoxelBox{{box.origin[0], box.origin[1] + y, box.origin[2] + z},
+                          {box.size[0], std::min(rows, box.size[1] - y), 1}});
+        }
+    }
+}
 
 void make(const Level& level, std::size_t channels, std::size_t stored_channels,
           config::PixelType type, const VoxelBox& box, Slot& slot) {
-    const auto count = static_cast<std::size_t>(box.count());
-    slot.values.resize(count * stored_channels);
-    std::vector<float*> planes;
-    for (std::size_t c = 0; c < stored_channels; ++c) planes.push_back(&slot.values[c * count]);
-    level.voxels->fill(box, {planes.begin(), planes.begin() + static_cast<long>(channels)});
-    for (std::size_t c = channels; c < stored_channels; ++c) std::fill_n(planes[c], count, 1.0F);
-    slot.bytes.resize(count * stored_channels * static_cast<std::size_t>(bytes_per_value(type)));
-    store_voxels({planes.begin(), planes.end()}, count, type, slot.bytes.data());
+    const std::size_t texel = stored_channels * static_cast<std::size_t>(bytes_per_value(type));
+    slot.bytes.resize(static_cast<std::size_t>(box.count()) * texel);
+    char* to = slot.bytes.data();
+    for_each_part(box, stored_channels, [&](const VoxelBox& part) {
+        const auto count = static_cast<std::size_t>(part.count());
+        slot.values.resize(count * stored_channels);
+        std::vector<float*> planes;
+        for (std::size_t c = 0; c < stored_channels; ++c) planes.push_back(&slot.values[c * count]);
+        level.voxels->fill(part, {planes.begin(), planes.begin() + static_cast<long>(channels)});
+        for (std::size_t c = channels; c < stored_channels; ++c) {
+            std::fill_n(planes[c], count, 1.0F);
+        }
+        store_voxels({planes.begin(), planes.end()}, count, type, to);
+        to += count * texel;
+    });
 }
 
 // Drops the stored channels that nobody asked for.

@@ -22,6 +22,11 @@ $if FILTER=nearest$            min_filter: ImageFilterMode::Nearest,
         });
     })
 }
+$if KIND=phase$
+$if KIND=phase$/// The phase function for a `ScatteringTerm` of Bevy 0.19 or later.
+$if KIND=phase$pub fn phase(assets: &AssetServer) -> bevy::light::atmosphere::PhaseFunction {
+$if KIND=phase$    bevy::light::atmosphere::PhaseFunction::from_chromatic_texture(load(assets))
+$if KIND=phase$}
 $if KIND=cloud_volume$
 $if KIND=cloud_volume$/// The cloud as fog, in metres, with its place: Bevy's y points up, the file's z does.
 $if KIND=cloud_volume$pub fn fog(assets: &AssetServer) -> (bevy::light::FogVolume, Transform) {

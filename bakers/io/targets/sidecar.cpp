@@ -1,12 +1,15 @@
 #include "bakers/io/targets/sidecar.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cassert>
 #include <map>
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/math/transcendental.h"
 #include "config/sections/targets.h"
 
 namespace skybake {
@@ -46,6 +49,18 @@ void add_lookup(const Baked& baked, Values& values) {
     values["FILTER"] = baked.levels.front().nearest ? "nearest" : "linear";
 }
 
+// What Bruneton's tables say of the sun. An asset without it has 0 and no numbers.
+void add_sun(const Baked& baked, Values& values) {
+    const auto number = [&](const std::string& name) {
+        const auto fact = std::find_if(baked.details.begin(), baked.details.end(),
+                                       [&](const auto& entry) { return entry.first == name; });
+        return fact == baked.details.end() ? 0 : std::get<double>(fact->second);
+    };
+    values["NU_SIZE"] = fmt::format("{}", number("nu_size"));
+    values["SUN_ANGLE"] = fmt::format("{}", arc_cosine(number("sun_cos_zenith_min")));
+    values["SOLAR"] = fmt::format("{}", fmt::join(baked.conventions.solar_irradiance, ", "));
+}
+
 // Returns what the texts may name.
 Values values_of(const Baked& baked, const ManifestAsset& asset) {
     const std::array<int, 3>& size = baked.levels.front().size;
@@ -56,6 +71,7 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
         {"FILE", asset.files.front().path},
         {"FORMAT", asset.files.front().format},
         {"KIND", baked.kind},
+        {"MAPPING", baked.mapping},
         {"TYPE", std::string(to_string(baked.pixel_type))},
         {"DIM", baked.is_table() ? "2" : "3"},
         {"FLAT", size[2] == 1 ? "yes" : "no"},
@@ -68,6 +84,7 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
         {"EXTINCTION", extinction.empty() ? "1" : extinction},
     };
     add_lookup(baked, values);
+    add_sun(baked, values);
     add_place(baked, values);
     return values;
 }

@@ -35,12 +35,16 @@ struct BakedLight {
     PreviewAssets assets;
 };
 
-bool read_air(const PreviewAssets& assets) {
-    constexpr std::array without_air = {"cloud_volume", "noise_volume", "occupancy", "phase"};
-    return std::any_of(assets.assets.begin(), assets.assets.end(), [&](const PreviewAsset& asset) {
-        return std::find(without_air.begin(), without_air.end(), asset.entry.kind) ==
-               without_air.end();
+bool needs_air(std::string_view kind) {
+    const auto kinds = config::asset_kinds();
+    return std::any_of(kinds.begin(), kinds.end(), [kind](const config::AssetKind* row) {
+        return row->facts.name == kind && row->facts.needs_atmosphere;
     });
+}
+
+bool read_air(const PreviewAssets& assets) {
+    return std::any_of(assets.assets.begin(), assets.assets.end(),
+                       [](const PreviewAsset& asset) { return needs_air(asset.entry.kind); });
 }
 
 bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {

@@ -195,29 +195,56 @@ struct CodedLeaves {
     }
 };
 
+// Leaves of a node along an axis.
+constexpr int leaves_along = nvdb_lower_edge / nvdb_leaf_edge;
+
+// Makes the leaves in a part of a node's box, which begins with the node's leaves of number `column`
+// along x. Parts follow each other along x, which is the order of leaves.
 template <class Leaves>
-void make_leaves(const Baked& volume, const VoxelBox& box, Leaves maker, NvdbSlot& slot) {
+void make_leaves(const Baked& volume, const VoxelBox& part, int column, Leaves& maker,
+                 NvdbSlot& slot) {
     using Leaf = typename Leaves::Leaf;
-    constexpr int edge = nvdb_lower_edge / nvdb_leaf_edge;
-    slot.memory.resize(std::size_t{edge} * edge * edge * sizeof(Leaf) / sizeof(NvdbUnit));
     LeafBlock block;
-    for (std::uint32_t child = 0; child < std::uint32_t{edge} * edge * edge; ++child) {
-        const auto place = static_cast<int>(child);
-        const std::array<int, 3> at = {place / (edge * edge) * nvdb_leaf_edge,
-                                       place / edge % edge * nvdb_leaf_edge,
-                                       place % edge * nvdb_leaf_edge};
-        if (at[0] >= box.size[0] || at[1] >= box.size[1] || at[2] >= box.size[2]) continue;
-        Leaf& leaf = reinterpret_cast<Leaf*>(slot.memory.data())[slot.node.leaves];
-        block.values = maker.values(leaf);
-        gather_leaf(box, slot.values.data(), at, block);
-        if (!maker.code(block, volume.sparse)) continue;
-        const NvdbActive active = leaf_summary(
-            block, {box.origin[0] + at[0], box.origin[1] + at[1], box.origin[2] + at[2]});
-        store_leaf_head(block, active, leaf);
-        maker.store(block, active, leaf);
-        slot.node.children[child / 64] |= 1ULL << child % 64;
-        slot.node.active.add(active);
-        ++slot.node.leaves;
+    std::array<int, 3> at{};
+    for (at[0] = 0; at[0] < part.size[0]; at[0] += nvdb_leaf_edge, ++column) {
+        for (int y = 0; (at[1] = y * nvdb_leaf_edge) < part.size[1]; ++y) {
+            for (int z = 0; (at[2] = z * nvdb_leaf_edge) < part.size[2]; ++z) {
+                Leaf& leaf = reinterpret_cast<Leaf*>(slot.memory.data())[slot.node.leaves];
+                block.values = maker.values(leaf);
+                gather_leaf(part, slot.values.data(), at, block);
+                if (!maker.code(block, volume.sparse)) continue;
+                const NvdbActive active = leaf_summary(
+                    block,
+                    {part.origin[0] + at[0], part.origin[1] + at[1], part.origin[2] + at[2]});
+                store_leaf_head(block, active, leaf);
+                maker.store(block, active, leaf);
+                const int child = (column * leaves_along + y) * leaves_along + z;
+                slot.node.children[static_cast<std::size_t>(child / 64)] |= 1ULL << child % 64;
+                slot.node.active.add(active);
+                ++slot.node.leaves;
+            }
+        }
+    }
+}
+
+// The voxels of a part along x. Its floats stay in a processor's cache until they are in leaves.
+constexpr int part_edge = 2 * nvdb_leaf_edge;
+
+template <class Leaves>
+void make_node(const Baked& volume, const VoxelSource& voxels, std::size_t channel,
+               const VoxelBox& box, Leaves maker, NvdbSlot& slot) {
+    using Leaf = typename Leaves::Leaf;
+    slot.memory.resize(std::size_t{leaves_along} * leaves_along * leaves_along * sizeof(Leaf) /
+                       sizeof(NvdbUnit));
+    std::vector<float*> planes(volume.channel_names.size(), nullptr);
+    for (int x = 0; x < box.size[0]; x += part_edge) {
+        const VoxelBox part = {{box.origin[0] + x, box.origin[1], box.origin[2]},
+                               {std::min(part_edge, box.size[0] - x), box.size[1], box.size[2]}};
+        slot.values.resize(static_cast<std::size_t>(part.count()));
+        planes[channel] = slot.values.data();
+        voxels.fill(part, planes);
+        round_values(slot.values.data(), slot.values.size(), volume.pixel_type);
+        make_leaves(volume, part, x / nvdb_leaf_edge, maker, slot);
     }
     slot.leaves = {reinterpret_cast<const char*>(slot.memory.data()),
                    slot.node.leaves * sizeof(Leaf)};
@@ -241,18 +268,13 @@ void make_nvdb_leaves(const Baked& volume, const Level& level, std::size_t chann
     slot.node = {};
     const VoxelSource& voxels = level.uncoded != nullptr ? *level.uncoded : *level.voxels;
     if (volume.sparse && voxels.is_empty(box)) return;
-    slot.values.resize(static_cast<std::size_t>(box.count()));
-    std::vector<float*> planes(volume.channel_names.size(), nullptr);
-    planes[channel] = slot.values.data();
-    voxels.fill(box, planes);
-    round_values(slot.values.data(), slot.values.size(), volume.pixel_type);
     switch (nvdb_grid_type(volume.pixel_type)) {
         case nanovdb::GridType::Fp8:
-            return make_leaves(volume, box, CodedLeaves<nanovdb::Fp8>{}, slot);
+            return make_node(volume, voxels, channel, box, CodedLeaves<nanovdb::Fp8>{}, slot);
         case nanovdb::GridType::Fp16:
-            return make_leaves(volume, box, CodedLeaves<nanovdb::Fp16>{}, slot);
+            return make_node(volume, voxels, channel, box, CodedLeaves<nanovdb::Fp16>{}, slot);
         default:
-            return make_leaves(volume, box, FloatLeaves{}, slot);
+            return make_node(volume, voxels, channel, box, FloatLeaves{}, slot);
     }
 }
 

@@ -12,6 +12,7 @@
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/little_endian.h"
 #include "bakers/io/formats/sheet.h"
 
 namespace skybake {
@@ -29,18 +30,6 @@ constexpr std::string_view signature("TRUEVISION-XFILE.\0", 18);
 constexpr std::size_t foot_size = 8 + signature.size();
 constexpr std::uint16_t description_tag = 32768;
 constexpr int largest_tga_edge = 65535;
-
-void append_little(std::uint64_t number, int bytes, std::string& to) {
-    for (int i = 0; i < bytes; ++i) to += static_cast<char>(number >> 8 * i & 0xFF);
-}
-
-std::uint32_t little(std::string_view bytes, std::size_t at, std::size_t count) {
-    std::uint32_t number = 0;
-    for (std::size_t i = count; i-- > 0;) {
-        number = number << 8 | static_cast<unsigned char>(bytes[at + i]);
-    }
-    return number;
-}
 
 std::string tga_head(int width, int height, std::size_t channels) {
     constexpr char true_colour = 2;

@@ -1,0 +1,66 @@
+# Reads textures of the target godot by the shader includes that lie beside them, at the places of probes, and loads the
+# scenes and the environments. The answers go to the page as JSON.
+extends Node
+
+
+func _ready() -> void:
+	var asked: Array = JSON.parse_string(FileAccess.get_file_as_string("res://asked.json"))
+	var answers: Array = []
+	for asset: Dictionary in asked:
+		answers.append(await answer_of(asset))
+	JavaScriptBridge.eval("window.answer(%s)" % JSON.stringify(JSON.stringify(answers)))
+
+
+func answer_of(asset: Dictionary) -> Dictionary:
+	var answer := {}
+	var texture: Texture = load("res://" + asset.file)
+	answer.kind = texture.get_class()
+	answer.size = [texture.get_width(), texture.get_height()]
+	if texture is Texture3D:
+		answer.size.append(texture.get_depth())
+	answer.bits = await bits_of(asset, texture)
+	if asset.has("scene"):
+		answer.fog = fog_of(load("res://" + asset.scene))
+	if asset.has("environment"):
+		var environment: Environment = load("res://" + asset.environment)
+		answer.panorama = environment.sky.sky_material.panorama.resource_path
+	return answer
+
+
+# The 32 bits of each number that the shader's function returns at the places: one byte per pixel.
+func bits_of(asset: Dictionary, texture: Texture) -> Array:
+	var places := PackedVector3Array()
+	for place: Array in asset.places:
+		places.append(Vector3(place[0], place[1], place[2]))
+	var material := ShaderMaterial.new()
+	material.shader = Shader.new()
+	material.shader.code = asset.shader
+	material.set_shader_parameter(asset.id, texture)
+	material.set_shader_parameter("places", places)
+	var viewport := SubViewport.new()
+	viewport.size = Vector2i(16 * places.size(), 2)
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	var rectangle := ColorRect.new()
+	rectangle.size = viewport.size
+	rectangle.material = material
+	viewport.add_child(rectangle)
+	add_child(viewport)
+	for i in 3:
+		await RenderingServer.frame_post_draw
+	var image := viewport.get_texture().get_image()
+	var bytes: Array = []
+	for x in image.get_width():
+		bytes.append(image.get_pixel(x, 0).r8)
+	viewport.queue_free()
+	return bytes
+
+
+# The corners of the fog in Godot's axes, and what its material has.
+func fog_of(scene: PackedScene) -> Dictionary:
+	var fog: FogVolume = scene.instantiate()
+	var low: Vector3 = fog.transform * (-0.5 * fog.size)
+	var high: Vector3 = fog.transform * (0.5 * fog.size)
+	var material: FogMaterial = fog.material
+	return {
+		"low": [low.x, low.y, low.z], "high": [high.x, high.y, high.z], "density": material.density,
+		"depth": material.density_texture.get_depth()}
