@@ -30,6 +30,7 @@ std::string contents(const config::Parameters& parameters) {
     if (!parameters.particles.empty())
         text += fmt::format("{} of particles, ", count(parameters.particles.size(), "kind"));
     if (!parameters.noises.empty()) text += count(parameters.noises.size(), "noise") + ", ";
+    if (!parameters.volumes.empty()) text += count(parameters.volumes.size(), "volume") + ", ";
     if (!parameters.clouds.empty()) text += count(parameters.clouds.size(), "cloud") + ", ";
     return text + count(parameters.bakes.size(), "asset") + " to bake";
 }
@@ -42,6 +43,7 @@ std::string checked_event(const std::string& name, const config::Parameters& par
                        {"layers", has_atmosphere ? parameters.atmosphere.layers.size() : 0},
                        {"particles", parameters.particles.size()},
                        {"noises", parameters.noises.size()},
+                       {"volumes", parameters.volumes.size()},
                        {"clouds", parameters.clouds.size()},
                        {"assets", parameters.bakes.size()},
                        {"warnings", diagnostics_json(warnings)}});
@@ -53,7 +55,7 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     const ExitCode code = console.report_results(outcome.diagnostics);
     if (!outcome.value) return code;
     auto problems = check_particles(outcome.value->parameters);
-    const auto unreadable = check_maps(outcome.value->parameters);
+    const auto unreadable = check_cloud_files(outcome.value->parameters);
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     if (!problems.empty()) return console.report_results(problems);
     const config::Parameters& parameters = outcome.value->parameters;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bakers/io/manifest/release.h"
+#include "bakers/io/volumes/volume_reader.h"
 #include "cli/events.h"
 #include "cli/options.h"
 
@@ -134,6 +135,7 @@ ExitCode internal_error(Console& console, const std::string& what) {
 
 ExitCode run(std::span<const std::string> words, Sink out, Sink error,
              const ColorEnvironment& environment) {
+    config::set_volume_probe(read_volume_shape);
     const bool terminal = error.terminal;
     const CommandLine line = parse_arguments(words, commands(), global_options());
     Console console(std::move(out), std::move(error),

@@ -193,7 +193,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
                                        config::did_you_mean(name, names)));
     }
     if (all.empty()) problems.push_back(nothing_to_bake());
-    const std::vector<Diagnostic> unreadable = check_maps(recipe.value->parameters);
+    const std::vector<Diagnostic> unreadable = check_cloud_files(recipe.value->parameters);
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     outcome.diagnostics.insert(outcome.diagnostics.end(), problems.begin(), problems.end());
     if (!problems.empty()) return outcome;

@@ -154,7 +154,7 @@ class BoxFiller {
         std::fill(plain.begin(), plain.begin() + plan_.shaped_channels, nullptr);
         const bool wanted = std::any_of(plain.begin(), plain.end(),
                                         [](const float* channel) { return channel != nullptr; });
-        if (wanted) plan_.base->fill(box_, plain);
+        if (wanted) plan_.shape().fill(box_, plain);
     }
 
     void fill_chunk(const VoxelBox& chunk, std::vector<ColumnBound> bounds) {
@@ -166,9 +166,16 @@ class BoxFiller {
         }
         const float profile = profile_bound(plan_, chunk.origin[2], chunk.size[2]);
         const auto may_hold = [&](std::size_t brick) {
-            return can_exceed_level(plan_, bounds[brick], profile);
+            return can_exceed_level(plan_, bounds[brick], profile) && !is_empty(chunk, brick);
         };
         for (const Run& run : runs_of(box_.size[0], may_hold)) fill_part(part_of(chunk, run));
+    }
+
+    // Whether the brick of a chunk is known to be empty by what the cloud is made of.
+    bool is_empty(const VoxelBox& chunk, std::size_t brick) const {
+        const int first = static_cast<int>(brick) * kBrickWidth;
+        return plan_.is_empty(
+            part_of(chunk, {first, std::min(first + kBrickWidth, chunk.size[0])}));
     }
 
     template <class Visit>
@@ -220,7 +227,7 @@ class BoxFiller {
             made_[c].resize(count);
             targets[c] = made_[c].data();
         }
-        plan_.base->fill(part, targets);
+        plan_.shape().fill(part, targets);
         for (std::size_t c = 0; c < shaped_channels(); ++c) {
             if (channels_[c] != nullptr) shape(part, c);
         }
@@ -293,6 +300,7 @@ void CloudField::fill(const VoxelBox& box, const std::vector<float*>& channels) 
 
 bool CloudField::is_empty(const VoxelBox& box) const {
     if (plan_.channels > plan_.shaped_channels) return false;
+    if (plan_.is_empty(box)) return true;
     const auto [x, y, z] = box.origin;
     const auto [width, rows, depth] = box.size;
     Columns own_columns;

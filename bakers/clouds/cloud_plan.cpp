@@ -34,7 +34,9 @@ void scale_frequencies(NoiseOctaves& octaves, const std::array<int, 3>& scale) {
 
 SliceShape slice_shape(const Cloud& cloud, bool by_map, double h) {
     SliceShape shape;
-    if (by_map) {
+    if (!cloud.volume.empty()) {
+        shape.profile[0] = 1;
+    } else if (by_map) {
         const std::array<double, 3> profiles = classic_profiles(h);
         for (std::size_t i = 0; i < 3; ++i) shape.profile[i] = static_cast<float>(profiles[i]);
     } else {
@@ -52,18 +54,53 @@ std::vector<config::Tower> all_towers(const Cloud& cloud) {
     return towers;
 }
 
+// A margin for what kernels round.
+float with_room(double bound) {
+    constexpr double kRoom = 1e-5;
+    return static_cast<float>(bound + kRoom * std::max(1.0, bound));
+}
+
 // The noise's bound in exact arithmetic, plus a margin for a kernel's float: kernels are within
 // 2e-7 of their values, as a share of 1.
 float bound_of(const Noise& base, int shaped_channels) {
-    constexpr double kRoom = 1e-5;
     double bound = 0;
     for (int i = 0; i < shaped_channels; ++i) {
         bound = std::max(bound, noise::value_bounds(base, static_cast<std::size_t>(i))[1]);
     }
-    return static_cast<float>(bound + kRoom * std::max(1.0, bound));
+    return with_room(bound);
+}
+
+// Fills in all of a plan but what gives its n.
+void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPlan& plan) {
+    plan.towers = TowerField(all_towers(cloud));
+    plan.domes = DomeField(
+        domes_of(cloud), {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
+    if (detail != nullptr) {
+        const Noise frays = cloud_noise(*detail, cloud.detail_scale, CloudChannels::density);
+        plan.detail =
+            std::make_shared<const noise::NoiseField>(noise::make_noise_plan(frays, plan.size));
+    }
+    plan.coverage = cloud.coverage;
+    plan.coverage_map = std::move(maps.coverage);
+    plan.type_map = std::move(maps.type);
+    for (int z = 0; z < plan.size[2]; ++z) {
+        plan.slices.push_back(
+            slice_shape(cloud, plan.type_map.has_value(), (z + 0.5) / plan.size[2]));
+    }
+    plan.threshold = static_cast<float>(cloud.threshold);
+    plan.threshold_in_file = cloud.threshold_at == config::ThresholdAt::bake;
+    if (cloud.edge_softness > 0) {
+        plan.inverse_softness = static_cast<float>(1 / cloud.edge_softness);
+    }
+    if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
 }
 
 }  // namespace
+
+const VoxelSource& CloudPlan::shape() const {
+    if (volume) return *volume;
+    return *base;
+}
 
 Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChannels channels) {
     Noise result = noise;
@@ -80,34 +117,25 @@ Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChan
 CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* detail,
                           const std::array<int, 3>& size, CloudMaps maps) {
     assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
-    using noise::make_noise_plan;
-    using noise::NoiseField;
     const Noise shape = cloud_noise(base, cloud.noise_scale, cloud.channels);
     CloudPlan plan;
     plan.size = size;
-    plan.towers = TowerField(all_towers(cloud));
-    plan.domes = DomeField(
-        domes_of(cloud), {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
-    plan.base = std::make_shared<const NoiseField>(make_noise_plan(shape, size));
+    plan.base = std::make_shared<const noise::NoiseField>(noise::make_noise_plan(shape, size));
     plan.channels = plan.base->plan().output_channels();
     plan.shaped_channels = std::min(plan.channels, kShapedChannels);
     plan.noise_bound = bound_of(shape, plan.shaped_channels);
-    if (detail != nullptr) {
-        const Noise frays = cloud_noise(*detail, cloud.detail_scale, CloudChannels::density);
-        plan.detail = std::make_shared<const NoiseField>(make_noise_plan(frays, size));
-    }
-    plan.coverage = cloud.coverage;
-    plan.coverage_map = std::move(maps.coverage);
-    plan.type_map = std::move(maps.type);
-    for (int z = 0; z < size[2]; ++z) {
-        plan.slices.push_back(slice_shape(cloud, plan.type_map.has_value(), (z + 0.5) / size[2]));
-    }
-    plan.threshold = static_cast<float>(cloud.threshold);
-    plan.threshold_in_file = cloud.threshold_at == config::ThresholdAt::bake;
-    if (cloud.edge_softness > 0) {
-        plan.inverse_softness = static_cast<float>(1 / cloud.edge_softness);
-    }
-    if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
+    plan_shape(cloud, detail, std::move(maps), plan);
+    return plan;
+}
+
+CloudPlan make_cloud_plan(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
+                          const std::array<int, 3>& size, CloudMaps maps) {
+    assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
+    CloudPlan plan;
+    plan.size = size;
+    plan.volume = std::make_shared<const ResampledVolume>(volume, size);
+    plan.noise_bound = with_room(double{plan.volume->largest()});
+    plan_shape(cloud, detail, std::move(maps), plan);
     return plan;
 }
 

@@ -2,7 +2,7 @@
 // floats, and the bounds that prove regions empty. A plan is made once per bake and then only read.
 // Maps over the ground plan and height profiles are here too.
 //
-// At a voxel, n is the base noise, d the detail noise clamped to [0, 1], and h the height in [0,
+// At a voxel, n is the base noise or, in a cloud of a volume, the volume's density, for which P is 1; d the detail noise clamped to [0, 1], and h the height in [0,
 // 1]:
 //
 //   b = n (P(h) + T + S) + (c - 1)         profile, Gaussian towers, domes, coverage; Olajos 2016
@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "bakers/clouds/dome_field.h"
+#include "bakers/clouds/resampled_volume.h"
 #include "bakers/clouds/tower_field.h"
 #include "bakers/field/image.h"
 #include "bakers/noise/noise_field.h"
@@ -74,7 +75,8 @@ struct SliceShape {
 
 struct CloudPlan {
     std::array<int, 3> size{};
-    std::shared_ptr<const noise::NoiseField> base;
+    std::shared_ptr<const noise::NoiseField> base;  // null: `volume` is in its place
+    std::shared_ptr<const ResampledVolume> volume;
     std::shared_ptr<const noise::NoiseField> detail;  // null: none
     std::vector<SliceShape> slices;                   // one per z
     TowerField towers;
@@ -90,6 +92,11 @@ struct CloudPlan {
     int shaped_channels = 1;  // how many first channels are shaped; the others are plain noise
     float noise_bound = 0;    // upper bound of the base noise of shaped channels, as a float
 
+    // What gives n, with all its channels.
+    const VoxelSource& shape() const;
+    // Returns true only if the cloud is known to be empty in a box, besides what noise_bound says.
+    bool is_empty(const VoxelBox& box) const { return volume && volume->is_empty(box); }
+
     // The density is 0 where b is not above this level.
     float level() const { return threshold_in_file ? threshold : 0; }
 };
@@ -103,6 +110,11 @@ struct CloudMaps {
 // Makes the plan. `base` and `detail` are the noises that the cloud names; `detail` is null if it
 // names none.
 CloudPlan make_cloud_plan(const config::Cloud& cloud, const config::Noise& base,
+                          const config::Noise* detail, const std::array<int, 3>& size,
+                          CloudMaps maps);
+
+// Makes the plan of a cloud of a volume.
+CloudPlan make_cloud_plan(const config::Cloud& cloud, const CloudVolume& volume,
                           const config::Noise* detail, const std::array<int, 3>& size,
                           CloudMaps maps);
 

@@ -138,11 +138,20 @@ double height_profile_reference(const config::HeightProfile& profile, double h) 
 
 CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise& base,
                                const config::Noise* detail, CloudMaps maps)
-    : cloud_(cloud),
-      towers_(cloud.towers),
-      domes_(domes_of(cloud)),
-      base_(cloud_noise(base, cloud.noise_scale, cloud.channels)),
-      maps_(std::move(maps)) {
+    : CloudReference(cloud, detail, std::move(maps)) {
+    base_ = cloud_noise(base, cloud.noise_scale, cloud.channels);
+}
+
+CloudReference::CloudReference(const config::Cloud& cloud, const CloudVolume& volume,
+                               const config::Noise* detail, const std::array<int, 3>& size,
+                               CloudMaps maps)
+    : CloudReference(cloud, detail, std::move(maps)) {
+    volume_.emplace(volume, size);
+}
+
+CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise* detail,
+                               CloudMaps maps)
+    : cloud_(cloud), towers_(cloud.towers), domes_(domes_of(cloud)), maps_(std::move(maps)) {
     const std::vector<Tower> scattered = scattered_towers(cloud.scatter);
     towers_.insert(towers_.end(), scattered.begin(), scattered.end());
     if (detail != nullptr) {
@@ -150,10 +159,15 @@ CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise& 
     }
 }
 
+double CloudReference::profile_at(double x, double y, double h) const {
+    if (volume_) return 1;
+    return maps_.type ? blended(h, maps_.type->at(x, y))
+                      : height_profile_reference(cloud_.height_profile, h);
+}
+
 double CloudReference::shaped(const std::array<double, 3>& place, double base_noise) const {
     const auto [x, y, h] = place;
-    const double profile = maps_.type ? blended(h, maps_.type->at(x, y))
-                                      : height_profile_reference(cloud_.height_profile, h);
+    const double profile = profile_at(x, y, h);
     const double coverage = cloud_.coverage * (maps_.coverage ? maps_.coverage->at(x, y) : 1);
     const auto& extent = cloud_.extent;
     const double domes =
@@ -181,11 +195,13 @@ bool CloudReference::is_expensive() const {
     // Of Gaussians, each with some microseconds, and of domes, each with some ten nanoseconds.
     constexpr std::size_t kTowers = 300;
     constexpr std::size_t kDomes = 30000;
-    return towers_.size() > kTowers || domes_.size() > kDomes;
+    return towers_.size() > kTowers || domes_.size() > kDomes ||
+           (volume_ && volume_->is_expensive());
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {
-    std::vector<double> values = noise::noise_reference(base_, place);
+    std::vector<double> values =
+        base_ ? noise::noise_reference(*base_, place) : std::vector<double>{(*volume_)(place)};
     const std::size_t shaped_channels = std::min<std::size_t>(values.size(), 2);
     for (std::size_t i = 0; i < shaped_channels; ++i) values[i] = shaped(place, values[i]);
     return values;

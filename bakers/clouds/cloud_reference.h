@@ -29,6 +29,10 @@ class CloudReference {
     CloudReference(const config::Cloud& cloud, const config::Noise& base,
                    const config::Noise* detail, CloudMaps maps);
 
+    // Of a cloud of a volume, at the size of its voxels.
+    CloudReference(const config::Cloud& cloud, const CloudVolume& volume,
+                   const config::Noise* detail, const std::array<int, 3>& size, CloudMaps maps);
+
     // True if a point takes more than a millisecond.
     bool is_expensive() const;
 
@@ -36,12 +40,15 @@ class CloudReference {
     std::vector<double> operator()(const std::array<double, 3>& place) const;
 
   private:
+    CloudReference(const config::Cloud& cloud, const config::Noise* detail, CloudMaps maps);
+    double profile_at(double x, double y, double h) const;
     double shaped(const std::array<double, 3>& place, double base_noise) const;
 
     config::Cloud cloud_;
     std::vector<config::Tower> towers_;
     std::vector<Dome> domes_;
-    config::Noise base_;
+    std::optional<config::Noise> base_;  // none: `volume_` is in its place
+    std::optional<VolumeReference> volume_;
     std::optional<config::Noise> detail_;
     CloudMaps maps_;
 };

@@ -18,15 +18,28 @@ float density(const CloudPlan& plan, float value) {
     return inside * ((x * x) * (3.0f - 2.0f * x));
 }
 
+std::array<int, 3> within_tile(const CloudPlan& plan, const noise::Voxel& voxel) {
+    std::array<int, 3> within{};
+    for (std::size_t i = 0; i < 2; ++i) {
+        const auto size = std::int64_t{plan.size[i]};
+        within[i] = static_cast<int>((voxel[i] % size + size) % size);
+    }
+    within[2] = static_cast<int>(voxel[2]);
+    return within;
+}
+
+// n, in all channels. A voxel outside the tile has that of its image within.
+std::vector<float> shape_at(const CloudPlan& plan, const noise::Voxel& voxel) {
+    if (!plan.volume) return noise_at(plan.base->plan(), voxel);
+    std::vector<float> value(1);
+    plan.volume->fill({within_tile(plan, voxel), {1, 1, 1}}, {value.data()});
+    return value;
+}
+
 // T + S. A voxel outside the tile has the towers of its image within.
 float towers_at(const CloudPlan& plan, const Columns& column, const noise::Voxel& voxel) {
     if (plan.domes.empty()) return column.towers[0];
-    VoxelBox box{{}, {1, 1, 1}};
-    for (std::size_t i = 0; i < 2; ++i) {
-        const auto size = std::int64_t{plan.size[i]};
-        box.origin[i] = static_cast<int>((voxel[i] % size + size) % size);
-    }
-    box.origin[2] = static_cast<int>(voxel[2]);
+    const VoxelBox box{within_tile(plan, voxel), {1, 1, 1}};
     const Columns within = make_columns(plan, box.origin[0], 1, box.origin[1], 1);
     return raised_towers(plan, within, box)[0];
 }
@@ -57,7 +70,7 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
         make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
     const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
     const float towers = towers_at(plan, column, voxel);
-    std::vector<float> values = noise_at(plan.base->plan(), voxel);
+    std::vector<float> values = shape_at(plan, voxel);
     const float detail = plan.detail ? noise_at(plan.detail->plan(), voxel)[0] : 0.0f;
     for (int i = 0; i < plan.shaped_channels; ++i) {
         float& value = values[static_cast<std::size_t>(i)];

@@ -141,23 +141,36 @@ using Voxels = std::shared_ptr<const VoxelSource>;
 
 namespace {
 
-CloudPlan plan_of(const config::Cloud& cloud, const CloudInputs& inputs,
-                  const std::array<int, 3>& size) {
-    return make_cloud_plan(cloud, *inputs.base, inputs.detail, size, inputs.maps);
-}
-
 // Returns the same voxels, made without a bound on the noise, so that no box is known to be empty.
 Voxels without_bounds(CloudPlan plan) {
     plan.noise_bound = std::numeric_limits<float>::infinity();
     return std::make_shared<CloudField>(std::move(plan));
 }
 
+// The definition of a cloud of noise is the same at every size, and its values are remembered. That of
+// a cloud of a volume is filtered for the size of its voxels.
+ReferenceOfSize references_of_cloud(const config::Cloud& cloud, const CloudInputs& inputs) {
+    if (inputs.volume) {
+        return [cloud, inputs](const std::array<int, 3>& size) -> VolumeReference {
+            const auto definition =
+                std::make_shared<cloud::CloudReference>(reference_of_cloud(cloud, inputs, size));
+            return
+                [definition](const std::array<double, 3>& place) { return (*definition)(place); };
+        };
+    }
+    const auto definition =
+        std::make_shared<RememberedReference>(reference_of_cloud(cloud, inputs, {}));
+    return [definition](const std::array<int, 3>&) -> VolumeReference {
+        return [definition](const std::array<double, 3>& place) { return (*definition)(place); };
+    };
+}
+
 VolumeSweep sweep_of(const config::Cloud& cloud, const CloudVolumeBake& asked,
                      const CloudInputs& inputs, const std::array<int, 3>& size, bool quick) {
     const auto make = [&](const std::array<int, 3>& voxels) -> Voxels {
-        return std::make_shared<CloudField>(plan_of(cloud, inputs, voxels));
+        return std::make_shared<CloudField>(plan_of_cloud(cloud, inputs, voxels));
     };
-    const CloudPlan plan = plan_of(cloud, inputs, size);
+    const CloudPlan plan = plan_of_cloud(cloud, inputs, size);
     VolumeSweep sweep = storage_sweep({asked, asked.size == size, size, plan.channels, make, {}},
                                       make(size), quick);
     VolumeVariant& variant = add_variant(sweep, "no region left out, bin, float", size_text(size),
@@ -177,19 +190,16 @@ Outcome<AssetReport> report_cloud_volume(const config::Recipe& recipe, const con
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, asked, details);
     if (!inputs.value) return {{}, inputs.diagnostics};
     const std::size_t channels =
-        config::cloud_channel_names(*inputs.value->base, cloud.channels).size();
+        config::cloud_channel_names(inputs.value->base, cloud.channels).size();
     config::Bake subject = bake;
     auto& asset = subject.as<CloudVolumeBake>();
     asset.size =
         size_within(asked.size, max_report_values(options.quick) / static_cast<int>(channels));
     asset.mips = 1;
     const VolumeSweep sweep = sweep_of(cloud, asked, *inputs.value, asset.size, options.quick);
-    const auto definition = std::make_shared<RememberedReference>(cloud::CloudReference(
-        cloud, *inputs.value->base, inputs.value->detail, inputs.value->maps));
-    const ReferenceOfSize reference = [definition](const std::array<int, 3>&) -> VolumeReference {
-        return [definition](const std::array<double, 3>& place) { return (*definition)(place); };
-    };
-    return report_volume(recipe, {subject, asked.size, asked.mips, sweep, reference}, options);
+    return report_volume(
+        recipe, {subject, asked.size, asked.mips, sweep, references_of_cloud(cloud, *inputs.value)},
+        options);
 }
 
 // --- Columns -------------------------------------------------------------------------------------

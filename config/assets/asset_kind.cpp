@@ -100,8 +100,11 @@ std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string
     const Cloud& cloud = cloud_named(parameters, name);
     const std::string path = join_path("clouds", cloud.name);
     std::vector<Read> reads = {{path}, {path + ".*"}, {path + ".towers.*"}};
-    const Noise& base = noise_named(parameters, cloud.noise);
-    append(reads_of_noise(base, used_channels(base, cloud.channels)), reads);
+    if (const Noise* base = noise_of(parameters, cloud)) {
+        append(reads_of_noise(*base, used_channels(*base, cloud.channels)), reads);
+    } else {
+        reads.push_back({join_path("volumes", cloud.volume)});
+    }
     if (!cloud.detail.empty() && cloud.detail != cloud.noise) {
         const Noise& detail = noise_named(parameters, cloud.detail);
         append(reads_of_noise(detail, used_channels(detail, CloudChannels::density)), reads);

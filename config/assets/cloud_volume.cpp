@@ -194,7 +194,8 @@ struct CloudVolumeResolver {
 
     std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) const {
         for (const Noise& noise : noises) {
-            if (noise.name == cloud.noise) return cloud_channel_names(noise, cloud.channels).size();
+            if (noise.name == cloud.noise)
+                return cloud_channel_names(&noise, cloud.channels).size();
         }
         return 1;
     }

@@ -54,8 +54,8 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
     const Cloud* cloud = find_cloud(volume, recipe);
     const Noise* noise =
         cloud ? find_by_name<Noise>(recipe.parameters.noises, cloud->noise) : nullptr;
-    if (!noise) return {};
-    return cloud_channel_names(*noise, cloud->channels);
+    if (!cloud || (!noise && cloud->volume.empty())) return {};
+    return cloud_channel_names(noise, cloud->channels);
 }
 
 }  // namespace

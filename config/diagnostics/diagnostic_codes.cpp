@@ -399,6 +399,17 @@ constexpr std::array codes = {
         "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"pbrt\"",
         "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"three\"",
         usage},
+    DiagnosticCode{
+        "E0170", "unknown volume",
+        "`volume` of a cloud names the [volumes.NAME] whose density it takes, and the recipe has "
+        "none of that name.",
+        "[volumes.v]\nfile = \"v.raw\"\nformat = \"raw\"\nsize = [2, 2, 2]\n"
+        "voxel_size = [\"1 m\", \"1 m\", \"1 m\"]\n"
+        "[clouds.c]\nvolume = \"w\"\nextent = [\"2 m\", \"2 m\", \"2 m\"]",
+        "[volumes.v]\nfile = \"v.raw\"\nformat = \"raw\"\nsize = [2, 2, 2]\n"
+        "voxel_size = [\"1 m\", \"1 m\", \"1 m\"]\n"
+        "[clouds.c]\nvolume = \"v\"\nextent = [\"2 m\", \"2 m\", \"2 m\"]",
+        usage},
 
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
@@ -418,7 +429,8 @@ constexpr std::array codes = {
                    "The file cannot be read as the expected kind, or it lacks the metadata that "
                    "skybake writes into every file. If a manifest has another format, the message "
                    "names the release that wrote it: bake its recipe again. A map over a cloud "
-                   "must be a PNG, TIFF or OpenEXR picture with values from 0 to 1.",
+                   "must be a PNG, TIFF or OpenEXR picture with values from 0 to 1. A volume must "
+                   "have finite values, and the message names the first that is not.",
                    "", "", input_or_output},
 
     DiagnosticCode{"E0401", "not finite",

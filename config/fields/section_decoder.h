@@ -25,9 +25,9 @@ namespace skybake::config {
 
 // These are the types of quantities that hold one number in an SI unit.
 template <class T>
-concept SiQuantity = std::same_as<T, Length> || std::same_as<T, InverseLength> ||
-    std::same_as<T, NumberDensity> || std::same_as<T, Pressure> || std::same_as<T, ColumnDensity> ||
-    std::same_as<T, Angle>;
+concept SiQuantity =
+    std::same_as<T, Length> || std::same_as<T, InverseLength> || std::same_as<T, NumberDensity> ||
+    std::same_as<T, Pressure> || std::same_as<T, ColumnDensity> || std::same_as<T, Angle>;
 
 // Stores one value of a field in a member. Both come from the same row, so their types fit.
 template <class T>
@@ -194,6 +194,7 @@ struct ReferenceWords {
 inline constexpr ReferenceWords noise_reference{"E0130", "noise", "[noise.NAME]"};
 inline constexpr ReferenceWords layer_reference{"E0138", "layer", "[atmosphere.layers.NAME]"};
 inline constexpr ReferenceWords particles_reference{"E0140", "particles", "[particles.NAME]"};
+inline constexpr ReferenceWords volume_reference{"E0170", "volume", "[volumes.NAME]"};
 inline constexpr ReferenceWords cloud_reference{"E0132", "cloud", "[clouds.NAME]"};
 
 // Returns the text of a field, or null if it has none.

@@ -18,8 +18,8 @@
 namespace skybake::config {
 namespace {
 
-// Adds the pictures of the clouds that are baked, because a change of a picture is a change of the
-// recipe.
+// Adds the pictures and volumes of the clouds that are baked, because a change of such a file is a
+// change of the recipe.
 void append_maps(const Parameters& parameters, std::vector<std::filesystem::path>& inputs) {
     for (const Cloud& cloud : parameters.clouds) {
         const auto bakes_it = [&](const Bake& bake) {
@@ -29,6 +29,10 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
         if (std::none_of(parameters.bakes.begin(), parameters.bakes.end(), bakes_it)) continue;
         for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
             if (!map->path.empty()) inputs.push_back(map->path);
+        }
+        if (cloud.volume.empty()) continue;
+        for (const auto& path : volume_named(parameters, cloud.volume).paths) {
+            inputs.push_back(path);
         }
     }
 }
@@ -67,7 +71,7 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
             recipe.sweep = decode_sweep(merged.root, of_sweep);
         }
         recipe.inputs = std::move(sources.inputs);
-        append_maps(recipe.parameters, recipe.inputs);
+        if (!diagnostics.has_errors()) append_maps(recipe.parameters, recipe.inputs);
     }
     const bool whole = merged.file && !diagnostics.has_errors();
     outcome.diagnostics = diagnostics.take();

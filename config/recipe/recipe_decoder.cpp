@@ -128,15 +128,29 @@ std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
     return noises;
 }
 
-std::vector<Cloud> decode_clouds(const Table& root, std::span<const Noise> noises,
-                                 Decoder& decoder) {
+std::vector<VolumeFile> decode_volumes(const Table& root, std::vector<Place>& file_places,
+                                       Decoder& decoder) {
+    std::vector<VolumeFile> volumes;
+    for (const Entry& entry : subtable(root, "volumes", "", decoder)) {
+        const Table* table = named_table(entry, "volumes", decoder);
+        // An entry that is not a table still counts as a volume, so that clouds may name it.
+        VolumeFile named;
+        named.name = entry.key;
+        Place& file_place = file_places.emplace_back();
+        volumes.push_back(
+            table ? decode_volume(entry.key, entry.key_place, *table, file_place, decoder) : named);
+    }
+    return volumes;
+}
+
+std::vector<Cloud> decode_clouds(const Table& root, const CloudSources& sources, Decoder& decoder) {
     std::vector<Cloud> clouds;
     for (const Entry& entry : subtable(root, "clouds", "", decoder)) {
         const Table* table = named_table(entry, "clouds", decoder);
         // An entry that is not a table still counts as a cloud, so that bakes may name it.
         Cloud named;
         named.name = entry.key;
-        clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, noises, decoder)
+        clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, sources, decoder)
                                : named);
     }
     return clouds;
@@ -151,7 +165,8 @@ void check_atmosphere(const Table& root, const Parameters& parameters, const Sou
         std::any_of(parameters.bakes.begin(), parameters.bakes.end(),
                     [](const Bake& bake) { return kind_of(bake).facts.needs_atmosphere; });
     const bool is_empty = parameters.bakes.empty() && parameters.noises.empty() &&
-                          parameters.clouds.empty() && parameters.particles.empty();
+                          parameters.clouds.empty() && parameters.volumes.empty() &&
+                          parameters.particles.empty();
     if (!bakes_sky && !is_empty) return;
     decoder.diagnostics.error("E0105", {&source}, "the recipe has no [atmosphere]",
                               "start from preset = \"earth\", or see `skybake init`");
@@ -215,7 +230,10 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
     parameters.scene = decode_scene(root, decoder);
     parameters.noises = decode_noises(root, decoder);
-    parameters.clouds = decode_clouds(root, parameters.noises, decoder);
+    std::vector<Place> volume_files;
+    parameters.volumes = decode_volumes(root, volume_files, decoder);
+    parameters.clouds =
+        decode_clouds(root, {parameters.noises, parameters.volumes, volume_files}, decoder);
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
     decode_preview(root, parameters.bakes, decoder);
     check_atmosphere(root, parameters, source, decoder);
@@ -255,6 +273,7 @@ std::vector<Section> make_sections() {
         make_section("noise.*", "a tileable noise, under any name", noise_fields()),
         make_section("noise.*.channels.*", "one channel of a noise: R, G, B, A, or Y alone",
                      noise_channel_fields()),
+        make_section("volumes.*", "a volume from a file, under any name", volume_fields()),
         make_section("clouds.*", "a cloud or a layer of clouds, under any name", cloud_fields()),
         make_section("clouds.*.height_profile", "how full the cloud is, by height",
                      height_profile_fields()),

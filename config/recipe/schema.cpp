@@ -164,6 +164,7 @@ Json layer_schema() {
 Json definitions() {
     Json result = Json::object();
     result["cloud"] = cloud_schema();
+    result["volume"] = section_schema(*find_section("volumes.*"));
     result["tower"] = section_schema(*find_section("clouds.*.towers.*"));
     result["noise"] = noise_schema();
     result["noise_channel"] = section_schema(*find_section("noise.*.channels.*"));
@@ -194,6 +195,7 @@ std::string recipe_schema() {
     schema["properties"]["particles"] =
         with_bare_names(named_schema("particles, by name", "particles"));
     schema["properties"]["noise"] = with_bare_names(named_schema("noises, by name", "noise"));
+    schema["properties"]["volumes"] = named_schema("volumes from files, by name", "volume");
     schema["properties"]["clouds"] = with_bare_names(named_schema("clouds, by name", "cloud"));
     schema["properties"]["bake"] = bakes_schema();
     schema["properties"]["sweep"] = sweep_schema();

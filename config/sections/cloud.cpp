@@ -20,12 +20,12 @@ std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels ch
     return takes_all ? all : all.first(std::min<std::size_t>(all.size(), 1));
 }
 
-std::vector<std::string> cloud_channel_names(const Noise& noise, CloudChannels channels) {
-    const bool is_one = channels == CloudChannels::density || noise.pack != NoisePacking::none ||
-                        noise.channels.size() <= 1;
+std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels) {
+    const bool is_one = noise == nullptr || channels == CloudChannels::density ||
+                        noise->pack != NoisePacking::none || noise->channels.size() <= 1;
     if (is_one) return {"Y"};
     std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    for (const NoiseChannel& channel : noise->channels) names.push_back(channel.name);
     return names;
 }
 
@@ -90,6 +90,11 @@ struct CloudReader {
         const DecodedSection section =
             decode_into(map, fields, pattern, join_path(path, key), place_of(key), keys, decoder);
         resolve_path(section, map);
+    }
+
+    void read_coverage_map() const {
+        read_map("coverage_map", "clouds.*.coverage_map", coverage_map_fields(),
+                 cloud.coverage_map);
     }
 
     void check_type_map(const DecodedSection& profile) const {
@@ -217,7 +222,7 @@ void check_noises(const DecodedSection& section, const Cloud& cloud, std::span<c
 }  // namespace
 
 Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
-                   std::span<const Noise> noises, Decoder& decoder) {
+                   const CloudSources& sources, Decoder& decoder) {
     const std::string path = join_path("clouds", name);
     if (!is_bare_key(name)) {
         decoder.diagnostics.error("E0117", place,
@@ -226,13 +231,19 @@ Cloud decode_cloud(const std::string& name, const Place& place, const Table& tab
     }
     Cloud cloud;
     cloud.name = name;
-    const DecodedSection section =
-        decode_into(cloud, cloud_fields(), "clouds.*", path, place, table, decoder);
-    check_noises(section, cloud, noises, decoder);
+    DecodedSection section =
+        decode_section(*find_section("clouds.*"), path, place, table, Absent::filled_in, decoder);
+    resolve_cloud_source(section, table, sources, decoder);
+    append_values(section, decoder);
+    bind_section(section, cloud_fields(), cloud);
+    check_noises(section, cloud, sources.noises, decoder);
     const CloudReader reader{path, place, table, decoder, cloud};
+    if (!cloud.volume.empty()) {
+        reader.read_coverage_map();
+        return cloud;
+    }
     const DecodedSection profile = reader.read_height_profile();
-    reader.read_map("coverage_map", "clouds.*.coverage_map", coverage_map_fields(),
-                    cloud.coverage_map);
+    reader.read_coverage_map();
     reader.read_map("type_map", "clouds.*.type_map", type_map_fields(), cloud.type_map);
     reader.check_type_map(profile);
     reader.read_scatter();

@@ -99,7 +99,8 @@ enum class CloudChannels { density, noise };
 // This is one [clouds.NAME].
 struct Cloud {
     std::string name;
-    std::string noise;                        // NAME of the [noise.NAME] that gives the base shape
+    std::string noise;   // NAME of the [noise.NAME] that gives the base shape; or
+    std::string volume;  // NAME of the [volumes.NAME] that does
     std::array<int, 3> noise_scale{1, 1, 1};  // multiplies the frequencies along x, y, z
     std::string detail;                       // NAME of the [noise.NAME] that erodes; empty: none
     std::array<int, 3> detail_scale{1, 1, 1};
@@ -128,7 +129,7 @@ struct Cloud {
 std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels channels);
 
 // Returns the names of a cloud volume's channels: {"Y"} for one channel, else the names of the
-// noise's channels.
-std::vector<std::string> cloud_channel_names(const Noise& noise, CloudChannels channels);
+// noise's channels. A cloud of a volume has no noise, and one channel.
+std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels);
 
 }  // namespace skybake::config

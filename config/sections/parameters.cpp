@@ -26,12 +26,20 @@ const Noise& noise_named(const Parameters& parameters, std::string_view name) {
     return named(parameters.noises, name);
 }
 
+const VolumeFile& volume_named(const Parameters& parameters, std::string_view name) {
+    return named(parameters.volumes, name);
+}
+
 const Cloud& cloud_named(const Parameters& parameters, std::string_view name) {
     return named(parameters.clouds, name);
 }
 
 const Bake& bake_named(const Parameters& parameters, std::string_view name) {
     return named(parameters.bakes, name);
+}
+
+const Noise* noise_of(const Parameters& parameters, const Cloud& cloud) {
+    return cloud.volume.empty() ? &noise_named(parameters, cloud.noise) : nullptr;
 }
 
 }  // namespace skybake::config

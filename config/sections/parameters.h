@@ -18,6 +18,7 @@
 #include "config/sections/noise.h"
 #include "config/sections/particles.h"
 #include "config/sections/scene.h"
+#include "config/sections/volume.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -59,6 +60,7 @@ struct Parameters {
     std::optional<Scene> scene;
     std::vector<Particles> particles;  // sorted by name
     std::vector<Noise> noises;         // sorted by name
+    std::vector<VolumeFile> volumes;   // sorted by name
     std::vector<Cloud> clouds;         // sorted by name
     std::vector<Bake> bakes;           // in the order of the file
 };
@@ -70,7 +72,11 @@ std::size_t channels_of_light(const Parameters& parameters);
 
 // These return sections that other sections name. load_recipe has made sure that they exist.
 const Noise& noise_named(const Parameters& parameters, std::string_view name);
+const VolumeFile& volume_named(const Parameters& parameters, std::string_view name);
 const Cloud& cloud_named(const Parameters& parameters, std::string_view name);
 const Bake& bake_named(const Parameters& parameters, std::string_view name);
+
+// Returns the noise that a cloud is made of, or null if it is made of a volume.
+const Noise* noise_of(const Parameters& parameters, const Cloud& cloud);
 
 }  // namespace skybake::config

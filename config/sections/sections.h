@@ -15,6 +15,7 @@
 #include "config/sections/particles.h"
 #include "config/sections/preview.h"
 #include "config/sections/scene.h"
+#include "config/sections/volume.h"
 
 namespace skybake::config {
 
@@ -31,6 +32,7 @@ using PreviewCameraField = Row<PreviewCamera>;
 using ParticlesField = Row<Particles>;
 using NoiseField = Row<Noise>;
 using NoiseChannelField = Row<NoiseChannel>;
+using VolumeField = Row<VolumeFile>;
 using CloudField = Row<Cloud>;
 using HeightProfileField = Row<HeightProfile>;
 using CloudMapField = Row<CloudMap>;
@@ -47,6 +49,7 @@ std::span<const PreviewCameraField> preview_camera_fields();
 std::span<const ParticlesField> particles_fields();
 std::span<const NoiseField> noise_fields();
 std::span<const NoiseChannelField> noise_channel_fields();
+std::span<const VolumeField> volume_fields();
 std::span<const CloudField> cloud_fields();
 std::span<const HeightProfileField> height_profile_fields();
 std::span<const CloudMapField> coverage_map_fields();
@@ -54,11 +57,31 @@ std::span<const CloudMapField> type_map_fields();
 std::span<const TowerField> tower_fields();
 std::span<const TowerScatterField> tower_scatter_fields();
 
-// Decodes one [clouds.NAME] with its height profile, maps and towers. `noises` are the noises of
-// the recipe. It reports names of noises that do not exist (E0130), scaled frequencies that are too
-// high (E0128), and a map of types where the profile blends none (E0111).
+// Decodes one [volumes.NAME] and sets `file_place` to the place of its `file`. The volume is complete
+// only if no error was reported; its name is right in any case.
+VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
+                         Place& file_place, Decoder& decoder);
+
+// These are the sections that a cloud may be made of.
+struct CloudSources {
+    std::span<const Noise> noises;
+    std::span<const VolumeFile> volumes;
+    std::span<const Place> volume_files;  // the place of `file` of each
+};
+
+// Decodes one [clouds.NAME] with its height profile, maps and towers. `sources` are those of the
+// recipe. It reports names of noises and volumes that do not exist (E0130, E0170), scaled frequencies
+// that are too high (E0128), a map of types where the profile blends none, and keys that shape noise
+// beside a volume (E0111).
 Cloud decode_cloud(const std::string& name, const Place& place, const Table& table,
-                   std::span<const Noise> noises, Decoder& decoder);
+                   const CloudSources& sources, Decoder& decoder);
+
+// Completes the keys of a cloud whose values follow from what it is made of, a volume or noise: the
+// extent and the softness of edges. It reports a volume that does not exist (E0170) or whose file
+// cannot be read (E0300, E0304), an extent that nothing gives (E0105), and keys and tables that shape
+// noise beside a volume (E0111).
+void resolve_cloud_source(DecodedSection& section, const Table& table, const CloudSources& sources,
+                          Decoder& decoder);
 
 // Decodes the fields of one [atmosphere.layers.NAME] and resolves its coefficients to scattering
 // and extinction. It takes particles and wavelengths from the recipe. It returns none if the layer

@@ -83,7 +83,7 @@ forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z
 forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_writer\.cpp|bakers/preview/live/zlib_bytes\.cpp"
 forbid 'zstd\.h' 'config bakers cli' "$formats/ktx2/zstd_stream\.cpp"
 forbid 'nanovdb/' 'config bakers cli' "$formats/nvdb/nvdb_layout\.h"
-forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder)\.cpp|$formats/vdb/vdb_library\.h"
+forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder|grid_tree|grid_voxels|input)\.cpp|$formats/vdb/vdb_(library|input)\.h"
 forbid 'OpenImageIO/' 'config bakers cli' "$formats/png/(map_reader|image_codec)\.cpp"
 forbid '(cairo|pango|fontconfig|ft2build)' 'config bakers cli' 'bakers/plot/cairo_drawing\.cpp'
 forbid 'curl/' 'config bakers cli' 'bakers/io/files/http_curl\.cpp'

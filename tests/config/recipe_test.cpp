@@ -121,6 +121,10 @@ const std::vector<Fault> faults = {
      9, 8, 1, "give `v` a size that 8 divides, or a `cell` that divides the size"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
+    {"E0170",
+     "[volumes.smoke]\nfile = \"smoke.vdb\"\n[clouds.c]\nvolume = \"smok\"\n"
+     "extent = [\"1 km\", \"1 km\", \"1 km\"]",
+     4, 10, 6, "did you mean `smoke`?"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

@@ -67,6 +67,9 @@ TEST(Schema, KnowsClouds) {
     }
     expect_fields(cloud, *find_section("clouds.*"));
     expect_fields(schema()["definitions"]["tower"], *find_section("clouds.*.towers.*"));
+    expect_fields(schema()["definitions"]["volume"], *find_section("volumes.*"));
+    EXPECT_EQ(schema()["properties"]["volumes"]["additionalProperties"]["$ref"],
+              "#/definitions/volume");
     EXPECT_EQ(properties["towers"]["anyOf"][0]["items"]["$ref"], "#/definitions/tower");
     EXPECT_EQ(properties["towers"]["anyOf"][1]["additionalProperties"]["$ref"],
               "#/definitions/tower");

@@ -199,11 +199,16 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
                                  "type", "sizes", "shape"});
 }
 
+TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
+    change_every_value(kVolumes, {"format", "asset", "cloud", "volume", "file", "grid", "channel",
+                                  "size", "slices", "first_slice"});
+}
+
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other
 // ways to say the rest.
 TEST(KeyCoversBytes, TriesEveryKey) {
     std::vector<ResolvedValue> values;
-    for (const char* text : {kSky, kClouds, kParticles, kColors, kOthers}) {
+    for (const char* text : {kSky, kClouds, kParticles, kColors, kVolumes, kOthers}) {
         const Recipe recipe = recipe_of(text, kMaps);
         values.insert(values.end(), recipe.values.begin(), recipe.values.end());
     }

@@ -188,6 +188,61 @@ content = "direct"
 size = [4, 4]
 )";
 
+// Volumes of every format (tests/data/volumes).
+inline constexpr const char* kVolumes = R"(
+[volumes.grid]
+file = "../volumes/python.vdb"
+grid = "density"
+voxel_size = ["20 m", "10 m", "30 m"]
+crop_corner = ["-25 m", "5 m", "150 m"]
+crop_extent = ["60 m", "20 m", "60 m"]
+up_axis = "y"
+wrap = "repeat"
+[volumes.numbers]
+file = "../volumes/numbers.raw"
+format = "raw"
+size = [4, 3, 2]
+type = "float32"
+byte_order = "little"
+axis_order = "xyz"
+offset = 0
+voxel_size = ["10 m", "10 m", "10 m"]
+crop_first = [1, 0, 0]
+crop_size = [3, 2, 2]
+border = 1
+[volumes.pictures]
+file = "../volumes/slice_%d.png"
+format = "slices"
+channel = ""
+first_slice = 1
+slices = 2
+voxel_size = ["10 m", "10 m", "10 m"]
+scale = 0.5
+[clouds.of_grid]
+volume = "grid"
+extent = ["100 m", "60 m", "40 m"]
+[clouds.of_numbers]
+volume = "numbers"
+extent = ["100 m", "60 m", "40 m"]
+threshold = 0.2
+[clouds.of_pictures]
+volume = "pictures"
+extent = ["100 m", "60 m", "40 m"]
+edge_softness = 0.1
+[bake.of_grid]
+asset = "cloud_volume"
+cloud = "of_grid"
+size = [6, 5, 4]
+[bake.of_numbers]
+asset = "cloud_volume"
+cloud = "of_numbers"
+size = [6, 5, 4]
+[bake.of_pictures]
+asset = "cloud_volume"
+cloud = "of_pictures"
+size = [6, 5, 4]
+)";
+
 // What those before leave out: other kinds of layers, channels and profiles, and maps.
 inline constexpr const char* kOthers = R"(
 preset = "earth_hillaire"

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bakers/io/formats/png/map_image.h"
+#include "bakers/io/volumes/volume_reader.h"
 #include "config/assets/cloud_volume.h"
 #include "config/sections/parameters.h"
 
@@ -15,6 +16,7 @@ namespace {
 using config::CloudMap;
 using config::Diagnostic;
 using config::Outcome;
+using config::VolumeFile;
 
 // None where the cloud names no map, and after an error.
 std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Facts& details,
@@ -27,6 +29,23 @@ std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, F
     return cloud::MapLookup(std::move(*image.value), map.wrap, map.filter);
 }
 
+// Adds what a reader of the files needs to know of where the voxels come from. None after an error.
+std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& details,
+                                              std::vector<Diagnostic>& diagnostics) {
+    Outcome<SourceVoxels> source = open_volume(file);
+    for (Diagnostic& diagnostic : source.diagnostics) diagnostics.push_back(std::move(diagnostic));
+    if (!source.value) return std::nullopt;
+    const auto& [x, y, z] = source.value->size;
+    const auto& edges = source.value->voxel_size_m;
+    details.emplace_back("volume_voxels", fmt::format("{} x {} x {}", x, y, z));
+    details.emplace_back("volume_voxel_size",
+                         fmt::format("{} x {} x {} m", edges[0], edges[1], edges[2]));
+    const bool repeats = file.wrap == config::VolumeWrap::repeat;
+    details.emplace_back("volume_wrap", repeats ? "repeat" : "empty");
+    details.emplace_back("volume_border", static_cast<double>(file.border));
+    return cloud::CloudVolume{std::move(*source.value), file.wrap};
+}
+
 }  // namespace
 
 Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
@@ -34,7 +53,11 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     Outcome<CloudInputs> outcome;
     const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
-    inputs.base = &noise_named(parameters, cloud.noise);
+    inputs.base = noise_of(parameters, cloud);
+    if (inputs.base == nullptr) {
+        inputs.file = &volume_named(parameters, cloud.volume);
+        inputs.volume = read_volume(*inputs.file, details, outcome.diagnostics);
+    }
     if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
@@ -43,7 +66,7 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     return outcome;
 }
 
-std::vector<Diagnostic> check_maps(const config::Parameters& parameters) {
+std::vector<Diagnostic> check_cloud_files(const config::Parameters& parameters) {
     std::vector<Diagnostic> problems;
     for (const config::Cloud& cloud : parameters.clouds) {
         for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
@@ -51,6 +74,10 @@ std::vector<Diagnostic> check_maps(const config::Parameters& parameters) {
             const Outcome<MapImage> image = read_map_image(*map);
             problems.insert(problems.end(), image.diagnostics.begin(), image.diagnostics.end());
         }
+    }
+    for (const VolumeFile& volume : parameters.volumes) {
+        const Outcome<SourceVoxels> source = open_volume(volume);
+        problems.insert(problems.end(), source.diagnostics.begin(), source.diagnostics.end());
     }
     return problems;
 }

@@ -1,4 +1,4 @@
-// Gathers the inputs of a cloud: noises of the recipe and maps from files.
+// Gathers the inputs of a cloud: noises of the recipe, and maps and volumes from files.
 #pragma once
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -9,13 +9,15 @@
 
 namespace skybake {
 
-// Reads the maps of the cloud that `bake` names, and adds their content hashes to `details`, since
-// files state only their names. Returns E0300 or E0304 if a map cannot be read.
+// Reads the maps of the cloud that `bake` names and opens its volume. Adds to `details` the content
+// hashes of maps, since files state only their names, and what the volume is like. Returns E0300 or
+// E0304 if a file cannot be read.
 config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                           const config::CloudVolumeBake& bake, Facts& details);
 
-// Reads every map that a cloud of the recipe names, even if the cloud is not baked. Returns E0300
+// Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
 // and E0304 at the recipe's line.
-[[nodiscard]] std::vector<config::Diagnostic> check_maps(const config::Parameters& parameters);
+[[nodiscard]] std::vector<config::Diagnostic> check_cloud_files(
+    const config::Parameters& parameters);
 
 }  // namespace skybake

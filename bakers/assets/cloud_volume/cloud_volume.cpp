@@ -116,8 +116,7 @@ double seam_error(const CloudField& field, const std::array<int, 3>& size) {
 
 std::shared_ptr<const CloudField> make_field(const Cloud& cloud, const CloudVolumeBake& bake,
                                              const CloudInputs& inputs) {
-    return std::make_shared<const CloudField>(
-        make_cloud_plan(cloud, *inputs.base, inputs.detail, bake.size, inputs.maps));
+    return std::make_shared<const CloudField>(plan_of_cloud(cloud, inputs, bake.size));
 }
 
 std::string extent_to_string(const std::array<config::Length, 3>& extent) {
@@ -131,7 +130,7 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
     volume.content = content_of(cloud);
     volume.mapping = "layer";
     volume.axes = axes_of(cloud);
-    volume.channel_names = config::cloud_channel_names(*inputs.base, cloud.channels);
+    volume.channel_names = config::cloud_channel_names(inputs.base, cloud.channels);
     volume.grid_names = grid_names(volume.channel_names);
     volume.sparse = true;
     set_files(bake, volume);
@@ -159,17 +158,21 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
 // All that voxels depend on.
 struct VoxelRequest {
     Cloud cloud;  // with the paths of its maps
-    config::Noise base;
+    std::optional<config::Noise> base;
+    std::optional<config::VolumeFile> volume;
     std::optional<config::Noise> detail;
     std::array<int, 3> size{};
     bool operator==(const VoxelRequest&) const = default;
 };
 
-NeedKey key_of_voxels(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise& base,
-                      const config::Noise* detail) {
-    VoxelRequest request{cloud, base, std::nullopt, bake.size};
-    if (detail != nullptr) request.detail = *detail;
-    return NeedKey(std::move(request));
+template <class Section>
+std::optional<Section> copied(const Section* section) {
+    return section != nullptr ? std::optional<Section>(*section) : std::nullopt;
+}
+
+NeedKey key_of_voxels(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
+                      const config::VolumeFile* volume, const config::Noise* detail) {
+    return NeedKey(VoxelRequest{cloud, copied(base), copied(volume), copied(detail), bake.size});
 }
 
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.
@@ -177,7 +180,7 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
                  const BakeOptions& options, Baked& volume) {
     auto& voxels = volume.levels.front().voxels;
     const auto held = shared_or_made<VoxelSource>(
-        options.intermediates, key_of_voxels(cloud, bake, *inputs.base, inputs.detail),
+        options.intermediates, key_of_voxels(cloud, bake, inputs.base, inputs.file, inputs.detail),
         [&]() -> std::shared_ptr<const VoxelSource> {
             hold_voxels(options, volume);
             return options.cancelled() ? nullptr : voxels;
@@ -186,6 +189,18 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
 }
 
 }  // namespace
+
+cloud::CloudPlan plan_of_cloud(const Cloud& cloud, const CloudInputs& inputs,
+                               const std::array<int, 3>& size) {
+    return inputs.volume ? make_cloud_plan(cloud, *inputs.volume, inputs.detail, size, inputs.maps)
+                         : make_cloud_plan(cloud, *inputs.base, inputs.detail, size, inputs.maps);
+}
+
+cloud::CloudReference reference_of_cloud(const Cloud& cloud, const CloudInputs& inputs,
+                                         const std::array<int, 3>& size) {
+    if (inputs.volume) return {cloud, *inputs.volume, inputs.detail, size, inputs.maps};
+    return {cloud, *inputs.base, inputs.detail, inputs.maps};
+}
 
 float filtered_threshold(const Cloud& cloud) {
     const bool in_file = cloud.threshold_at == config::ThresholdAt::bake;
@@ -199,11 +214,13 @@ Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const C
 
 Need need_of_voxels(const config::Parameters& parameters, const CloudVolumeBake& asset) {
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
-    const config::Noise& base = noise_named(parameters, cloud.noise);
+    const config::Noise* base = noise_of(parameters, cloud);
+    const config::VolumeFile* volume =
+        base == nullptr ? &volume_named(parameters, cloud.volume) : nullptr;
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
     const auto channels = config::cloud_channel_names(base, cloud.channels).size();
-    return {key_of_voxels(cloud, asset, base, detail), "voxels of " + cloud.name,
+    return {key_of_voxels(cloud, asset, base, volume, detail), "voxels of " + cloud.name,
             estimate_cloud_volume(parameters, asset).seconds,
             voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte};
 }
@@ -227,7 +244,7 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
     // Densities are shares of 1, and so is noise.
     const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
     const auto reference =
-        std::make_shared<CloudReference>(cloud, *inputs.base, inputs.detail, inputs.maps);
+        std::make_shared<CloudReference>(reference_of_cloud(cloud, inputs, bake.size));
     return finish_volume(
         std::move(volume),
         {.histogram_ranges = ranges,

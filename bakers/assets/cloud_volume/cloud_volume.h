@@ -1,26 +1,39 @@
 // The asset cloud_volume: the density of a cloud over its extent.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/assets/baker.h"
 #include "bakers/clouds/cloud_plan.h"
+#include "bakers/clouds/cloud_reference.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/cloud.h"
 #include "config/sections/noise.h"
+#include "config/sections/volume.h"
 
 namespace skybake {
 
 // The inputs of a cloud besides its own parameters.
 struct CloudInputs {
-    const config::Noise* base = nullptr;
-    const config::Noise* detail = nullptr;  // null if the cloud names none
+    const config::Noise* base = nullptr;       // null if the cloud is made of a volume
+    const config::VolumeFile* file = nullptr;  // null if it is made of noise
+    std::optional<cloud::CloudVolume> volume;  // of `file`
+    const config::Noise* detail = nullptr;     // null if the cloud names none
     cloud::CloudMaps maps;
 };
+
+// Returns the plan of a cloud at a size.
+cloud::CloudPlan plan_of_cloud(const config::Cloud& cloud, const CloudInputs& inputs,
+                               const std::array<int, 3>& size);
+
+// Returns the cloud's definition, which that of a volume filters for voxels of a size.
+cloud::CloudReference reference_of_cloud(const config::Cloud& cloud, const CloudInputs& inputs,
+                                         const std::array<int, 3>& size);
 
 // Returns the threshold that a lookup of the stored values must exceed to count as cloud.
 float filtered_threshold(const config::Cloud& cloud);
@@ -52,7 +65,7 @@ config::Outcome<Baked> bake_cloud_volume(const config::Cloud& cloud,
 Estimate estimate_cloud_volume(const config::Parameters& parameters,
                                const config::CloudVolumeBake& asset);
 
-// Returns the pictures that are laid over the cloud.
+// Returns the pictures that are laid over the cloud, and the files of the volume that it is made of.
 std::vector<InputFile> cloud_volume_inputs(const config::Parameters& parameters,
                                            const config::CloudVolumeBake& asset);
 

@@ -81,8 +81,9 @@ void draft(CloudVolumeBake& asset, int most_voxels) {
 Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBake& asset) {
     constexpr double kSecondsPerShape = 3e-9;  // profile, threshold, statistics of a voxel
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
-    const config::Noise& base = noise_named(parameters, cloud.noise);
-    double octaves = octaves_of(base);
+    const config::Noise* base = noise_of(parameters, cloud);
+    constexpr double kOctavesOfVolume = 4;  // what reading and resampling take
+    double octaves = base != nullptr ? octaves_of(*base) : kOctavesOfVolume;
     if (!cloud.detail.empty()) octaves += octaves_of(noise_named(parameters, cloud.detail));
     return estimate_volume(asset, asset.size,
                            config::cloud_channel_names(base, cloud.channels).size(),
@@ -95,6 +96,12 @@ std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,
     std::vector<InputFile> files;
     for (const config::CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
         if (!map->file.empty()) files.push_back({map->file, map->path});
+    }
+    if (cloud.volume.empty()) return files;
+    const config::VolumeFile& volume = volume_named(parameters, cloud.volume);
+    for (const std::filesystem::path& path : volume.paths) {
+        const bool is_slice = volume.format == config::VolumeFormat::slices;
+        files.push_back({is_slice ? path.filename().string() : volume.file, path});
     }
     return files;
 }

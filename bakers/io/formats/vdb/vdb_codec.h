@@ -19,6 +19,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/files.h"
@@ -87,6 +88,9 @@ struct VdbCodec {
     config::Outcome<VdbFile> (*read)(const std::filesystem::path& path);
     config::Outcome<bool> (*read_voxels)(const std::filesystem::path& path,
                                          const std::function<bool(const VdbSlab& slab)>& visit);
+    // Implements open_vdb_grid.
+    config::Outcome<FileVoxels> (*open_grid)(const std::filesystem::path& path,
+                                             const std::string& grid, VolumePart part);
 };
 
 // The function that the module exports, and its name.

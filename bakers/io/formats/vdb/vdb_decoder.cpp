@@ -1,156 +1,19 @@
 #include "bakers/io/formats/vdb/vdb_library.h"
 
 #include <fmt/format.h>
-#include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
-#include <stdexcept>
 
-#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/vdb/vdb_input.h"
 
 namespace skybake::vdb {
 namespace {
 
 using config::Outcome;
 namespace io = openvdb::io;
-
-// An exception for a damaged file. It is caught at the end of this source file.
-struct Damaged : std::runtime_error {
-    using std::runtime_error::runtime_error;
-};
-
-void expect(bool condition, const char* what) {
-    if (!condition) throw Damaged(what);
-}
-
-template <class T>
-T read_raw(std::istream& in) {
-    T value;
-    in.read(reinterpret_cast<char*>(&value), sizeof(T));
-    return value;
-}
-
-// --- Heads --------------------------------------------------------------------------------------
-
-// The formats that are read: from the first with a mask in each node, of 2012, to the last that the
-// library knows.
-constexpr std::uint32_t oldest_format = openvdb::OPENVDB_FILE_VERSION_NODE_MASK_COMPRESSION;
-constexpr std::uint32_t newest_format = openvdb::OPENVDB_FILE_VERSION;
-
-// A file that is read with the protected functions of io::Archive.
-//
-// The library allocates memory by the lengths in a file before it notices that the file ends: one
-// flipped bit can cost 4 GiB. So lengths are checked before the library reads.
-class Input : public io::Archive {
-  public:
-    // Reads the head of the file. From now on the stream throws if the file ends early.
-    explicit Input(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
-        stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
-        stream_.seekg(0, std::ios::end);
-        file_size_ = stream_.tellg();
-        stream_.seekg(0);
-        expect(read_raw<std::int64_t>(stream_) == openvdb::OPENVDB_MAGIC,
-               "it does not begin as a VDB file");
-        const auto format = read_raw<std::uint32_t>(stream_);
-        expect(format >= oldest_format && format <= newest_format, "its format is not known");
-        stream_.seekg(0);
-        readHeader(stream_);
-        expect(inputHasGridOffsets(), "it does not say where its grids are");
-        metadata_->setSeekable(true);
-        io::setStreamMetadataPtr(stream_, metadata_, false);
-        setFormatVersion(stream_);
-        setLibraryVersion(stream_);
-    }
-    std::istream& stream() { return stream_; }
-    std::int64_t position() { return stream_.tellg(); }
-    std::int64_t file_size() const { return file_size_; }
-
-    std::int32_t read_grid_count() { return readGridCount(stream_); }
-    std::uint32_t read_compression() {
-        readGridCompression(stream_);
-        return io::getDataCompression(stream_);
-    }
-    void read_metadata(openvdb::MetaMap& map) {
-        const auto begin = stream_.tellg();
-        for (auto entries = read_raw<std::uint32_t>(stream_); entries > 0; --entries) {
-            skip_sized(3);  // name, type, value
-        }
-        stream_.seekg(begin);
-        map.readMeta(stream_);
-    }
-    openvdb::GridBase::Ptr read_descriptor(io::GridDescriptor& descriptor) {
-        const auto begin = stream_.tellg();
-        skip_sized(3);  // the names of grid, type and parent
-        stream_.seekg(begin);
-        return descriptor.read(stream_);
-    }
-    void read_transform(openvdb::GridBase& grid) {
-        const auto begin = stream_.tellg();
-        skip_sized(1);  // the name of its type
-        stream_.seekg(begin);
-        grid.readTransform(stream_);
-    }
-
-  private:
-    // Skips `count` items, each of which is a length and that many bytes.
-    void skip_sized(int count) {
-        for (; count > 0; --count) {
-            const std::int64_t length = read_raw<std::uint32_t>(stream_);
-            expect(position() + length <= file_size_, "it ends early");
-            stream_.seekg(length, std::ios::cur);
-        }
-    }
-
-    io::StreamMetadata::Ptr metadata_{new io::StreamMetadata};  // outlives the stream
-    std::ifstream stream_;
-    std::int64_t file_size_ = 0;
-};
-
-struct Grid {
-    io::GridDescriptor descriptor;
-    openvdb::GridBase::Ptr grid;  // its metadata and transform, no tree
-    std::uint32_t compression = 0;
-    std::int64_t tree_at = 0;
-};
-
-std::vector<Grid> read_grid_heads(Input& input) {
-    std::vector<Grid> grids;
-    const std::int32_t count = input.read_grid_count();
-    for (std::int32_t i = 0; i < count; ++i) {
-        Grid& head = grids.emplace_back();
-        head.grid = input.read_descriptor(head.descriptor);
-        head.descriptor.seekToGrid(input.stream());
-        head.compression = input.read_compression();
-        input.read_metadata(*head.grid);
-        input.read_transform(*head.grid);
-        head.tree_at = input.position();
-        head.descriptor.seekToEnd(input.stream());
-    }
-    return grids;
-}
-
-// Returns the texts of a map by name, without those that OpenVDB itself needs to read the file.
-Attributes texts_of(const openvdb::MetaMap& map) {
-    Attributes attributes;
-    for (auto entry = map.beginMeta(); entry != map.endMeta(); ++entry) {
-        if (entry->first == openvdb::GridBase::META_FILE_DELAYED_LOAD) continue;
-        attributes.emplace_back(entry->first, entry->second->str());
-    }
-    return attributes;
-}
-
-using Vector = std::array<std::int64_t, 3>;
-
-std::optional<Vector> vector_of(const openvdb::GridBase& grid, const char* name) {
-    const auto found = grid.getMetadata<openvdb::Vec3IMetadata>(name);
-    if (!found) return std::nullopt;
-    const openvdb::Vec3i value = found->value();
-    return Vector{value[0], value[1], value[2]};
-}
 
 VdbGrid describe(const Grid& head) {
     using openvdb::GridBase;
@@ -164,11 +27,11 @@ VdbGrid describe(const Grid& head) {
     const openvdb::Vec3d centre = grid.transform().indexToWorld(openvdb::Coord(0, 0, 0));
     described.voxel_size = {edges[0], edges[1], edges[2]};
     described.first_centre = {centre[0], centre[1], centre[2]};
-    described.first_active = vector_of(grid, GridBase::META_FILE_BBOX_MIN).value_or(Vector{});
-    described.last_active = vector_of(grid, GridBase::META_FILE_BBOX_MAX).value_or(Vector{});
+    described.first_active = stated_vector(grid, GridBase::META_FILE_BBOX_MIN).value_or(Vector{});
+    described.last_active = stated_vector(grid, GridBase::META_FILE_BBOX_MAX).value_or(Vector{});
     const Vector& last = described.last_active;
     described.size =
-        vector_of(grid, vdb_size_name).value_or(Vector{last[0] + 1, last[1] + 1, last[2] + 1});
+        stated_vector(grid, vdb_size_name).value_or(Vector{last[0] + 1, last[1] + 1, last[2] + 1});
     using openvdb::Int64Metadata;
     const auto count = grid.getMetadata<Int64Metadata>(GridBase::META_FILE_VOXEL_COUNT);
     if (count) described.active_voxels = count->value();
@@ -189,12 +52,14 @@ struct LeafEntry {
 
 // Reads a node's masks and tiles. Returns the corners of its children, in the file's order.
 template <class Node>
-std::vector<Coord> read_node(std::istream& in, const Coord& corner, bool half) {
+std::vector<Coord> read_node(std::istream& in, std::int64_t file_size, const Coord& corner,
+                             bool half) {
     typename Node::NodeMaskType children, active_tiles;
     children.load(in);
     active_tiles.load(in);
     expect(active_tiles.isOff(), "it has active tiles");
     std::vector<float> tiles(Node::NUM_VALUES);
+    end_of_values(in, file_size, Node::NUM_VALUES, 0, half);
     io::readCompressedValues(in, tiles.data(), Node::NUM_VALUES, active_tiles, half);
     std::vector<Coord> corners;
     for (openvdb::Index i = 0; i < Node::NUM_VALUES; ++i) {
@@ -250,7 +115,8 @@ std::array<std::uint16_t, 3> leaf_number(const VoxelBox& leaf) {
 }
 
 // Reads the leaves of a tree, in the file's order, without their positions.
-std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
+std::vector<LeafEntry> read_tree(std::istream& in, std::int64_t file_size, const Box& box,
+                                 bool half) {
     expect(read_raw<std::int32_t>(in) == 1, "its leaves have several buffers");
     expect(read_raw<float>(in) == 0, "its background is not 0");
     expect(read_raw<openvdb::Index>(in) == 0, "it has tiles of 4096 voxels");
@@ -259,8 +125,8 @@ std::vector<LeafEntry> read_tree(std::istream& in, const Box& box, bool half) {
         Coord corner;
         corner.read(in);
         expect((corner & (vdb_upper_node_edge - 1)) == Coord(0), "a node is not in its place");
-        for (const Coord& lower : read_node<UpperNode>(in, corner, half)) {
-            for (const Coord& leaf : read_node<LowerNode>(in, lower, half)) {
+        for (const Coord& lower : read_node<UpperNode>(in, file_size, corner, half)) {
+            for (const Coord& leaf : read_node<LowerNode>(in, file_size, lower, half)) {
                 leaves.push_back({leaf_number(box.leaf_at(leaf)), 0});
                 in.seekg(sizeof(VdbLeafMask), std::ios::cur);  // it is with the voxels too
             }
@@ -336,7 +202,7 @@ Vector Volume::find_size(const std::vector<Grid>& grids) {
         expect(!grid.descriptor.isInstance(), "grids share a tree");
         const VdbGrid described = describe(grid);
         expect(described.size == size, "its grids have different sizes");
-        const bool says_size = vector_of(*grid.grid, vdb_size_name).has_value();
+        const bool says_size = stated_vector(*grid.grid, vdb_size_name).has_value();
         expect(says_size || described.first_active == Vector{},
                "its voxels do not begin at the origin");
     }
@@ -348,14 +214,13 @@ std::vector<LeafEntry> Volume::find_leaves(const Grid& grid) {
     const bool half = grid.descriptor.saveFloatAsHalf();
     use(grid);
     in.seekg(grid.tree_at);
-    std::vector<LeafEntry> leaves = read_tree(in, box_, half);
+    std::vector<LeafEntry> leaves = read_tree(in, input_.file_size(), box_, half);
     grid.descriptor.seekToBlocks(in);
     for (LeafEntry& leaf : leaves) {
         leaf.position = input_.position();
         Leaf::NodeMaskType active;
         active.load(in);
-        // Null means that the values are skipped.
-        io::readCompressedValues<float>(in, nullptr, Leaf::NUM_VALUES, active, half);
+        in.seekg(end_of_values(in, input_.file_size(), Leaf::NUM_VALUES, active.countOn(), half));
     }
     expect(input_.position() == grid.descriptor.getEndPos(),
            "its voxels do not end where they should");
@@ -389,25 +254,6 @@ void Volume::read_leaf(std::size_t channel, const LeafEntry& entry, VdbSlab& sla
             }
         }
     }
-}
-
-// --- Outcomes -----------------------------------------------------------------------------------
-
-template <class T, class Function>
-Outcome<T> reported(const std::filesystem::path& path, Function&& function) {
-    std::string reason;
-    try {
-        static const bool types_are_known = (openvdb::initialize(), true);
-        static_cast<void>(types_are_known);
-        return {function(), {}};
-    } catch (const std::ios::failure&) {
-        reason = "it ends early";
-    } catch (const std::exception& error) {
-        reason = error.what();
-    }
-    return {{},
-            {file_error("E0304", path.string(),
-                        fmt::format("cannot read `{}` as a VDB file: {}", path.string(), reason))}};
 }
 
 }  // namespace

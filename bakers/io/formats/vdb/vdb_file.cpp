@@ -12,6 +12,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
+#include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_writer.h"
 
 namespace skybake {
@@ -160,6 +161,11 @@ Outcome<bool> read_vdb_voxels(const fs::path& path,
                               const std::function<bool(const VdbSlab& slab)>& visit) {
     return read_with_module<bool>(
         path, [&](const VdbCodec& codec) { return codec.read_voxels(path, visit); });
+}
+
+Outcome<FileVoxels> open_vdb_grid(const fs::path& path, const std::string& grid, VolumePart part) {
+    return read_with_module<FileVoxels>(
+        path, [&](const VdbCodec& codec) { return codec.open_grid(path, grid, part); });
 }
 
 namespace {

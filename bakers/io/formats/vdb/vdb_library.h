@@ -31,5 +31,7 @@ void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& l
 config::Outcome<VdbFile> read(const std::filesystem::path& path);
 config::Outcome<bool> read_voxels(const std::filesystem::path& path,
                                   const std::function<bool(const VdbSlab& slab)>& visit);
+config::Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::string& grid,
+                                      VolumePart part);
 
 }  // namespace skybake::vdb

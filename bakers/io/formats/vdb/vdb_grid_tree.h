@@ -1,0 +1,112 @@
+// The tree of a grid of floats, as it stands in a VDB file, without its voxels: where each leaf is in
+// the file, and the values of tiles. Only the module skybake_vdb includes this header.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "bakers/io/formats/vdb/vdb_input.h"
+#include "bakers/io/formats/vdb/vdb_library.h"
+
+namespace skybake::vdb {
+
+// Where a leaf's mask and values are in the file.
+struct LeafRecord {
+    std::int64_t begin = 0;
+    std::uint32_t bytes = 0;
+    bool is_zero = false;  // known once the leaf has been decoded
+};
+
+// The children and tiles of an inner node with 2^(3 log2_edge) places. Memory follows what the file
+// holds: children are counted up to a place, and tiles are only kept if they differ.
+template <class Node>
+class NodePlaces {
+  public:
+    static constexpr std::size_t places = Node::NUM_VALUES;
+
+    NodePlaces(const typename Node::NodeMaskType& children, std::vector<float> tiles,
+               std::size_t first_child)
+        : first_child_(first_child) {
+        for (std::size_t word = 0; word < words; ++word) {
+            children_[word] =
+                children.template getWord<std::uint64_t>(static_cast<openvdb::Index>(word));
+            before_[word] = count_;
+            count_ += static_cast<std::uint32_t>(std::popcount(children_[word]));
+        }
+        bool differ = false;
+        bool is_first = true;
+        for (std::size_t i = 0; i < places; ++i) {
+            if (has_child(i)) continue;
+            if (is_first) tile_ = tiles[i];
+            is_first = false;
+            differ = differ || !(tiles[i] == tile_);
+        }
+        if (differ) tiles_ = std::move(tiles);
+    }
+
+    bool has_child(std::size_t place) const {
+        return (children_[place / 64] >> (place % 64) & 1U) != 0;
+    }
+    // The number of the child at a place among all children of the tree's level.
+    std::size_t child(std::size_t place) const {
+        const std::uint64_t below = children_[place / 64] & ((std::uint64_t{1} << place % 64) - 1);
+        return first_child_ + before_[place / 64] + static_cast<std::size_t>(std::popcount(below));
+    }
+    float tile(std::size_t place) const { return tiles_.empty() ? tile_ : tiles_[place]; }
+
+  private:
+    static constexpr std::size_t words = places / 64;
+    std::array<std::uint64_t, words> children_{};
+    std::array<std::uint32_t, words> before_{};
+    std::uint32_t count_ = 0;
+    std::size_t first_child_ = 0;
+    float tile_ = 0;
+    std::vector<float> tiles_;
+};
+
+// A box of indices, inclusive.
+struct IndexBounds {
+    Vector first{kNone, kNone, kNone};
+    Vector last{-kNone, -kNone, -kNone};
+
+    bool empty() const { return first[0] > last[0]; }
+    void add(const Vector& from, const Vector& to) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (from[i] < first[i]) first[i] = from[i];
+            if (to[i] > last[i]) last[i] = to[i];
+        }
+    }
+
+  private:
+    static constexpr std::int64_t kNone = std::numeric_limits<std::int64_t>::max();
+};
+
+struct GridTree {
+    float background = 0;
+    float largest_tile = 0;  // of values beside voxels, background included
+    bool finite_tiles = true;
+    std::map<std::array<int, 3>, float> root_tiles;           // by corner
+    std::map<std::array<int, 3>, std::size_t> root_children;  // by corner: number of the node
+    std::vector<NodePlaces<UpperNode>> upper;
+    std::vector<NodePlaces<LowerNode>> lower;
+    std::vector<LeafRecord> leaves;
+    IndexBounds active;
+
+    // What holds an index: a leaf, or a tile of one value.
+    struct Place {
+        const LeafRecord* leaf = nullptr;  // null: a tile
+        float value = 0;                   // of the tile
+        int edge = 0;                      // voxels along it: 8, 128 or 4096
+    };
+    Place find(const openvdb::Coord& index) const;
+};
+
+// Reads the tree of a grid of floats, and finds its leaves in the file.
+GridTree read_grid_tree(Input& input, const Grid& grid);
+
+}  // namespace skybake::vdb

@@ -1,0 +1,25 @@
+// Voxels of a volume's files, whatever the format, along the file's own axes.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "bakers/field/baked.h"
+
+namespace skybake {
+
+struct FileVoxels {
+    std::array<int, 3> first{};            // index of the first voxel
+    std::array<int, 3> size{};             // from there
+    std::array<double, 3> voxel_size{};    // edges, in the file's units; 0 if it does not say
+    std::array<double, 3> index_origin{};  // lower corner of voxel (0, 0, 0) in the file's space
+    float background = 0;
+    float largest = 0;  // no value is above it, `background` included
+    // One channel, by index. A box may reach beyond the voxels, where there is background. Null if
+    // only the shape was asked for. It throws if the file changes while it is read.
+    std::shared_ptr<const VoxelSource> voxels;
+};
+
+enum class VolumePart { shape, voxels };
+
+}  // namespace skybake

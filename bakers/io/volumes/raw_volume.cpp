@@ -1,0 +1,191 @@
+#include "bakers/io/volumes/raw_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/io/files/file_io.h"
+#include "bakers/math/half_conversion.h"
+
+namespace skybake {
+namespace {
+
+using config::AxisOrder;
+using config::ByteOrder;
+using config::Outcome;
+using config::PixelType;
+
+std::size_t bytes_of(PixelType type) {
+    if (type == PixelType::float32) return 4;
+    return type == PixelType::unorm8 ? 1 : 2;
+}
+
+// The axes from the fastest to the slowest.
+std::array<std::size_t, 3> axes_of(AxisOrder order) {
+    switch (order) {
+        case AxisOrder::xyz:
+            return {0, 1, 2};
+        case AxisOrder::xzy:
+            return {0, 2, 1};
+        case AxisOrder::yxz:
+            return {1, 0, 2};
+        case AxisOrder::yzx:
+            return {1, 2, 0};
+        case AxisOrder::zxy:
+            return {2, 0, 1};
+        case AxisOrder::zyx:
+            break;
+    }
+    return {2, 1, 0};
+}
+
+std::uint32_t number_at(const char* bytes, std::size_t count, ByteOrder order) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = order == ByteOrder::big ? i : count - 1 - i;
+        number = number << 8U | static_cast<unsigned char>(bytes[at]);
+    }
+    return number;
+}
+
+float value_at(const char* bytes, PixelType type, ByteOrder order) {
+    const std::uint32_t number = number_at(bytes, bytes_of(type), order);
+    if (type == PixelType::float32) return std::bit_cast<float>(number);
+    if (type == PixelType::half) return float_of_half(static_cast<std::uint16_t>(number));
+    const float largest = type == PixelType::unorm8 ? 255.0F : 65535.0F;
+    return static_cast<float>(number) / largest;
+}
+
+class RawVoxels : public VoxelSource {
+  public:
+    RawVoxels(FileInput file, const RawLayout& layout)
+        : file_(std::move(file)), layout_(layout), axes_(axes_of(layout.axis_order)) {}
+
+    std::uint64_t bytes() const {
+        return layout_.offset + static_cast<std::uint64_t>(VoxelBox{{}, layout_.size}.count()) *
+                                    bytes_of(layout_.type);
+    }
+    std::uint64_t file_bytes() const { return file_.size(); }
+
+    // Reads all voxels. Returns the largest value, at least 0, or what is wrong with one.
+    std::optional<std::string> survey(float& largest) const {
+        constexpr std::int64_t most = 1 << 18;
+        const std::int64_t count = VoxelBox{{}, layout_.size}.count();
+        std::string bytes;
+        std::vector<float> values(most);
+        for (std::int64_t first = 0; first < count; first += most) {
+            const auto part = static_cast<std::size_t>(std::min(most, count - first));
+            read(first, part, bytes, values.data());
+            for (std::size_t i = 0; i < part; ++i) {
+                if (!std::isfinite(values[i])) {
+                    return fmt::format("voxel {} (from 0, in the file's order) is {}",
+                                       first + static_cast<std::int64_t>(i), values[i]);
+                }
+                largest = std::max(largest, values[i]);
+            }
+        }
+        return std::nullopt;
+    }
+
+    // Voxels along the fastest axis are read together.
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        float* out = channels[0];
+        std::fill_n(out, box.count(), 0.0F);
+        std::array<int, 3> first{};
+        std::array<int, 3> end{};
+        for (std::size_t i = 0; i < 3; ++i) {
+            first[i] = std::max(box.origin[i], 0);
+            end[i] = std::min(box.origin[i] + box.size[i], layout_.size[i]);
+            if (first[i] >= end[i]) return;
+        }
+        const auto [fast, middle, slow] = axes_;
+        const auto count = static_cast<std::size_t>(end[fast] - first[fast]);
+        const std::int64_t step = step_of(box, fast);
+        std::string bytes;
+        std::vector<float> line(count);
+        std::array<int, 3> at = first;
+        for (at[slow] = first[slow]; at[slow] < end[slow]; ++at[slow]) {
+            for (at[middle] = first[middle]; at[middle] < end[middle]; ++at[middle]) {
+                const std::int64_t row = std::int64_t{at[slow]} * layout_.size[middle] + at[middle];
+                read(row * layout_.size[fast] + first[fast], count, bytes, line.data());
+                float* to = out;
+                for (std::size_t i = 0; i < 3; ++i) {
+                    to += (at[i] - box.origin[i]) * step_of(box, i);
+                }
+                for (std::size_t i = 0; i < count; ++i, to += step) *to = line[i];
+            }
+        }
+    }
+
+  private:
+    // The distance of neighbours along an axis in a box.
+    static std::int64_t step_of(const VoxelBox& box, std::size_t axis) {
+        if (axis == 0) return 1;
+        return axis == 1 ? box.size[0] : std::int64_t{box.size[0]} * box.size[1];
+    }
+
+    // Reads voxels in the file's order.
+    void read(std::int64_t first, std::size_t count, std::string& bytes, float* values) const {
+        const std::size_t each = bytes_of(layout_.type);
+        bytes.resize(count * each);
+        const std::uint64_t position = layout_.offset + static_cast<std::uint64_t>(first) * each;
+        {
+            const std::lock_guard lock(mutex_);
+            if (file_.read(position, bytes.data(), bytes.size()) != bytes.size()) {
+                throw std::runtime_error("a volume's file has changed while it was read");
+            }
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            values[i] = value_at(bytes.data() + i * each, layout_.type, layout_.byte_order);
+        }
+    }
+
+    mutable std::mutex mutex_;  // guards the file
+    mutable FileInput file_;
+    const RawLayout layout_;
+    const std::array<std::size_t, 3> axes_;
+};
+
+Outcome<FileVoxels> not_such_a_volume(const std::filesystem::path& path,
+                                      const std::string& reason) {
+    return {
+        {},
+        {file_error("E0304", path.string(),
+                    fmt::format("cannot read `{}` as a raw volume: {}", path.string(), reason))}};
+}
+
+}  // namespace
+
+Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path, const RawLayout& layout,
+                                    VolumePart part) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const auto source = std::make_shared<RawVoxels>(std::move(*file.value), layout);
+    if (source->bytes() != source->file_bytes()) {
+        return not_such_a_volume(path, fmt::format("it has {} bytes, and the layout has {}",
+                                                   source->file_bytes(), source->bytes()));
+    }
+    FileVoxels voxels;
+    voxels.size = layout.size;
+    if (part == VolumePart::shape) return {std::move(voxels), {}};
+    try {
+        if (const auto problem = source->survey(voxels.largest)) {
+            return not_such_a_volume(path, *problem);
+        }
+    } catch (const std::exception& error) {
+        return not_such_a_volume(path, error.what());
+    }
+    voxels.voxels = source;
+    return {std::move(voxels), {}};
+}
+
+}  // namespace skybake

@@ -1,0 +1,95 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/sections.h"
+#include "config/text/key_path.h"
+#include "config/text/units.h"
+
+namespace skybake::config {
+namespace {
+
+// These tables shape noise. A cloud of a volume has its shape already.
+constexpr std::array<std::string_view, 4> noise_tables = {"height_profile", "type_map", "scatter",
+                                                          "towers"};
+
+void report_beside_volume(const Place& place, const std::string& path, Decoder& decoder) {
+    decoder.diagnostics.error(
+        "E0111", place, fmt::format("`{}` shapes noise, and this cloud is made of a volume", path),
+        "leave it out, or give noise in place of volume");
+}
+
+void check_noise_keys(const DecodedSection& section, const Table& table, Decoder& decoder) {
+    for (const std::string_view name : noise_tables) {
+        const Entry* entry = find_entry(table, name);
+        if (!entry) continue;
+        report_beside_volume(entry->key_place, join_path(section.path, name), decoder);
+    }
+    const DecodedField& channels = section.at("channels");
+    if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::noise) return;
+    report_beside_volume(channels.source->place, join_path(section.path, "channels"), decoder);
+}
+
+void check_name(const DecodedField& volume, const std::string& path, Decoder& decoder) {
+    const std::string* name = text_of(volume);
+    if (!name || !name->empty()) return;
+    decoder.diagnostics.error("E0110", volume.source->place,
+                              fmt::format("`{}` is empty", join_path(path, "volume")),
+                              "give the NAME of a [volumes.NAME], or leave it out");
+}
+
+void derive_extent(DecodedSection& section, const VolumeShape& shape, Decoder& decoder) {
+    DecodedField& extent = section.at("extent");
+    const Range& range = extent.field->range;
+    std::array<double, 3> meters{};
+    for (std::size_t i = 0; i < 3; ++i) {
+        meters[i] = shape.size[i] * shape.voxel_size_m[i];
+        if (meters[i] >= range.minimum && meters[i] <= range.maximum) continue;
+        return decoder.diagnostics.error(
+            "E0110", section.at("volume").source->place,
+            fmt::format("the volume spans {} along {}", length_to_string(meters[i]), "xyz"[i]),
+            fmt::format("an extent is {}; give the cloud its own, or the volume a voxel_size",
+                        describe_range(*extent.field)));
+    }
+    derive(extent, meters);
+}
+
+// Takes the extent from the volume's file.
+void read_extent(DecodedSection& section, const VolumeFile& volume, const CloudSources& sources,
+                 Decoder& decoder) {
+    const VolumeProbe probe = volume_probe();
+    if (probe == nullptr || decoder.diagnostics.has_errors()) return;
+    const Outcome<VolumeShape> shape = probe(volume);
+    const auto number = static_cast<std::size_t>(&volume - sources.volumes.data());
+    for (const Diagnostic& diagnostic : shape.diagnostics) {
+        decoder.diagnostics.error(diagnostic.code, sources.volume_files[number], diagnostic.message,
+                                  diagnostic.label);
+    }
+    if (shape.value) derive_extent(section, *shape.value, decoder);
+}
+
+}  // namespace
+
+void resolve_cloud_source(DecodedSection& section, const Table& table, const CloudSources& sources,
+                          Decoder& decoder) {
+    const VolumeFile* volume =
+        find_named(section, "volume", sources.volumes, volume_reference, decoder);
+    const bool is_of_volume = section.at("volume").source != nullptr;
+    if (is_of_volume) {
+        check_name(section.at("volume"), section.path, decoder);
+        check_noise_keys(section, table, decoder);
+        derive(section.at("edge_softness"), 0.0);
+    }
+    const DecodedField& extent = section.at("extent");
+    if (volume && !extent.source) read_extent(section, *volume, sources, decoder);
+    const bool is_at_fault = is_of_volume && decoder.diagnostics.has_errors();
+    if (extent.source || extent.value || is_at_fault || !decoder.complete) return;
+    decoder.diagnostics.error("E0105", section.place,
+                              fmt::format("`{}` is missing", join_path(section.path, "extent")),
+                              fmt::format("give {}", extent.field->kind.words));
+}
+
+}  // namespace skybake::config

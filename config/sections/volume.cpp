@@ -1,0 +1,141 @@
+#include "config/sections/volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+
+#include "config/fields/section_decoder.h"
+#include "config/sections/sections.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+VolumeProbe the_probe = nullptr;
+
+// This is the number in the names of slices: "%d" or "%03d".
+struct NumberPlace {
+    std::size_t begin = 0;  // of the `%`
+    std::size_t end = 0;    // behind the `d`
+    int digits = 0;
+};
+
+// Returns none if the name does not have exactly one number.
+std::optional<NumberPlace> number_place(std::string_view name) {
+    NumberPlace place;
+    place.begin = name.find('%');
+    if (place.begin == std::string_view::npos) return std::nullopt;
+    std::size_t at = place.begin + 1;
+    if (at < name.size() && name[at] == '0') {
+        ++at;
+        if (at >= name.size() || name[at] < '1' || name[at] > '9') return std::nullopt;
+        place.digits = name[at++] - '0';
+    }
+    if (at >= name.size() || name[at] != 'd') return std::nullopt;
+    place.end = at + 1;
+    if (name.find('%', place.end) != std::string_view::npos) return std::nullopt;
+    return place;
+}
+
+// This is one volume while its keys are checked.
+struct VolumeDecoder {
+    const DecodedSection& section;
+    VolumeFile& volume;
+    Decoder& decoder;
+
+    bool gives(std::string_view key) const { return section.at(key).source != nullptr; }
+
+    Place place_of(std::string_view key) const {
+        const Value* source = section.at(key).source;
+        return source ? source->place : section.place;
+    }
+
+    void report(const char* code, std::string_view key, std::string_view what,
+                std::string label) const {
+        decoder.diagnostics.error(code, place_of(key),
+                                  fmt::format("`{}` {}", join_path(section.path, key), what),
+                                  std::move(label));
+    }
+
+    void append_slices(const std::filesystem::path& folder) const {
+        const std::optional<NumberPlace> number = number_place(volume.file);
+        if (!number) {
+            return report("E0110", "file", "does not say where the numbers of its slices stand",
+                          "write the number once, as in \"slice_%03d.exr\"");
+        }
+        for (int i = 0; i < volume.slices; ++i) {
+            const std::string name = volume.file.substr(0, number->begin) +
+                                     fmt::format("{:0{}}", volume.first_slice + i, number->digits) +
+                                     volume.file.substr(number->end);
+            volume.paths.push_back((folder / name).lexically_normal());
+        }
+    }
+
+    // Files are looked for where includes are: in the folder of the recipe that names them.
+    void resolve_paths() const {
+        const DecodedField& file = section.at("file");
+        if (!file.source || !file.value) return;
+        if (volume.file.empty()) {
+            return report("E0110", "file", "is empty", "give the name of a volume's file");
+        }
+        const Source* source = file.source->place.source;
+        const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
+        volume.file_place = source_range(file.source->place);
+        if (volume.format == VolumeFormat::slices) return append_slices(folder);
+        volume.paths.push_back((folder / volume.file).lexically_normal());
+    }
+
+    void check_pair(std::string_view first, std::string_view second) const {
+        if (gives(first) == gives(second) || !decoder.complete) return;
+        const std::string_view missing = gives(first) ? second : first;
+        report("E0105", gives(first) ? first : second, fmt::format("needs {} beside it", missing),
+               fmt::format("give {}, or leave both out", missing));
+    }
+
+    // Each length is above 0, where the key is given at all.
+    void check_positive(std::string_view key, const std::array<Length, 3>& lengths) const {
+        const auto is_positive = [](Length length) { return length.meters > 0; };
+        if (!section.at(key).value) return;
+        if (std::all_of(lengths.begin(), lengths.end(), is_positive)) return;
+        report("E0110", key, "has a length that is not above 0", "give three lengths above 0");
+    }
+
+    void check_keys() const {
+        check_pair("crop_first", "crop_size");
+        check_pair("crop_corner", "crop_extent");
+        check_positive("voxel_size", volume.voxel_size);
+        check_positive("crop_extent", volume.crop_extent);
+        const bool says_size = volume.format == VolumeFormat::vdb || gives("voxel_size");
+        if (says_size || !decoder.complete) return;
+        decoder.diagnostics.error(
+            "E0105", section.place,
+            fmt::format("`{}` is missing: these files do not say how large a voxel is",
+                        join_path(section.path, "voxel_size")),
+            "give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]");
+    }
+};
+
+}  // namespace
+
+void set_volume_probe(VolumeProbe probe) { the_probe = probe; }
+
+VolumeProbe volume_probe() { return the_probe; }
+
+VolumeFile decode_volume(const std::string& name, const Place& place, const Table& table,
+                         Place& file_place, Decoder& decoder) {
+    const std::string path = join_path("volumes", name);
+    VolumeFile volume;
+    volume.name = name;
+    const DecodedSection section =
+        decode_section(*find_section("volumes.*"), path, place, table, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, volume_fields(), volume);
+    const VolumeDecoder reader{section, volume, decoder};
+    reader.resolve_paths();
+    reader.check_keys();
+    file_place = reader.place_of("file");
+    return volume;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,138 @@
+// Damaged VDB files are errors, or volumes with other numbers: nothing crashes, hangs or takes memory
+// that the file does not fill.
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <ctime>
+
+#include "bakers/clouds/resampled_volume.h"
+#include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/volumes/volume_reader.h"
+#include "tests/io/vdb_samples.h"
+#include "tests/volumes/damaged_files.h"
+#include "tests/volumes/vdb_files.h"
+
+namespace skybake {
+namespace {
+
+using testing::damaged;
+using testing::TemporaryFolder;
+
+namespace io = openvdb::io;
+
+// Files of OpenVDB's writer in all compressions, as float and half, and a sparse file of our own.
+std::vector<std::string> originals(const TemporaryFolder& folder) {
+    std::vector<std::string> all;
+    const auto add = [&] { all.push_back(testing::read_bytes(folder / "v.vdb")); };
+    for (const bool half : {false, true}) {
+        const auto grid = testing::any_grid();
+        grid->setSaveFloatAsHalf(half);
+        for (const std::uint32_t compression :
+             {std::uint32_t{io::COMPRESS_ACTIVE_MASK},
+              io::COMPRESS_ZIP | std::uint32_t{io::COMPRESS_ACTIVE_MASK},
+              io::COMPRESS_BLOSC | std::uint32_t{io::COMPRESS_ACTIVE_MASK}}) {
+            testing::write_grid(grid, folder / "v.vdb", compression);
+            add();
+        }
+    }
+    Baked own =
+        testing::vdb_sample({20, 17, 9}, 1, config::PixelType::half, config::VdbCompression::blosc);
+    own.sparse = true;
+    EXPECT_TRUE(testing::write_sample(own, folder / "own.vdb").value);
+    all.push_back(testing::read_bytes(folder / "own.vdb"));
+    return all;
+}
+
+long peak_kib() {
+    rusage usage{};
+    ::getrusage(RUSAGE_SELF, &usage);
+    return usage.ru_maxrss;
+}
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+struct Tally {
+    int refused = 0;
+    int opened = 0;
+    double longest = 0;  // seconds of processor time for one file
+    long grown_kib = 0;  // of the process's peak memory
+};
+
+// Reads a volume as a cloud of few voxels does. What a damaged file calls its size may be more than
+// there is time to read.
+void use(const SourceVoxels& source) {
+    constexpr std::int64_t most_voxels = 1 << 26;
+    if (VoxelBox{{}, source.size}.count() > most_voxels) return;
+    const std::array<int, 3> size = {4, 4, 4};
+    const cloud::ResampledVolume voxels({source, config::VolumeWrap::empty}, size);
+    const std::vector<float> values = testing::planes_of(voxels, {{}, size}, 1)[0];
+    for (const float value : values) EXPECT_LE(value, source.largest * 1.0001F);
+}
+
+Tally read_damaged(std::uint64_t first_seed, int count) {
+    const TemporaryFolder folder;
+    const std::vector<std::string> files = originals(folder);
+    config::VolumeFile volume;
+    volume.paths = {folder / "damaged.vdb"};
+    const long before = peak_kib();
+    Tally tally;
+    for (int i = 0; i < count; ++i) {
+        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
+        testing::write_bytes(volume.paths[0], damaged(files[seed % files.size()], seed));
+        const double begin = processor_seconds();
+        const auto source = open_volume(volume);
+        if (source.value) {
+            ++tally.opened;
+            use(*source.value);
+        } else {
+            ++tally.refused;
+            const std::string& code = source.diagnostics.at(0).code;
+            EXPECT_TRUE(code == "E0304" || code == "E0110") << code << ", seed " << seed;
+        }
+        // The reader of own files is held to the same.
+        static_cast<void>(read_vdb_voxels(volume.paths[0], [](const VdbSlab&) { return true; }));
+        tally.longest = std::max(tally.longest, processor_seconds() - begin);
+    }
+    tally.grown_kib = peak_kib() - before;
+    return tally;
+}
+
+void expect_harmless(const Tally& tally) {
+    std::printf("%d refused, %d opened, longest %.3f s, peak memory grew by %ld KiB\n",
+                tally.refused, tally.opened, tally.longest, tally.grown_kib);
+    EXPECT_GT(tally.refused, tally.opened) << "most damage is seen";
+    EXPECT_LT(tally.longest, 10) << "no file hangs";
+    EXPECT_LT(tally.grown_kib, 300 << 10);
+}
+
+TEST(DamagedVdb, DoesNoHarm) { expect_harmless(read_damaged(1, 200)); }
+
+TEST(ManyDamagedVdbs, DoNoHarm) { expect_harmless(read_damaged(1000, 2000)); }
+
+// The damage is the same everywhere, and it is damage.
+TEST(DamagedVdb, DiffersFromTheFile) {
+    const std::string bytes(500, 'x');
+    int same = 0;
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
+        EXPECT_EQ(damaged(bytes, seed), damaged(bytes, seed));
+        if (damaged(bytes, seed) == bytes) ++same;
+    }
+    EXPECT_LT(same, 5);
+}
+
+// Every early end of a file is seen.
+TEST(DamagedVdb, IsRefusedWhereverItEnds) {
+    const TemporaryFolder folder;
+    config::VolumeFile volume;
+    volume.paths = {folder / "cut.vdb"};
+    for (const std::string& bytes : originals(folder)) {
+        for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
+            testing::write_bytes(volume.paths[0], bytes.substr(0, size));
+            const auto source = open_volume(volume);
+            EXPECT_FALSE(source.value) << size << " of " << bytes.size();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,75 @@
+// VDB files that OpenVDB itself writes, and the voxels that it finds in them.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <openvdb/io/File.h>
+#include <openvdb/openvdb.h>
+#include <openvdb/tools/Dense.h>
+
+#include <filesystem>
+#include <string>
+
+#include "bakers/io/formats/vdb/vdb_source.h"
+#include "tests/io/files.h"
+
+namespace skybake::testing {
+
+using openvdb::Coord;
+using openvdb::FloatGrid;
+
+// A grid with leaves, active and inactive voxels, and tiles on all levels, around the origin.
+inline FloatGrid::Ptr any_grid(float background = 0) {
+    openvdb::initialize();
+    FloatGrid::Ptr grid = FloatGrid::create(background);
+    grid->setName("density");
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    FloatGrid::Accessor voxels = grid->getAccessor();
+    for (int i = 0; i < 400; ++i) {
+        const Coord at(i * 7 % 61 - 20, i * 13 % 45 - 5, i * 29 % 37);
+        const float value = static_cast<float>(i % 97) / 97;
+        if (i % 5 == 0) {
+            voxels.setValueOff(at, value);
+        } else {
+            voxels.setValueOn(at, value);
+        }
+    }
+    grid->fill({Coord(-32, 0, 8), Coord(-25, 7, 15)}, 0.75F);      // a tile of 8
+    grid->fill({Coord(0, -16, 0), Coord(7, -9, 7)}, 0.5F, false);  // an inactive one
+    return grid;
+}
+
+inline void write_grid(const openvdb::GridBase::Ptr& grid, const std::filesystem::path& path,
+                       std::uint32_t compression = openvdb::io::COMPRESS_BLOSC |
+                                                   openvdb::io::COMPRESS_ACTIVE_MASK) {
+    openvdb::io::File file(path.string());
+    file.setCompression(compression);
+    file.write({grid});
+}
+
+inline FileVoxels opened(const std::filesystem::path& path, const std::string& grid = "density") {
+    const auto voxels = open_vdb_grid(path, grid, VolumePart::voxels);
+    for (const auto& diagnostic : voxels.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return voxels.value.value_or(FileVoxels{});
+}
+
+// Expects that voxels of a box are those that OpenVDB's accessor finds.
+inline void expect_same_voxels(const FloatGrid& grid, const FileVoxels& file, const VoxelBox& box,
+                               float tolerance = 0) {
+    std::vector<float> values(static_cast<std::size_t>(box.count()));
+    ASSERT_NE(file.voxels, nullptr);
+    file.voxels->fill(box, {values.data()});
+    const FloatGrid::ConstAccessor voxels = grid.getConstAccessor();
+    std::size_t i = 0;
+    int wrong = 0;
+    for (int z = 0; z < box.size[2]; ++z) {
+        for (int y = 0; y < box.size[1]; ++y) {
+            for (int x = 0; x < box.size[0]; ++x, ++i) {
+                const Coord at(box.origin[0] + x, box.origin[1] + y, box.origin[2] + z);
+                if (std::abs(values[i] - voxels.getValue(at)) > tolerance) ++wrong;
+            }
+        }
+    }
+    EXPECT_EQ(wrong, 0) << "of " << values.size();
+}
+
+}  // namespace skybake::testing

@@ -1,0 +1,190 @@
+// Grids that OpenVDB's own writer has written, against OpenVDB's accessors.
+#include <gtest/gtest.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <limits>
+
+#include "tests/volumes/vdb_files.h"
+
+namespace skybake {
+namespace {
+
+using testing::any_grid;
+using testing::Coord;
+using testing::expect_same_voxels;
+using testing::FloatGrid;
+using testing::opened;
+using testing::TemporaryFolder;
+using testing::write_grid;
+
+namespace io = openvdb::io;
+
+VoxelBox box_of(const FileVoxels& file) { return {file.first, file.size}; }
+
+std::string problem_of(const openvdb::GridBase::Ptr& grid, const std::string& name = "density") {
+    const TemporaryFolder folder;
+    write_grid(grid, folder / "v.vdb");
+    const auto voxels = open_vdb_grid(folder / "v.vdb", name, VolumePart::voxels);
+    if (voxels.value) return "";
+    EXPECT_EQ(voxels.diagnostics.at(0).code, "E0304");
+    const std::string& message = voxels.diagnostics.at(0).message;
+    const std::string words = "as a VDB file: ";
+    return message.substr(message.find(words) + words.size());
+}
+
+TEST(VdbGrid, HasTheVoxelsOfOpenVdbInEveryCompression) {
+    const TemporaryFolder folder;
+    for (const float background : {0.0F, 0.125F, -1.0F}) {
+        const FloatGrid::Ptr grid = any_grid(background);
+        for (const std::uint32_t compression :
+             {std::uint32_t{io::COMPRESS_NONE}, std::uint32_t{io::COMPRESS_ZIP},
+              std::uint32_t{io::COMPRESS_ACTIVE_MASK},
+              io::COMPRESS_ZIP | std::uint32_t{io::COMPRESS_ACTIVE_MASK},
+              io::COMPRESS_BLOSC | std::uint32_t{io::COMPRESS_ACTIVE_MASK}}) {
+            write_grid(grid, folder / "v.vdb", compression);
+            const FileVoxels file = opened(folder / "v.vdb");
+            EXPECT_EQ(file.background, background);
+            expect_same_voxels(*grid, file, box_of(file));
+            expect_same_voxels(*grid, file, {{-40, -30, -9}, {90, 80, 60}});  // beyond as well
+            expect_same_voxels(*grid, file, {{-3, 2, 5}, {4, 1, 11}});
+        }
+    }
+}
+
+TEST(VdbGrid, IsTheBoxOfActiveVoxelsAndTiles) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = any_grid();
+    write_grid(grid, folder / "v.vdb");
+    const openvdb::CoordBBox active = grid->evalActiveVoxelBoundingBox();
+    const FileVoxels file = opened(folder / "v.vdb");
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        EXPECT_EQ(file.first[axis], active.min()[i]);
+        EXPECT_EQ(file.size[axis], active.dim()[i]);
+    }
+    float largest = 0;
+    for (auto voxel = grid->cbeginValueAll(); voxel; ++voxel) {
+        largest = std::max(largest, voxel.getValue());
+    }
+    EXPECT_EQ(file.largest, largest);
+}
+
+TEST(VdbGrid, HasTilesOfEverySize) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = FloatGrid::create(0);
+    grid->setName("density");
+    grid->tree().addTile(2, Coord(128, 0, 0), 0.25F, true);   // 128^3
+    grid->tree().addTile(3, Coord(-4096, 0, 0), 0.5F, true);  // 4096^3
+    grid->tree().addTile(1, Coord(0, 0, 0), 0.75F, true);     // 8^3
+    write_grid(grid, folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.vdb");
+    EXPECT_EQ(file.size, (std::array<int, 3>{4096 + 256, 4096, 4096}));
+    for (const int x : {-4097, -4096, -1, 0, 7, 8, 127, 128, 255, 256}) {
+        expect_same_voxels(*grid, file, {{x, 0, 0}, {1, 9, 9}});
+        expect_same_voxels(*grid, file, {{x, 120, 127}, {1, 9, 2}});
+    }
+}
+
+TEST(VdbGrid, IsEmptyOnlyWhereNothingIs) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = any_grid();
+    write_grid(grid, folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.vdb");
+    int empty = 0;
+    for (int x = -40; x < 40; x += 5) {
+        for (int z = -9; z < 40; z += 7) {
+            const VoxelBox box{{x, -8, z}, {5, 9, 7}};
+            if (!file.voxels->is_empty(box)) continue;
+            ++empty;
+            std::vector<float> values(static_cast<std::size_t>(box.count()), 1.0F);
+            file.voxels->fill(box, {values.data()});
+            EXPECT_EQ(values, std::vector<float>(values.size(), 0.0F));
+        }
+    }
+    EXPECT_GT(empty, 0);
+}
+
+TEST(VdbGrid, ReadsHalves) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = any_grid();
+    grid->setSaveFloatAsHalf(true);
+    write_grid(grid, folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.vdb");
+    constexpr float half_of_a_step = 1.0F / 4096;  // of halves below 1
+    expect_same_voxels(*grid, file, box_of(file), half_of_a_step);
+    io::File again((folder / "v.vdb").string());
+    again.open();
+    expect_same_voxels(*openvdb::gridPtrCast<FloatGrid>(again.readGrid("density")), file,
+                       box_of(file));
+}
+
+TEST(VdbGrid, TakesTheTransform) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = any_grid();
+    openvdb::math::Transform::Ptr transform =
+        openvdb::math::Transform::createLinearTransform(openvdb::math::Mat4d::identity());
+    transform->preScale(openvdb::Vec3d(2, 3, 4));
+    transform->postTranslate(openvdb::Vec3d(10, 20, 30));
+    grid->setTransform(transform);
+    write_grid(grid, folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.vdb");
+    EXPECT_EQ(file.voxel_size, (std::array<double, 3>{2, 3, 4}));
+    // The centre of voxel (0, 0, 0) is at the translation.
+    EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
+}
+
+TEST(VdbGridRefused, InWordsThatSayWhatItIs) {
+    openvdb::initialize();
+    EXPECT_EQ(problem_of(any_grid(), "Density"), "it has no grid `Density`, only `density`");
+    const auto vectors = openvdb::Vec3SGrid::create();
+    vectors->setName("density");
+    EXPECT_EQ(problem_of(vectors),
+              "its grid `density` holds vec3s, and only grids of floats are read");
+    const auto ball = openvdb::tools::createLevelSetSphere<FloatGrid>(5, {0, 0, 0}, 1);
+    ball->setName("density");
+    EXPECT_EQ(
+        problem_of(ball),
+        "its grid `density` is a level set, which holds distances: convert it to a fog volume");
+    const FloatGrid::Ptr empty = FloatGrid::create(0);
+    empty->setName("density");
+    EXPECT_EQ(problem_of(empty), "it has no active voxels");
+}
+
+TEST(VdbGridRefused, WhereItsTransformIsNoBoxAlongTheAxes) {
+    const auto with = [](auto&& change) {
+        const FloatGrid::Ptr grid = any_grid();
+        const auto transform = openvdb::math::Transform::createLinearTransform(0.5);
+        change(*transform);
+        grid->setTransform(transform);
+        return problem_of(grid);
+    };
+    EXPECT_EQ(with([](auto&) {}), "");
+    EXPECT_EQ(with([](auto& t) { t.postRotate(0.1, openvdb::math::Z_AXIS); }),
+              "its transform turns or shears the axes");
+    EXPECT_EQ(with([](auto& t) { t.postShear(0.1, openvdb::math::X_AXIS, openvdb::math::Y_AXIS); }),
+              "its transform turns or shears the axes");
+    EXPECT_EQ(with([](auto& t) { t.preScale(openvdb::Vec3d(1, -1, 1)); }),
+              "its transform mirrors an axis");
+}
+
+TEST(VdbGridRefused, WhereAValueIsNotFinite) {
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        const FloatGrid::Ptr voxel = any_grid();
+        voxel->tree().setValue(Coord(3, 4, 5), value);
+        EXPECT_EQ(problem_of(voxel), "a voxel of it is not finite");
+        const FloatGrid::Ptr tile = any_grid();
+        tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
+        EXPECT_EQ(problem_of(tile), "a tile of it is not finite");
+    }
+}
+
+TEST(VdbGridRefused, WhereItIsTooLarge) {
+    const FloatGrid::Ptr grid = any_grid();
+    grid->tree().setValue(Coord(0, 20000, 0), 1);
+    EXPECT_NE(problem_of(grid).find("voxels along y, and at most 16384 are read"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace skybake
