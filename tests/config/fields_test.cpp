@@ -19,7 +19,7 @@ TEST(Fields, FindsSectionsAndFields) {
 TEST(Fields, KnowsTheTablesWithinATable) {
     EXPECT_EQ(subtables(""),
               (std::vector<std::string_view>{"color", "atmosphere", "scene", "preview", "particles",
-                                             "noise", "clouds", "bake", "sweep"}));
+                                             "noise", "volumes", "clouds", "bake", "sweep"}));
     EXPECT_EQ(subtables("atmosphere"), (std::vector<std::string_view>{"layers"}));
     EXPECT_TRUE(subtables("atmosphere.layers.*").empty());
     EXPECT_EQ(subtables("noise.*"), (std::vector<std::string_view>{"channels"}));

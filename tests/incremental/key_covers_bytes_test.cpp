@@ -199,9 +199,10 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
                                  "type", "sizes", "shape"});
 }
 
+// A cloud of a volume has one channel.
 TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
     change_every_value(kVolumes, {"format", "asset", "cloud", "volume", "file", "grid", "channel",
-                                  "size", "slices", "first_slice"});
+                                  "channels", "size", "slices", "first_slice"});
 }
 
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other
