@@ -37,10 +37,18 @@ double seconds_to_solve(config::SkyOrders orders) {
 }
 
 double octaves_of(const config::Noise& noise) {
+    // Octaves whose voxels do not share lattice points cost as much as this many that do; their
+    // ratio is that of the median times of noise_benchmark.
+    constexpr double kScattered = 20;
+    constexpr double kWarpComponents = 3;
     double octaves = 0;
     for (const config::NoiseChannel& channel : noise.channels) {
-        octaves += 1.0 + static_cast<double>(channel.octaves.gains.size() +
-                                             channel.worley_octaves.gains.size());
+        const bool scattered = channel.warp_strength != 0 || config::is_alligator(channel.type);
+        octaves += 1.0 +
+                   static_cast<double>(channel.octaves.gains.size() +
+                                       channel.worley_octaves.gains.size()) *
+                       (scattered ? kScattered : 1.0) +
+                   static_cast<double>(channel.warp_octaves.gains.size()) * kWarpComponents;
     }
     return octaves;
 }
