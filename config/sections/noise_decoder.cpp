@@ -39,12 +39,13 @@ void report_idle_warp(const DecodedSection& section, Decoder& decoder) {
     }
 }
 
-// Curly alligator noise is displaced by half a cell of its first octave, if nothing else is said.
+// Curly alligator noise is displaced by a quarter of a cell of its first octave, if nothing else is
+// said: farther, curls fold into rings.
 void derive_warp_strength(DecodedSection& section, const NoiseOctaves& octaves) {
     DecodedField& strength = section.at("warp_strength");
     if (strength.source || octaves.frequencies.empty()) return;
     const std::array<int, 3>& first = octaves.frequencies.front();
-    strength.value = 0.5 / *std::max_element(first.begin(), first.end());
+    strength.value = 0.25 / *std::max_element(first.begin(), first.end());
     strength.derived = true;
 }
 

@@ -55,7 +55,7 @@ constexpr std::array type_choices = {
            "the greatest less the second greatest of smooth bumps of random height, one per cell"},
     Choice{
         NoiseType::curly_alligator, "curly_alligator",
-        "alligator noise that curl noise displaces, by half a cell unless warp_strength is given"},
+        "alligator noise that curl noise displaces, by a quarter of a cell without warp_strength"},
 };
 constexpr std::array fractal_choices = {
     Choice{NoiseFractal::fbm, "fbm", "0.5 + 0.5 * sum of the octaves"},
@@ -359,7 +359,7 @@ const std::array channel_table = {
          .kind = Kind::number,
          .range = warp_range,
          .documentation = "displacement, in tiles, where the noise that displaces is 1",
-         .hint = "half a cell of the first octave curls the noise; metres are "
+         .hint = "a quarter of a cell of the first octave curls the noise; metres are "
                  "divided by the length of the tile",
          .citation = perlin_1985,
          .selector = "type",

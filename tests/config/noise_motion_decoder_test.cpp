@@ -32,9 +32,9 @@ TEST(NoiseWarp, IsNoneUnlessItHasAStrength) {
     EXPECT_EQ(warped.warp_octaves.gains, (std::vector<double>{1, 0.25}));
 }
 
-TEST(NoiseWarp, OfCurlyAlligatorIsHalfACellByDefault) {
+TEST(NoiseWarp, OfCurlyAlligatorIsAQuarterOfACellByDefault) {
     const NoiseChannel curly = channel_of("type = 'curly_alligator'\nfrequency = [5, 4, 2]");
-    EXPECT_EQ(curly.warp_strength, 0.1);
+    EXPECT_EQ(curly.warp_strength, 0.05);
     EXPECT_EQ(curly.warp_by, NoiseWarp::curl);
     EXPECT_EQ(curly.warp_octaves.frequencies, (std::vector<std::array<int, 3>>{{4, 4, 4}}));
     EXPECT_EQ(channel_of("type = 'curly_alligator'\nwarp_strength = 0").warp_strength, 0);
