@@ -139,18 +139,18 @@ TEST(CellPath, GoesToAndFroAtConstantSpeed) {
 
 // --- Wind ---------------------------------------------------------------------------------------
 
-// Half a loop carries a noise that drifts by a tile half a tile on: voxels have the values of the
-// same frame without wind that were half a tile behind.
+// A quarter of a loop carries a noise that drifts by a tile a quarter of a tile on: voxels have the
+// values of the same frame without wind that were a quarter of a tile behind.
 TEST(Drift, CarriesValuesAlong) {
     for (const Noise& noise : all_kinds()) {
         for (const int tiles : {1, -1, 3}) {
-            Noise windy = at_time(noise, 12, 6, 2);
+            Noise windy = at_time(noise, 12, 3, 2);
             windy.drift = {tiles, 0, 2};
-            const NoisePlan still = make_noise_plan(at_time(noise, 12, 6, 2), {8, 5, 6});
+            const NoisePlan still = make_noise_plan(at_time(noise, 12, 3, 2), {8, 5, 6});
             const NoisePlan carried = make_noise_plan(windy, {8, 5, 6});
             for (int i = 0; i < 60; ++i) {
                 const Voxel voxel = {i % 8, i % 5, i % 6};
-                const Voxel behind = {voxel[0] - 4 * tiles, voxel[1], voxel[2] - 6};
+                const Voxel behind = {voxel[0] - 2 * tiles, voxel[1], voxel[2] - 3};
                 EXPECT_EQ(noise_at(carried, voxel), noise_at(still, behind)) << i;
             }
         }
