@@ -37,10 +37,24 @@ double seconds_to_solve(config::SkyOrders orders) {
 }
 
 double octaves_of(const config::Noise& noise) {
+    // Octaves whose voxels share no lattice points cost as much as this many that do: ratios of
+    // median times of noise_benchmark.
+    constexpr double kScatteredGradients = 32;
+    constexpr double kScatteredCells = 120;
+    constexpr double kWarpComponents = 3;
+    const auto count = [](const config::NoiseOctaves& octaves) {
+        return static_cast<double>(octaves.gains.size());
+    };
     double octaves = 0;
     for (const config::NoiseChannel& channel : noise.channels) {
-        octaves += 1.0 + static_cast<double>(channel.octaves.gains.size() +
-                                             channel.worley_octaves.gains.size());
+        const bool warped = channel.warp_strength != 0;
+        const bool alligator = config::is_alligator(channel.type);
+        const bool of_cells = alligator || channel.type == config::NoiseType::worley;
+        const double gradients = warped ? kScatteredGradients : 1;
+        const double cells = warped || alligator ? kScatteredCells : 1;
+        octaves += 1 + count(channel.octaves) * (of_cells ? cells : gradients) +
+                   count(channel.worley_octaves) * cells +
+                   count(channel.warp_octaves) * kWarpComponents;
     }
     return octaves;
 }

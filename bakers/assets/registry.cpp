@@ -18,6 +18,7 @@
 #include "bakers/assets/solvable_air.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
+#include "config/sections/frames.h"
 #include "config/sections/packets.h"
 #include "config/text/key_path.h"
 
@@ -29,9 +30,12 @@ using config::Parameters;
 
 namespace {
 
-// Calls make(parameters) with those that a bake is made from: a packet has its own wavelengths only.
+// Calls make(parameters) with those that a bake is made from: a packet has its own wavelengths only,
+// and a frame its own time.
 template <class Make>
-auto with_own_wavelengths(const Parameters& parameters, const Bake& bake, const Make& make) {
+auto with_own_parameters(const Parameters& parameters, const Bake& bake, const Make& make) {
+    const int frame = config::frame_of(bake);
+    if (frame > 0) return make(config::at_frame(parameters, frame));
     const int packet = config::packet_number(bake);
     return packet == 0 ? make(parameters) : make(config::packet_of(parameters, packet));
 }
@@ -61,7 +65,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
         return baker.inputs ? baker.inputs(parameters, bake.as<Asset>()) : std::vector<InputFile>{};
     };
     any.estimate = [&baker](const Parameters& parameters, const Bake& bake) {
-        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
             return baker.estimate(own, bake.as<Asset>());
         });
     };
@@ -69,7 +73,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
                          Certification certification) {
         std::vector<Need> needs;
         if (baker.needs) {
-            needs = with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+            needs = with_own_parameters(parameters, bake, [&](const Parameters& own) {
                 return baker.needs(own, bake.as<Asset>(), certification);
             });
         }
@@ -80,13 +84,13 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     };
     any.places = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
-        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
             return baker.places(own, bake.as<Asset>(), stored);
         });
     };
     any.lookup = [&baker](const Parameters& parameters, const Bake& bake,
                           const StoredTexels& stored) {
-        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
             return baker.lookup(own, bake.as<Asset>(), stored);
         });
     };
@@ -98,7 +102,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     };
     any.bake = [&baker](const Parameters& parameters, const Bake& bake, const BakeOptions& options,
                         AssetLabel label) {
-        return with_own_wavelengths(parameters, bake, [&](const Parameters& own) {
+        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
             return baker.bake(own, bake.as<Asset>(), options, std::move(label));
         });
     };

@@ -105,11 +105,13 @@ const VoxelSource& CloudPlan::shape() const {
 Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale, CloudChannels channels) {
     Noise result = noise;
     result.sampling = config::NoiseSampling::centers;
+    result.repeats = scale;
     const auto used = config::used_channels(noise, channels);
     result.channels.assign(used.begin(), used.end());
     for (NoiseChannel& channel : result.channels) {
         scale_frequencies(channel.octaves, scale);
         scale_frequencies(channel.worley_octaves, scale);
+        scale_frequencies(channel.warp_octaves, scale);
     }
     return result;
 }

@@ -22,7 +22,6 @@ namespace {
 constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
-using Integers = hn::RebindToSigned<Floats>;
 constexpr std::size_t kLineStride = CellCandidates::kLineStride;
 
 // Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.
@@ -54,16 +53,14 @@ HWY_INLINE bool reaches(float squared_distance, const std::array<Extent, 3>& blo
 }
 
 // The points of all cells within `rings` of the block's cells.
-std::size_t gather(const std::array<Extent, 3>& block, int rings, LatticePlanes& planes,
-                   CellCandidates& candidates) {
+std::size_t gather(const CellPoints& points, const std::array<Extent, 3>& block, int rings,
+                   LatticePlanes& planes, CellCandidates& candidates) {
     std::size_t count = 0;
     const int across = block[0].cells + 2 * rings;
     const auto column = static_cast<std::size_t>(block[0].cell - rings - planes.first[0]);
     const auto first_cell = hn::Iota(kFloats, static_cast<float>(-rings));
-    const auto hash = [](RowKey key, WordVector scaled_x)
-                          HWY_ATTR { return cell_point(key, scaled_x); };
     for (int z = -rings; z < block[2].cells + rings; ++z) {
-        const std::size_t slot = slot_of_plane(block[2].cell + z, planes, hash);
+        const std::size_t slot = slot_of_plane(block[2].cell + z, planes, points);
         const auto cell_z = hn::Set(kFloats, static_cast<float>(z));
         for (int y = -rings; y < block[1].cells + rings; ++y) {
             const auto cell_y = hn::Set(kFloats, static_cast<float>(y));
@@ -210,10 +207,11 @@ std::size_t keep_near(std::size_t count, float bound, CellCandidates& candidates
 std::size_t near_candidates(const CellField& field, const std::array<Extent, 3>& block,
                             LatticePlanes& planes, CellCandidates& candidates) {
     const bool second = field.feature != config::WorleyFeature::f1;
-    std::size_t count = gather(block, 1, planes, candidates);
+    const CellPoints points(field);
+    std::size_t count = gather(points, block, 1, planes, candidates);
     float bound = bound_of(block, count, second, candidates);
     if (!reaches(bound, block)) {
-        count = gather(block, 2, planes, candidates);
+        count = gather(points, block, 2, planes, candidates);
         bound = bound_of(block, count, second, candidates);
     }
     return keep_near(count, bound, candidates);

@@ -42,6 +42,21 @@ HWY_INLINE V cell_value(config::WorleyFeature feature, config::WorleyValue form,
     return distance;
 }
 
+template <class V>
+struct GreatestBumpsVector {
+    V first, second;
+
+    HWY_INLINE void add(V squared_distance, V height) {
+        const hn::DFromV<V> d;
+        const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0f), hn::Sqrt(squared_distance)));
+        const V rise = hn::Mul(hn::Mul(t, t), hn::Sub(hn::Set(d, 3.0f), hn::Add(t, t)));
+        const V bump = hn::Mul(height, rise);
+        second = hn::Max(second, hn::Min(first, bump));
+        first = hn::Max(first, bump);
+    }
+    HWY_INLINE V value() const { return hn::Sub(first, second); }
+};
+
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake::noise
 HWY_AFTER_NAMESPACE();

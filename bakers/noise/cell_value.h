@@ -38,4 +38,23 @@ inline float cell_value(config::WorleyFeature feature, config::WorleyValue form,
     return distance;
 }
 
+// The two greatest bumps at a place, of which alligator noise is the difference.
+//
+//   bump of a point = height * s(1 - d),   s(t) = 3 t^2 - 2 t^3 for t > 0, else 0,
+//
+// d the distance to the point in cells. A bump ends where the cells about the place's own do.
+// Side Effects Software, Houdini Development Kit, sample `alligator`.
+struct GreatestBumps {
+    float first = 0;
+    float second = 0;
+
+    void add(float squared_distance, float height) {
+        const float t = std::max(0.0f, 1 - std::sqrt(squared_distance));
+        const float bump = height * ((t * t) * (3 - 2 * t));
+        second = std::max(second, std::min(first, bump));
+        first = std::max(first, bump);
+    }
+    float value() const { return first - second; }
+};
+
 }  // namespace skybake::noise

@@ -102,7 +102,7 @@ void combine(const ChannelPlan& channel, const float* gradient,
             const FloatVector cells = hn::LoadU(kFloats, out + i);
             hn::StoreU(hn::Add(cells, hn::Mul(value, hn::Sub(one, cells))), kFloats, out + i);
         }
-    } else if (channel.type != NoiseType::worley) {
+    } else if (channel.cells.empty()) {
         for (std::size_t i = 0; i < count; i += kLanes) {
             FloatVector value =
                 gradient != nullptr ? hn::LoadU(kFloats, gradient + i) : constant(channel.value);

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 #include <cassert>
+#include <type_traits>
 
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/lattice_planes-inl.h"
+#include "bakers/noise/moving_gradient-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
@@ -17,43 +19,78 @@ namespace {
 
 constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-using Integers = hn::RebindToSigned<Floats>;
+
+// The gradients at lattice points.
+class StillGradients {
+  public:
+    explicit StillGradients(const GradientOctave& octave) : key_(octave.key) {}
+    RowKey keys(std::uint32_t y, std::uint32_t z) const { return row_key(key_, y, z); }
+    HWY_INLINE void store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
+                          std::size_t at) const {
+        const GradientVector gradient = lattice_gradient(key, scaled_x);
+        hn::StoreU(gradient.x, kFloats, planes.x.data() + at);
+        hn::StoreU(gradient.y, kFloats, planes.y.data() + at);
+        hn::StoreU(gradient.z, kFloats, planes.z.data() + at);
+    }
+
+  private:
+    std::uint64_t key_;
+};
+
+// At a frame the noise of four dimensions is one of three dimensions, whose lattice points have a
+// blend of the gradients before and after the frame, and a value, `rest`, beside it.
+class MovingGradients {
+  public:
+    explicit MovingGradients(const GradientOctave& octave) : time_(*octave.time) {}
+    TimeKeys keys(std::uint32_t y, std::uint32_t z) const { return time_keys(time_, y, z); }
+    HWY_INLINE void store(const TimeKeys& keys, WordVector scaled_x, LatticePlanes& planes,
+                          std::size_t at) const {
+        const MovingGradientVector gradient =
+            gradient_at(time_.basis, in_all_lanes(keys[0]), in_all_lanes(keys[1]), scaled_x);
+        hn::StoreU(gradient.x, kFloats, planes.x.data() + at);
+        hn::StoreU(gradient.y, kFloats, planes.y.data() + at);
+        hn::StoreU(gradient.z, kFloats, planes.z.data() + at);
+        hn::StoreU(gradient.rest, kFloats, planes.rest.data() + at);
+    }
+
+  private:
+    const TimeStep& time_;
+};
 
 // Blends the two planes about a slice, for lattice rows begin ... end - 1.
+template <class Gradients>
 void blend_slice(const GradientOctave& octave, int slice, std::size_t begin, std::size_t end,
                  GradientLattice& lattice) {
+    constexpr bool kMoves = std::is_same_v<Gradients, MovingGradients>;
     const auto at = static_cast<std::size_t>(slice);
     const std::int64_t plane = octave.cells[2].cell[at];
     LatticePlanes& planes = lattice.planes;
-    const auto first_row_of = [&](std::int64_t wanted) HWY_ATTR {
-        const auto hash = [](RowKey key, WordVector scaled_x)
-                              HWY_ATTR { return lattice_gradient(key, scaled_x); };
-        return planes.row(slot_of_plane(wanted, planes, hash), 0);
-    };
-    const std::size_t near = first_row_of(plane);
-    const std::size_t far = first_row_of(plane + 1);
+    const Gradients gradients(octave);
+    const std::size_t near = planes.row(slot_of_plane(plane, planes, gradients), 0);
+    const std::size_t far = planes.row(slot_of_plane(plane + 1, planes, gradients), 0);
     const AxisBasis& basis = octave.basis[2];
     const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
     const auto weight_1 = hn::Set(kFloats, basis.weight_1[at]);
     const auto distance_0 = hn::Set(kFloats, basis.distance_0[at]);
     const auto distance_1 = hn::Set(kFloats, basis.distance_1[at]);
-    const auto blend = [](const float* from, const float* to, FloatVector a,
-                          FloatVector b) HWY_ATTR {
-        return hn::Add(hn::Mul(hn::LoadU(kFloats, from), a), hn::Mul(hn::LoadU(kFloats, to), b));
+    const auto blend = [&](const AlignedFloats& values, std::size_t p, FloatVector a,
+                           FloatVector b) HWY_ATTR {
+        return hn::Add(hn::Mul(hn::LoadU(kFloats, values.data() + near + p), a),
+                       hn::Mul(hn::LoadU(kFloats, values.data() + far + p), b));
     };
     const auto points = static_cast<std::size_t>(lattice.planes.count[0]);
     for (std::size_t j = begin; j < end; ++j) {
         for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
             const std::size_t p = j * lattice.planes.stride + i;
-            hn::StoreU(blend(planes.z.data() + near + p, planes.z.data() + far + p, distance_0,
-                             distance_1),
-                       kFloats, lattice.blended_distance.data() + p);
-            hn::StoreU(
-                blend(planes.x.data() + near + p, planes.x.data() + far + p, weight_0, weight_1),
-                kFloats, lattice.blended_x.data() + p);
-            hn::StoreU(
-                blend(planes.y.data() + near + p, planes.y.data() + far + p, weight_0, weight_1),
-                kFloats, lattice.blended_y.data() + p);
+            auto distance = blend(planes.z, p, distance_0, distance_1);
+            if constexpr (kMoves) {
+                distance = hn::Add(distance, blend(planes.rest, p, weight_0, weight_1));
+            }
+            hn::StoreU(distance, kFloats, lattice.blended_distance.data() + p);
+            hn::StoreU(blend(planes.x, p, weight_0, weight_1), kFloats,
+                       lattice.blended_x.data() + p);
+            hn::StoreU(blend(planes.y, p, weight_0, weight_1), kFloats,
+                       lattice.blended_y.data() + p);
         }
     }
 }
@@ -224,9 +261,11 @@ void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
         for (std::size_t i = 0; i < lattices.size(); ++i) {
             const auto& cell = stack.octaves[i].cells[1].cell;
             const std::int64_t origin = lattices[i].planes.first[1];
-            blend_slice(stack.octaves[i], chunk.origin[2] + slice,
-                        static_cast<std::size_t>(cell[first_row] - origin),
-                        static_cast<std::size_t>(cell[last_row] - origin) + 2, lattices[i]);
+            const auto blend =
+                stack.octaves[i].time ? blend_slice<MovingGradients> : blend_slice<StillGradients>;
+            blend(stack.octaves[i], chunk.origin[2] + slice,
+                  static_cast<std::size_t>(cell[first_row] - origin),
+                  static_cast<std::size_t>(cell[last_row] - origin) + 2, lattices[i]);
         }
         switch (stack.shape) {
             case OctaveShape::plain:
@@ -259,6 +298,7 @@ std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, 
         GradientLattice& lattice = lattices[i];
         lattice.planes =
             make_lattice_planes(octave.frequency, octave.key, octave.cells, box, chunk_depth, 0, 1);
+        if (octave.time) lattice.planes.rest.resize(lattice.planes.x.size());
         for (AlignedFloats* values :
              {&lattice.blended_distance, &lattice.blended_x, &lattice.blended_y}) {
             values->resize(lattice.planes.row(1, 0));

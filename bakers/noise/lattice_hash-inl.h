@@ -28,17 +28,46 @@ HWY_INLINE WordVector mix32(WordVector h) {
     return hn::Xor(h, hn::ShiftRight<16>(h));
 }
 
-// `scaled_x` is x * kGolden32.
-HWY_INLINE WordVector lattice_hash(RowKey row, WordVector scaled_x) {
+using Integers = hn::RebindToSigned<Floats>;
+using IntegerVector = hn::Vec<Integers>;
+
+// The cells `offset` beyond those of a vector of voxels, wrapped and scaled for their hash. Cells are
+// in [0, 2 frequency), |offset| at most 2.
+HWY_INLINE WordVector scaled_neighbours(IntegerVector cell, int offset, int frequency) {
+    const Integers integers;
+    const Words words;
+    const auto period = hn::Set(integers, frequency);
+    const auto first = hn::IfThenElse(hn::Lt(cell, period), cell, hn::Sub(cell, period));
+    auto x = hn::Add(first, hn::Set(integers, offset));
+    for (int beyond = 0; beyond > offset; --beyond) {
+        x = hn::IfThenElse(hn::Lt(x, hn::Zero(integers)), hn::Add(x, period), x);
+    }
+    for (int beyond = 0; beyond < offset; ++beyond) {
+        x = hn::IfThenElse(hn::Lt(x, period), x, hn::Sub(x, period));
+    }
+    return hn::Mul(hn::BitCast(words, x), hn::Set(words, kGolden32));
+}
+
+// The keys of the rows of each lane's lattice point.
+struct RowKeyVector {
+    WordVector low, high;
+};
+
+HWY_INLINE RowKeyVector in_all_lanes(RowKey row) {
     const Words d;
-    return mix32(hn::Xor(mix32(hn::Add(scaled_x, hn::Set(d, row.low))), hn::Set(d, row.high)));
+    return {hn::Set(d, row.low), hn::Set(d, row.high)};
+}
+
+// `scaled_x` is x * kGolden32.
+HWY_INLINE WordVector lattice_hash(const RowKeyVector& row, WordVector scaled_x) {
+    return mix32(hn::Xor(mix32(hn::Add(scaled_x, row.low)), row.high));
 }
 
 struct GradientVector {
     FloatVector x, y, z;
 };
 
-HWY_INLINE GradientVector lattice_gradient(RowKey row, WordVector scaled_x) {
+HWY_INLINE GradientVector lattice_gradient(const RowKeyVector& row, WordVector scaled_x) {
     const Words d;
     const Floats df;
     const WordVector h = lattice_hash(row, scaled_x);
@@ -55,24 +84,64 @@ HWY_INLINE GradientVector lattice_gradient(RowKey row, WordVector scaled_x) {
     return {hn::BitCast(df, x), hn::BitCast(df, y), hn::BitCast(df, z)};
 }
 
-HWY_INLINE FloatVector unit_float(WordVector h) {
+HWY_INLINE GradientVector lattice_gradient(RowKey row, WordVector scaled_x) {
+    return lattice_gradient(in_all_lanes(row), scaled_x);
+}
+
+struct Gradient4Vector {
+    FloatVector x, y, z, t;
+};
+
+HWY_INLINE Gradient4Vector lattice_gradient_4(const RowKeyVector& row, WordVector scaled_x) {
+    const Words d;
+    const Floats df;
+    const WordVector h = lattice_hash(row, scaled_x);
+    const WordVector zero_axis = hn::ShiftRight<30>(h);
+    const WordVector one = hn::BitCast(d, hn::Set(df, 1.0f));
+    const WordVector sign_bit = hn::Set(d, 0x80000000u);
+    const auto along = [&](std::uint32_t axis, WordVector signs) HWY_ATTR {
+        const auto is_zero = hn::Eq(zero_axis, hn::Set(d, axis));
+        return hn::BitCast(df, hn::IfThenZeroElse(is_zero, hn::Or(one, hn::And(signs, sign_bit))));
+    };
+    return {along(0, hn::ShiftLeft<31>(h)), along(1, hn::ShiftLeft<30>(h)),
+            along(2, hn::ShiftLeft<29>(h)), along(3, hn::ShiftLeft<28>(h))};
+}
+
+// Of 24 bits.
+HWY_INLINE FloatVector unit_float(WordVector bits) {
     const Floats df;
     const hn::RebindToSigned<Floats> di;
-    return hn::Mul(hn::ConvertTo(df, hn::BitCast(di, hn::ShiftRight<8>(h))), hn::Set(df, 0x1p-24f));
+    return hn::Mul(hn::ConvertTo(df, hn::BitCast(di, bits)), hn::Set(df, 0x1p-24f));
+}
+
+HWY_INLINE FloatVector moved_float(WordVector h, std::uint32_t shift) {
+    const Words d;
+    const auto backwards = hn::Eq(hn::And(h, hn::Set(d, 1u)), hn::Set(d, 1u));
+    const WordVector steps =
+        hn::IfThenElse(backwards, hn::Set(d, kPathSteps - shift), hn::Set(d, shift));
+    const WordVector last = hn::Set(d, kPathSteps - 1);
+    const WordVector phase = hn::And(hn::Add(hn::ShiftRight<8>(h), steps), last);
+    return unit_float(hn::Min(phase, hn::Sub(last, phase)));
 }
 
 struct CellPointVector {
-    FloatVector x, y, z;
+    FloatVector x, y, z, height;
 };
 
-HWY_INLINE CellPointVector cell_point(RowKey row, WordVector scaled_x) {
+HWY_INLINE CellPointVector cell_point(const RowKeyVector& row, WordVector scaled_x,
+                                      std::uint32_t shift) {
     const Words d;
-    const WordVector low = hn::Set(d, row.low);
-    const WordVector high = hn::Set(d, row.high);
-    const WordVector a = mix32(hn::Xor(mix32(hn::Add(scaled_x, low)), high));
-    const WordVector b = mix32(hn::Xor(mix32(hn::Add(scaled_x, high)), low));
-    const WordVector c = mix32(hn::Xor(hn::Add(a, hn::Set(d, kGolden32)), hn::ShiftLeft<1>(b)));
-    return {unit_float(a), unit_float(b), unit_float(c)};
+    const WordVector golden = hn::Set(d, kGolden32);
+    const WordVector a = mix32(hn::Xor(mix32(hn::Add(scaled_x, row.low)), row.high));
+    const WordVector b = mix32(hn::Xor(mix32(hn::Add(scaled_x, row.high)), row.low));
+    const WordVector c = mix32(hn::Xor(hn::Add(a, golden), hn::ShiftLeft<1>(b)));
+    const WordVector e = mix32(hn::Xor(hn::Add(b, golden), hn::ShiftLeft<1>(c)));
+    return {moved_float(a, shift), moved_float(b, shift), moved_float(c, shift),
+            unit_float(hn::ShiftRight<8>(e))};
+}
+
+HWY_INLINE CellPointVector cell_point(RowKey row, WordVector scaled_x, std::uint32_t shift) {
+    return cell_point(in_all_lanes(row), scaled_x, shift);
 }
 
 }  // namespace HWY_NAMESPACE

@@ -7,6 +7,7 @@
 // avalanche.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -37,7 +38,17 @@ inline constexpr std::uint64_t kGolden64 = 0x9e3779b97f4a7c15u;
 // The key of an octave's random numbers. Octaves of the same purpose, frequency and seed are the
 // same field wherever they occur, so that channels which share cellular octaves share their work. A
 // frequency that occurs again within one sum is a different field each time, by `repetition`.
-enum class Purpose : std::uint32_t { gradient, cells, potential_x, potential_y, potential_z };
+enum class Purpose : std::uint32_t {
+    gradient,
+    cells,
+    potential_x,
+    potential_y,
+    potential_z,
+    alligator,
+    warp_x,
+    warp_y,
+    warp_z
+};
 
 inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_seed,
                                 Purpose purpose, const std::array<int, 3>& frequency,
@@ -48,6 +59,11 @@ inline std::uint64_t octave_key(std::uint64_t noise_seed, std::uint64_t channel_
     for (const int f : frequency) key = mix64(key * kGolden64 + static_cast<std::uint64_t>(f));
     for (int i = 0; i < repetition; ++i) key = mix64(key + kGolden64);
     return key;
+}
+
+// The key of the lattice of three dimensions at a point of the fourth axis.
+inline std::uint64_t time_key(std::uint64_t octave_key, std::uint32_t time_cell) {
+    return mix64((octave_key ^ kGolden64) + time_cell * kGolden64);
 }
 
 // The part of the hash that the points of one lattice row (y and z fixed) share.
@@ -83,20 +99,54 @@ inline Gradient lattice_gradient(RowKey row, std::uint32_t x) {
     return {first, second, 0};
 }
 
-// The place of a cell's one point in the cell: three offsets of 24 bits in [0, 1).
+// One of the thirty-two gradients of four dimensions: (0, ±1, ±1, ±1) and its permutations (Perlin
+// 2002, whose code for four dimensions has them).
+struct Gradient4 {
+    float x = 0;
+    float y = 0;
+    float z = 0;
+    float t = 0;
+};
+
+inline Gradient4 lattice_gradient_4(RowKey row, std::uint32_t x) {
+    const std::uint32_t h = lattice_hash(row, x);
+    const std::uint32_t zero_axis = h >> 30;
+    const auto along = [&](std::uint32_t axis) {
+        if (axis == zero_axis) return 0.0f;
+        return (h >> axis & 1) != 0 ? -1.0f : 1.0f;
+    };
+    return {along(0), along(1), along(2), along(3)};
+}
+
+// A cell's one point: its place in the cell, three offsets of 24 bits in [0, 1), and the height of
+// its bump, which alligator noise has.
 struct CellPoint {
     float x = 0;
     float y = 0;
     float z = 0;
+    float height = 0;
 };
 
 inline float unit_float(std::uint32_t h) { return static_cast<float>(h >> 8) * 0x1p-24f; }
 
-inline CellPoint cell_point(RowKey row, std::uint32_t x) {
+// A point's offset along one axis after `shift` steps along its path, of 2^25 steps. It moves to and
+// fro between the faces of its cell at constant speed, one way first or the other, so that its
+// offset is equally distributed at every time, and it is where it was after the whole path.
+inline constexpr std::uint32_t kPathSteps = 1u << 25;
+
+inline float moved_float(std::uint32_t h, std::uint32_t shift) {
+    const std::uint32_t steps = (h & 1) != 0 ? kPathSteps - shift : shift;
+    const std::uint32_t phase = ((h >> 8) + steps) & (kPathSteps - 1);
+    return unit_float(std::min(phase, kPathSteps - 1 - phase) << 8);
+}
+
+// `shift` is in [0, kPathSteps).
+inline CellPoint cell_point(RowKey row, std::uint32_t x, std::uint32_t shift = 0) {
     const std::uint32_t a = mix32(mix32(x * kGolden32 + row.low) ^ row.high);
     const std::uint32_t b = mix32(mix32(x * kGolden32 + row.high) ^ row.low);
     const std::uint32_t c = mix32((a + kGolden32) ^ (b << 1));
-    return {unit_float(a), unit_float(b), unit_float(c)};
+    const std::uint32_t d = mix32((b + kGolden32) ^ (c << 1));
+    return {moved_float(a, shift), moved_float(b, shift), moved_float(c, shift), unit_float(d)};
 }
 
 // A ring of lattice planes, [slot][y][x], with the random vectors of the lattice points that a box
@@ -110,6 +160,7 @@ struct LatticePlanes {
     std::size_t stride = 0;               // floats from row to row, with a vector to spare
     std::vector<std::uint32_t> scaled_x;  // of each point along x, wrapped, for its hash
     AlignedFloats x, y, z;
+    AlignedFloats rest;  // empty but for gradients that change in time (gradient_kernel.cpp)
     std::vector<std::int64_t> plane_of_slot;
 
     std::size_t row(std::size_t slot, std::size_t line) const {

@@ -17,34 +17,51 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Hashes a plane into its slot. hash(row_key, scaled_x) returns a vector of x, y and z.
-template <class Hash>
-void hash_plane(std::int64_t plane, std::size_t slot, LatticePlanes& planes, const Hash& hash) {
+// The points of cells, of which planes hold the places.
+class CellPoints {
+  public:
+    explicit CellPoints(const CellField& field) : key_(field.key), shift_(field.shift) {}
+    RowKey keys(std::uint32_t y, std::uint32_t z) const { return row_key(key_, y, z); }
+    HWY_INLINE void store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
+                          std::size_t at) const {
+        const Floats floats;
+        const CellPointVector point = cell_point(key, scaled_x, shift_);
+        hn::StoreU(point.x, floats, planes.x.data() + at);
+        hn::StoreU(point.y, floats, planes.y.data() + at);
+        hn::StoreU(point.z, floats, planes.z.data() + at);
+    }
+
+  private:
+    std::uint64_t key_;
+    std::uint32_t shift_;
+};
+
+// Hashes a plane into its slot. points.keys(y, z) returns what the points of a lattice row share,
+// and points.store(keys, scaled_x, planes, at) writes what the planes hold of a vector of them.
+template <class Points>
+void hash_plane(std::int64_t plane, std::size_t slot, LatticePlanes& planes, const Points& points) {
     const Words words;
-    const Floats floats;
     const std::uint32_t z = wrapped_cell(plane, planes.frequency[2]);
     for (std::size_t j = 0; j < static_cast<std::size_t>(planes.count[1]); ++j) {
         const std::uint32_t y =
             wrapped_cell(planes.first[1] + static_cast<std::int64_t>(j), planes.frequency[1]);
-        const RowKey key = row_key(planes.key, y, z);
+        const auto keys = points.keys(y, z);
         const std::size_t row = planes.row(slot, j);
         for (std::size_t i = 0; i < static_cast<std::size_t>(planes.count[0]);
-             i += hn::Lanes(floats)) {
-            const auto point = hash(key, hn::LoadU(words, planes.scaled_x.data() + i));
-            hn::StoreU(point.x, floats, planes.x.data() + row + i);
-            hn::StoreU(point.y, floats, planes.y.data() + row + i);
-            hn::StoreU(point.z, floats, planes.z.data() + row + i);
+             i += hn::Lanes(words)) {
+            points.store(keys, hn::LoadU(words, planes.scaled_x.data() + i), planes, row + i);
         }
     }
     planes.plane_of_slot[slot] = plane;
 }
 
 // Returns the slot of the plane, after hashing the plane if the slot does not hold it.
-template <class Hash>
-HWY_INLINE std::size_t slot_of_plane(std::int64_t plane, LatticePlanes& planes, const Hash& hash) {
+template <class Points>
+HWY_INLINE std::size_t slot_of_plane(std::int64_t plane, LatticePlanes& planes,
+                                     const Points& points) {
     const std::int64_t slots = planes.count[2];
     const auto slot = static_cast<std::size_t>(plane - floor_divide(plane, slots) * slots);
-    if (planes.plane_of_slot[slot] != plane) hash_plane(plane, slot, planes, hash);
+    if (planes.plane_of_slot[slot] != plane) hash_plane(plane, slot, planes, points);
     return slot;
 }
 

@@ -21,7 +21,6 @@ namespace {
 constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr int kLanes = static_cast<int>(hn::MaxLanes(kFloats));
-using Integers = hn::RebindToSigned<Floats>;
 using LaneIndices = decltype(hn::IndicesFromVec(kFloats, hn::Zero(Integers())));
 
 constexpr int kMostRings = 2;
@@ -233,14 +232,13 @@ class TileFiller {
 
     template <int kRings>
     Lines lines_about(const Run& y, const Run& z) {
-        const auto hash = [](RowKey key, WordVector scaled_x)
-                              HWY_ATTR { return cell_point(key, scaled_x); };
+        const CellPoints points(field_);
         const std::int64_t cell_y = field_.cells[1].cell[static_cast<std::size_t>(y.first)];
         const std::int64_t cell_z = field_.cells[2].cell[static_cast<std::size_t>(z.first)];
         float* squares = scratch_.squares.data() + (kRings - 1) * squares_of_rings();
         Lines lines;
         for (int k = -kRings; k <= kRings; ++k) {
-            const std::size_t slot = slot_of_plane(cell_z + k, planes_, hash);
+            const std::size_t slot = slot_of_plane(cell_z + k, planes_, points);
             for (int j = -kRings; j <= kRings; ++j) {
                 const std::size_t row =
                     planes_.row(slot, static_cast<std::size_t>(cell_y + j - planes_.first[1]));

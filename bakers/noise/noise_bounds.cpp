@@ -24,6 +24,8 @@ constexpr Interval kEverything = {-std::numeric_limits<double>::infinity(),
 // at most the sum of the two greater |d_i|. With the best gradient at every corner the blend
 // reaches 1.03635 (noise_bounds_test searches the cell).
 constexpr double kGradientNoiseBound = 1.0364;
+// The same in four dimensions, where g = (0, ±1, ±1, ±1): the blend reaches 1.53659.
+constexpr double kMovingNoiseBound = 1.5366;
 
 // The nearest point is no farther than the one of the own cell.
 constexpr double kFarthestNearest = std::numbers::sqrt3;
@@ -39,18 +41,18 @@ Interval over_corners(const Interval& a, const Interval& b, const Function& func
     return {*least, *most};
 }
 
-Interval gradient_bounds(NoiseFractal fractal) {
-    constexpr double kBound = kGradientNoiseBound;
+Interval gradient_bounds(NoiseFractal fractal, bool moves) {
+    const double bound = moves ? kMovingNoiseBound : kGradientNoiseBound;
     switch (fractal) {
         case NoiseFractal::fbm:
-            return {0.5 - 0.5 * kBound, 0.5 + 0.5 * kBound};
+            return {0.5 - 0.5 * bound, 0.5 + 0.5 * bound};
         case NoiseFractal::ridged:
-            return {1 - kBound, 1};
+            return {1 - bound, 1};
         case NoiseFractal::rectified:
         case NoiseFractal::billow:
             break;
     }
-    return {0, kBound};
+    return {0, bound};
 }
 
 double worley_value(WorleyValue form, double distance) {
@@ -76,17 +78,21 @@ Interval cell_bounds(const NoiseChannel& channel) {
     return {std::min(near, far), std::max(near, far)};
 }
 
-Interval plain_bounds(const NoiseChannel& channel) {
+// Displaced noise has the values of noise that is not.
+Interval plain_bounds(const NoiseChannel& channel, bool moves) {
     switch (channel.type) {
         case NoiseType::constant:
             return {channel.value, channel.value};
         case NoiseType::perlin:
-            return gradient_bounds(channel.fractal);
+            return gradient_bounds(channel.fractal, moves);
         case NoiseType::worley:
             return cell_bounds(channel);
         case NoiseType::perlin_worley:
-            return over_corners(gradient_bounds(channel.fractal), cell_bounds(channel),
+            return over_corners(gradient_bounds(channel.fractal, moves), cell_bounds(channel),
                                 [](double g, double c) { return c + g * (1 - c); });
+        case NoiseType::alligator:
+        case NoiseType::curly_alligator:
+            return {0, 1};  // 1 at a point of height 1 that no other bump reaches
         case NoiseType::curl:
             break;
     }
@@ -125,8 +131,8 @@ Interval stepped_bounds(const NoiseChannel& channel, const Interval& bounds) {
     return {step(bounds[0] - room(bounds[0])), step(bounds[1] + room(bounds[1]))};
 }
 
-Interval channel_bounds(const NoiseChannel& channel) {
-    Interval bounds = remapped_bounds(channel, plain_bounds(channel));
+Interval channel_bounds(const NoiseChannel& channel, bool moves) {
+    Interval bounds = remapped_bounds(channel, plain_bounds(channel, moves));
     if (channel.smoothstep) bounds = stepped_bounds(channel, bounds);
     for (double& bound : bounds) {
         if (channel.invert) bound = 1 - bound;
@@ -146,7 +152,7 @@ Interval weighted(const Interval& a, const Interval& b, const Interval& c) {
 std::array<double, 2> value_bounds(const config::Noise& noise, std::size_t channel) {
     std::array<Interval, 4> channels{};
     for (std::size_t i = 0; i < noise.channels.size(); ++i) {
-        channels[i] = channel_bounds(noise.channels[i]);
+        channels[i] = channel_bounds(noise.channels[i], noise.period > 0);
     }
     switch (noise.pack) {
         case config::NoisePacking::none:

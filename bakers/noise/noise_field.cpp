@@ -8,9 +8,10 @@
 #include "bakers/math/scratch_floats.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"
-#include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/narrow_cell_kernel.h"
 #include "bakers/noise/pointwise_kernel.h"
+#include "bakers/noise/scattered_kernel.h"
+#include "bakers/noise/stack_filler.h"
 
 namespace skybake::noise {
 
@@ -34,9 +35,11 @@ class BoxFiller {
         row_stride_ = (static_cast<std::size_t>(box.size[0]) + kPadding - 1) / kPadding * kPadding;
         const auto rows = static_cast<int>(kChunkFloats / (row_stride_ * kChunkDepth));
         chunk_rows_ = std::min(box.size[1], std::max(kChunkRows, rows / kChunkRows * kChunkRows));
-        chunk_floats_ = row_stride_ * static_cast<std::size_t>(chunk_rows_) *
-                        static_cast<std::size_t>(std::min(kChunkDepth, box.size[2]));
-        pointwise_ = box.count() <= kPointwiseVoxels;
+        layout_.row_stride = row_stride_;
+        layout_.floats = row_stride_ * static_cast<std::size_t>(chunk_rows_) *
+                         static_cast<std::size_t>(std::min(kChunkDepth, box.size[2]));
+        layout_.depth = kChunkDepth;
+        layout_.pointwise = box.count() <= kPointwiseVoxels;
         prepare();
     }
 
@@ -65,10 +68,12 @@ class BoxFiller {
         callers_.resize(plan_.fields.size(), nullptr);
         lattices_.resize(plan_.fields.size());
         gradients_.resize(plan_.channels.size());
-        gradient_lattices_.resize(plan_.channels.size());
+        stacks_.resize(plan_.channels.size());
+        warps_.resize(plan_.warps.size());
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
             const ChannelPlan& channel = plan_.channels[c];
             if (!wanted(c)) continue;
+            if (channel.warp >= 0) prepare_warp(static_cast<std::size_t>(channel.warp));
             for (const WeightedField& use : channel.cells) {
                 prepare_field(static_cast<std::size_t>(use.field));
             }
@@ -81,30 +86,42 @@ class BoxFiller {
         }
     }
 
+    void prepare_warp(std::size_t index) {
+        if (!warps_[index]) warps_[index].emplace(plan_.warps[index], plan_.axes, box_, layout_);
+    }
+
     void prepare_field(std::size_t index) {
         if (!fields_[index].empty()) return;
-        fields_[index].reserve(chunk_floats_);
+        fields_[index].reserve(layout_.floats);
         const CellField& field = plan_.fields[index];
-        if (pointwise_ || !is_resolved(plan_.axes, field.frequency)) return;
+        const bool shared = !is_scattered(field) && is_resolved(plan_.axes, field.frequency);
+        if (layout_.pointwise || !shared) return;
         lattices_[index] = make_cell_planes(field, box_, kChunkDepth);
         if (!candidates_) candidates_ = std::make_unique<CellCandidates>();
     }
 
     void prepare_gradient(std::size_t index) {
-        const GradientStack& stack = plan_.channels[index].gradient;
-        gradients_[index].reserve(chunk_floats_);
-        const bool separable = std::all_of(
-            stack.octaves.begin(), stack.octaves.end(),
-            [&](const auto& octave) { return is_resolved(plan_.axes, octave.frequency); });
-        if (pointwise_ || !separable) {
-            octave_.reserve(chunk_floats_);
-        } else {
-            gradient_lattices_[index] = make_gradient_lattices(stack, box_, kChunkDepth);
-        }
+        const ChannelPlan& channel = plan_.channels[index];
+        gradients_[index].reserve(layout_.floats);
+        stacks_[index].emplace(channel.gradient, plan_.axes, box_, layout_, channel.warp >= 0);
+    }
+
+    static bool is_scattered(const CellField& field) {
+        return field.kind == CellKind::alligator || field.warp >= 0;
+    }
+
+    // The displacements of the chunk at hand; null pointers for no warp.
+    DisplacedRows displaced(int warp) {
+        return warp < 0 ? DisplacedRows{} : warps_[static_cast<std::size_t>(warp)]->rows();
     }
 
     void fill_field(std::size_t index, const VoxelBox& chunk) {
         const CellField& field = plan_.fields[index];
+        if (is_scattered(field)) {
+            fill_scattered_cell_field(field, chunk, row_stride_, displaced(field.warp),
+                                      fields_[index].data());
+            return;
+        }
         if (!lattices_[index]) {
             fill_cell_field_pointwise(field, chunk, row_stride_, fields_[index].data());
             return;
@@ -160,27 +177,8 @@ class BoxFiller {
             const auto field = static_cast<std::size_t>(channel.cells.front().field);
             return callers_[field] == channels_[index];
         }
-        return is_bare(channel) && channel.cells.empty() && gradient_lattices_[index] &&
-               channel.fractal != config::NoiseFractal::rectified;
-    }
-
-    void fill_gradient(std::size_t index, const VoxelBox& chunk) {
-        const GradientStack& stack = plan_.channels[index].gradient;
-        const SumTarget target = sum_target(index, chunk);
-        if (gradient_lattices_[index]) {
-            fill_gradient_stack(stack, chunk, *gradient_lattices_[index], target);
-            return;
-        }
-        for (std::size_t i = 0; i < stack.octaves.size(); ++i) {
-            fill_gradient_octave_pointwise(stack.octaves[i], chunk, row_stride_, octave_.data());
-            const float weight = stack.weights.empty() ? 1 : stack.weights[i];
-            const std::size_t count = row_stride_ * static_cast<std::size_t>(chunk.size[1]) *
-                                      static_cast<std::size_t>(chunk.size[2]);
-            add_octave(stack.shape, octave_.data(), weight, i == 0, count, target.out);
-            if (i + 1 == stack.octaves.size() && target.finishes()) {
-                scale_and_shift(target.scale, target.offset, count, target.out);
-            }
-        }
+        return is_bare(channel) && channel.cells.empty() && stacks_[index] &&
+               stacks_[index]->is_separable() && channel.fractal != config::NoiseFractal::rectified;
     }
 
     // Row (y, z) of the chunk in an array over the whole box.
@@ -192,11 +190,15 @@ class BoxFiller {
     }
 
     void fill_chunk(const VoxelBox& chunk) {
+        for (std::optional<WarpFiller>& warp : warps_) {
+            if (warp) warp->fill(chunk);
+        }
         for (std::size_t i = 0; i < fields_.size(); ++i) {
             if (!fields_[i].empty()) fill_field(i, chunk);
         }
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
-            if (!gradients_[c].empty()) fill_gradient(c, chunk);
+            if (!stacks_[c]) continue;
+            stacks_[c]->fill(chunk, displaced(plan_.channels[c].warp), sum_target(c, chunk));
         }
         if (all_direct_) return;
         for (int z = 0; z < chunk.size[2]; ++z) {
@@ -236,18 +238,17 @@ class BoxFiller {
     const VoxelBox& box_;
     const std::vector<float*>& channels_;
     std::size_t row_stride_ = 0;
-    std::size_t chunk_floats_ = 0;
+    ChunkLayout layout_;
     int chunk_rows_ = 0;
-    bool pointwise_ = false;
     bool all_direct_ = true;             // no channel needs its rows combined
     std::vector<ScratchFloats> fields_;  // of the chunk; empty where no wanted channel has it
     std::vector<float*> callers_;        // per field: the channel over the box that it is, or none
-    std::vector<ScratchFloats> gradients_;  // of the chunk, per channel
-    ScratchFloats octave_;
+    std::vector<ScratchFloats> gradients_;                // of the chunk, per channel
+    std::vector<std::optional<StackFiller>> stacks_;      // per channel; none if it is not wanted
+    std::vector<std::optional<WarpFiller>> warps_;        // none if no wanted channel has it
     std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
     NarrowCellScratch narrow_;
-    std::vector<std::optional<std::vector<GradientLattice>>> gradient_lattices_;  // none: pointwise
     std::vector<const float*> rows_;  // of the fields, the row at hand
     ScratchFloats combined_;          // a row of each channel
 };

@@ -3,141 +3,25 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numeric>
 
 #include "bakers/noise/lattice_hash.h"
+#include "bakers/noise/noise_stacks.h"
 
 namespace skybake::noise {
 
 namespace {
 
-using config::CurlComponent;
 using config::NoiseChannel;
 using config::NoiseFractal;
 using config::NoiseOctaves;
 using config::NoiseType;
 
-AxisCells axis_cells(const TileAxis& axis, int frequency) {
-    AxisCells cells;
-    const auto count = static_cast<std::size_t>(axis.size);
-    cells.cell.resize(count + kLanePadding);
-    cells.fraction.resize(count + kLanePadding);
-    for (int i = 0; i < axis.size; ++i) {
-        const LatticePosition position = lattice_position(axis, frequency, i);
-        cells.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(position.cell);
-        cells.fraction[static_cast<std::size_t>(i)] = cell_fraction(position);
-    }
-    std::fill(cells.cell.begin() + axis.size, cells.cell.end(),
-              cells.cell[static_cast<std::size_t>(axis.size - 1)]);
-    return cells;
-}
-
-AxisBasis axis_basis(const TileAxis& axis, int frequency, bool derivative, float amplitude) {
-    AxisBasis basis;
-    const auto count = static_cast<std::size_t>(axis.size + kLanePadding);
-    for (AlignedFloats* values :
-         {&basis.weight_0, &basis.weight_1, &basis.distance_0, &basis.distance_1}) {
-        values->resize(count);
-    }
-    for (int i = 0; i < axis.size; ++i) {
-        const LatticePosition position = lattice_position(axis, frequency, i);
-        const GradientBasis value = scaled(
-            derivative ? gradient_basis_derivative(position) : gradient_basis(position), amplitude);
-        const auto at = static_cast<std::size_t>(i);
-        basis.weight_0[at] = value.weight_0;
-        basis.weight_1[at] = value.weight_1;
-        basis.distance_0[at] = value.distance_0;
-        basis.distance_1[at] = value.distance_1;
-    }
-    return basis;
-}
-
-GradientOctave gradient_octave(const std::array<TileAxis, 3>& axes,
-                               const std::array<int, 3>& frequency, std::uint64_t key,
-                               int derivative_axis, double amplitude) {
-    GradientOctave octave{frequency, key, derivative_axis, static_cast<float>(amplitude), {}, {}};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        octave.cells[axis] = axis_cells(axes[axis], frequency[axis]);
-        octave.basis[axis] =
-            axis_basis(axes[axis], frequency[axis], derivative_axis == static_cast<int>(axis),
-                       axis == 1 ? octave.amplitude : 1.0f);
-    }
-    return octave;
-}
-
-// The weights over their sum.
-std::vector<double> weights_of(const NoiseOctaves& octaves) {
-    const double sum = std::accumulate(octaves.gains.begin(), octaves.gains.end(), 0.0);
-    std::vector<double> weights;
-    for (const double gain : octaves.gains) weights.push_back(gain / sum);
-    return weights;
-}
-
-OctaveShape shape_of(NoiseFractal fractal) {
-    if (fractal == NoiseFractal::ridged) return OctaveShape::one_minus_absolute;
-    return fractal == NoiseFractal::billow ? OctaveShape::absolute : OctaveShape::plain;
-}
-
-// Keys of one channel of one noise.
-struct Keys {
-    std::uint64_t noise_seed = 0;
-    std::uint64_t channel_seed = 0;
-    // Of octave i.
-    std::uint64_t operator()(Purpose purpose, const NoiseOctaves& octaves, std::size_t i) const {
-        const auto begin = octaves.frequencies.begin();
-        const auto end = begin + static_cast<std::ptrdiff_t>(i);
-        const auto repetition = std::count(begin, end, octaves.frequencies[i]);
-        return octave_key(noise_seed, channel_seed, purpose, octaves.frequencies[i],
-                          static_cast<int>(repetition));
-    }
-};
-
-GradientStack gradient_stack(const NoiseChannel& channel, const std::array<TileAxis, 3>& axes,
-                             const Keys& keys) {
-    GradientStack stack{shape_of(channel.fractal), {}, {}};
-    const std::vector<double> weights = weights_of(channel.octaves);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const auto& frequency = channel.octaves.frequencies[i];
-        const bool plain = stack.shape == OctaveShape::plain;
-        stack.octaves.push_back(gradient_octave(axes, frequency,
-                                                keys(Purpose::gradient, channel.octaves, i), -1,
-                                                plain ? weights[i] : 1));
-        stack.weights.push_back(static_cast<float>(weights[i]));
-    }
-    return stack;
-}
-
-// One component of the curl of three potentials, curl_x = d potential_z / dy - d potential_y / dz
-// and so on around. Derivatives are taken along the tile and divided by the greatest frequency of
-// the first octave, so that values are of the order of 1.
-GradientStack curl_stack(const NoiseChannel& channel, const std::array<TileAxis, 3>& axes,
-                         const Keys& keys) {
-    constexpr std::array<Purpose, 3> kPotentials = {Purpose::potential_x, Purpose::potential_y,
-                                                    Purpose::potential_z};
-    const auto axis = static_cast<std::size_t>(channel.component);
-    const std::size_t next = (axis + 1) % 3;
-    const std::size_t last = (axis + 2) % 3;
-    const auto& first_octave = channel.octaves.frequencies.front();
-    const double unit = *std::max_element(first_octave.begin(), first_octave.end());
-    GradientStack stack;
-    const std::vector<double> weights = weights_of(channel.octaves);
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-        const auto& frequency = channel.octaves.frequencies[i];
-        stack.octaves.push_back(
-            gradient_octave(axes, frequency, keys(kPotentials[last], channel.octaves, i),
-                            static_cast<int>(next), weights[i] * frequency[next] / unit));
-        stack.octaves.push_back(
-            gradient_octave(axes, frequency, keys(kPotentials[next], channel.octaves, i),
-                            static_cast<int>(last), -weights[i] * frequency[last] / unit));
-    }
-    return stack;
-}
-
 int field_index(NoisePlan& plan, CellField field) {
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
         const CellField& other = plan.fields[i];
-        if (other.key == field.key && other.frequency == field.frequency &&
-            other.feature == field.feature && other.value_form == field.value_form) {
+        if (other.kind == field.kind && other.warp == field.warp && other.key == field.key &&
+            other.frequency == field.frequency && other.feature == field.feature &&
+            other.value_form == field.value_form) {
             return static_cast<int>(i);
         }
     }
@@ -149,38 +33,78 @@ int field_index(NoisePlan& plan, CellField field) {
 }
 
 std::vector<WeightedField> cell_fields(const NoiseChannel& channel, const NoiseOctaves& octaves,
-                                       const Keys& keys, NoisePlan& plan) {
+                                       const OctaveMaker& maker, int warp, NoisePlan& plan) {
+    const bool alligator = config::is_alligator(channel.type);
     std::vector<WeightedField> fields;
     const std::vector<double> weights = weights_of(octaves);
     for (std::size_t i = 0; i < weights.size(); ++i) {
-        const auto& frequency = octaves.frequencies[i];
-        const int field = field_index(
-            plan,
-            {frequency, keys(Purpose::cells, octaves, i), channel.feature, channel.value_form, {}});
-        fields.push_back({field, static_cast<float>(weights[i])});
+        CellField field;
+        field.kind = alligator ? CellKind::alligator : CellKind::worley;
+        field.warp = warp;
+        field.shift = maker.shift();
+        field.frequency = octaves.frequencies[i];
+        field.key = maker.keys(alligator ? Purpose::alligator : Purpose::cells, octaves, i);
+        field.feature = channel.feature;
+        field.value_form = channel.value_form;
+        fields.push_back({field_index(plan, std::move(field)), static_cast<float>(weights[i])});
     }
     return fields;
 }
 
-ChannelPlan channel_plan(const NoiseChannel& channel, std::uint64_t noise_seed, NoisePlan& plan) {
-    const Keys keys{noise_seed, channel.seed};
+// Fills in the octaves of a channel.
+void add_octaves(const NoiseChannel& channel, const OctaveMaker& maker, NoisePlan& plan,
+                 ChannelPlan& result) {
+    const int warp = result.warp;
+    constexpr std::array<Purpose, 3> kPotentials = {Purpose::potential_x, Purpose::potential_y,
+                                                    Purpose::potential_z};
+    switch (channel.type) {
+        case NoiseType::constant:
+            break;
+        case NoiseType::perlin_worley:
+            result.cells = cell_fields(channel, channel.worley_octaves, maker, warp, plan);
+            [[fallthrough]];
+        case NoiseType::perlin:
+            result.gradient = gradient_stack(channel, maker);
+            break;
+        case NoiseType::curl:
+            result.gradient =
+                curl_stack(channel.octaves, static_cast<std::size_t>(channel.component),
+                           kPotentials, 1, maker);
+            result.fractal = NoiseFractal::fbm;
+            break;
+        case NoiseType::worley:
+        case NoiseType::alligator:
+        case NoiseType::curly_alligator:
+            result.cells = cell_fields(channel, channel.octaves, maker, warp, plan);
+            break;
+    }
+}
+
+// Returns the warp of a channel, which channels before it may have, too, or -1 if it has none.
+int warp_index(const config::Noise& noise, const NoiseChannel& channel, const OctaveMaker& maker,
+               NoisePlan& plan) {
+    if (channel.warp_strength == 0) return -1;
+    assert(channel.type != NoiseType::constant && channel.type != NoiseType::curl);
+    for (std::size_t i = 0; i < plan.channels.size(); ++i) {
+        const NoiseChannel& other = noise.channels[i];
+        if (other.warp_strength == channel.warp_strength && other.warp_by == channel.warp_by &&
+            other.warp_octaves == channel.warp_octaves && other.seed == channel.seed) {
+            return plan.channels[i].warp;
+        }
+    }
+    plan.warps.push_back(warp_plan(channel, noise.repeats, maker));
+    return static_cast<int>(plan.warps.size()) - 1;
+}
+
+ChannelPlan channel_plan(const config::Noise& noise, const NoiseChannel& channel, NoisePlan& plan) {
+    const OctaveMaker maker{
+        plan.axes, {noise.seed, channel.seed}, noise.period, noise.time, noise.time_cells};
     ChannelPlan result;
     result.type = channel.type;
     result.value = static_cast<float>(channel.value);
     result.fractal = channel.fractal;
-    if (channel.type == NoiseType::perlin || channel.type == NoiseType::perlin_worley) {
-        result.gradient = gradient_stack(channel, plan.axes, keys);
-    }
-    if (channel.type == NoiseType::curl) {
-        result.gradient = curl_stack(channel, plan.axes, keys);
-        result.fractal = NoiseFractal::fbm;
-    }
-    if (channel.type == NoiseType::worley) {
-        result.cells = cell_fields(channel, channel.octaves, keys, plan);
-    }
-    if (channel.type == NoiseType::perlin_worley) {
-        result.cells = cell_fields(channel, channel.worley_octaves, keys, plan);
-    }
+    result.warp = warp_index(noise, channel, maker, plan);
+    add_octaves(channel, maker, plan, result);
     const auto& [low_in, high_in, low_out, high_out] = channel.remap;
     result.remapped = channel.remap != std::array<double, 4>{0, 1, 0, 1};
     result.remap_low_in = static_cast<float>(low_in);
@@ -206,15 +130,27 @@ double smooth_step(const std::array<double, 2>& edges, double value) {
     return t * t * (3 - 2 * t);
 }
 
+// The wind carries the noise's values along, so that samples are taken against it. After a loop the
+// noise has moved by whole tiles.
+void add_drift(const config::Noise& noise, std::array<TileAxis, 3>& axes) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        TileAxis& axis = axes[i];
+        axis.drift_steps = std::int64_t{noise.period} * noise.repeats[i];
+        const std::int64_t carried = -std::int64_t{noise.drift[i]} * (noise.time % noise.period);
+        axis.drift = carried - floor_divide(carried, axis.drift_steps) * axis.drift_steps;
+    }
+}
+
 }  // namespace
 
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size) {
     assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
     NoisePlan plan;
     plan.axes = tile_axes(size, noise.sampling);
+    if (noise.period > 0) add_drift(noise, plan.axes);
     plan.pack = noise.pack;
     for (const NoiseChannel& channel : noise.channels) {
-        plan.channels.push_back(channel_plan(channel, noise.seed, plan));
+        plan.channels.push_back(channel_plan(noise, channel, plan));
     }
     return plan;
 }

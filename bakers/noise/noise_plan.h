@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ namespace skybake::noise {
 // The positions of a tile's voxels on a lattice are computed in integers, so that tiling is exact
 // for any size and frequency:
 //
-//   position of voxel i = (2 i + o) f / (2 N) cells,   o = 1: voxel centres, o = 0: lower corners
+//   position of voxel i = ((2 i + o) / (2 N) + d) f cells,   o = 1: voxel centres, o = 0: lower
+//   corners; d is how far the wind has carried the noise the other way, a fraction of a tile
 //
 // i may be any integer: voxel i + N is the same as voxel i.
 
@@ -24,6 +26,9 @@ namespace skybake::noise {
 struct TileAxis {
     int size = 0;
     int offset = 0;  // of the sample within its voxel, in half voxels: 0 or 1
+    // The samples' shift against the noise, in [0, 1) tiles: drift / drift_steps.
+    std::int64_t drift = 0;
+    std::int64_t drift_steps = 1;
 };
 
 std::array<TileAxis, 3> tile_axes(const std::array<int, 3>& size, config::NoiseSampling sampling);
@@ -41,8 +46,9 @@ inline std::int64_t floor_divide(std::int64_t a, std::int64_t b) {
 }
 
 inline LatticePosition lattice_position(const TileAxis& axis, int frequency, std::int64_t voxel) {
-    const std::int64_t denominator = std::int64_t{2} * axis.size;
-    const std::int64_t scaled = (2 * voxel + axis.offset) * frequency;
+    const std::int64_t denominator = std::int64_t{2} * axis.size * axis.drift_steps;
+    const std::int64_t steps = (2 * voxel + axis.offset) * axis.drift_steps;
+    const std::int64_t scaled = (steps + std::int64_t{2} * axis.size * axis.drift) * frequency;
     const std::int64_t cell = floor_divide(scaled, denominator);
     return {cell, scaled - cell * denominator, denominator};
 }
@@ -68,86 +74,14 @@ inline constexpr int kLanePadding = 16;
 // One octave's cells along one axis, for voxels 0 to size - 1, and kLanePadding further entries
 // with the last cell and fraction 0.
 struct AxisCells {
-    std::vector<std::int32_t> cell;
-    AlignedFloats fraction;  // position in the cell, in [0, 1), rounded to float
+    std::vector<std::int32_t> cell;  // below twice the frequency, as noise may drift by a tile
+    AlignedFloats fraction;          // position in the cell, in [0, 1), rounded to float
 };
 
 // The four functions of GradientBasis for each voxel, padded by zeros.
 struct AxisBasis {
     AlignedFloats weight_0, weight_1, distance_0, distance_1;
 };
-
-// One octave of gradient noise, or its derivative along an axis.
-struct GradientOctave {
-    std::array<int, 3> frequency{};
-    std::uint64_t key = 0;
-    int derivative_axis = -1;  // -1: the noise itself
-    float amplitude = 1;       // factor on the noise itself
-    std::array<AxisCells, 3> cells;
-    std::array<AxisBasis, 3> basis;  // those of the y axis are multiplied by the amplitude
-};
-
-// The function of an octave's value n that is weighted and summed.
-enum class OctaveShape { plain, absolute, one_minus_absolute };
-
-// The sum over octaves of weight * shape(n). For OctaveShape::plain the weights are contained in
-// the amplitudes.
-struct GradientStack {
-    OctaveShape shape = OctaveShape::plain;
-    std::vector<GradientOctave> octaves;
-    std::vector<float> weights;
-};
-
-// One octave of cellular noise. Channels that use equal octaves share one field.
-struct CellField {
-    std::array<int, 3> frequency{};
-    std::uint64_t key = 0;
-    config::WorleyFeature feature = config::WorleyFeature::f1;
-    config::WorleyValue value_form = config::WorleyValue::distance;
-    std::array<AxisCells, 3> cells;
-};
-
-struct WeightedField {
-    int field = 0;  // index in NoisePlan::fields
-    float weight = 0;
-};
-
-struct ChannelPlan {
-    config::NoiseType type = config::NoiseType::constant;
-    float value = 0;  // constant
-    config::NoiseFractal fractal = config::NoiseFractal::fbm;
-    GradientStack gradient;
-    std::vector<WeightedField> cells;
-    // Changes that are applied to the noise, in this order.
-    bool remapped = false;
-    float remap_low_in = 0, remap_scale = 1, remap_low_out = 0;
-    bool stepped = false;
-    float step_from = 0, step_scale = 1;  // 1 / (to - from)
-    bool invert = false;
-    bool biased = false;
-    float bias_slope = 0;  // 1/b - 2
-    bool clamped = false;
-    float clamp_low = 0, clamp_high = 1;
-
-    // True if any of these changes a value.
-    bool is_shaped() const { return remapped || stepped || invert || biased || clamped; }
-};
-
-struct NoisePlan {
-    std::array<TileAxis, 3> axes;
-    std::vector<CellField> fields;
-    std::vector<ChannelPlan> channels;
-    config::NoisePacking pack = config::NoisePacking::none;
-    int output_channels() const {
-        return pack == config::NoisePacking::none ? static_cast<int>(channels.size()) : 1;
-    }
-};
-
-NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
-
-// Returns the range in which a channel's values are meant to lie: [0, 1], or [-1, 1] for curl,
-// mapped through remap, smoothstep, invert, bias and clamp. The range is never empty.
-std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
 
 // Gradient noise along one axis as a sum of four products.
 //
@@ -175,5 +109,95 @@ inline GradientBasis scaled(const GradientBasis& basis, float factor) {
 
 // Returns the derivative of each function by u.
 GradientBasis gradient_basis_derivative(const LatticePosition& position);
+
+// The place of a frame on the fourth axis of a lattice, between two lattices of three dimensions.
+struct TimeStep {
+    std::array<std::uint64_t, 2> keys{};  // of the lattice before the frame and of that after it
+    GradientBasis basis;
+};
+
+// One octave of gradient noise, or its derivative along an axis.
+struct GradientOctave {
+    std::array<int, 3> frequency{};
+    std::uint64_t key = 0;
+    int derivative_axis = -1;      // -1: the noise itself
+    float amplitude = 1;           // factor on the noise itself
+    std::optional<TimeStep> time;  // none: the noise has three dimensions
+    std::array<AxisCells, 3> cells;
+    std::array<AxisBasis, 3> basis;  // those of the y axis are multiplied by the amplitude
+};
+
+// The function of an octave's value n that is weighted and summed.
+enum class OctaveShape { plain, absolute, one_minus_absolute };
+
+// The sum over octaves of weight * shape(n). For OctaveShape::plain the weights are contained in
+// the amplitudes.
+struct GradientStack {
+    OctaveShape shape = OctaveShape::plain;
+    std::vector<GradientOctave> octaves;
+    std::vector<float> weights;
+};
+
+// The three components of a displacement, in tiles.
+using WarpPlan = std::array<GradientStack, 3>;
+
+// What an octave makes of the points of cells.
+enum class CellKind { worley, alligator };
+
+// One octave of cellular noise. Channels that use equal octaves share one field.
+struct CellField {
+    CellKind kind = CellKind::worley;
+    int warp = -1;            // index in NoisePlan::warps; -1: voxels are read where they are
+    std::uint32_t shift = 0;  // of points along their paths (lattice_hash.h)
+    std::array<int, 3> frequency{};
+    std::uint64_t key = 0;
+    config::WorleyFeature feature = config::WorleyFeature::f1;
+    config::WorleyValue value_form = config::WorleyValue::distance;
+    std::array<AxisCells, 3> cells;
+};
+
+struct WeightedField {
+    int field = 0;  // index in NoisePlan::fields
+    float weight = 0;
+};
+
+struct ChannelPlan {
+    config::NoiseType type = config::NoiseType::constant;
+    float value = 0;  // constant
+    config::NoiseFractal fractal = config::NoiseFractal::fbm;
+    GradientStack gradient;
+    std::vector<WeightedField> cells;
+    int warp = -1;  // of its gradients and cells
+    // Changes that are applied to the noise, in this order.
+    bool remapped = false;
+    float remap_low_in = 0, remap_scale = 1, remap_low_out = 0;
+    bool stepped = false;
+    float step_from = 0, step_scale = 1;  // 1 / (to - from)
+    bool invert = false;
+    bool biased = false;
+    float bias_slope = 0;  // 1/b - 2
+    bool clamped = false;
+    float clamp_low = 0, clamp_high = 1;
+
+    // True if any of these changes a value.
+    bool is_shaped() const { return remapped || stepped || invert || biased || clamped; }
+};
+
+struct NoisePlan {
+    std::array<TileAxis, 3> axes;
+    std::vector<WarpPlan> warps;
+    std::vector<CellField> fields;
+    std::vector<ChannelPlan> channels;
+    config::NoisePacking pack = config::NoisePacking::none;
+    int output_channels() const {
+        return pack == config::NoisePacking::none ? static_cast<int>(channels.size()) : 1;
+    }
+};
+
+NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
+
+// Returns the range in which a channel's values are meant to lie: [0, 1], or [-1, 1] for curl,
+// mapped through remap, smoothstep, invert, bias and clamp. The range is never empty.
+std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
 
 }  // namespace skybake::noise

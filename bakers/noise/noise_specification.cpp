@@ -6,6 +6,7 @@
 
 #include "bakers/noise/cell_value.h"
 #include "bakers/noise/lattice_hash.h"
+#include "bakers/noise/moving_gradient.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {
@@ -15,6 +16,12 @@ namespace {
 using config::NoiseFractal;
 using config::NoisePacking;
 using config::NoiseType;
+
+// A sample's cell along an axis, not wrapped, and its place in it.
+struct CellPlace {
+    std::int64_t cell = 0;
+    float fraction = 0;
+};
 
 // Blends of gradients along z, at one lattice point of x and y.
 struct BlendedAlongZ {
@@ -32,9 +39,30 @@ struct BlendedAlongYZ {
 GradientBasis basis_of(const GradientOctave& octave, std::size_t index,
                        const LatticePosition& position) {
     const bool derivative = octave.derivative_axis == static_cast<int>(index);
-    const GradientBasis basis =
-        derivative ? gradient_basis_derivative(position) : gradient_basis(position);
-    return scaled(basis, index == 1 ? octave.amplitude : 1.0f);
+    return derivative ? gradient_basis_derivative(position) : gradient_basis(position);
+}
+
+// A displacement by whole tiles is none, so that what is left of it has all its digits.
+CellPlace displaced_place(const LatticePosition& position, int frequency, float displacement) {
+    const float within = displacement - std::nearbyint(displacement);
+    const float place = cell_fraction(position) + within * static_cast<float>(frequency);
+    const float cells = std::floor(place);
+    return {position.cell + static_cast<std::int64_t>(cells), place - cells};
+}
+
+// The functions of gradient_basis in single precision.
+GradientBasis basis_at(float u) {
+    const float weight_1 = ((u * u) * u) * (u * (6 * u - 15) + 10);
+    const float weight_0 = 1 - weight_1;
+    return {weight_0, weight_1, u * weight_0, (u - 1) * weight_1};
+}
+
+// The octave's lattice has a gradient at each point, and a value beside it if it changes in time.
+MovingGradient gradient_of(const GradientOctave& octave, std::uint32_t x, std::uint32_t y,
+                           std::uint32_t z) {
+    if (octave.time) return gradient_at(octave.time->basis, time_keys(*octave.time, y, z), x);
+    const Gradient gradient = lattice_gradient(row_key(octave.key, y, z), x);
+    return {gradient.x, gradient.y, gradient.z, 0};
 }
 
 // --- Cellular noise -----------------------------------------------------------------------------
@@ -50,10 +78,11 @@ struct NearestPoints {
 
 // --- Channels -----------------------------------------------------------------------------------
 
-float gradient_sum(const NoisePlan& plan, const GradientStack& stack, const Voxel& voxel) {
+float gradient_sum(const NoisePlan& plan, const GradientStack& stack, const Voxel& voxel,
+                   const Displacement* displacement) {
     float sum = 0;
     for (std::size_t i = 0; i < stack.octaves.size(); ++i) {
-        const float octave = gradient_octave_at(plan.axes, stack.octaves[i], voxel);
+        const float octave = gradient_octave_at(plan.axes, stack.octaves[i], voxel, displacement);
         switch (stack.shape) {
             case OctaveShape::plain:
                 sum += octave;
@@ -69,19 +98,22 @@ float gradient_sum(const NoisePlan& plan, const GradientStack& stack, const Voxe
     return sum;
 }
 
-float gradient_part(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& voxel) {
-    const float sum = gradient_sum(plan, channel.gradient, voxel);
+float gradient_part(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& voxel,
+                    const Displacement* displacement) {
+    const float sum = gradient_sum(plan, channel.gradient, voxel, displacement);
     if (channel.type == NoiseType::curl) return sum;
     if (channel.fractal == NoiseFractal::fbm) return sum * 0.5f + 0.5f;
     if (channel.fractal == NoiseFractal::rectified) return std::max(0.0f, sum);
     return sum;
 }
 
-float cell_part(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& voxel) {
+float cell_part(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& voxel,
+                const Displacement* displacement) {
     float sum = 0;
     for (const auto& [field, weight] : channel.cells) {
-        sum +=
-            cell_field_at(plan.axes, plan.fields[static_cast<std::size_t>(field)], voxel) * weight;
+        sum += cell_field_at(plan.axes, plan.fields[static_cast<std::size_t>(field)], voxel,
+                             displacement) *
+               weight;
     }
     return sum;
 }
@@ -107,13 +139,30 @@ float shaped(const ChannelPlan& channel, float value) {
     return value;
 }
 
+Displacement displacement_at(const NoisePlan& plan, const WarpPlan& warp, const Voxel& voxel) {
+    Displacement displacement{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        displacement[axis] = gradient_sum(plan, warp[axis], voxel, nullptr);
+    }
+    return displacement;
+}
+
 float channel_at(const NoisePlan& plan, const ChannelPlan& channel, const Voxel& voxel) {
     float value = channel.value;
-    if (!channel.gradient.octaves.empty()) value = gradient_part(plan, channel, voxel);
-    if (channel.type == NoiseType::worley) value = cell_part(plan, channel, voxel);
+    Displacement displacement{};
+    const Displacement* displaced = nullptr;
+    if (channel.warp >= 0) {
+        displacement =
+            displacement_at(plan, plan.warps[static_cast<std::size_t>(channel.warp)], voxel);
+        displaced = &displacement;
+    }
+    if (!channel.gradient.octaves.empty()) value = gradient_part(plan, channel, voxel, displaced);
+    if (channel.type == NoiseType::worley || config::is_alligator(channel.type)) {
+        value = cell_part(plan, channel, voxel, displaced);
+    }
     if (channel.type == NoiseType::perlin_worley) {
         // remap(gradient, 0, 1, cells, 1)
-        const float cells = cell_part(plan, channel, voxel);
+        const float cells = cell_part(plan, channel, voxel, displaced);
         value = cells + value * (1 - cells);
     }
     return shaped(channel, value);
@@ -122,26 +171,38 @@ float channel_at(const NoisePlan& plan, const ChannelPlan& channel, const Voxel&
 }  // namespace
 
 float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOctave& octave,
-                         const Voxel& voxel) {
-    std::array<LatticePosition, 3> at;
+                         const Voxel& voxel, const Displacement* displacement) {
+    std::array<std::int64_t, 3> cell;
     std::array<GradientBasis, 3> basis;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        at[axis] = lattice_position(axes[axis], octave.frequency[axis], voxel[axis]);
-        basis[axis] = basis_of(octave, axis, at[axis]);
+        const LatticePosition at =
+            lattice_position(axes[axis], octave.frequency[axis], voxel[axis]);
+        cell[axis] = at.cell;
+        basis[axis] = basis_of(octave, axis, at);
+        if (displacement != nullptr) {
+            const CellPlace place =
+                displaced_place(at, octave.frequency[axis], (*displacement)[axis]);
+            cell[axis] = place.cell;
+            basis[axis] = basis_at(place.fraction);
+        }
     }
+    basis[1] = scaled(basis[1], octave.amplitude);
     const auto gradient = [&](int dx, int dy, int dz) {
-        const std::uint32_t x = wrapped_cell(at[0].cell + dx, octave.frequency[0]);
-        const std::uint32_t y = wrapped_cell(at[1].cell + dy, octave.frequency[1]);
-        const std::uint32_t z = wrapped_cell(at[2].cell + dz, octave.frequency[2]);
-        return lattice_gradient(row_key(octave.key, y, z), x);
+        return gradient_of(octave, wrapped_cell(cell[0] + dx, octave.frequency[0]),
+                           wrapped_cell(cell[1] + dy, octave.frequency[1]),
+                           wrapped_cell(cell[2] + dz, octave.frequency[2]));
     };
     const auto along_z = [&](int dx, int dy) {
-        const Gradient near = gradient(dx, dy, 0);
-        const Gradient far = gradient(dx, dy, 1);
+        const MovingGradient near = gradient(dx, dy, 0);
+        const MovingGradient far = gradient(dx, dy, 1);
         const GradientBasis& b = basis[2];
-        return BlendedAlongZ{near.z * b.distance_0 + far.z * b.distance_1,
-                             near.x * b.weight_0 + far.x * b.weight_1,
-                             near.y * b.weight_0 + far.y * b.weight_1};
+        BlendedAlongZ blended{near.z * b.distance_0 + far.z * b.distance_1,
+                              near.x * b.weight_0 + far.x * b.weight_1,
+                              near.y * b.weight_0 + far.y * b.weight_1};
+        if (octave.time) {
+            blended.distance += near.rest * b.weight_0 + far.rest * b.weight_1;
+        }
+        return blended;
     };
     const auto along_yz = [&](int dx) {
         const BlendedAlongZ near = along_z(dx, 0);
@@ -158,30 +219,36 @@ float gradient_octave_at(const std::array<TileAxis, 3>& axes, const GradientOcta
            (near.slope * b.distance_0 + far.slope * b.distance_1);
 }
 
-float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field,
-                    const Voxel& voxel) {
-    std::array<LatticePosition, 3> at;
-    std::array<float, 3> fraction;
+float cell_field_at(const std::array<TileAxis, 3>& axes, const CellField& field, const Voxel& voxel,
+                    const Displacement* displacement) {
+    std::array<CellPlace, 3> at;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        at[axis] = lattice_position(axes[axis], field.frequency[axis], voxel[axis]);
-        fraction[axis] = cell_fraction(at[axis]);
+        const LatticePosition position =
+            lattice_position(axes[axis], field.frequency[axis], voxel[axis]);
+        at[axis] = displacement == nullptr
+                       ? CellPlace{position.cell, cell_fraction(position)}
+                       : displaced_place(position, field.frequency[axis], (*displacement)[axis]);
     }
     const auto wrapped = [&](std::size_t axis, int offset) {
         return wrapped_cell(at[axis].cell + offset, field.frequency[axis]);
     };
     NearestPoints nearest;
+    GreatestBumps bumps;
     for (int dz = -2; dz <= 2; ++dz) {
         for (int dy = -2; dy <= 2; ++dy) {
             const RowKey row = row_key(field.key, wrapped(1, dy), wrapped(2, dz));
             for (int dx = -2; dx <= 2; ++dx) {
-                const CellPoint point = cell_point(row, wrapped(0, dx));
-                const float x = (fraction[0] - point.x) - static_cast<float>(dx);
-                const float y = (fraction[1] - point.y) - static_cast<float>(dy);
-                const float z = (fraction[2] - point.z) - static_cast<float>(dz);
-                nearest.add((x * x + y * y) + z * z);
+                const CellPoint point = cell_point(row, wrapped(0, dx), field.shift);
+                const float x = (at[0].fraction - point.x) - static_cast<float>(dx);
+                const float y = (at[1].fraction - point.y) - static_cast<float>(dy);
+                const float z = (at[2].fraction - point.z) - static_cast<float>(dz);
+                const float squared_distance = (x * x + y * y) + z * z;
+                nearest.add(squared_distance);
+                bumps.add(squared_distance, point.height);
             }
         }
     }
+    if (field.kind == CellKind::alligator) return bumps.value();
     return cell_value(field.feature, field.value_form, nearest.first, nearest.second);
 }
 

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/gradient_blend-inl.h"
 #include "bakers/noise/lattice_hash-inl.h"
 #include "bakers/noise/pointwise_kernel.h"
 
@@ -18,91 +19,64 @@ namespace {
 
 constexpr Floats kFloats;
 static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-constexpr Words kWords;
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
-using Integers = hn::RebindToSigned<Floats>;
-
-// The cells `offset` beyond those of a vector of voxels, wrapped and scaled for their hash. `cell`
-// is in [0, frequency), |offset| at most 2.
-HWY_INLINE WordVector scaled_neighbours(const std::int32_t* cell, int offset, int frequency) {
-    const Integers integers;
-    const auto period = hn::Set(integers, frequency);
-    auto x = hn::Add(hn::LoadU(integers, cell), hn::Set(integers, offset));
-    for (int beyond = 0; beyond > offset; --beyond) {
-        x = hn::IfThenElse(hn::Lt(x, hn::Zero(integers)), hn::Add(x, period), x);
-    }
-    for (int beyond = 0; beyond < offset; ++beyond) {
-        x = hn::IfThenElse(hn::Lt(x, period), x, hn::Sub(x, period));
-    }
-    return hn::Mul(hn::BitCast(kWords, x), hn::Set(kWords, kGolden32));
-}
 
 // --- Gradient noise -----------------------------------------------------------------------------
-
-struct Basis {
-    FloatVector weight_0, weight_1, distance_0, distance_1;
-};
 
 HWY_INLINE Basis basis_at(const AxisBasis& axis, std::size_t voxel) {
     return {hn::Set(kFloats, axis.weight_0[voxel]), hn::Set(kFloats, axis.weight_1[voxel]),
             hn::Set(kFloats, axis.distance_0[voxel]), hn::Set(kFloats, axis.distance_1[voxel])};
 }
 
-HWY_INLINE FloatVector blend(FloatVector a, FloatVector weight_a, FloatVector b,
-                             FloatVector weight_b) {
-    return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b));
+HWY_INLINE Basis bases_from(const AxisBasis& axis, std::size_t voxel) {
+    return {hn::LoadU(kFloats, axis.weight_0.data() + voxel),
+            hn::LoadU(kFloats, axis.weight_1.data() + voxel),
+            hn::LoadU(kFloats, axis.distance_0.data() + voxel),
+            hn::LoadU(kFloats, axis.distance_1.data() + voxel)};
 }
 
-struct BlendedAlongZ {
-    FloatVector distance, x, y;
+// Lattice rows whose gradients stand still, and ones whose gradients change in time.
+struct StillRow {
+    static StillRow of(const GradientOctave& octave, std::uint32_t y, std::uint32_t z) {
+        return {row_key(octave.key, y, z)};
+    }
+    HWY_INLINE GradientVector gradient(WordVector scaled_x) const {
+        return lattice_gradient(key, scaled_x);
+    }
+    RowKey key;
 };
 
-struct BlendedAlongYZ {
-    FloatVector value, slope;
+struct MovingRow {
+    static MovingRow of(const GradientOctave& octave, std::uint32_t y, std::uint32_t z) {
+        return {&octave.time->basis, time_keys(*octave.time, y, z)};
+    }
+    HWY_INLINE MovingGradientVector gradient(WordVector scaled_x) const {
+        return gradient_at(*time, in_all_lanes(keys[0]), in_all_lanes(keys[1]), scaled_x);
+    }
+    const GradientBasis* time;
+    TimeKeys keys;
 };
 
-HWY_INLINE BlendedAlongZ along_z(RowKey near_key, RowKey far_key, WordVector x, const Basis& z) {
-    const GradientVector near = lattice_gradient(near_key, x);
-    const GradientVector far = lattice_gradient(far_key, x);
-    return {blend(near.z, z.distance_0, far.z, z.distance_1),
-            blend(near.x, z.weight_0, far.x, z.weight_1),
-            blend(near.y, z.weight_0, far.y, z.weight_1)};
-}
-
-// keys[dy][dz]
-HWY_INLINE BlendedAlongYZ along_yz(const RowKey (&keys)[2][2], WordVector x, const Basis& y,
-                                   const Basis& z) {
-    const BlendedAlongZ near = along_z(keys[0][0], keys[0][1], x, z);
-    const BlendedAlongZ far = along_z(keys[1][0], keys[1][1], x, z);
-    return {hn::Add(blend(near.distance, y.weight_0, near.y, y.distance_0),
-                    blend(far.distance, y.weight_1, far.y, y.distance_1)),
-            blend(near.x, y.weight_0, far.x, y.weight_1)};
-}
-
+template <class Row>
 void gradient_row(const GradientOctave& octave, int first_voxel, int size, std::size_t row,
                   std::size_t slice, float* out) {
-    RowKey keys[2][2];
+    Row rows[2][2];
     for (int dy = 0; dy < 2; ++dy) {
         for (int dz = 0; dz < 2; ++dz) {
-            keys[dy][dz] = row_key(
-                octave.key, wrapped_cell(octave.cells[1].cell[row] + dy, octave.frequency[1]),
-                wrapped_cell(octave.cells[2].cell[slice] + dz, octave.frequency[2]));
+            rows[dy][dz] =
+                Row::of(octave, wrapped_cell(octave.cells[1].cell[row] + dy, octave.frequency[1]),
+                        wrapped_cell(octave.cells[2].cell[slice] + dz, octave.frequency[2]));
         }
     }
     const Basis y = basis_at(octave.basis[1], row);
     const Basis z = basis_at(octave.basis[2], slice);
-    const AxisBasis& x = octave.basis[0];
+    const int period = octave.frequency[0];
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += kLanes) {
         const std::size_t voxel = static_cast<std::size_t>(first_voxel) + i;
-        const std::int32_t* cell = octave.cells[0].cell.data() + voxel;
-        const int period = octave.frequency[0];
-        const BlendedAlongYZ near = along_yz(keys, scaled_neighbours(cell, 0, period), y, z);
-        const BlendedAlongYZ far = along_yz(keys, scaled_neighbours(cell, 1, period), y, z);
-        const auto value =
-            hn::Add(blend(near.value, hn::LoadU(kFloats, x.weight_0.data() + voxel), far.value,
-                          hn::LoadU(kFloats, x.weight_1.data() + voxel)),
-                    blend(near.slope, hn::LoadU(kFloats, x.distance_0.data() + voxel), far.slope,
-                          hn::LoadU(kFloats, x.distance_1.data() + voxel)));
+        const auto cell = hn::LoadU(Integers(), octave.cells[0].cell.data() + voxel);
+        const auto value = blended_gradients(rows, scaled_neighbours(cell, 0, period),
+                                             scaled_neighbours(cell, 1, period),
+                                             {bases_from(octave.basis[0], voxel), y, z});
         hn::StoreU(value, kFloats, out + i);
     }
 }
@@ -136,14 +110,14 @@ HWY_INLINE void look_at(const CellField& field, const RowKeys& keys, std::size_t
     const auto x = hn::LoadU(kFloats, field.cells[0].fraction.data() + voxel);
     const auto y = hn::Set(kFloats, field.cells[1].fraction[row]);
     const auto z = hn::Set(kFloats, field.cells[2].fraction[slice]);
-    const std::int32_t* cell = field.cells[0].cell.data() + voxel;
+    const auto cell = hn::LoadU(Integers(), field.cells[0].cell.data() + voxel);
     for (int dz = -rings; dz <= rings; ++dz) {
         for (int dy = -rings; dy <= rings; ++dy) {
             const RowKey key = keys.key[dz + 2][dy + 2];
             for (int dx = -rings; dx <= rings; ++dx) {
                 if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= done) continue;
                 const CellPointVector point =
-                    cell_point(key, scaled_neighbours(cell, dx, field.frequency[0]));
+                    cell_point(key, scaled_neighbours(cell, dx, field.frequency[0]), field.shift);
                 const auto along = [](FloatVector a, FloatVector b, int offset) HWY_ATTR {
                     const auto distance =
                         hn::Sub(hn::Sub(a, b), hn::Set(kFloats, static_cast<float>(offset)));
@@ -194,7 +168,8 @@ HWY_INLINE void for_each_row(const VoxelBox& chunk, std::size_t row_stride, floa
 void gradient_pointwise(const GradientOctave& octave, const VoxelBox& chunk, std::size_t row_stride,
                         float* out) {
     for_each_row(chunk, row_stride, out, [&](std::size_t row, std::size_t slice, float* target) {
-        gradient_row(octave, chunk.origin[0], chunk.size[0], row, slice, target);
+        const auto fill = octave.time ? gradient_row<MovingRow> : gradient_row<StillRow>;
+        fill(octave, chunk.origin[0], chunk.size[0], row, slice, target);
     });
 }
 

@@ -11,6 +11,7 @@
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
+#include "config/sections/frames.h"
 #include "config/sections/packets.h"
 #include "config/sections/scene.h"
 #include "config/sections/targets.h"
@@ -122,7 +123,9 @@ inline constexpr FileWords table_files = {
 
 inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
 
-// Returns a section's own rows, followed by those of LightFiles and of AssetFiles.
+inline constexpr Range frame_range{1, 100000};
+
+// Returns a section's own rows, followed by those of LightFiles, VolumeFrames and AssetFiles.
 template <class S, std::size_t count>
 std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const FileWords& words) {
     std::vector<Row<S>> rows(own.begin(), own.end());
@@ -134,6 +137,21 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
               .documentation = "which four of the wavelengths the channels are; without "
                                "it, of more than four, assets NAME_1, NAME_2 ... hold all"},
              &LightFiles::packet});
+    }
+    if constexpr (std::is_base_of_v<VolumeFrames, S>) {
+        rows.push_back({{.key = "frames",
+                         .kind = Kind::integer,
+                         .range = frame_range,
+                         .documentation = "number of frames in time: assets NAME_0001, NAME_0002 "
+                                          "... are one each, from the time of the noises on",
+                         .hint = "the `period` of the noise makes a loop",
+                         .only_shown = true},
+                        &VolumeFrames::frames});
+        rows.push_back({{.key = "frame",
+                         .kind = Kind::integer,
+                         .range = frame_range,
+                         .documentation = "which frame alone, counted from 1"},
+                        &VolumeFrames::frame});
     }
     const Row<S> file_rows[] = {
         {{.key = "target",

@@ -41,6 +41,8 @@ const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake);
 
 int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
 
+int frame_of(const Bake& bake) { return kind_of(bake).frame(bake); }
+
 namespace {
 
 // The scattering and extinction of a layer of particles, a gas or an aerosol follow from the values
@@ -326,6 +328,43 @@ std::vector<OpenBake> divided(const OpenBake& whole, const Parameters& recipe) {
     return parts;
 }
 
+// Returns a bake for each frame. Their sections have the names NAME_0001, NAME_0002 ...
+std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
+    std::vector<OpenBake> parts;
+    for (int frame = 1; frame <= frames; ++frame) {
+        OpenBake part = whole;
+        part.name = fmt::format("{}_{:04}", whole.name, frame);
+        part.section.path = join_path("bake", part.name);
+        derive(part.section.at("frame"), static_cast<double>(frame));
+        parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+// Reports bakes that have the name of another bake's frame.
+void check_frame_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
+                       std::span<const Entry* const> entries, Decoder& decoder) {
+    for (const Entry* entry : entries) {
+        const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
+            return part.name == entry->key;
+        });
+        if (!is_taken) continue;
+        decoder.diagnostics.error(
+            "E0174", entry->key_place,
+            fmt::format("[bake.{}] has the name of a frame of [bake.{}], "
+                        "whose frames are {} to {}",
+                        entry->key, whole.name, parts.front().name, parts.back().name),
+            "choose another name");
+    }
+}
+
+// Returns the number of frames that a bake is to be divided into, or 0.
+int frames_to_divide(const OpenBake& bake) {
+    const DecodedField* frames = find_decoded(bake.section, "frames");
+    if (!frames || !frames->value || bake.section.at("frame").source) return 0;
+    return static_cast<int>(std::get<double>(*frames->value));
+}
+
 // Reports bakes that have the name of another bake's packet.
 void check_packet_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
                         std::span<const Entry* const> entries, Decoder& decoder) {
@@ -343,7 +382,7 @@ void check_packet_names(const OpenBake& whole, const std::vector<OpenBake>& part
     }
 }
 
-// Replaces bakes by those of their packets, where a texture has too few channels.
+// Replaces bakes by those of their packets, where a texture has too few channels, or of their frames.
 std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Parameters& recipe,
                                            std::span<const Entry* const> entries,
                                            Decoder& decoder) {
@@ -351,6 +390,12 @@ std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Par
     for (OpenBake& bake : open) {
         const DecodedField* packet = find_decoded(bake.section, "packet");
         if (packet && packet->value) check_packet(bake, recipe, decoder);
+        if (const int frames = frames_to_divide(bake); frames > 0) {
+            std::vector<OpenBake> parts = divided_in_time(bake, frames);
+            check_frame_names(bake, parts, entries, decoder);
+            std::move(parts.begin(), parts.end(), std::back_inserter(result));
+            continue;
+        }
         const bool is_divided = packet && !packet->source && packet_count(recipe) > 1 &&
                                 holds_wavelengths(*bake.kind, recipe);
         if (!is_divided) {

@@ -15,6 +15,7 @@
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
+#include "config/sections/frames.h"
 #include "config/sections/packets.h"
 #include "config/sections/parameters.h"
 
@@ -57,6 +58,7 @@ struct AssetKind {
     std::function<std::vector<Read>(const Parameters& parameters, const Bake& bake)> reads;
     const AssetFiles& (*files)(const Bake& bake) = nullptr;
     int (*packet)(const Bake& bake) = nullptr;
+    int (*frame)(const Bake& bake) = nullptr;
 };
 
 // Returns the kinds of all assets, in the order of assets.h.
@@ -69,6 +71,9 @@ const AssetFiles& files_of(const Bake& bake);
 
 // Returns the packet of wavelengths that a bake holds, or 0 if it holds all.
 int packet_number(const Bake& bake);
+
+// Returns the frame that a bake is, counted from 1, or 0 if it is not one of a sequence.
+int frame_of(const Bake& bake);
 
 template <class Asset>
 AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
@@ -90,6 +95,10 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
     kind.files = [](const Bake& bake) -> const AssetFiles& { return bake.as<Asset>(); };
     kind.packet = [](const Bake& bake) {
         if constexpr (std::is_base_of_v<LightFiles, Asset>) return bake.as<Asset>().packet;
+        return 0;
+    };
+    kind.frame = [](const Bake& bake) {
+        if constexpr (std::is_base_of_v<VolumeFrames, Asset>) return bake.as<Asset>().frame;
         return 0;
     };
     return kind;

@@ -10,12 +10,12 @@
 
 #include "config/assets/asset.h"
 #include "config/sections/cloud.h"
-#include "config/sections/files.h"
+#include "config/sections/frames.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
 
-struct CloudVolumeBake : AssetFiles {
+struct CloudVolumeBake : VolumeFrames {
     std::string cloud;               // NAME of a [clouds.NAME]
     std::array<int, 3> size{};       // voxels along x, y and height
     std::array<Length, 3> extent{};  // that the voxels span along x, y and z; 0: the cloud's

@@ -5,11 +5,11 @@
 #include <string>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/frames.h"
 
 namespace skybake::config {
 
-struct NoiseVolumeBake : AssetFiles {
+struct NoiseVolumeBake : VolumeFrames {
     std::string noise;          // NAME of a [noise.NAME]
     std::array<int, 3> size{};  // voxels along x, y, z
 };

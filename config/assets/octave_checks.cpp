@@ -40,10 +40,11 @@ bool is_at_home(const Noise& noise, const OctaveGrid& grid, const std::array<int
 
 void OctaveChecks::add_vanishing(const Noise& noise, const NoiseChannel& channel,
                                  const OctaveGrid& grid) {
-    // Curl noise is made of derivatives, which are not 0 where gradient noise is 0.
+    // Curl noise is made of derivatives, which are not 0 where gradient noise is 0. Noise that is
+    // displaced, or that lies between two lattices in time, is not read at lattice points.
     const bool has_gradients =
         channel.type == NoiseType::perlin || channel.type == NoiseType::perlin_worley;
-    if (!has_gradients) return;
+    if (!has_gradients || channel.warp_strength != 0 || noise.period > 1) return;
     for_each_octave(channel.octaves, grid, [&](std::size_t i, const Frequency& frequency) {
         if (!is_zero_everywhere(frequency, size_, grid.sampling)) return;
         vanishing_.push_back(
@@ -57,7 +58,8 @@ void OctaveChecks::add_coarse(const Noise& noise, std::span<const NoiseChannel> 
     const std::size_t before = coarse_;
     std::array<int, 3> needed = size_;
     for (const NoiseChannel& channel : channels) {
-        for (const NoiseOctaves* octaves : {&channel.octaves, &channel.worley_octaves}) {
+        for (const NoiseOctaves* octaves :
+             {&channel.octaves, &channel.worley_octaves, &channel.warp_octaves}) {
             for_each_octave(*octaves, grid, [&](std::size_t, const Frequency& frequency) {
                 if (!is_coarse(frequency, size_)) return;
                 ++coarse_;

@@ -78,7 +78,8 @@ constexpr std::array codes = {
     DiagnosticCode{"E0111", "key of another profile, phase or type",
                    "The key would have no effect: it belongs to a profile or phase function that "
                    "the layer does not have, to another type of noise, another layout or another "
-                   "height profile, to a `detail` that is not given, or to pictures that the "
+                   "height profile, to a `detail`, `period` or `warp_strength` that is not given, "
+                   "or to pictures that the "
                    "recipe does not have. A later source that names "
                    "another profile drops the keys of the earlier one automatically.",
                    "profile = \"exponential\"\nscale_height = \"8 km\"\nhalf_width = \"15 km\"",
@@ -359,6 +360,16 @@ constexpr std::array codes = {
         "[bake.sky_view]\nsun_elevations = [\"30 deg\"]",
         usage},
     DiagnosticCode{
+        "E0174", "frames of what stands still",
+        "`frames` bakes a volume once per frame in time, as assets NAME_0001, NAME_0002 and so on, "
+        "and `frame` bakes one of them. A noise of the volume must move for that, so it must have "
+        "a `period`, and no other section may have the name of a frame.",
+        "[noise.base]\nchannels.Y.type = \"perlin\"\n"
+        "[bake.fog]\nasset = \"noise_volume\"\nnoise = \"base\"\nframes = 48",
+        "[noise.base]\nperiod = 48\nchannels.Y.type = \"perlin\"\n"
+        "[bake.fog]\nasset = \"noise_volume\"\nnoise = \"base\"\nframes = 48",
+        usage},
+    DiagnosticCode{
         "E0143", "atmosphere that the convention cannot express",
         "takram's AtmosphereParameters have three wavelengths and at most three layers: an "
         "exponential one that scatters by Rayleigh's phase function and absorbs nothing, an "
@@ -603,6 +614,11 @@ constexpr std::array codes = {
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
                    "layout = \"atlas\"\ncolumns = 8",
                    0},
+    DiagnosticCode{"W0219", "frames that do not make a loop",
+                   "The number of frames is not a multiple of a noise's `period`, so that the last "
+                   "frame does not lead to the first. That is right for a shot that does not "
+                   "repeat.",
+                   "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
     DiagnosticCode{"W0214", "lookups far from the truth",
                    "Between its texels the asset is so far off that it is of little use: the root "
                    "mean square of the lookup errors is 0.3 or more, where 1 is what the error "

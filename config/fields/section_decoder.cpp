@@ -68,12 +68,14 @@ struct SectionReader {
                         fmt::join(selector.selected_by, "\" or \"")));
     }
 
-    // Whether the text that the field needs is there. A text at fault counts as there.
+    // Whether the key that the field needs is there: a text that is not empty, or any other value.
+    // A value at fault counts as there.
     bool has_needed(const Field& field) const {
         if (field.needs.empty()) return true;
         const DecodedField& needed = result.at(field.needs);
         if (!needed.value) return needed.source != nullptr;
-        return !std::get<std::string>(*needed.value).empty();
+        const auto* text = std::get_if<std::string>(&*needed.value);
+        return text == nullptr || !text->empty();
     }
 
     void report_without_needed(const Field& field, const Entry& entry) const {

@@ -178,7 +178,8 @@ struct CloudReader {
 std::array<int, 3> greatest_frequency(std::span<const NoiseChannel> channels) {
     std::array<int, 3> greatest{};
     for (const NoiseChannel& channel : channels) {
-        for (const NoiseOctaves* octaves : {&channel.octaves, &channel.worley_octaves}) {
+        for (const NoiseOctaves* octaves :
+             {&channel.octaves, &channel.worley_octaves, &channel.warp_octaves}) {
             for (const std::array<int, 3>& frequency : octaves->frequencies) {
                 for (std::size_t axis = 0; axis < 3; ++axis) {
                     greatest[axis] = std::max(greatest[axis], frequency[axis]);

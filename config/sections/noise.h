@@ -13,7 +13,10 @@
 
 namespace skybake::config {
 
-enum class NoiseType { constant, perlin, worley, perlin_worley, curl };
+enum class NoiseType { constant, perlin, worley, perlin_worley, curl, alligator, curly_alligator };
+inline bool is_alligator(NoiseType type) {
+    return type == NoiseType::alligator || type == NoiseType::curly_alligator;
+}
 enum class NoiseFractal { fbm, rectified, ridged, billow };
 enum class WorleyFeature { f1, f2, f2_minus_f1 };
 enum class WorleyValue {
@@ -23,6 +26,7 @@ enum class WorleyValue {
     one_minus_distance_squared
 };
 enum class CurlComponent { x, y, z };
+enum class NoiseWarp { curl, gradient };
 
 // This is a sum of octaves of one kind of noise. `frequencies[i]` is the number of lattice cells
 // per tile along x, y and z of octave i. `gains[i]` is its weight, before the weights are divided
@@ -46,6 +50,10 @@ struct NoiseChannel {
     WorleyValue value_form = WorleyValue::one_minus_distance;
     CurlComponent component = CurlComponent::x;  // curl
     std::uint64_t seed = 0;                      // used together with the noise's own
+    // The noise is read at the place plus `warp_strength` times a vector noise, in tiles.
+    double warp_strength = 0;  // 0: where it is
+    NoiseWarp warp_by = NoiseWarp::curl;
+    NoiseOctaves warp_octaves;
     // These change a value v, in this order.
     std::array<double, 4> remap{0, 1, 0, 1};          // [in low, in high, out low, out high]
     std::optional<std::array<double, 2>> smoothstep;  // 0 at the first, 1 at the second
@@ -67,8 +75,13 @@ struct Noise {
     std::array<int, 3> size{};  // voxels it is made for; the default of a bake's size
     NoiseSampling sampling = NoiseSampling::centers;
     NoisePacking pack = NoisePacking::none;
-    bool aliases = false;                // octaves too fine for `size` are intended
-    std::vector<NoiseChannel> channels;  // in the order R, G, B, A
+    bool aliases = false;                 // octaves too fine for `size` are intended
+    int period = 0;                       // frames of a loop in time; 0: the noise stands still
+    int time = 0;                         // the frame; any integer, as frames repeat
+    std::array<int, 3> drift{};           // tiles per loop that the wind moves the noise
+    int time_cells = 1;                   // lattice cells per loop along time
+    std::array<int, 3> repeats{1, 1, 1};  // tiles per volume, which frequencies include
+    std::vector<NoiseChannel> channels;   // in the order R, G, B, A
 
     bool operator==(const Noise&) const = default;
 };
@@ -83,6 +96,8 @@ inline constexpr OctaveKeys plain_octave_keys{"frequency",   "octaves", "lacunar
 inline constexpr OctaveKeys worley_octave_keys{"worley_frequency",  "worley_octaves",
                                                "worley_lacunarity", "worley_frequencies",
                                                "worley_gain",       "worley_gains"};
+inline constexpr OctaveKeys warp_octave_keys{"warp_frequency",   "warp_octaves", "warp_lacunarity",
+                                             "warp_frequencies", "warp_gain",    "warp_gains"};
 
 // Turns the keys of a series of octaves (frequency, octaves, lacunarity, gain) into lists with one
 // frequency and one gain per octave. It fills in `frequencies` and `gains` of the section, and

@@ -25,6 +25,42 @@ std::size_t channel_order(std::string_view name) {
     return static_cast<std::size_t>(found - channel_names.begin());
 }
 
+// Reports keys of a noise that displaces where nothing says how far.
+void report_idle_warp(const DecodedSection& section, Decoder& decoder) {
+    if (section.at("warp_strength").source || !decoder.complete) return;
+    for (const DecodedField& decoded : section.fields) {
+        if (!decoded.source || !decoded.field->key.starts_with("warp_")) continue;
+        decoder.diagnostics.error(
+            "E0111", decoded.source->place,
+            fmt::format("`{}` belongs to {}, and there is none",
+                        join_path(section.path, decoded.field->key),
+                        join_path(section.path, "warp_strength")),
+            fmt::format("give warp_strength, or leave {} out", decoded.field->key));
+    }
+}
+
+// Curly alligator noise is displaced by a quarter of a cell of its first octave, if nothing else is
+// said: farther, curls fold into rings.
+void derive_warp_strength(DecodedSection& section, const NoiseOctaves& octaves) {
+    DecodedField& strength = section.at("warp_strength");
+    if (strength.source || octaves.frequencies.empty()) return;
+    const std::array<int, 3>& first = octaves.frequencies.front();
+    strength.value = 0.25 / *std::max_element(first.begin(), first.end());
+    strength.derived = true;
+}
+
+NoiseOctaves resolve_warp(DecodedSection& section, const NoiseOctaves& octaves, Decoder& decoder) {
+    const DecodedField& type = section.at("type");
+    if (!type.value) return {};
+    if (*choice_of<NoiseType>(type) == NoiseType::curly_alligator) {
+        derive_warp_strength(section, octaves);
+    } else {
+        report_idle_warp(section, decoder);
+    }
+    if (!section.at("warp_strength").value) return {};
+    return resolve_octaves(section, warp_octave_keys, decoder);
+}
+
 NoiseChannel decode_channel(const std::string& name, const std::string& path, const Place& place,
                             const Table& table, Decoder& decoder) {
     DecodedSection section = decode_section(*find_section("noise.*.channels.*"), path, place, table,
@@ -33,6 +69,7 @@ NoiseChannel decode_channel(const std::string& name, const std::string& path, co
     channel.name = name;
     channel.octaves = resolve_octaves(section, plain_octave_keys, decoder);
     channel.worley_octaves = resolve_octaves(section, worley_octave_keys, decoder);
+    channel.warp_octaves = resolve_warp(section, channel.octaves, decoder);
     append_values(section, decoder);
     bind_section(section, noise_channel_fields(), channel);
     return channel;

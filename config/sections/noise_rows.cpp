@@ -9,12 +9,18 @@ constexpr Range frequency_range{1, 1048576};
 constexpr Range octave_range{1, 16};
 constexpr Range lacunarity_range{1, 16};
 constexpr Range gain_range{0, 4};
+constexpr Range warp_range{-16, 16};
+constexpr Range period_range{1, 1e6};
+constexpr Range time_range{-1e9, 1e9};
+constexpr Range drift_range{-1024, 1024};
+constexpr Range time_cells_range{1, 1024};
 constexpr Range gains_range{0, 1e10};  // includes the weight of the last of 16 octaves with gain 4
 constexpr Range value_range{-1e6, 1e6};
 constexpr Range bias_range{0.001, 0.999};  // beyond it, single precision divides by 0
 
-constexpr std::string_view perlin_and_worley =
-    "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function";
+constexpr std::string_view kinds_of_noise =
+    "Perlin 2002, Improving Noise; Worley 1996, A Cellular Texture Basis Function; alligator: "
+    "Side Effects Software, HDK sample `alligator`, and Schneider 2023, Nubis Cubed";
 constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
 constexpr std::string_view musgrave_1994 =
     "Musgrave, in Ebert et al. 1994, Texturing and Modeling: A Procedural Approach";
@@ -22,6 +28,7 @@ constexpr std::string_view bridson_2007 =
     "Bridson, Hourihan and Nordenstam 2007, Curl-Noise for Procedural Fluid Flow";
 constexpr std::string_view schlick_1994 =
     "Schlick 1994, Fast Alternatives to Perlin's Bias and Gain Functions";
+constexpr std::string_view perlin_1985 = "Perlin 1985, An Image Synthesizer";
 constexpr std::string_view tileable_volume_noise = "Hillaire, TileableVolumeNoise";
 constexpr std::string_view takram = "takram, three-clouds";
 
@@ -44,6 +51,11 @@ constexpr std::array type_choices = {
     Choice{NoiseType::perlin_worley, "perlin_worley",
            "remap(perlin, 0, 1, worley, 1): Perlin noise dilated by Worley noise"},
     Choice{NoiseType::curl, "curl", "one component of the curl of three gradient noises"},
+    Choice{NoiseType::alligator, "alligator",
+           "the greatest less the second greatest of smooth bumps of random height, one per cell"},
+    Choice{
+        NoiseType::curly_alligator, "curly_alligator",
+        "alligator noise that curl noise displaces, by a quarter of a cell without warp_strength"},
 };
 constexpr std::array fractal_choices = {
     Choice{NoiseFractal::fbm, "fbm", "0.5 + 0.5 * sum of the octaves"},
@@ -71,9 +83,16 @@ constexpr std::array component_choices = {
     Choice{CurlComponent::y, "y", "d/dz of potential x - d/dx of potential z"},
     Choice{CurlComponent::z, "z", "d/dx of potential y - d/dy of potential x"},
 };
+constexpr std::array warp_choices = {
+    Choice{NoiseWarp::curl, "curl", "the curl of three gradient noises, which has no sources"},
+    Choice{NoiseWarp::gradient, "gradient", "three gradient noises"},
+};
 // These are the types for which a key applies.
 constexpr std::string_view constant_noise[] = {"constant"};
-constexpr std::string_view noises[] = {"perlin", "worley", "perlin_worley", "curl"};
+constexpr std::string_view noises[] = {"perlin", "worley",    "perlin_worley",
+                                       "curl",   "alligator", "curly_alligator"};
+constexpr std::string_view warped[] = {"perlin", "worley", "perlin_worley", "alligator",
+                                       "curly_alligator"};
 constexpr std::string_view with_perlin[] = {"perlin", "perlin_worley"};
 constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
 constexpr std::string_view perlin_worley[] = {"perlin_worley"};
@@ -122,6 +141,37 @@ const std::array noise_table = {
                 .only_shown = true,
                 .role = Role::usual},
                &Noise::aliases},
+    NoiseField{{.key = "period",
+                .kind = Kind::integer,
+                .range = period_range,
+                .documentation = "frames of a loop in time, after which the noise repeats bit for "
+                                 "bit; without it the noise stands still",
+                .hint = "48 is two seconds of film"},
+               &Noise::period},
+    NoiseField{{.key = "time",
+                .kind = Kind::integer,
+                .range = time_range,
+                .fallback = "0",
+                .documentation = "the frame; frames before 0 and from `period` on are repeats",
+                .needs = "period"},
+               &Noise::time},
+    NoiseField{{.key = "time_cells",
+                .kind = Kind::integer,
+                .range = time_cells_range,
+                .fallback = "4",
+                .documentation = "lattice cells per loop along time",
+                .hint = "twice as many change the noise twice as fast; a single one hardly does",
+                .needs = "period"},
+               &Noise::time_cells},
+    NoiseField{{.key = "drift",
+                .kind = Kind::frequency,
+                .range = drift_range,
+                .fallback = "0",
+                .documentation = "whole tiles per loop that the wind carries the noise along x, y "
+                                 "and z",
+                .hint = "[1, 0, 0] is a wind of a tile per loop along +x",
+                .needs = "period"},
+               &Noise::drift},
 };
 
 const std::array channel_table = {
@@ -130,7 +180,7 @@ const std::array channel_table = {
                        .choices = type_choices,
                        .required = true,
                        .documentation = "kind of noise",
-                       .citation = perlin_and_worley},
+                       .citation = kinds_of_noise},
                       &NoiseChannel::type},
     NoiseChannelField{{.key = "value",
                        .kind = Kind::number,
@@ -304,6 +354,84 @@ const std::array channel_table = {
                        .selector = "type",
                        .selected_by = curl},
                       &NoiseChannel::component},
+    NoiseChannelField{
+        {.key = "warp_strength",
+         .kind = Kind::number,
+         .range = warp_range,
+         .documentation = "displacement, in tiles, where the noise that displaces is 1",
+         .hint = "a quarter of a cell of the first octave curls the noise; metres are "
+                 "divided by the length of the tile",
+         .citation = perlin_1985,
+         .selector = "type",
+         .selected_by = warped},
+        &NoiseChannel::warp_strength},
+    NoiseChannelField{{.key = "warp_by",
+                       .kind = Kind::choice,
+                       .choices = warp_choices,
+                       .documentation = "the noise that displaces, by default curl",
+                       .citation = bridson_2007,
+                       .selector = "type",
+                       .selected_by = warped},
+                      &NoiseChannel::warp_by},
+    NoiseChannelField{{.key = "warp_frequency",
+                       .kind = Kind::frequency,
+                       .range = frequency_range,
+                       .fallback = "4",
+                       .documentation = "frequency of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_octaves",
+                       .kind = Kind::integer,
+                       .range = octave_range,
+                       .fallback = "1",
+                       .documentation = "octaves of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_lacunarity",
+                       .kind = Kind::integer,
+                       .range = lacunarity_range,
+                       .fallback = "2",
+                       .documentation = "lacunarity of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_frequencies",
+                       .kind = Kind::frequencies,
+                       .range = frequency_range,
+                       .documentation = "frequencies of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .selector = "type",
+                       .selected_by = warped},
+                      {}},
+    NoiseChannelField{{.key = "warp_gain",
+                       .kind = Kind::number,
+                       .range = gain_range,
+                       .fallback = "0.5",
+                       .documentation = "gain of the noise that displaces",
+                       .exclusive_group = "warp_gains",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_gains",
+                       .kind = Kind::gains,
+                       .range = gains_range,
+                       .documentation = "gains of the noise that displaces",
+                       .exclusive_group = "warp_gains",
+                       .selector = "type",
+                       .selected_by = warped},
+                      {}},
     NoiseChannelField{
         {.key = "seed",
          .kind = Kind::seed,

@@ -41,6 +41,11 @@ NoisePlan worley_plan(int size, int frequency) {
         size);
 }
 
+// A channel Y with these keys, besides a frequency of 4.
+NoisePlan channel_plan(const std::string& keys, const std::string& noise = "") {
+    return plan_of("[noise.n]\n" + noise + "[noise.n.channels.Y]\nfrequency = 4\n" + keys, 128);
+}
+
 NoisePlan preset_plan(const std::string& preset, int size) {
     return plan_of("[noise.n]\npreset = \"" + preset + "\"\n", size);
 }
@@ -167,6 +172,20 @@ void register_all() {
         milliseconds(RegisterBenchmark(name.c_str(), fill, worley_plan(128, frequency), 128, 1));
     }
     milliseconds(RegisterBenchmark("worley_f1_128_cells4_pointwise", worley_pointwise, 128, 4));
+    // Of 128³ voxels and one octave each.
+    const std::string warp = "warp_strength = 0.1\n";
+    const std::string moving = "period = 48\ntime = 5\n";
+    for (const auto& [name, plan] : {
+             std::pair{"alligator_128", channel_plan("type = \"alligator\"\n")},
+             {"curly_alligator_128", channel_plan("type = \"curly_alligator\"\n")},
+             {"curl_128", channel_plan("type = \"curl\"\n")},
+             {"warped_perlin_128", channel_plan("type = \"perlin\"\n" + warp)},
+             {"warped_worley_128", channel_plan("type = \"worley\"\n" + warp)},
+             {"moving_perlin_128", channel_plan("type = \"perlin\"\n", moving)},
+             {"moving_worley_128", channel_plan("type = \"worley\"\n", moving)},
+         }) {
+        milliseconds(RegisterBenchmark(name, fill, plan, 128, 1));
+    }
     milliseconds(
         RegisterBenchmark("nubis_shape_128", fill, preset_plan("nubis_shape", 128), 128, 7));
     milliseconds(

@@ -155,6 +155,7 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
     tested.insert("E0143");  // said by the baker
     tested.insert("E0145");  // in spectral_air_test.cpp
     tested.insert("E0147");  // in wavelengths_test.cpp
+    tested.insert("E0174");  // in noise_motion_decoder_test.cpp
     for (const DiagnosticCode& code : diagnostic_codes()) {
         if (code.code.starts_with("E01")) {
             EXPECT_TRUE(tested.contains(std::string(code.code))) << code.code;
@@ -166,8 +167,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name :
-         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150", "W0203",
-          "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150", "E0174",
+          "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

@@ -98,6 +98,12 @@ inline void check_channel(const NoiseChannel& channel) {
         check_octaves(channel.octaves);
     }
     if (channel.type == NoiseType::perlin_worley) check_octaves(channel.worley_octaves);
+    require(within(channel.warp_strength, -16, 16), "warp in range");
+    if (channel.warp_strength != 0) {
+        require(channel.type != NoiseType::constant && channel.type != NoiseType::curl,
+                "what is displaced has a place");
+        check_octaves(channel.warp_octaves);
+    }
     require(within(channel.value, -1e6, 1e6), "value in range");
     for (const double bound : channel.remap) require(within(bound, -1e6, 1e6), "remap in range");
     require(std::fabs(channel.remap[1] - channel.remap[0]) >= 1e-6, "remap has a slope");

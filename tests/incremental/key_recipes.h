@@ -291,6 +291,25 @@ value = 0.3
 [noise.mixed.channels.B]
 type = "constant"
 value = 0.6
+[noise.moving]
+period = 6
+time = 1
+time_cells = 2
+drift = [1, 0, 0]
+[noise.moving.channels.Y]
+type = "curly_alligator"
+frequency = 2
+warp_strength = 0.2
+warp_by = "gradient"
+warp_frequency = 2
+warp_octaves = 2
+warp_lacunarity = 2
+warp_gain = 0.5
+[bake.moving]
+asset = "noise_volume"
+noise = "moving"
+size = [8, 8, 8]
+frame = 2
 [clouds.mapped]
 noise = "shape"
 extent = ["1 km", "1 km", "1 km"]

@@ -85,6 +85,19 @@ inline std::vector<config::Noise> noises_of_all_kinds(const std::vector<Frequenc
                      seed)};
 }
 
+// A channel that is displaced, by two octaves of curl noise unless something else is given.
+inline config::NoiseChannel displaced(config::NoiseChannel channel, double strength,
+                                      config::NoiseWarp by = config::NoiseWarp::curl) {
+    channel.warp_strength = strength;
+    channel.warp_by = by;
+    channel.warp_octaves = octaves_of({{3, 2, 4}, {6, 5, 7}});
+    return channel;
+}
+
+inline config::NoiseChannel alligator(const std::vector<Frequency>& frequencies) {
+    return channel_of(config::NoiseType::alligator, frequencies);
+}
+
 // The place of a voxel in the tile, of any integer, as the reference takes it.
 inline std::array<double, 3> place_of(const std::array<noise::TileAxis, 3>& axes,
                                       const noise::Voxel& voxel) {

@@ -54,15 +54,20 @@ inline Uncertain exactly(double value) { return {value, 0}; }
 // the amplitude, three products, five sums and one to spare. The products' magnitudes add up to at
 // most 2, and to 7.5 where one axis has derivatives, |fade'| <= 1.875 on either side. The reference
 // takes positions rounded to 2^-53 of `frequency` cells, and has slopes of less than 64.
-inline double gradient_octave_error(double frequency, bool derivative) {
-    return 14 * kFloatRounding * (derivative ? 7.5 : 2) + 64 * frequency * 0x1p-52;
+//
+// In four dimensions three components are not 0, which is half as much again, and time adds six
+// roundings: its table, two products, two sums and one to spare. Drifts of up to three tiles lose
+// two more bits of positions.
+inline double gradient_octave_error(double frequency, bool derivative, bool moves) {
+    return (moves ? 20 * 1.5 : 14) * kFloatRounding * (derivative ? 7.5 : 2) +
+           (moves ? 4 : 1) * 64 * frequency * 0x1p-52;
 }
 
 // A distance of up to sqrt(3) cells. Along an axis the fraction's cast and its difference from the
 // point, of up to 1, lose 2^-25 each, whole cells, with distances of up to 2, 2^-24. Three squares,
 // two sums and the root, of which squares count half, lose 3.5 roundings of the distance.
 inline double distance_error(double frequency) {
-    return std::sqrt(3.0) * (0x1p-23 + 3.5 * kFloatRounding + frequency * 0x1p-52);
+    return std::sqrt(3.0) * (0x1p-23 + 3.5 * kFloatRounding + frequency * 0x1p-50);
 }
 
 inline double largest(const std::array<int, 3>& frequency) {
@@ -85,26 +90,27 @@ double sum_error(const config::NoiseOctaves& octaves, const Magnitude& magnitude
     return sum;
 }
 
-inline double gradient_error(const config::NoiseChannel& channel) {
+inline double gradient_error(const config::NoiseChannel& channel, bool moves) {
     return sum_error(
-        channel.octaves, [](std::size_t) { return 2.0; },
+        channel.octaves, [&](std::size_t) { return moves ? 3.0 : 2.0; },
         [&](std::size_t i) {
-            return gradient_octave_error(largest(channel.octaves.frequencies[i]), false) +
+            return gradient_octave_error(largest(channel.octaves.frequencies[i]), false, moves) +
                    kFloatRounding;  // of 1 - |n|
         });
 }
 
-inline double curl_error(const config::NoiseChannel& channel) {
+inline double curl_error(const config::NoiseChannel& channel, bool moves) {
+    const double mass = moves ? 1.5 * 7.5 : 7.5;
     const double unit = largest(channel.octaves.frequencies.front());
     const auto amplitude = [&](std::size_t i) {
         return 2 * largest(channel.octaves.frequencies[i]) / unit;  // of two potentials
     };
     return sum_error(
-        channel.octaves, [&](std::size_t i) { return 7.5 * amplitude(i); },
+        channel.octaves, [&](std::size_t i) { return mass * amplitude(i); },
         [&](std::size_t i) {
             return amplitude(i) *
-                   (gradient_octave_error(largest(channel.octaves.frequencies[i]), true) +
-                    static_cast<double>(channel.octaves.gains.size()) * kFloatRounding * 7.5);
+                   (gradient_octave_error(largest(channel.octaves.frequencies[i]), true, moves) +
+                    static_cast<double>(channel.octaves.gains.size()) * kFloatRounding * mass);
         });
 }
 
@@ -119,6 +125,18 @@ inline double cell_error(const config::NoiseChannel& channel, const config::Nois
             return (both ? 2 : 1) * (squared ? 2 : 1) *
                        distance_error(largest(octaves.frequencies[i])) +
                    4 * kFloatRounding * std::sqrt(3.0);
+        });
+}
+
+// Bumps are at most 1, rise by at most 1.5 per cell and pass six roundings after the distance; their
+// difference is one more.
+inline double alligator_error(const config::NoiseChannel& channel) {
+    return sum_error(
+        channel.octaves, [](std::size_t) { return 1.0; },
+        [&](std::size_t i) {
+            return 2 * (1.5 * distance_error(largest(channel.octaves.frequencies[i])) +
+                        6 * kFloatRounding) +
+                   kFloatRounding;
         });
 }
 
@@ -138,7 +156,7 @@ inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
         case NoiseType::constant:
             return cast(channel.value);
         case NoiseType::perlin: {
-            const Uncertain sum = {value, gradient_error(channel)};
+            const Uncertain sum = {value, gradient_error(channel, noise.period > 0)};
             // 0.5 + 0.5 sum
             if (channel.fractal == config::NoiseFractal::fbm) {
                 return Uncertain{value, sum.error / 2}.rounded().rounded();
@@ -147,8 +165,11 @@ inline Uncertain unshaped(config::Noise noise, config::NoiseChannel channel,
         }
         case NoiseType::worley:
             return {value, cell_error(channel, channel.octaves)};
+        case NoiseType::alligator:
+        case NoiseType::curly_alligator:
+            return {value, alligator_error(channel)};
         case NoiseType::curl:
-            return {value, curl_error(channel)};
+            return {value, curl_error(channel, noise.period > 0)};
         case NoiseType::perlin_worley: {
             config::NoiseChannel part = channel;
             part.type = NoiseType::perlin;

@@ -155,6 +155,7 @@ bool loses_an_octave(const Noise& noise, const std::array<int, 3>& size) {
         if (channel.type != NoiseType::perlin && channel.type != NoiseType::perlin_worley) {
             return false;
         }
+        if (channel.warp_strength != 0 || noise.period > 1) return false;
         for (std::size_t i = 0; i < channel.octaves.gains.size(); ++i) {
             if (channel.octaves.gains[i] > 0 &&
                 config::is_zero_everywhere(channel.octaves.frequencies[i], size, noise.sampling)) {

@@ -1,0 +1,85 @@
+// Blends the gradients of the eight corners of a vector of samples' cells, in the order of
+// noise_specification.h.
+#if defined(SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
+#undef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
+#else
+#define SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "bakers/noise/lattice_hash-inl.h"
+#include "bakers/noise/moving_gradient-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::noise {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+// The functions of GradientBasis.
+struct Basis {
+    FloatVector weight_0, weight_1, distance_0, distance_1;
+};
+
+struct CellBasis {
+    Basis x, y, z;
+};
+
+HWY_INLINE FloatVector blend(FloatVector a, FloatVector weight_a, FloatVector b,
+                             FloatVector weight_b) {
+    return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b));
+}
+
+struct BlendedAlongZ {
+    FloatVector distance, x, y;
+};
+
+struct BlendedAlongYZ {
+    FloatVector value, slope;
+};
+
+HWY_INLINE BlendedAlongZ along_z(const GradientVector& near, const GradientVector& far,
+                                 const Basis& z) {
+    return {blend(near.z, z.distance_0, far.z, z.distance_1),
+            blend(near.x, z.weight_0, far.x, z.weight_1),
+            blend(near.y, z.weight_0, far.y, z.weight_1)};
+}
+
+HWY_INLINE BlendedAlongZ along_z(const MovingGradientVector& near, const MovingGradientVector& far,
+                                 const Basis& z) {
+    return {hn::Add(blend(near.z, z.distance_0, far.z, z.distance_1),
+                    blend(near.rest, z.weight_0, far.rest, z.weight_1)),
+            blend(near.x, z.weight_0, far.x, z.weight_1),
+            blend(near.y, z.weight_0, far.y, z.weight_1)};
+}
+
+// rows[dy][dz].gradient(scaled_x) returns the gradients at lattice points.
+template <class Row>
+HWY_INLINE BlendedAlongYZ along_yz(const Row (&rows)[2][2], WordVector scaled_x, const Basis& y,
+                                   const Basis& z) {
+    const BlendedAlongZ near =
+        along_z(rows[0][0].gradient(scaled_x), rows[0][1].gradient(scaled_x), z);
+    const BlendedAlongZ far =
+        along_z(rows[1][0].gradient(scaled_x), rows[1][1].gradient(scaled_x), z);
+    return {hn::Add(blend(near.distance, y.weight_0, near.y, y.distance_0),
+                    blend(far.distance, y.weight_1, far.y, y.distance_1)),
+            blend(near.x, y.weight_0, far.x, y.weight_1)};
+}
+
+template <class Row>
+HWY_INLINE FloatVector blended_gradients(const Row (&rows)[2][2], WordVector near_x,
+                                         WordVector far_x, const CellBasis& basis) {
+    const Basis& x = basis.x;
+    const BlendedAlongYZ near = along_yz(rows, near_x, basis.y, basis.z);
+    const BlendedAlongYZ far = along_yz(rows, far_x, basis.y, basis.z);
+    return hn::Add(blend(near.value, x.weight_0, far.value, x.weight_1),
+                   blend(near.slope, x.distance_0, far.slope, x.distance_1));
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake::noise
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_

@@ -1,0 +1,166 @@
+#include "bakers/noise/noise_stacks.h"
+
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+namespace skybake::noise {
+
+namespace {
+
+using config::NoiseChannel;
+using config::NoiseFractal;
+using config::NoiseOctaves;
+
+AxisBasis axis_basis(const TileAxis& axis, int frequency, bool derivative, float amplitude) {
+    AxisBasis basis;
+    const auto count = static_cast<std::size_t>(axis.size + kLanePadding);
+    for (AlignedFloats* values :
+         {&basis.weight_0, &basis.weight_1, &basis.distance_0, &basis.distance_1}) {
+        values->resize(count);
+    }
+    for (int i = 0; i < axis.size; ++i) {
+        const LatticePosition position = lattice_position(axis, frequency, i);
+        const GradientBasis value = scaled(
+            derivative ? gradient_basis_derivative(position) : gradient_basis(position), amplitude);
+        const auto at = static_cast<std::size_t>(i);
+        basis.weight_0[at] = value.weight_0;
+        basis.weight_1[at] = value.weight_1;
+        basis.distance_0[at] = value.distance_0;
+        basis.distance_1[at] = value.distance_1;
+    }
+    return basis;
+}
+
+OctaveShape shape_of(NoiseFractal fractal) {
+    if (fractal == NoiseFractal::ridged) return OctaveShape::one_minus_absolute;
+    return fractal == NoiseFractal::billow ? OctaveShape::absolute : OctaveShape::plain;
+}
+
+// The place of a frame among `cells` lattice points of a loop, with all its digits.
+LatticePosition place_in_time(int period, int cells, int time) {
+    return lattice_position({period, 0}, cells, time);
+}
+
+std::optional<TimeStep> time_step(const OctaveMaker& maker, std::uint64_t key) {
+    if (maker.period == 0) return std::nullopt;
+    const LatticePosition at = place_in_time(maker.period, maker.time_cells, maker.time);
+    const auto key_of = [&](std::int64_t cell) {
+        return time_key(key, wrapped_cell(cell, maker.time_cells));
+    };
+    return TimeStep{{key_of(at.cell), key_of(at.cell + 1)}, gradient_basis(at)};
+}
+
+}  // namespace
+
+AxisCells axis_cells(const TileAxis& axis, int frequency) {
+    AxisCells cells;
+    const auto count = static_cast<std::size_t>(axis.size);
+    cells.cell.resize(count + kLanePadding);
+    cells.fraction.resize(count + kLanePadding);
+    for (int i = 0; i < axis.size; ++i) {
+        const LatticePosition position = lattice_position(axis, frequency, i);
+        cells.cell[static_cast<std::size_t>(i)] = static_cast<std::int32_t>(position.cell);
+        cells.fraction[static_cast<std::size_t>(i)] = cell_fraction(position);
+    }
+    std::fill(cells.cell.begin() + axis.size, cells.cell.end(),
+              cells.cell[static_cast<std::size_t>(axis.size - 1)]);
+    return cells;
+}
+
+std::vector<double> weights_of(const NoiseOctaves& octaves) {
+    const double sum = std::accumulate(octaves.gains.begin(), octaves.gains.end(), 0.0);
+    std::vector<double> weights;
+    for (const double gain : octaves.gains) weights.push_back(gain / sum);
+    return weights;
+}
+
+std::uint64_t Keys::operator()(Purpose purpose, const NoiseOctaves& octaves, std::size_t i) const {
+    const auto begin = octaves.frequencies.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(i);
+    const auto repetition = std::count(begin, end, octaves.frequencies[i]);
+    return octave_key(noise_seed, channel_seed, purpose, octaves.frequencies[i],
+                      static_cast<int>(repetition));
+}
+
+GradientOctave OctaveMaker::octave(const NoiseOctaves& octaves, std::size_t i, Purpose purpose,
+                                   double amplitude, int derivative_axis) const {
+    GradientOctave octave;
+    octave.frequency = octaves.frequencies[i];
+    octave.key = keys(purpose, octaves, i);
+    octave.derivative_axis = derivative_axis;
+    octave.amplitude = static_cast<float>(amplitude);
+    octave.time = time_step(*this, octave.key);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        octave.cells[axis] = axis_cells(axes[axis], octave.frequency[axis]);
+        octave.basis[axis] =
+            axis_basis(axes[axis], octave.frequency[axis],
+                       derivative_axis == static_cast<int>(axis), axis == 1 ? octave.amplitude : 1);
+    }
+    return octave;
+}
+
+// A point goes its whole path, to and fro, once per two cells of the lattice along time, so that it
+// crosses a cell while gradients change from one lattice to the next. Odd numbers are rounded up.
+std::uint32_t OctaveMaker::shift() const {
+    if (period == 0) return 0;
+    const LatticePosition at = place_in_time(period, (time_cells + 1) / 2, time);
+    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(at.numerator) * kPathSteps /
+                                      static_cast<std::uint64_t>(at.denominator));
+}
+
+GradientStack gradient_stack(const NoiseChannel& channel, const OctaveMaker& maker) {
+    GradientStack stack;
+    stack.shape = shape_of(channel.fractal);
+    const std::vector<double> weights = weights_of(channel.octaves);
+    const bool plain = stack.shape == OctaveShape::plain;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        stack.octaves.push_back(
+            maker.octave(channel.octaves, i, Purpose::gradient, plain ? weights[i] : 1));
+        stack.weights.push_back(static_cast<float>(weights[i]));
+    }
+    return stack;
+}
+
+GradientStack curl_stack(const NoiseOctaves& octaves, std::size_t component,
+                         const std::array<Purpose, 3>& potentials, double factor,
+                         const OctaveMaker& maker) {
+    const std::size_t next = (component + 1) % 3;
+    const std::size_t last = (component + 2) % 3;
+    const auto& first_octave = octaves.frequencies.front();
+    const double unit = *std::max_element(first_octave.begin(), first_octave.end());
+    GradientStack stack;
+    const std::vector<double> weights = weights_of(octaves);
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const auto& frequency = octaves.frequencies[i];
+        const double weight = weights[i] * factor;
+        stack.octaves.push_back(maker.octave(
+            octaves, i, potentials[last], weight * frequency[next] / unit, static_cast<int>(next)));
+        stack.octaves.push_back(maker.octave(octaves, i, potentials[next],
+                                             -weight * frequency[last] / unit,
+                                             static_cast<int>(last)));
+    }
+    return stack;
+}
+
+WarpPlan warp_plan(const NoiseChannel& channel, const std::array<int, 3>& repeats,
+                   const OctaveMaker& maker) {
+    constexpr std::array<Purpose, 3> kPurposes = {Purpose::warp_x, Purpose::warp_y,
+                                                  Purpose::warp_z};
+    WarpPlan warp;
+    const std::vector<double> weights = weights_of(channel.warp_octaves);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double strength = channel.warp_strength / repeats[axis];
+        if (channel.warp_by == config::NoiseWarp::curl) {
+            warp[axis] = curl_stack(channel.warp_octaves, axis, kPurposes, strength, maker);
+            continue;
+        }
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+            warp[axis].octaves.push_back(
+                maker.octave(channel.warp_octaves, i, kPurposes[axis], weights[i] * strength));
+        }
+    }
+    return warp;
+}
+
+}  // namespace skybake::noise

@@ -1,0 +1,292 @@
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/noise/scattered_kernel.cpp"
+#include <hwy/foreach_target.h>
+// Highway wants its own header after foreach_target.h.
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+
+#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/gradient_blend-inl.h"
+#include "bakers/noise/scattered_kernel.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake::noise {
+namespace HWY_NAMESPACE {
+namespace {
+
+constexpr Floats kFloats;
+static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
+constexpr Integers kIntegers;
+constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
+using Frequency = std::array<int, 3>;
+
+// --- Samples ------------------------------------------------------------------------------------
+
+// A vector's samples along one axis: their cells, in [0, 2 frequency), and their places in them.
+struct AxisSamples {
+    IntegerVector cell;
+    FloatVector fraction;
+};
+
+HWY_INLINE AxisSamples displaced_by(const AxisSamples& samples, FloatVector displacement,
+                                    int frequency) {
+    const auto within = hn::Sub(displacement, hn::Round(displacement));
+    const auto place =
+        hn::Add(samples.fraction, hn::Mul(within, hn::Set(kFloats, static_cast<float>(frequency))));
+    const auto cells = hn::Floor(place);
+    const auto period = hn::Set(kIntegers, frequency);
+    // Displaced by at most half a tile, a sample of the tile or of that after it is in one of four.
+    auto cell = hn::Add(samples.cell, hn::ConvertTo(kIntegers, cells));
+    cell = hn::IfThenElse(hn::Lt(cell, hn::Zero(kIntegers)), hn::Add(cell, period), cell);
+    for (int tile = 0; tile < 2; ++tile) {
+        cell = hn::IfThenElse(hn::Lt(cell, period), cell, hn::Sub(cell, period));
+    }
+    return {cell, hn::Sub(place, cells)};
+}
+
+struct Samples {
+    AxisSamples x, y, z;
+};
+
+// A vector of voxels from `voxel` of a row on, whose displacements begin at `at`.
+HWY_INLINE Samples samples_at(const std::array<AxisCells, 3>& cells, const Frequency& frequency,
+                              std::size_t voxel, std::size_t row, std::size_t slice,
+                              const DisplacedRows& displaced, std::size_t at) {
+    const auto same = [](const AxisCells& axis, std::size_t i) HWY_ATTR {
+        return AxisSamples{hn::Set(kIntegers, axis.cell[i]), hn::Set(kFloats, axis.fraction[i])};
+    };
+    Samples samples{{hn::LoadU(kIntegers, cells[0].cell.data() + voxel),
+                     hn::LoadU(kFloats, cells[0].fraction.data() + voxel)},
+                    same(cells[1], row),
+                    same(cells[2], slice)};
+    if (displaced[0] == nullptr) return samples;
+    const auto displacement = [&](std::size_t axis)
+                                  HWY_ATTR { return hn::LoadU(kFloats, displaced[axis] + at); };
+    return {displaced_by(samples.x, displacement(0), frequency[0]),
+            displaced_by(samples.y, displacement(1), frequency[1]),
+            displaced_by(samples.z, displacement(2), frequency[2])};
+}
+
+// --- Lattice rows -------------------------------------------------------------------------------
+
+std::uint32_t neighbour(std::int32_t cell, int offset, int period) {
+    cell += offset;
+    while (cell < 0) cell += period;
+    while (cell >= period) cell -= period;
+    return static_cast<std::uint32_t>(cell);
+}
+
+// Hashes the lattice rows of a vector's samples. Neighbours are often in one row, which is hashed
+// once.
+class LaneRows {
+  public:
+    HWY_INLINE LaneRows(const Samples& samples, const Frequency& frequency)
+        : frequency_(frequency) {
+        hn::StoreU(samples.y.cell, kIntegers, y_);
+        hn::StoreU(samples.z.cell, kIntegers, z_);
+    }
+
+    // The keys of the rows `dy` and `dz` beyond those of the samples.
+    HWY_INLINE RowKeyVector keys(std::uint64_t octave_key, int dy, int dz) const {
+        std::uint32_t low[kLanes];
+        std::uint32_t high[kLanes];
+        RowKey key;
+        for (std::size_t i = 0; i < kLanes; ++i) {
+            if (i == 0 || y_[i] != y_[i - 1] || z_[i] != z_[i - 1]) {
+                key = row_key(octave_key, neighbour(y_[i], dy, frequency_[1]),
+                              neighbour(z_[i], dz, frequency_[2]));
+            }
+            low[i] = key.low;
+            high[i] = key.high;
+        }
+        return {hn::LoadU(Words(), low), hn::LoadU(Words(), high)};
+    }
+
+  private:
+    const Frequency& frequency_;
+    std::int32_t y_[kLanes];
+    std::int32_t z_[kLanes];
+};
+
+// --- Gradient noise -----------------------------------------------------------------------------
+
+struct StillLanes {
+    static HWY_INLINE StillLanes of(const GradientOctave& octave, const LaneRows& rows, int dy,
+                                    int dz) {
+        return {rows.keys(octave.key, dy, dz)};
+    }
+    HWY_INLINE GradientVector gradient(WordVector scaled_x) const {
+        return lattice_gradient(key, scaled_x);
+    }
+    RowKeyVector key;
+};
+
+struct MovingLanes {
+    static HWY_INLINE MovingLanes of(const GradientOctave& octave, const LaneRows& rows, int dy,
+                                     int dz) {
+        const TimeStep& time = *octave.time;
+        return {&time.basis, rows.keys(time.keys[0], dy, dz), rows.keys(time.keys[1], dy, dz)};
+    }
+    HWY_INLINE MovingGradientVector gradient(WordVector scaled_x) const {
+        return gradient_at(*time, before, after, scaled_x);
+    }
+    const GradientBasis* time;
+    RowKeyVector before, after;
+};
+
+HWY_INLINE Basis basis_at(FloatVector u) {
+    const auto one = hn::Set(kFloats, 1.0f);
+    const auto slope =
+        hn::Add(hn::Mul(u, hn::Sub(hn::Mul(hn::Set(kFloats, 6.0f), u), hn::Set(kFloats, 15.0f))),
+                hn::Set(kFloats, 10.0f));
+    const auto weight_1 = hn::Mul(hn::Mul(hn::Mul(u, u), u), slope);
+    const auto weight_0 = hn::Sub(one, weight_1);
+    return {weight_0, weight_1, hn::Mul(u, weight_0), hn::Mul(hn::Sub(u, one), weight_1)};
+}
+
+HWY_INLINE Basis scaled(const Basis& basis, FloatVector factor) {
+    return {hn::Mul(basis.weight_0, factor), hn::Mul(basis.weight_1, factor),
+            hn::Mul(basis.distance_0, factor), hn::Mul(basis.distance_1, factor)};
+}
+
+template <class Lanes>
+HWY_INLINE FloatVector gradient_value(const GradientOctave& octave, const Samples& samples) {
+    const LaneRows lane_rows(samples, octave.frequency);
+    const auto row = [&](int dy, int dz) HWY_ATTR { return Lanes::of(octave, lane_rows, dy, dz); };
+    const Lanes rows[2][2] = {{row(0, 0), row(0, 1)}, {row(1, 0), row(1, 1)}};
+    const int period = octave.frequency[0];
+    return blended_gradients(
+        rows, scaled_neighbours(samples.x.cell, 0, period),
+        scaled_neighbours(samples.x.cell, 1, period),
+        {basis_at(samples.x.fraction),
+         scaled(basis_at(samples.y.fraction), hn::Set(kFloats, octave.amplitude)),
+         basis_at(samples.z.fraction)});
+}
+
+// --- Cellular noise -----------------------------------------------------------------------------
+
+// Calls take(squared distance, height of the bump) for the points of the cells within `rings` rings
+// that are beyond `done` rings.
+template <class Take>
+HWY_INLINE void for_points(const CellField& field, const Samples& samples, const LaneRows& rows,
+                           int done, int rings, const Take& take) {
+    const auto along = [](FloatVector a, FloatVector b, int offset) HWY_ATTR {
+        const auto distance = hn::Sub(hn::Sub(a, b), hn::Set(kFloats, static_cast<float>(offset)));
+        return hn::Mul(distance, distance);
+    };
+    for (int dz = -rings; dz <= rings; ++dz) {
+        for (int dy = -rings; dy <= rings; ++dy) {
+            const RowKeyVector key = rows.keys(field.key, dy, dz);
+            for (int dx = -rings; dx <= rings; ++dx) {
+                if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= done) continue;
+                const CellPointVector point = cell_point(
+                    key, scaled_neighbours(samples.x.cell, dx, field.frequency[0]), field.shift);
+                take(hn::Add(hn::Add(along(samples.x.fraction, point.x, dx),
+                                     along(samples.y.fraction, point.y, dy)),
+                             along(samples.z.fraction, point.z, dz)),
+                     point.height);
+            }
+        }
+    }
+}
+
+HWY_INLINE FloatVector worley_value(const CellField& field, const Samples& samples,
+                                    const LaneRows& rows) {
+    auto first = hn::Set(kFloats, std::numeric_limits<float>::infinity());
+    auto second = first;
+    const auto take = [&](FloatVector squared, FloatVector) HWY_ATTR {
+        second = hn::Min(second, hn::Max(first, squared));
+        first = hn::Min(first, squared);
+    };
+    for_points(field, samples, rows, -1, 1, take);
+    // Points beyond one ring of cells are at least a cell away.
+    const auto decisive = field.feature == config::WorleyFeature::f1 ? first : second;
+    if (!hn::AllTrue(kFloats, hn::Le(decisive, hn::Set(kFloats, 0.9999f)))) {
+        for_points(field, samples, rows, 1, 2, take);
+    }
+    return cell_value(field.feature, field.value_form, first, second);
+}
+
+// Bumps end within one ring of cells.
+HWY_INLINE FloatVector alligator_value(const CellField& field, const Samples& samples,
+                                       const LaneRows& rows) {
+    GreatestBumpsVector<FloatVector> bumps{hn::Zero(kFloats), hn::Zero(kFloats)};
+    for_points(field, samples, rows, -1, 1, [&](FloatVector squared, FloatVector height) HWY_ATTR {
+        bumps.add(squared, height);
+    });
+    return bumps.value();
+}
+
+// --- Boxes --------------------------------------------------------------------------------------
+
+// Sets every voxel of the chunk to value(samples).
+template <class Value>
+HWY_INLINE void for_each_vector(const std::array<AxisCells, 3>& cells, const Frequency& frequency,
+                                const VoxelBox& chunk, std::size_t row_stride,
+                                const DisplacedRows& displaced, float* out, const Value& value) {
+    for (int z = 0; z < chunk.size[2]; ++z) {
+        for (int y = 0; y < chunk.size[1]; ++y) {
+            const std::size_t row = static_cast<std::size_t>(z * chunk.size[1] + y) * row_stride;
+            for (std::size_t i = 0; i < static_cast<std::size_t>(chunk.size[0]); i += kLanes) {
+                const Samples samples =
+                    samples_at(cells, frequency, static_cast<std::size_t>(chunk.origin[0]) + i,
+                               static_cast<std::size_t>(chunk.origin[1] + y),
+                               static_cast<std::size_t>(chunk.origin[2] + z), displaced, row + i);
+                hn::StoreU(value(samples), kFloats, out + row + i);
+            }
+        }
+    }
+}
+
+}  // namespace
+
+void gradient_scattered(const GradientOctave& octave, const VoxelBox& chunk, std::size_t row_stride,
+                        const DisplacedRows& displaced, float* out) {
+    const auto fill = [&](const auto& value) HWY_ATTR {
+        for_each_vector(octave.cells, octave.frequency, chunk, row_stride, displaced, out, value);
+    };
+    if (octave.time) {
+        fill([&](const Samples& s) HWY_ATTR { return gradient_value<MovingLanes>(octave, s); });
+    } else {
+        fill([&](const Samples& s) HWY_ATTR { return gradient_value<StillLanes>(octave, s); });
+    }
+}
+
+void cells_scattered(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
+                     const DisplacedRows& displaced, float* out) {
+    for_each_vector(field.cells, field.frequency, chunk, row_stride, displaced, out,
+                    [&](const Samples& samples) HWY_ATTR {
+                        const LaneRows rows(samples, field.frequency);
+                        return field.kind == CellKind::alligator
+                                   ? alligator_value(field, samples, rows)
+                                   : worley_value(field, samples, rows);
+                    });
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake::noise
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake::noise {
+
+HWY_EXPORT(gradient_scattered);
+HWY_EXPORT(cells_scattered);
+
+void fill_scattered_gradient_octave(const GradientOctave& octave, const VoxelBox& chunk,
+                                    std::size_t row_stride, const DisplacedRows& displaced,
+                                    float* out) {
+    assert(octave.derivative_axis < 0);
+    HWY_DYNAMIC_DISPATCH(gradient_scattered)(octave, chunk, row_stride, displaced, out);
+}
+
+void fill_scattered_cell_field(const CellField& field, const VoxelBox& chunk,
+                               std::size_t row_stride, const DisplacedRows& displaced, float* out) {
+    HWY_DYNAMIC_DISPATCH(cells_scattered)(field, chunk, row_stride, displaced, out);
+}
+
+}  // namespace skybake::noise
+#endif  // HWY_ONCE

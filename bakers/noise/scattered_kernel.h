@@ -1,0 +1,26 @@
+// Fills boxes with noise whose samples share no lattice rows, because they are displaced, or few
+// points, as alligator noise does. Every voxel hashes the lattice points around its sample. The
+// result equals noise_specification.h bit for bit.
+#pragma once
+
+#include <array>
+
+#include "bakers/field/baked.h"
+#include "bakers/noise/noise_plan.h"
+
+namespace skybake::noise {
+
+// The displacements of a chunk's samples along x, y and z, in tiles, in rows as `out` has them. Null
+// pointers: samples lie where voxels do.
+using DisplacedRows = std::array<const float*, 3>;
+
+// Writes one octave, multiplied by its amplitude, to out[(z * chunk.size[1] + y) * row_stride + x],
+// in rows of whole vectors. The octave is no derivative. Displacements are finite.
+void fill_scattered_gradient_octave(const GradientOctave& octave, const VoxelBox& chunk,
+                                    std::size_t row_stride, const DisplacedRows& displaced,
+                                    float* out);
+
+void fill_scattered_cell_field(const CellField& field, const VoxelBox& chunk,
+                               std::size_t row_stride, const DisplacedRows& displaced, float* out);
+
+}  // namespace skybake::noise
