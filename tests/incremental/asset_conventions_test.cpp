@@ -149,6 +149,11 @@ asset = "occupancy"
 of = "cloud"
 contents = ["leap"]
 formats = ["exr"]
+[bake.light]
+asset = "cloud_light"
+of = "cloud"
+sun_elevations = ["40 deg"]
+formats = ["exr"]
 )";
 
 FactValue constant(const AxisMapping& axis, const std::string& name) {
