@@ -423,6 +423,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"noise", "", "", "", none, none, "+z"},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
+        {"light", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());
     for (const Wanted& wanted : all) {

@@ -130,7 +130,7 @@ sun_azimuths = ["20 deg"]
 asset = "cloud_light"
 of = "cloud"
 contents = "sky_visibility"
-cell = 8
+degree = 2
 )";
 
 inline constexpr const char* kParticles = R"(

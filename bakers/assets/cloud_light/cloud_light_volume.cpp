@@ -113,8 +113,7 @@ void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& vol
     for (std::size_t i = 0; i < channels.directions.size(); ++i) {
         const glm::dvec3& sun = channels.directions[i];
         add("sun_" + volume.channel_names[i],
-            fmt::format("{} {} {}", to_digits(sun.x, 12), to_digits(sun.y, 12),
-                        to_digits(sun.z, 12)));
+            std::vector<double>{to_digits(sun.x, 12), to_digits(sun.y, 12), to_digits(sun.z, 12)});
     }
 }
 
