@@ -51,9 +51,7 @@ Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2
     options.certification = certification;
     const Baked of = volume_of(layer);
     auto outcome = bake_cloud_light(of, layer, bake, options, {});
-    EXPECT_TRUE(outcome.value) << (outcome.diagnostics.empty() ? ""
-                                                               : outcome.diagnostics[0].message);
-    return outcome.value ? *outcome.value : Baked{};
+    return outcome.value.value();
 }
 
 // [channel][texel].

@@ -22,6 +22,17 @@ constexpr double kDegree = std::numbers::pi / 180;
 
 // --- The plain integrator -----------------------------------------------------------------------
 
+// From +x towards +y, and up.
+TEST(Towards, IsTheDirectionOfTheSun) {
+    const auto expect = [](const glm::dvec3& found, const glm::dvec3& wanted) {
+        for (std::size_t a = 0; a < 3; ++a) EXPECT_NEAR(found[a], wanted[a], 1e-15);
+    };
+    expect(towards(0, 0), {1, 0, 0});
+    expect(towards(0, 90 * kDegree), {0, 1, 0});
+    expect(towards(90 * kDegree, 1), {0, 0, 1});
+    expect(towards(30 * kDegree, 180 * kDegree), {-std::sqrt(0.75), 0, 0.5});
+}
+
 TEST(DepthReference, OfAUniformSlabIsThicknessOverTheSineOfElevation) {
     const CloudLayer layer = layer_of({5, 3, 7}, 0.5F);
     for (const double elevation : {90.0, 60.0, 20.0, 1.0}) {
@@ -177,6 +188,25 @@ TEST(DepthSweep, LeavesOutNothingButEmptyCells) {
         EXPECT_LT(largest_error(layer, place_grid(layer.size, 2, false), sun, 400), 2e-6);
         test::add_edge(0.1, 0.3, layer);
         EXPECT_LT(largest_error(layer, place_grid(layer.size, 2, false), sun, 100), 1e-2);
+    }
+}
+
+// A block of places sees only a part of a long row: clouds in any cell of it, and across its ends.
+TEST(DepthSweep, SeesTheCellsAtBothEndsOfABlock) {
+    for (const int first : {0, 56, 119, 120, 127, 128, 136, 248, 256, 280}) {
+        const CloudLayer layer = test::lone_cloud({288, 3, 6}, {first, 0, 2}, {first + 8, 3, 4});
+        for (const int apart : {1, 2}) {
+            for (const double elevation : {90.0, 20.0}) {
+                const PlaceGrid places = place_grid(layer.size, apart, false);
+                const glm::dvec3 sun = towards(elevation * kDegree, 3.0);
+                const std::vector<float> depths = swept(layer, places, sun);
+                for (int x = 0; x < places.count[0]; ++x) {
+                    EXPECT_NEAR(depths[occupancy::index_of(places.count, x, 0, 0)],
+                                optical_depth_reference(layer, places.place(x, 0, 0), sun), 2e-6)
+                        << first << " apart " << apart << " sun " << elevation << " x " << x;
+                }
+            }
+        }
     }
 }
 

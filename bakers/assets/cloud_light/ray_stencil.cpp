@@ -12,10 +12,8 @@ namespace skybake::cloud_light {
 namespace {
 
 // The distances at which the ray meets the planes through voxel centres, with both its ends,
-// ascending. `start` is in units in which voxel i is at i. Lookups are clamped below z = 0 and above
-// z = last_z, so that there is no plane.
-std::vector<double> pieces(const glm::dvec3& start, const glm::dvec3& along, double end,
-                           int last_z) {
+// ascending. `start` is in units in which voxel i is at i.
+std::vector<double> pieces(const glm::dvec3& start, const glm::dvec3& along, double end) {
     std::vector<double> ends = {0, end};
     for (std::size_t a = 0; a < 3; ++a) {
         if (along[a] == 0) continue;
@@ -23,7 +21,6 @@ std::vector<double> pieces(const glm::dvec3& start, const glm::dvec3& along, dou
         const int first = static_cast<int>(std::floor(std::min(start[a], stop))) + 1;
         const int last = static_cast<int>(std::ceil(std::max(start[a], stop))) - 1;
         for (int plane = first; plane <= last; ++plane) {
-            if (a == 2 && (plane < 0 || plane > last_z)) continue;
             const double t = (plane - start[a]) / along[a];
             if (t > 0 && t < end) ends.push_back(t);
         }
@@ -92,7 +89,7 @@ RayStencil make_stencil(const CloudLayer& layer, const glm::dvec3& start,
     const glm::dvec3 along = in_voxels(layer, direction);
     const double end = (layer.size[2] - start.z) / along.z;
     const glm::dvec3 from = start - 0.5;
-    const std::vector<double> ends = pieces(from, along, end, layer.size[2] - 1);
+    const std::vector<double> ends = pieces(from, along, end);
     const QuadratureRule rule = gauss_legendre(layer.optics.has_edge ? kEdgePoints : 2);
     RayStencil stencil;
     std::vector<Share> shares;
