@@ -11,6 +11,7 @@
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/math/quadrature.h"
 #include "tests/cloud_light/layers.h"
+#include "tests/noise/every_target.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -225,6 +226,18 @@ TEST(DepthSweep, StaysFiniteAtExtremeExtinction) {
     for (const double extinction : {1e-12, 1e6}) {
         layer.optics.extinction_per_m = extinction;
         EXPECT_LT(largest_error(layer, place_grid(layer.size, 1, false), towards(0.02, 1)), 2e-6);
+    }
+}
+
+TEST(DepthSweep, GivesTheSameBitsWithEveryInstructionSet) {
+    CloudLayer layer = rough_layer({150, 3, 5}, 0.4);
+    const PlaceGrid places = place_grid(layer.size, 2, false);
+    for (const bool has_edge : {false, true}) {
+        if (has_edge) test::add_edge(0.2, 0.3, layer);
+        const std::vector<float> best = swept(layer, places, towards(0.4, 1));
+        test::on_every_target([&](const char* target) {
+            EXPECT_EQ(swept(layer, places, towards(0.4, 1)), best) << target;
+        });
     }
 }
 
