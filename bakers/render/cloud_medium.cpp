@@ -37,19 +37,6 @@ int voxels_of_cells(int steps, int cell, int cells, int size) {
 
 }  // namespace
 
-CloudOptics cloud_optics(const config::Cloud& cloud) {
-    return {cloud.extinction_scale.per_meter, cloud.threshold_at == config::ThresholdAt::runtime,
-            cloud.threshold, cloud.edge_softness};
-}
-
-double density(const CloudOptics& optics, double value) {
-    const double threshold = optics.has_edge ? optics.threshold : 0.0;
-    if (!(value > threshold)) return 0;
-    if (!optics.has_edge || optics.edge_softness == 0) return value;
-    const double x = std::min((value - threshold) / optics.edge_softness, 1.0);
-    return value * (x * x * (3 - 2 * x));
-}
-
 PaddedVolume padded_volume(const float* voxels, const std::array<int, 3>& size, int channel,
                            int channels, int threads, bool repeats) {
     PaddedVolume padded;

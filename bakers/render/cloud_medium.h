@@ -10,26 +10,12 @@
 #include <cstddef>
 #include <vector>
 
+#include "bakers/air/cloud_optics.h"
 #include "bakers/math/memory.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/sections/cloud.h"
 
 namespace skybake {
-
-// How a lookup's value v becomes extinction. If the threshold is applied after filtering,
-// extinction is extinction_per_m * v * smoothstep(threshold, threshold + edge_softness, v); else it
-// is extinction_per_m * v.
-struct CloudOptics {
-    double extinction_per_m = 0;
-    bool has_edge = false;
-    double threshold = 0;
-    double edge_softness = 0;
-};
-
-CloudOptics cloud_optics(const config::Cloud& cloud);
-
-// Returns extinction / extinction_per_m for a value in double.
-double density(const CloudOptics& optics, double value);
 
 // Voxels with one more on each side, so that no lookup needs to wrap or clamp. Along x and y, the
 // padding is the next tile, or 0 if the volume does not repeat. Along z, it repeats the outermost

@@ -11,6 +11,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/registry.h"
+#include "bakers/report/cloud_light_report.h"
 #include "bakers/report/occupancy_report.h"
 #include "bakers/report/sweeps/table_sweeps.h"
 #include "bakers/report/volume_report.h"
@@ -133,7 +134,8 @@ constexpr AssetReporter kReporters[] = {
     {"transmittance", report_table_asset},   {"multiple_scattering", report_table_asset},
     {"phase", report_table_asset},           {"bruneton", report_bruneton},
     {"optical_depth", report_column_volume}, {"noise_volume", report_noise_volume},
-    {"cloud_volume", report_cloud_volume},   {"occupancy", report_occupancy},
+    {"cloud_volume", report_cloud_volume},   {"cloud_light", report_cloud_light},
+    {"occupancy", report_occupancy},
 };
 
 }  // namespace

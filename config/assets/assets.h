@@ -5,6 +5,7 @@
 
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
@@ -22,7 +23,8 @@ namespace skybake::config {
 // The assets stand in the order in which the documentation shows them.
 using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                           AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
-                          OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>;
+                          OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, CloudLightBake,
+                          OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "config/sections/files.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -92,6 +93,15 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
 
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {
     return find_by_name<Cloud>(recipe.parameters.clouds, volume.cloud);
+}
+
+std::vector<Read> reads_of_source_volume(const Parameters& parameters, const std::string& of) {
+    const auto& volume = bake_named(parameters, of).as<CloudVolumeBake>();
+    std::vector<Read> reads = reads_of_cloud(parameters, volume.cloud);
+    const bool has_usual_files = facts_of(FileFormat::vdb).holds(volume.pixel_type);
+    reads.push_back({join_path("bake", of),
+                     has_usual_files ? Roles{Role::content} : Roles{Role::content, Role::files}});
+    return reads;
 }
 
 }  // namespace skybake::config

@@ -2,6 +2,9 @@
 // made from.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
 #include "config/fields/fields.h"
@@ -33,5 +36,10 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
 
 // Returns the cloud of the volume, or null if it has errors.
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe);
+
+// Lists the values of the cloud volume and of its cloud. Those of the volume's files are left out,
+// unless the files that it has by default cannot hold its type of numbers: then the list would be no
+// valid recipe.
+std::vector<Read> reads_of_source_volume(const Parameters& parameters, const std::string& of);
 
 }  // namespace skybake::config

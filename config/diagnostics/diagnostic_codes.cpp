@@ -168,19 +168,21 @@ constexpr std::array codes = {
         "[noise.n.channels.Y]\ntype = \"perlin\"\nfrequency = 4\noctaves = 5\n"
         "lacunarity = 3",
         usage},
-    DiagnosticCode{"E0129", "a set of channels that no file can hold",
-                   "A noise has one channel (Y or R), three (R, G, B) or four (R, G, B, A); a "
-                   "channel of type = \"constant\" can stand in for a missing one. `pack` needs "
-                   "the channels that its formula names: shape needs R, G, B and A, and detail "
-                   "needs R, G and B. An occupancy grid has one, three or four contents. An aerial "
-                   "perspective holds in_scatter and transmittance together only with three "
-                   "channels of light, and a combined table of scattering only with one or three.",
-                   "[noise.n.channels.R]\ntype = \"perlin\"\n"
-                   "[noise.n.channels.G]\ntype = \"worley\"",
-                   "[noise.n.channels.R]\ntype = \"perlin\"\n"
-                   "[noise.n.channels.G]\ntype = \"worley\"\n"
-                   "[noise.n.channels.B]\ntype = \"constant\"\nvalue = 0",
-                   usage},
+    DiagnosticCode{
+        "E0129", "a set of channels that no file can hold",
+        "A noise has one channel (Y or R), three (R, G, B) or four (R, G, B, A); a "
+        "channel of type = \"constant\" can stand in for a missing one. `pack` needs "
+        "the channels that its formula names: shape needs R, G, B and A, and detail "
+        "needs R, G and B. An occupancy grid has one, three or four contents, and light of a "
+        "cloud as many suns. An aerial "
+        "perspective holds in_scatter and transmittance together only with three "
+        "channels of light, and a combined table of scattering only with one or three.",
+        "[noise.n.channels.R]\ntype = \"perlin\"\n"
+        "[noise.n.channels.G]\ntype = \"worley\"",
+        "[noise.n.channels.R]\ntype = \"perlin\"\n"
+        "[noise.n.channels.G]\ntype = \"worley\"\n"
+        "[noise.n.channels.B]\ntype = \"constant\"\nvalue = 0",
+        usage},
     DiagnosticCode{"E0130", "unknown noise",
                    "`noise` names the [noise.NAME] to bake or to make a cloud of, and `detail` "
                    "names the one that erodes it; the recipe has no noise of that name. Presets of "
@@ -217,9 +219,10 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    usage},
-    DiagnosticCode{"E0133", "occupancy without a cloud volume",
+    DiagnosticCode{"E0133", "occupancy or light without a cloud volume",
                    "`of` names the [bake.NAME] with asset = \"cloud_volume\" whose empty cells are "
-                   "marked. The recipe has no bake of that name, or that bake makes another asset.",
+                   "marked, or whose light is found. The recipe has no bake of that name, or that "
+                   "bake makes another asset.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
@@ -420,6 +423,26 @@ constexpr std::array codes = {
         "[volumes.v]\nfile = \"v.raw\"\nformat = \"raw\"\nsize = [2, 2, 2]\n"
         "voxel_size = [\"1 m\", \"1 m\", \"1 m\"]\n"
         "[clouds.c]\nvolume = \"v\"\nextent = [\"2 m\", \"2 m\", \"2 m\"]",
+        usage},
+    DiagnosticCode{
+        "E0171", "suns or harmonics that light of a cloud does not have",
+        "Each sun of a cloud_light has an elevation and, where `sun_azimuths` is given, an "
+        "azimuth. "
+        "Harmonics of degree d have (d + 1)^2 coefficients, and a part holds four of them: degree "
+        "0 "
+        "and 1 have one part, degree 2 has three and degree 3 four.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sky_visibility\"\npart = 2",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sky_visibility\"\ndegree = 2\npart = 2",
         usage},
 
     DiagnosticCode{"E0300", "cannot open or read",

@@ -27,7 +27,8 @@ std::vector<TargetFacts> make_targets() {
     const Words tables = {"transmittance", "multiple_scattering", "sky_view", "irradiance",
                           "phase"};
     const Words environments = {"environment"};
-    const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume"};
+    const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume",
+                            "cloud_light"};
     const Words clouds = {"cloud_volume"};
     const Words densities = {"cloud_volume", "noise_volume"};
     const Words occupancies = {"occupancy"};

@@ -191,6 +191,22 @@ cloud = "thesis"
 size = [40, 40, 40]
 formats = ["vdb", "exr"]
 pixel_type = "float"
+[bake.field_light]
+asset = "cloud_light"
+of = "field"
+sun_elevations = ["70 deg", "25 deg", "4 deg"]
+sun_azimuths = ["10 deg", "130 deg", "250 deg"]
+[bake.field_sky]
+asset = "cloud_light"
+of = "field"
+contents = "sky_visibility"
+cell = 8
+[bake.thesis_light]
+asset = "cloud_light"
+of = "thesis"
+channel = "G"
+contents = "transmittance"
+sun_elevations = "35 deg"
 [bake.field_grid]
 asset = "occupancy"
 of = "field"

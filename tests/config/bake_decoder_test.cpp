@@ -40,6 +40,7 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         if (asset == "noise_volume") keys = "noise = 'n'\n";
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
         if (asset == "occupancy") keys = "of = 'v'\n";
+        if (asset == "cloud_light") keys = "of = 'v'\nsun_elevations = '30 deg'\n";
         if (asset == "sky_view") keys = "sun_elevations = '30 deg'\n";
         if (asset == "phase") keys = "particles = 'p'\n";
         if (asset == "aerial_perspective" || asset == "environment") {

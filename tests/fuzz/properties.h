@@ -12,6 +12,7 @@
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/assets.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
@@ -276,6 +277,23 @@ inline void check_asset(const OccupancyBake& asset, const Parameters& parameters
     check_files(asset, cells);
     const std::size_t contents = asset.contents.size();
     require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
+}
+
+inline void check_asset(const CloudLightBake& asset, const Parameters& parameters) {
+    const Bake* of = find_by_name(parameters.bakes, asset.of);
+    require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
+    require(asset.cell >= 1 && asset.cell <= 64, "a texel has voxels");
+    std::array<int, 3> texels = of->as<CloudVolumeBake>().size;
+    for (int& edge : texels) edge = (edge + asset.cell - 1) / asset.cell;
+    if (asset.contents == CloudLightContents::shadow) texels[2] = 1;
+    check_files(asset, texels);
+    const std::size_t channels = channels_of(asset);
+    require(channels == 1 || channels == 3 || channels == 4, "channels make a picture");
+    for (const Angle& sun : asset.sun_elevations) {
+        require(within(sun.radians, 0.017, 1.571), "a sun is above the horizon");
+    }
+    require(asset.sun_azimuths.empty() || asset.sun_azimuths.size() == asset.sun_elevations.size(),
+            "each sun has an azimuth");
 }
 
 inline bool is_elevation(Angle angle) { return within(angle.radians, -1.571, 1.571); }

@@ -149,6 +149,11 @@ asset = "occupancy"
 of = "cloud"
 contents = ["leap"]
 formats = ["exr"]
+[bake.light]
+asset = "cloud_light"
+of = "cloud"
+sun_elevations = ["40 deg"]
+formats = ["exr"]
 )";
 
 FactValue constant(const AxisMapping& axis, const std::string& name) {
@@ -418,6 +423,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"noise", "", "", "", none, none, "+z"},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
+        {"light", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());
     for (const Wanted& wanted : all) {

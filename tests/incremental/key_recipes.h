@@ -121,6 +121,16 @@ size = [8, 8, 8]
 asset = "occupancy"
 of = "cloud"
 cell = 2
+[bake.light]
+asset = "cloud_light"
+of = "cloud"
+sun_elevations = ["40 deg"]
+sun_azimuths = ["20 deg"]
+[bake.sky]
+asset = "cloud_light"
+of = "cloud"
+contents = "sky_visibility"
+degree = 2
 )";
 
 inline constexpr const char* kParticles = R"(

@@ -128,6 +128,22 @@ TEST(NoisePictures, ASpectrumLeavesOutConstantChannels) {
     EXPECT_EQ(spectrum.picture.rgb, named(alone, "noise_spectrum").picture.rgb);
 }
 
+// Seams, histograms and spectra say nothing of light; a shadow of one slice is a map.
+TEST(NoisePictures, LightOfCloudsHasSlicesAlone) {
+    const auto ramp = [](int x, int y, int z, int) { return x + y + 2 * z; };
+    PreviewAsset light = volume_of({16, 16, 4}, {"Y"}, ramp);
+    light.entry.kind = "cloud_light";
+    const auto slices = noise_pictures(light);
+    ASSERT_EQ(slices.size(), 1u);
+    EXPECT_EQ(slices[0].name, "noise_slices");
+    EXPECT_NE(slices[0].caption.find("Black is 0, white is 36."), std::string::npos);
+    PreviewAsset shadow = volume_of({16, 16, 1}, {"Y"}, ramp);
+    shadow.entry.kind = "cloud_light";
+    const auto map = noise_pictures(shadow);
+    ASSERT_EQ(map.size(), 1u);
+    EXPECT_NE(map[0].caption.find("y up"), std::string::npos);
+}
+
 TEST(NoisePictures, OfDamagedAssetsAreNone) {
     const auto constant = [](int, int, int, int) { return 0.5; };
     PreviewAsset asset = volume_of({2, 2, 2}, {"Y"}, constant);

@@ -63,6 +63,7 @@ class NoisePictures {
             return std::move(pictures_);
         }
         add_slices();
+        if (entry_.kind == "cloud_light") return std::move(pictures_);
         add_tiles();
         add_histogram();
         add_spectrum();
@@ -98,7 +99,8 @@ class NoisePictures {
     int middle(int axis) const { return volume_.size[static_cast<std::size_t>(axis)] / 2; }
 
     void add_slices() {
-        const bool is_flat = entry_.kind == "optical_depth" && volume_.size[2] == 1;
+        const bool may_be_flat = entry_.kind == "optical_depth" || entry_.kind == "cloud_light";
+        const bool is_flat = may_be_flat && volume_.size[2] == 1;
         std::vector<Picture> slices;
         std::vector<std::string> captions;
         for (int channel = 0; channel < volume_.channels; ++channel) {

@@ -1,0 +1,57 @@
+#include "bakers/assets/cloud_light/cloud_layer.h"
+
+#include "bakers/field/pixel_type.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+#include "bakers/occupancy/cell_grid.h"
+#include "config/assets/cloud_volume.h"
+
+namespace skybake::cloud_light {
+
+using config::OccupancyFilter;
+
+CloudLayer make_layer(const Baked& volume, std::size_t channel, const config::Cloud& cloud,
+                      const BakeOptions& options) {
+    const Level& level = volume.levels.front();
+    CloudLayer layer;
+    layer.size = level.size;
+    for (std::size_t a = 0; a < 3; ++a) {
+        layer.voxel_m[a] = cloud.extent[a].meters / level.size[a];
+    }
+    layer.optics = cloud_optics(cloud);
+    layer.values.resize(occupancy::count_of(level.size));
+    const std::size_t plane = layer.values.size() / static_cast<std::size_t>(level.size[2]);
+    for_each_tile(level.size[2], options, "voxels", [&](int z) {
+        std::vector<float*> channels(volume.channel_names.size(), nullptr);
+        float* const out = layer.values.data() + static_cast<std::size_t>(z) * plane;
+        channels[channel] = out;
+        level.voxels->fill({{0, 0, z}, {level.size[0], level.size[1], 1}}, channels);
+        round_values(out, plane, volume.pixel_type);
+    });
+    return layer;
+}
+
+double extinction_at(const CloudLayer& layer, const glm::dvec3& place) {
+    if (place.z < 0 || place.z > layer.size[2]) return 0;
+    std::array<occupancy::AxisTaps, 3> taps;
+    for (std::size_t a = 0; a < 3; ++a) {
+        taps[a] =
+            occupancy::filter_taps(OccupancyFilter::trilinear, place[a], layer.size[a], a < 2);
+    }
+    const double value = occupancy::filtered_in_double(
+        taps, [&](int x, int y, int z) { return layer.value(x, y, z); });
+    return layer.optics.extinction_per_m * density(layer.optics, value);
+}
+
+glm::dvec3 towards(double elevation, double azimuth) {
+    const SineCosine up = sine_and_cosine(elevation);
+    const SineCosine around = sine_and_cosine(azimuth);
+    return {up.cosine * around.cosine, up.cosine * around.sine, up.sine};
+}
+
+glm::dvec3 in_voxels(const CloudLayer& layer, const glm::dvec3& direction) {
+    return {direction.x / layer.voxel_m[0], direction.y / layer.voxel_m[1],
+            direction.z / layer.voxel_m[2]};
+}
+
+}  // namespace skybake::cloud_light

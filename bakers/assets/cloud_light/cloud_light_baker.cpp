@@ -1,0 +1,151 @@
+// The baker of asset = "cloud_light".
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/occupancy/occupancy_grid.h"
+#include "bakers/field/block_voxels.h"
+#include "config/assets/cloud_light.h"
+#include "config/assets/cloud_volume.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+using config::Cloud;
+using config::CloudLightBake;
+using config::CloudLightContents;
+using config::CloudVolumeBake;
+
+const CloudVolumeBake& volume_of(const Parameters& parameters, const CloudLightBake& asset) {
+    return bake_named(parameters, asset.of).as<CloudVolumeBake>();
+}
+
+bool is_map(const CloudLightBake& asset) { return asset.contents == CloudLightContents::shadow; }
+
+Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    Baked volume = labelled_volume(std::move(label));
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
+    if (!inputs.value) return {{}, inputs.diagnostics};
+    Baked voxels =
+        hold_cloud_volume(cloud_named(parameters, of.cloud), of, *inputs.value, options, {});
+    if (options.cancelled()) return {};
+    code_levels(voxels);
+    const cloud_light::CloudLayer layer = cloud_light::make_layer(
+        voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
+    if (options.cancelled()) return {};
+    volume.bake_seconds = voxels.bake_seconds;
+    return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
+}
+
+std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
+    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+}
+
+// The time of a ray grows with the planes that it passes. The layer is held twice.
+Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
+    constexpr double kSecondsPerPlane = 1e-9;
+    constexpr double kRaysPerChannel = 8;
+    constexpr double kDirections =
+        150;  // of harmonics, those near the horizon counted several times
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const double directions = config::is_per_sun(asset.contents) ? 2.0 : kDirections;
+    Estimate result =
+        estimate_volume(asset, cloud_light_size(of.size, asset), config::channels_of(asset),
+                        kRaysPerChannel * kSecondsPerPlane * of.size[2] * directions);
+    const Estimate voxels = estimate_cloud_volume(parameters, of);
+    result.seconds += voxels.seconds / 2;
+    result.memory_mib += voxels.memory_mib + 2 * voxels_of(of.size, 1) * sizeof(float) / kMebibyte;
+    return result;
+}
+
+AssetPlaces places(const Parameters& parameters, const CloudLightBake& asset, const StoredTexels&) {
+    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
+    if (!is_map(asset)) return cloud_places(cloud, extent_m_of(cloud));
+    return single_lookup(
+        {"x_m", "y_m", "altitude_m"}, [extent_m = extent_m_of(cloud)](const Place& at) {
+            return Uvw{at[0].second / extent_m[0], at[1].second / extent_m[1], 0.5};
+        });
+}
+
+GlslFunction texels_function(const CloudLightBake& asset, const std::string& box) {
+    GlslFunction function;
+    function.comment =
+        is_map(asset) ? "Returns the optical depth of the layer to each sun, seen from x and y "
+                        "in metres at the layer's base."
+                      : "Returns the channels at x and y in metres and at the altitude z in "
+                        "metres.";
+    function.arguments = "sampler3D light, vec3 p";
+    function.before = box;
+    function.value = is_map(asset) ? "cloud_shadow(light, p - corner, tile)"
+                                   : "cloud_light(light, p - corner, tile)";
+    return function;
+}
+
+// The part's share of the sum of harmonics; the shares of all parts add up.
+GlslFunction harmonics_function(const CloudLightBake& asset, const std::string& box) {
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns what these coefficients add to the value in a direction, a unit vector, z up.{}",
+        asset.degree > 1 ? " The sums of all parts add up to the value." : "");
+    function.result = "float";
+    function.arguments = "sampler3D light, vec3 p, vec3 direction";
+    function.before = box;
+    function.value = fmt::format(
+        "dot(cloud_light(light, p - corner, tile), cloud_harmonics_{}(direction))", asset.part);
+    if (config::channels_of(asset) == 1) {
+        function.value = fmt::format(
+            "cloud_light(light, p - corner, tile).r * cloud_harmonics_{}(direction).r", asset.part);
+    }
+    function.suffix = "_towards";
+    return function;
+}
+
+AssetLookup lookup(const Parameters& parameters, const CloudLightBake& asset,
+                   const StoredTexels& stored) {
+    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
+    const std::string box = cloud_box_glsl(cloud);
+    AssetLookup lookup = {"cloud_light",
+                          {with_channels(stored.channels, 4, texels_function(asset, box))}};
+    if (!config::is_per_sun(asset.contents)) {
+        lookup.functions.push_back(harmonics_function(asset, box));
+    }
+    return lookup;
+}
+
+void draft(CloudLightBake& asset, int) { asset.mips = 1; }
+
+std::vector<InputFile> inputs(const Parameters& parameters, const CloudLightBake& asset) {
+    return cloud_volume_inputs(parameters, volume_of(parameters, asset));
+}
+
+}  // namespace
+
+const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
+    static const Baker<config::CloudLightBake> row = {.version = 1,
+                                                      .bake = bake,
+                                                      .estimate = estimate,
+                                                      .needs = needs,
+                                                      .places = places,
+                                                      .lookup = lookup,
+                                                      .draft = draft,
+                                                      .inputs = inputs};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,277 @@
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/asset_label.h"
+#include "bakers/assets/cloud_light/light_values.h"
+#include "bakers/assets/cloud_light/texel_fit.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/cell_range.h"
+#include "bakers/occupancy/occupied_cells.h"
+#include "config/fields/fields.h"
+
+namespace skybake {
+
+namespace {
+
+using cloud_light::CloudLayer;
+using cloud_light::LightChannels;
+using config::CloudLightBake;
+using config::CloudLightContents;
+using config::Outcome;
+
+// Channels that are held in memory: [channel][z][y][x].
+class FittedTexels : public VoxelSource {
+  public:
+    FittedTexels(const std::array<int, 3>& size, std::vector<std::vector<float>> channels)
+        : size_(size), channels_(std::move(channels)) {}
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        for (std::size_t c = 0; c < channels.size(); ++c) {
+            float* out = channels[c];
+            if (out == nullptr) continue;
+            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                    const std::size_t from = occupancy::index_of(size_, box.origin[0], y, z);
+                    out = std::copy_n(channels_[c].data() + from, box.size[0], out);
+                }
+            }
+        }
+    }
+
+  private:
+    std::array<int, 3> size_;
+    std::vector<std::vector<float>> channels_;
+};
+
+std::string_view word_of(CloudLightContents contents) {
+    const config::Section& section = *config::find_section("bake.*", "cloud_light");
+    return config::choice_name(*config::find_field(section, "contents"), contents);
+}
+
+std::string meaning_of(const CloudLightBake& bake) {
+    switch (bake.contents) {
+        case CloudLightContents::optical_depth:
+            return "optical depth from a point to each sun";
+        case CloudLightContents::transmittance:
+            return "transmittance from a point to each sun";
+        case CloudLightContents::shadow:
+            return "optical depth of the whole layer from a point of its base to each sun";
+        case CloudLightContents::optical_depth_harmonics:
+            return "optical depth to suns above the horizon";
+        case CloudLightContents::transmittance_harmonics:
+            return "transmittance to suns above the horizon";
+        case CloudLightContents::sky_visibility:
+            return "transmittance to the sky, 0 below the horizon";
+    }
+    return "";
+}
+
+std::string content_of(const CloudLightBake& bake) {
+    if (config::is_per_sun(bake.contents)) return meaning_of(bake) + ", dimensionless";
+    const auto first = 4 * (bake.part - 1);
+    return fmt::format("{}: coefficients {} to {} of real spherical harmonics of degree {}",
+                       meaning_of(bake), first,
+                       first + static_cast<int>(config::channels_of(bake)) - 1, bake.degree);
+}
+
+// Those of the cloud's volume: both span the same box.
+std::vector<AxisMapping> axes_of(const Baked& of, const CloudLightBake& bake) {
+    std::vector<AxisMapping> axes = of.axes;
+    if (bake.contents == CloudLightContents::shadow) {
+        axes[2].last = axes[2].first;
+        axes[2].formula = "w = 1/2";
+        axes[2].convention = "one slice, which holds the layer's base";
+        axes[2].constants = {{"first_m", axes[2].first}, {"extent_m", 0.0}};
+    }
+    return axes;
+}
+
+void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& volume) {
+    const auto add = [&](std::string key, FactValue value) {
+        volume.details.emplace_back(std::move(key), std::move(value));
+    };
+    add("of", bake.of);
+    add("contents", std::string(word_of(bake.contents)));
+    add("cell", static_cast<double>(bake.cell));
+    add("extinction_scale_per_m", layer.optics.extinction_per_m);
+    if (!config::is_per_sun(bake.contents)) {
+        add("degree", static_cast<double>(bake.degree));
+        add("part", static_cast<double>(bake.part));
+        return;
+    }
+    const LightChannels channels = cloud_light::light_channels(bake);
+    for (std::size_t i = 0; i < channels.directions.size(); ++i) {
+        const glm::dvec3& sun = channels.directions[i];
+        add("sun_" + volume.channel_names[i],
+            std::vector<double>{to_digits(sun.x, 12), to_digits(sun.y, 12), to_digits(sun.z, 12)});
+    }
+}
+
+// The cells of the volume in which errors count: all that have cloud, or all if none has.
+struct OccupiedPlaces {
+    std::array<int, 3> cells{};
+    std::vector<std::size_t> occupied;
+};
+
+OccupiedPlaces occupied_places(const CloudLayer& layer, int threads) {
+    constexpr int kCell = 4;
+    const occupancy::CellGrid grid{layer.size, kCell};
+    const auto ranges = occupancy::cell_ranges(layer.values.data(), grid,
+                                               config::OccupancyFilter::trilinear, threads);
+    const auto cells = occupancy::occupied_cells(ranges, layer.threshold());
+    OccupiedPlaces places{cells.size, {}};
+    for (std::size_t i = 0; i < cells.occupied.size(); ++i) {
+        if (cells.occupied[i] != 0) places.occupied.push_back(i);
+    }
+    return places;
+}
+
+// Moves points that are even in the unit cube to points that are even in the occupied cells.
+std::array<double, 3> occupied_place(const OccupiedPlaces& places,
+                                     const std::array<double, 3>& uvw) {
+    if (places.occupied.empty()) return uvw;
+    const double position = uvw[0] * static_cast<double>(places.occupied.size());
+    const auto number = std::min(static_cast<std::size_t>(position), places.occupied.size() - 1);
+    std::size_t cell = places.occupied[number];
+    std::array<double, 3> within = {position - static_cast<double>(number), uvw[1], uvw[2]};
+    for (std::size_t a = 0; a < 3; ++a) {
+        const auto count = static_cast<std::size_t>(places.cells[a]);
+        within[a] = (static_cast<double>(cell % count) + within[a]) / static_cast<double>(count);
+        cell /= count;
+    }
+    return within;
+}
+
+// The range of each channel's texels.
+std::vector<std::array<double, 2>> texel_ranges(const Level& level, std::size_t channels) {
+    std::vector<std::array<double, 2>> ranges(channels, {0, 1});
+    std::vector<float> values(static_cast<std::size_t>(VoxelBox{{}, level.size}.count()));
+    for (std::size_t c = 0; c < channels; ++c) {
+        std::vector<float*> wanted(channels, nullptr);
+        wanted[c] = values.data();
+        level.voxels->fill({{}, level.size}, wanted);
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        if (*most > *least) ranges[c] = {*least, *most};
+    }
+    return ranges;
+}
+
+ProbePlace probe_place(const Baked& of, bool is_map, std::array<double, 3> uvw) {
+    if (is_map) uvw[2] = 0.5;
+    ProbePlace place{{}, {{uvw}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double extent = of.axes[i].last - of.axes[i].first;
+        const double share = is_map && i == 2 ? 0 : uvw[i];
+        place.at.emplace_back(of.axes[i].quantity, of.axes[i].first + share * extent);
+    }
+    return place;
+}
+
+VolumeFinish finish_of(const Baked& of, const CloudLayer& layer, const CloudLightBake& bake,
+                       const Level& level, const BakeOptions& options) {
+    VolumeFinish finish;
+    const bool is_map = bake.contents == CloudLightContents::shadow;
+    finish.histogram_ranges = texel_ranges(level, config::channels_of(bake));
+    CloudLightTruth truth = cloud_light_truth(layer, bake, options.threads);
+    finish.reference = std::move(truth.reference);
+    finish.reference_name = std::move(truth.name);
+    finish.comparison = std::move(truth.comparison);
+    finish.expensive = !config::is_per_sun(bake.contents);
+    finish.probe_place = [&of, is_map](const std::array<double, 3>& uvw, int) {
+        return probe_place(of, is_map, uvw);
+    };
+    return finish;
+}
+
+}  // namespace
+
+std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const CloudLightBake& bake) {
+    std::array<int, 3> size{};
+    for (std::size_t a = 0; a < 3; ++a) size[a] = (voxels[a] + bake.cell - 1) / bake.cell;
+    if (bake.contents == CloudLightContents::shadow) size[2] = 1;
+    return size;
+}
+
+int cloud_light_spacing(const CloudLightBake& bake) { return std::max(1, bake.cell / 2); }
+
+std::shared_ptr<const VoxelSource> cloud_light_texels(const CloudLayer& layer,
+                                                      const CloudLightBake& bake, int spacing,
+                                                      const BakeOptions& options) {
+    const std::array<int, 3> size = cloud_light_size(layer.size, bake);
+    const cloud_light::PlaceGrid places =
+        cloud_light::place_grid(layer.size, spacing, bake.contents == CloudLightContents::shadow);
+    const LightChannels channels = cloud_light::light_channels(bake);
+    auto values = cloud_light::light_values(layer, places, channels, options);
+    if (options.cancelled()) return nullptr;
+    for (std::size_t c = 0; c < values.size(); ++c) {
+        values[c] = cloud_light::fit_texels(values[c], places.count, size, channels.bounds(c),
+                                            options.threads);
+    }
+    return std::make_shared<const FittedTexels>(size, std::move(values));
+}
+
+CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake& bake,
+                                  int threads) {
+    CloudLightTruth truth;
+    const bool is_map = bake.contents == CloudLightContents::shadow;
+    const auto channels = std::make_shared<const LightChannels>(
+        cloud_light::light_channels(bake, cloud_light::kReferenceDirections));
+    truth.reference = [&layer, channels, is_map](const std::array<double, 3>& uvw) {
+        const double z = is_map ? 0 : uvw[2] * layer.size[2];
+        return cloud_light::light_reference(
+            layer, {uvw[0] * layer.size[0], uvw[1] * layer.size[1], z}, *channels);
+    };
+    truth.name = config::is_per_sun(bake.contents)
+                     ? "the integral along each ray through the filtered volume"
+                     : "integrals along rays through the filtered volume in 128 directions";
+    if (is_map) return truth;
+    truth.name += ", in cells with cloud";
+    truth.comparison.lookup_place =
+        [places = occupied_places(layer, threads)](const std::array<double, 3>& uvw) {
+            return occupied_place(places, uvw);
+        };
+    return truth;
+}
+
+Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
+                                const CloudLightBake& bake, const BakeOptions& options,
+                                Baked volume) {
+    volume.kind = "cloud_light";
+    volume.content = content_of(bake);
+    volume.mapping = of.mapping;
+    volume.axes = axes_of(of, bake);
+    volume.channel_names = names_of_channels(config::channels_of(bake));
+    volume.grid_names = volume.channel_names;
+    set_files(bake, volume);
+    Level level;
+    level.size = cloud_light_size(layer.size, bake);
+    for (std::size_t i = 0; i < 3; ++i) {
+        volume.voxel_size_m[i] = of.voxel_size_m[i] * layer.size[i] / level.size[i];
+    }
+    volume.minimum_m = of.minimum_m;
+    volume.up_axis = of.up_axis;
+    volume.conventions = of.conventions;
+    add_details(layer, bake, volume);
+    level.repeats = repeating_axes(volume.axes);
+    const auto start = std::chrono::steady_clock::now();
+    level.voxels = cloud_light_texels(layer, bake, cloud_light_spacing(bake), options);
+    if (options.cancelled()) return {};
+    volume.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    volume.levels.push_back(std::move(level));
+    add_mip_levels(bake.mips, options, volume);
+    const VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);
+    return finish_volume(std::move(volume), finish, options);
+}
+
+}  // namespace skybake

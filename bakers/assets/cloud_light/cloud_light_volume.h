@@ -1,0 +1,48 @@
+// The asset cloud_light: light within a cloud's layer, on a grid that is coarser than its voxels.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/certify.h"
+#include "bakers/math/bake_options.h"
+#include "config/assets/cloud_light.h"
+#include "config/diagnostics/diagnostic.h"
+
+namespace skybake {
+
+// Fills all of `volume` except its name and parameters. `of` is the cloud's volume, of which `layer` is
+// a channel. Returns E0401 and E0402 as for volumes, and neither value nor diagnostics after an
+// interruption.
+config::Outcome<Baked> bake_cloud_light(const Baked& of, const cloud_light::CloudLayer& layer,
+                                        const config::CloudLightBake& bake,
+                                        const BakeOptions& options, Baked volume);
+
+// Returns the number of texels along each axis.
+std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels,
+                                    const config::CloudLightBake& bake);
+
+// Returns how many voxels apart the places are, at most, from which texels are fitted.
+int cloud_light_spacing(const config::CloudLightBake& bake);
+
+// Returns the texels, fitted to places that are at most `spacing` voxels apart; the cell is a multiple
+// of it or more than it. With the cell itself each texel is the value at its centre. Null after an
+// interruption.
+std::shared_ptr<const VoxelSource> cloud_light_texels(const cloud_light::CloudLayer& layer,
+                                                      const config::CloudLightBake& bake,
+                                                      int spacing, const BakeOptions& options);
+
+// What lookups are measured against. Points lie in cells with cloud, those of a map anywhere. `layer`
+// outlives it.
+struct CloudLightTruth {
+    VolumeReference reference;
+    VolumeComparison comparison;
+    std::string name;
+};
+CloudLightTruth cloud_light_truth(const cloud_light::CloudLayer& layer,
+                                  const config::CloudLightBake& bake, int threads);
+
+}  // namespace skybake

@@ -1,0 +1,231 @@
+#include "config/assets/cloud_light.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "config/assets/asset_fields.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/source_volume.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using CloudLightField = Row<CloudLightBake>;
+
+constexpr Range light_cell_range{1, 64};
+constexpr Range degree_range{0, 3};
+constexpr Range part_range{1, 4};
+constexpr double degree_in_radians = std::numbers::pi / 180;
+// A ray at 1 degree passes 57 voxels for each one that it rises.
+constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
+constexpr Range azimuth_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
+
+constexpr std::array contents_choices = {
+    Choice{CloudLightContents::optical_depth, "optical_depth",
+           "from a point to each sun, through the layer as it repeats"},
+    Choice{CloudLightContents::transmittance, "transmittance", "exp(-optical depth) to each sun"},
+    Choice{CloudLightContents::shadow, "shadow",
+           "a map of one slice: the optical depth of the whole layer, from its base to each sun"},
+    Choice{CloudLightContents::optical_depth_harmonics, "optical_depth_harmonics",
+           "optical depth to suns anywhere above the horizon, as harmonics of their directions"},
+    Choice{CloudLightContents::transmittance_harmonics, "transmittance_harmonics",
+           "transmittance to suns anywhere above the horizon, as harmonics of their directions"},
+    Choice{CloudLightContents::sky_visibility, "sky_visibility",
+           "transmittance to the sky, and 0 below the horizon, as harmonics of the direction"},
+};
+
+constexpr std::string_view per_sun[] = {"optical_depth", "transmittance", "shadow"};
+constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics", "transmittance_harmonics",
+                                             "sky_visibility"};
+
+const std::array cloud_light_table = {
+    CloudLightField{asset_field, {}},
+    CloudLightField{source_volume_field, &CloudLightBake::of},
+    CloudLightField{source_channel_field, &CloudLightBake::channel},
+    CloudLightField{{.key = "contents",
+                     .kind = Kind::choice,
+                     .choices = contents_choices,
+                     .fallback = R"("optical_depth")",
+                     .documentation = "what the channels hold"},
+                    &CloudLightBake::contents},
+    CloudLightField{{.key = "sun_elevations",
+                     .kind = Kind::angles,
+                     .range = sun_range,
+                     .required = true,
+                     .documentation = "one, three or four suns, each with a channel",
+                     .hint = "[\"60 deg\", \"30 deg\", \"10 deg\"]",
+                     .selector = "contents",
+                     .selected_by = per_sun},
+                    &CloudLightBake::sun_elevations},
+    CloudLightField{{.key = "sun_azimuths",
+                     .kind = Kind::angles,
+                     .range = azimuth_range,
+                     .documentation = "azimuth of each sun, from +x towards +y; by default all 0",
+                     .selector = "contents",
+                     .selected_by = per_sun},
+                    &CloudLightBake::sun_azimuths},
+    CloudLightField{
+        {.key = "degree",
+         .kind = Kind::integer,
+         .range = degree_range,
+         .fallback = "1",
+         .documentation = "degree of the harmonics, which have (degree + 1)^2 coefficients",
+         .selector = "contents",
+         .selected_by = in_harmonics},
+        &CloudLightBake::degree},
+    CloudLightField{{.key = "part",
+                     .kind = Kind::integer,
+                     .range = part_range,
+                     .fallback = "1",
+                     .documentation = "which four of the coefficients the channels are; degree 2 "
+                                      "has 3 parts, degree 3 has 4",
+                     .selector = "contents",
+                     .selected_by = in_harmonics},
+                    &CloudLightBake::part},
+    CloudLightField{{.key = "cell",
+                     .kind = Kind::integer,
+                     .range = light_cell_range,
+                     .fallback = "4",
+                     .documentation = "voxels along each edge of a texel: 4 gives 1/64 as many "
+                                      "texels as the volume has voxels",
+                     .hint = "2 to 8"},
+                    &CloudLightBake::cell},
+};
+
+// This is one section while it is resolved.
+struct CloudLightResolver {
+    DecodedSection& bake;
+    Decoder& decoder;
+
+    const Place& place_of(std::string_view key) const {
+        const DecodedField& decoded = bake.at(key);
+        return decoded.source ? decoded.source->place : bake.place;
+    }
+
+    std::size_t angles(std::string_view key) const {
+        const auto& value = bake.at(key).value;
+        return value ? std::get<std::vector<double>>(*value).size() : 0;
+    }
+
+    // Returns the number of channels, or 1 if it cannot be told.
+    std::size_t check_suns() const {
+        const std::size_t suns = angles("sun_elevations");
+        const std::size_t azimuths = angles("sun_azimuths");
+        if (suns == 2 || suns > 4) {
+            decoder.diagnostics.error(
+                "E0129", place_of("sun_elevations"),
+                fmt::format("`{}` has {} suns, and a file one, three or four channels",
+                            join_path(bake.path, "sun_elevations"), suns),
+                suns == 2 ? "add a sun, or bake them as two assets"
+                          : "bake them as several assets of at most four suns");
+        }
+        if (azimuths > 0 && suns > 0 && azimuths != suns) {
+            decoder.diagnostics.error("E0171", place_of("sun_azimuths"),
+                                      fmt::format("`{}` has {} azimuths for {} sun{}",
+                                                  join_path(bake.path, "sun_azimuths"), azimuths,
+                                                  suns, suns == 1 ? "" : "s"),
+                                      "give one azimuth for each elevation");
+        }
+        return std::clamp<std::size_t>(suns, 1, 4);
+    }
+
+    std::size_t check_part() const {
+        const auto& degree = bake.at("degree").value;
+        const auto& part = bake.at("part").value;
+        if (!degree || !part) return 1;
+        CloudLightBake harmonics;
+        harmonics.contents = CloudLightContents::sky_visibility;
+        harmonics.degree = static_cast<int>(std::get<double>(*degree));
+        harmonics.part = static_cast<int>(std::get<double>(*part));
+        const std::size_t channels = channels_of(harmonics);
+        if (channels > 0) return channels;
+        const int coefficients = (harmonics.degree + 1) * (harmonics.degree + 1);
+        const int parts = (coefficients + 3) / 4;
+        decoder.diagnostics.error(
+            "E0171", place_of("part"),
+            fmt::format("`{}` is {}, but harmonics of degree {} have {} coefficient{} in {} part{}",
+                        join_path(bake.path, "part"), harmonics.part, harmonics.degree,
+                        coefficients, coefficients == 1 ? "" : "s", parts, parts == 1 ? "" : "s"),
+            fmt::format("use at most {}", parts));
+        return 1;
+    }
+};
+
+VoxelCounts texels_of(const CloudVolumeBake& volume, int cell, bool is_map) {
+    VoxelCounts texels{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        texels[axis] = (volume.size[axis] + cell - 1) / cell;
+    }
+    if (is_map) texels[2] = 1;
+    return texels;
+}
+
+void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
+                 const VoxelCounts& texels, const RecipeSoFar& recipe, Decoder& decoder) {
+    const Cloud* cloud = find_cloud(volume, recipe);
+    if (!cloud || cloud->extent[0].meters <= 0 || texels[2] == 1) return;
+    CloudVolumeBake coarse = volume;
+    coarse.size = texels;
+    check_cubes(bake, voxel_edges(*cloud, coarse), bake.at("of").source->place, decoder);
+}
+
+// Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
+// that the volume does not have (E0134), a number of suns that no file holds (E0129), azimuths that
+// are not one for each sun and a part that the harmonics do not have (E0171), and faults of the
+// files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
+void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const CloudLightResolver resolver{bake, decoder};
+    check_pixel_type(bake, decoder);
+    const auto contents = choice_of<CloudLightContents>(bake.at("contents"));
+    const std::size_t channels =
+        contents && !is_per_sun(*contents) ? resolver.check_part() : resolver.check_suns();
+    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
+    if (!volume) return;
+    check_source_channel(bake, *volume, recipe, decoder);
+    const DecodedField& cell = bake.at("cell");
+    if (!cell.value || !contents || volume->size[0] == 0) return;
+    const VoxelCounts texels = texels_of(*volume, static_cast<int>(std::get<double>(*cell.value)),
+                                         *contents == CloudLightContents::shadow);
+    resolve_files(bake, texels, Halving::down, decoder);
+    check_cells(bake, *volume, texels, recipe, decoder);
+    check_voxel_count(bake, texels, channels, bake.at("of").source->place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const CloudLightBake& bake) {
+    return reads_of_source_volume(parameters, bake.of);
+}
+
+}  // namespace
+
+std::size_t channels_of(const CloudLightBake& bake) {
+    if (is_per_sun(bake.contents)) return bake.sun_elevations.size();
+    const int coefficients = (bake.degree + 1) * (bake.degree + 1);
+    return static_cast<std::size_t>(std::clamp(coefficients - 4 * (bake.part - 1), 0, 4));
+}
+
+const AssetKind& asset_kind(Tag<CloudLightBake>) {
+    static const auto rows = with_file_fields(cloud_light_table, {.formats = R"(["exr"])"});
+    static const AssetKind kind = make_asset_kind<CloudLightBake>(
+        {
+            .name = "cloud_light",
+            .documentation = "the light within a cloud volume, in place of a march towards the sun",
+            .of_another_bake = true,
+        },
+        std::span<const CloudLightField>(rows), reads_of, resolve_cloud_light);
+    return kind;
+}
+
+}  // namespace skybake::config

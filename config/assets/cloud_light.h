@@ -1,0 +1,45 @@
+// This header declares the asset "cloud_light": a coarse volume of the light within a cloud, which a
+// runtime looks up in place of a march towards the sun.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+#include "config/text/quantity.h"
+
+namespace skybake::config {
+
+// The first three have a channel for each sun, the others coefficients of spherical harmonics.
+enum class CloudLightContents {
+    optical_depth,
+    transmittance,
+    shadow,
+    optical_depth_harmonics,
+    transmittance_harmonics,
+    sky_visibility,
+};
+
+struct CloudLightBake : AssetFiles {
+    std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
+    std::string channel;  // a channel of that volume; empty: its first
+    CloudLightContents contents = CloudLightContents::optical_depth;
+    std::vector<Angle> sun_elevations;  // one, three or four
+    std::vector<Angle> sun_azimuths;    // from +x towards +y, one for each elevation
+    int degree = 1;                     // of the harmonics
+    int part = 1;                       // which four of the coefficients, counted from 1
+    int cell = 4;                       // voxels along each edge of a texel
+};
+
+constexpr bool is_per_sun(CloudLightContents contents) {
+    return contents <= CloudLightContents::shadow;
+}
+
+// Returns the number of channels, 1 to 4 in any recipe that was accepted.
+std::size_t channels_of(const CloudLightBake& bake);
+
+const AssetKind& asset_kind(Tag<CloudLightBake>);
+
+}  // namespace skybake::config

@@ -1,0 +1,203 @@
+// The asset as recipes bake it: what its channels hold, and that its certificate tells wrong texels.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
+#include "bakers/assets/cloud_light/harmonics.h"
+#include "tests/cloud_light/layers.h"
+
+namespace skybake::cloud_light {
+namespace {
+
+using config::CloudLightBake;
+using config::CloudLightContents;
+
+// A volume as bake_cloud_light needs it.
+Baked volume_of(const CloudLayer& layer) {
+    Baked of;
+    of.mapping = "layer";
+    of.axes.resize(3);
+    const std::array<const char*, 3> quantities = {"x_m", "y_m", "altitude_m"};
+    for (std::size_t a = 0; a < 3; ++a) {
+        of.axes[a].quantity = quantities[a];
+        of.axes[a].wrap = a < 2 ? AxisWrap::repeat : AxisWrap::clamp;
+        of.axes[a].end_points = TexelConvention::end_points_on_edges;
+        of.axes[a].first = a < 2 ? 0 : 1000;
+        of.axes[a].last = of.axes[a].first + layer.voxel_m[a] * layer.size[a];
+    }
+    of.voxel_size_m = layer.voxel_m;
+    of.up_axis = "+z";
+    return of;
+}
+
+CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
+    CloudLightBake bake;
+    bake.of = "cloud";
+    bake.contents = contents;
+    bake.cell = cell;
+    bake.pixel_type = config::PixelType::float32;
+    if (config::is_per_sun(contents)) bake.sun_elevations = {{0.6}};
+    return bake;
+}
+
+Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2,
+            Certification certification = Certification::off) {
+    BakeOptions options;
+    options.threads = threads;
+    options.certification = certification;
+    const Baked of = volume_of(layer);
+    auto outcome = bake_cloud_light(of, layer, bake, options, {});
+    return outcome.value.value();
+}
+
+// [channel][texel].
+std::vector<std::vector<float>> texels_of(const Baked& volume) {
+    const Level& level = volume.levels.front();
+    std::vector<std::vector<float>> texels(volume.channel_names.size(),
+                                           std::vector<float>(occupancy::count_of(level.size)));
+    std::vector<float*> channels;
+    for (std::vector<float>& channel : texels) channels.push_back(channel.data());
+    level.voxels->fill({{}, level.size}, channels);
+    return texels;
+}
+
+// With an optical depth of 0.2 a layer, 8 voxels of 8 m high.
+CloudLayer slab() { return test::layer_of({8, 8, 8}, 1, 0.2 / 64); }
+
+// Of the first channel.
+std::vector<float> first_of(const Baked& volume) { return texels_of(volume).front(); }
+
+TEST(CloudLight, OfASlabFallsWithTheDepthBelowItsTop) {
+    const Baked volume = baked(slab(), bake_of(CloudLightContents::optical_depth));
+    const std::vector<float> depths = first_of(volume);
+    ASSERT_EQ(volume.levels.front().size, (std::array{4, 4, 4}));
+    for (int z = 0; z < 4; ++z) {
+        EXPECT_NEAR(depths[occupancy::index_of({4, 4, 4}, 1, 2, z)],
+                    0.2 * (1 - (z + 0.5) / 4) / std::sin(0.6), 0.02);
+    }
+}
+
+TEST(CloudLight, AShadowIsTheDepthOfTheWholeLayer) {
+    const Baked volume = baked(slab(), bake_of(CloudLightContents::shadow));
+    ASSERT_EQ(volume.levels.front().size, (std::array{4, 4, 1}));
+    for (const float depth : first_of(volume)) EXPECT_NEAR(depth, 0.2 / std::sin(0.6), 1e-6);
+}
+
+TEST(CloudLight, TransmittanceIsTheExponentialOfTheDepth) {
+    const CloudLayer layer = test::rough_layer({8, 8, 6});
+    const auto depths = first_of(baked(layer, bake_of(CloudLightContents::optical_depth, 1)));
+    const auto shares = first_of(baked(layer, bake_of(CloudLightContents::transmittance, 1)));
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        EXPECT_NEAR(shares[i], std::exp(-depths[i]), 2e-7);
+    }
+}
+
+// Without cloud the sky is open: its harmonics are those of the upper hemisphere.
+TEST(CloudLight, AnEmptyLayerSeesTheWholeSky) {
+    const CloudLayer nothing = test::layer_of({8, 8, 8}, 0);
+    const auto open = texels_of(baked(nothing, bake_of(CloudLightContents::sky_visibility)));
+    ASSERT_EQ(open.size(), 4U);
+    EXPECT_NEAR(open[0][5], std::sqrt(std::numbers::pi), 1e-5);
+    EXPECT_NEAR(open[1][5], 0, 1e-5);
+    EXPECT_NEAR(open[2][5], std::sqrt(3 * std::numbers::pi) / 2, 1e-5);
+    const auto suns =
+        texels_of(baked(nothing, bake_of(CloudLightContents::transmittance_harmonics)));
+    EXPECT_NEAR(suns[0][5] / (2 * std::sqrt(std::numbers::pi)), 1, 1e-5);
+    EXPECT_NEAR(suns[2][5], 0, 1e-5);
+    for (const float depth : first_of(baked(nothing, bake_of(CloudLightContents::optical_depth)))) {
+        EXPECT_EQ(depth, 0);
+    }
+}
+
+// Diffuse light of a uniform sky through a slab: the flux below is 2 E_3(tau) of the open sky's, and
+// the mean of the transmittance over solid angle is E_2(tau). E_2(0.2) = 0.574201, from Abramowitz and
+// Stegun 1964, table 5.1: E_1(0.2) = 1.2226505 and E_2(x) = exp(-x) - x E_1(x).
+TEST(CloudLight, TheSkyBelowASlabIsTheExponentialIntegral) {
+    CloudLightBake bake = bake_of(CloudLightContents::sky_visibility, 1);
+    bake.degree = 0;
+    CloudLayer layer = slab();
+    layer.size = {2, 2, 256};
+    layer.voxel_m = {10, 10, 0.25};
+    layer.values.assign(occupancy::count_of(layer.size), 1);
+    const auto sky = first_of(baked(layer, bake));
+    const double below = sky[0] / std::sqrt(std::numbers::pi);
+    // The lowest texel's centre is half a voxel above the base.
+    const double depth = 0.2 * (1 - 0.5 / 256);
+    EXPECT_NEAR(
+        below, std::exp(-depth) - depth * (1.2226505 + std::exp(-0.2) / 0.2 * (0.2 - depth)), 2e-3);
+}
+
+// Harmonics of degree 2 over suns of a slab: what they say of a sun is near to its transmittance.
+TEST(CloudLight, PartsOfHarmonicsAddUpToTheTransmittance) {
+    CloudLightBake bake = bake_of(CloudLightContents::transmittance_harmonics, 1);
+    bake.degree = 2;
+    const glm::dvec3 sun = towards(0.8, 2);
+    const Harmonics values = harmonics(sun);
+    double sum = 0;
+    for (int part = 1; part <= 3; ++part) {
+        bake.part = part;
+        const auto texels = texels_of(baked(slab(), bake));
+        ASSERT_EQ(texels.size(), part < 3 ? 4U : 1U);
+        for (std::size_t c = 0; c < texels.size(); ++c) {
+            sum += values[static_cast<std::size_t>(4 * (part - 1)) + c] * texels[c][0];
+        }
+    }
+    const double depth = 0.2 * (1 - 0.5 / 8) / std::sin(0.8);
+    EXPECT_NEAR(sum, std::exp(-depth), 0.05);
+}
+
+TEST(CloudLight, AFinerGridIsNearer) {
+    const CloudLayer layer = test::lone_cloud({32, 32, 16}, {4, 6, 3}, {20, 24, 13});
+    double first = 0;
+    double last = 1;
+    for (const int cell : {8, 4, 2, 1}) {
+        const Baked volume =
+            baked(layer, bake_of(CloudLightContents::optical_depth, cell), 2, Certification::quick);
+        const double rms = volume.certificate.lookup.rms;
+        EXPECT_LT(rms, last) << cell;
+        EXPECT_GT(rms, 0);
+        if (first == 0) first = rms;
+        last = rms;
+    }
+    EXPECT_LT(last, first / 8);
+}
+
+TEST(CloudLight, SizesThatCellsDoNotDivideSpanTheSameBox) {
+    const CloudLayer layer = test::rough_layer({13, 7, 5});
+    for (const int cell : {1, 2, 3, 4, 16}) {
+        const Baked volume =
+            baked(layer, bake_of(CloudLightContents::optical_depth, cell), 2, Certification::quick);
+        for (std::size_t a = 0; a < 3; ++a) {
+            EXPECT_EQ(volume.levels.front().size[a], (layer.size[a] + cell - 1) / cell);
+            EXPECT_NEAR(volume.voxel_size_m[a] * volume.levels.front().size[a],
+                        layer.voxel_m[a] * layer.size[a], 1e-9);
+        }
+        EXPECT_TRUE(std::isfinite(volume.certificate.lookup.max));
+    }
+}
+
+TEST(CloudLight, BakesHardCases) {
+    CloudLayer voxel = test::layer_of({1, 1, 1}, 0.5F);
+    EXPECT_NEAR(first_of(baked(voxel, bake_of(CloudLightContents::optical_depth, 4)))[0],
+                0.05 * 0.5 * 4 / std::sin(0.6), 1e-6);
+    CloudLayer opaque = test::rough_layer({8, 8, 8});
+    opaque.optics.extinction_per_m = 1e4;
+    for (const float share : first_of(baked(opaque, bake_of(CloudLightContents::transmittance)))) {
+        EXPECT_GE(share, 0);
+        EXPECT_LE(share, 1);
+    }
+}
+
+TEST(CloudLight, GivesTheSameHashForAnyNumberOfThreads) {
+    const CloudLayer layer = test::rough_layer({24, 16, 8}, 0.3);
+    CloudLightBake bake = bake_of(CloudLightContents::sky_visibility, 4);
+    EXPECT_EQ(baked(layer, bake, 1).levels.front().content_hash,
+              baked(layer, bake, 3).levels.front().content_hash);
+}
+
+}  // namespace
+}  // namespace skybake::cloud_light

@@ -1,0 +1,61 @@
+// Layers of cloud for tests, held in memory.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/occupancy/cell_grid.h"
+
+namespace skybake::test {
+
+inline cloud_light::CloudLayer layer_of(const std::array<int, 3>& size, float value,
+                                        double extinction_per_m = 0.05) {
+    cloud_light::CloudLayer layer;
+    layer.size = size;
+    layer.voxel_m = {10, 12, 8};
+    layer.optics.extinction_per_m = extinction_per_m;
+    layer.values.assign(occupancy::count_of(size), value);
+    return layer;
+}
+
+// The same numbers on every machine: values in [0, 1), of which the share `full` is not 0.
+inline cloud_light::CloudLayer rough_layer(const std::array<int, 3>& size, double full = 1,
+                                           std::uint64_t seed = 1) {
+    cloud_light::CloudLayer layer = layer_of(size, 0);
+    for (float& value : layer.values) {
+        seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+        const double share = static_cast<double>(seed >> 11U) * 0x1p-53;
+        if (share < full) value = static_cast<float>(share / full);
+    }
+    return layer;
+}
+
+// Rough values in a box of voxels, 0 elsewhere.
+inline cloud_light::CloudLayer lone_cloud(const std::array<int, 3>& size,
+                                          const std::array<int, 3>& first,
+                                          const std::array<int, 3>& last) {
+    cloud_light::CloudLayer layer = rough_layer(size);
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                const std::array<int, 3> at = {x, y, z};
+                bool inside = true;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    inside = inside && at[a] >= first[a] && at[a] < last[a];
+                }
+                if (!inside) layer.values[occupancy::index_of(size, x, y, z)] = 0;
+            }
+        }
+    }
+    return layer;
+}
+
+inline void add_edge(double threshold, double softness, cloud_light::CloudLayer& layer) {
+    layer.optics.has_edge = true;
+    layer.optics.threshold = threshold;
+    layer.optics.edge_softness = softness;
+}
+
+}  // namespace skybake::test

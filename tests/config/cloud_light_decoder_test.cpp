@@ -1,0 +1,109 @@
+#include "config/assets/cloud_light.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "config/assets/cloud_volume.h"
+#include "tests/config/clouds.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::cloud_recipe;
+using testing::only_diagnostic;
+using testing::valid;
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+// The light's keys begin on line 4; its volume, of 16x32x8 voxels, stands behind it.
+std::string light_recipe(const std::string& keys) {
+    return "[bake.l]\nasset = 'cloud_light'\nof = 'v'\n" + keys +
+           "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 8]\n" +
+           cloud_recipe("");
+}
+
+CloudLightBake light(const std::string& keys) {
+    const Recipe recipe = valid(light_recipe(keys));
+    if (recipe.parameters.bakes.size() != 2) return {};
+    return recipe.parameters.bakes[0].as<CloudLightBake>();
+}
+
+Diagnostic fault(const std::string& keys) { return only_diagnostic(light_recipe(keys)); }
+
+TEST(CloudLightDecoder, HasItsDefaults) {
+    const CloudLightBake bake = light("sun_elevations = '30 deg'");
+    EXPECT_EQ(bake.of, "v");
+    EXPECT_EQ(bake.contents, CloudLightContents::optical_depth);
+    EXPECT_EQ(bake.cell, 4);
+    ASSERT_EQ(bake.sun_elevations.size(), 1U);
+    EXPECT_NEAR(bake.sun_elevations[0].radians, 30 * kDegree, 1e-12);
+    EXPECT_TRUE(bake.sun_azimuths.empty());
+    EXPECT_EQ(channels_of(bake), 1U);
+}
+
+TEST(CloudLightDecoder, ReadsEveryKey) {
+    const CloudLightBake suns = light(
+        "contents = 'shadow'\nsun_elevations = ['90 deg', '1 deg', '5 deg']\n"
+        "sun_azimuths = ['0 deg', '-90 deg', '200 deg']\ncell = 3\nchannel = 'Y'");
+    EXPECT_EQ(suns.contents, CloudLightContents::shadow);
+    EXPECT_EQ(suns.cell, 3);
+    EXPECT_EQ(suns.channel, "Y");
+    EXPECT_EQ(channels_of(suns), 3U);
+    EXPECT_NEAR(suns.sun_azimuths[1].radians, -90 * kDegree, 1e-12);
+    const CloudLightBake sky = light("contents = 'sky_visibility'\ndegree = 2\npart = 3");
+    EXPECT_EQ(sky.degree, 2);
+    EXPECT_EQ(sky.part, 3);
+}
+
+TEST(CloudLightDecoder, PartsHoldFourCoefficients) {
+    const auto channels = [](int degree, int part) {
+        return channels_of(light(fmt::format(
+            "contents = 'transmittance_harmonics'\ndegree = {}\npart = {}", degree, part)));
+    };
+    EXPECT_EQ(channels(0, 1), 1U);
+    EXPECT_EQ(channels(1, 1), 4U);
+    EXPECT_EQ(channels(2, 2), 4U);
+    EXPECT_EQ(channels(2, 3), 1U);
+    EXPECT_EQ(channels(3, 4), 4U);
+    for (const char* keys : {"degree = 0\npart = 2", "part = 2", "degree = 2\npart = 4"}) {
+        EXPECT_EQ(fault(std::string("contents = 'sky_visibility'\n") + keys).code, "E0171") << keys;
+    }
+    EXPECT_EQ(fault("contents = 'sky_visibility'\ndegree = 2\npart = 4").label, "use at most 3");
+}
+
+TEST(CloudLightDecoder, SunsStandAboveTheHorizon) {
+    for (const char* sun : {"0 deg", "-5 deg", "0.9 deg", "91 deg"}) {
+        const Diagnostic found =
+            fault(fmt::format("sun_elevations = ['30 deg', '{}', '9 deg']", sun));
+        EXPECT_EQ(found.code, "E0110") << sun;
+        EXPECT_EQ(found.where.line, 4);
+    }
+}
+
+TEST(CloudLightDecoder, SunsMakeOneThreeOrFourChannels) {
+    EXPECT_EQ(fault("sun_elevations = ['30 deg', '20 deg']").code, "E0129");
+    EXPECT_EQ(fault("sun_elevations = ['5 deg', '4 deg', '3 deg', '2 deg', '1 deg']").code,
+              "E0129");
+    EXPECT_EQ(fault("sun_elevations = '30 deg'\nsun_azimuths = ['0 deg', '1 deg']").code, "E0171");
+    EXPECT_EQ(fault("").code, "E0105");
+}
+
+TEST(CloudLightDecoder, KeysApplyToTheirContents) {
+    EXPECT_EQ(fault("contents = 'sky_visibility'\nsun_elevations = '30 deg'").code, "E0111");
+    EXPECT_EQ(fault("sun_elevations = '30 deg'\ndegree = 2").code, "E0111");
+}
+
+TEST(CloudLightDecoder, NamesACloudVolume) {
+    EXPECT_EQ(only_diagnostic("[bake.l]\nasset = 'cloud_light'\nof = 'w'\n"
+                              "sun_elevations = '9 deg'\n" +
+                              cloud_recipe(""))
+                  .code,
+              "E0133");
+    EXPECT_EQ(fault("sun_elevations = '9 deg'\nchannel = 'G'").code, "E0134");
+    EXPECT_EQ(fault("sun_elevations = '9 deg'\ncell = 0").code, "E0110");
+}
+
+}  // namespace
+}  // namespace skybake::config
