@@ -1,4 +1,4 @@
-"""Files of the targets cosmoscout and stellarium hold the probes where the programs would look.
+"""Files of the targets cosmoscout and stellarium, and phase functions for Bevy, hold the probes where the programs look.
 
 The lookups follow what the programs' own shaders publish: csp-atmospheres of CosmoScout VR (Bruneton 2017) and
 CalcMySky 0.3, whose textures Stellarium loads; they share nothing with skybake's. TIFF files are decoded twice, by
@@ -209,6 +209,21 @@ def check_phases(failures, oiiotool):
     keep.cleanup()
 
 
+def check_bevy(failures):
+    """Bevy takes N x 1 texels of Rgba32Float, whose first is for cos theta = -1 and whose last for 1."""
+    keep, folder, assets = baked("phases.toml", 'target="bevy"')
+    for asset in assets:
+        bytes_ = (folder / f"{asset['name']}.ktx2").read_bytes()
+        vk_format, _, width, height = struct.unpack_from("<4I", bytes_, 12)
+        failures.expect((vk_format, width, height), (109, 32, 1), f"{asset['name']}: VkFormat and size")
+        (at,) = struct.unpack_from("<Q", bytes_, 80)
+        texture = Texture((32, 1, 1), 4, struct.unpack_from("<128f", bytes_, at))
+        place = lambda at: on_centres((1 + math.cos(math.radians(at["scattering_angle_deg"]))) / 2, 32)
+        check_probes(failures, f"{asset['name']} for Bevy", asset, lambda at: texture.at((place(at), 0.5, 0.5)))
+        failures.expect("from_chromatic_texture" in (folder / f"{asset['name']}.bevy.rs").read_text(), True, "Bevy's module")
+    keep.cleanup()
+
+
 def check_stellarium(failures):
     keep, folder, assets = baked("skies.toml", 'target="stellarium"', f"wavelengths={SPECTRUM}")
     planet = folder / "planet"
@@ -237,6 +252,7 @@ def main():
     failures = consumer.Failures()
     check_cosmoscout(failures, oiiotool)
     check_stellarium(failures)
+    check_bevy(failures)
     failures.exit()
 
 

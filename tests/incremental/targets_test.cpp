@@ -46,14 +46,35 @@ cloud = "c"
 size = [16, 8, 4]
 )";
 
-// The sections of `assets` that the target loads.
+// What only targets of skies load.
+const std::string skies = assets + R"(
+[bake.layer]
+asset = "phase"
+layer = "mie"
+size = 8
+[bake.to_top]
+asset = "bruneton"
+table = "transmittance"
+size = [8, 4, 1]
+[bake.seen]
+asset = "bruneton"
+table = "single_mie"
+nu_size = 2
+size = [8, 4, 2]
+)";
+
+// The sections of `skies` that the target loads, with the wavelengths that it loads.
 config::Recipe loaded_by(const config::TargetFacts& target) {
-    config::Recipe recipe = recipe_of(assets);
-    std::string text = assets.substr(0, assets.find("[bake."));
+    const config::Recipe recipe = recipe_of(skies);
+    std::string text = skies.substr(0, skies.find("[bake."));
+    if (target.target == config::Target::stellarium) {
+        text.replace(0, text.find("[noise"),
+                     "preset = \"earth\"\nwavelengths = \"best 4\"\n[color]\nspace = \"none\"\n");
+    }
     for (const config::Bake& bake : recipe.parameters.bakes) {
         if (!config::find_use(target, config::kind_of(bake).facts.name)) continue;
-        const std::size_t begin = assets.find("[bake." + bake.name);
-        text += assets.substr(begin, assets.find("[bake.", begin + 1) - begin);
+        const std::size_t begin = skies.find("[bake." + bake.name);
+        text += skies.substr(begin, skies.find("[bake.", begin + 1) - begin);
     }
     return recipe_of(text, {}, {"target=\"" + std::string(target.name) + "\""});
 }

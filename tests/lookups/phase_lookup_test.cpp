@@ -91,9 +91,8 @@ struct PhaseTrial {
 };
 
 TEST(PhaseLookup, FloatLosesLittle) {
-    for (const PhaseSpacing spacing :
-         {PhaseSpacing::angle, PhaseSpacing::cosine, PhaseSpacing::peaks,
-          PhaseSpacing::cosine_from_back}) {
+    for (const PhaseSpacing spacing : {PhaseSpacing::angle, PhaseSpacing::cosine,
+                                       PhaseSpacing::peaks, PhaseSpacing::cosine_from_back}) {
         const PhaseTrial trial(spacing);
         SCOPED_TRACE(trial.name());
         EXPECT_EQ(trial.baked.asset().mapping, trial.name());
