@@ -151,7 +151,8 @@ constexpr std::array codes = {
                    "", "", usage},
     DiagnosticCode{"E0126", "volume too large",
                    "The volume has more than 2^36 voxels. The message says how many bytes it would "
-                   "need. Noises tile, so a smaller volume that repeats is usually enough.",
+                   "need. Noises tile, so a smaller volume that repeats is usually enough. A mask "
+                   "of blue noise, which is made in memory, has at most 2^26 voxels.",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [10000, 10000, 10000]",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
@@ -391,6 +392,17 @@ constexpr std::array codes = {
         "asset = \"occupancy\"\nof = \"v\"",
         usage},
     DiagnosticCode{
+        "E0156", "channels that a weather map cannot have",
+        "A weather map has the channels of its noise. `covered`, `full`, `streaks` and `yields_to` "
+        "have one item for each of them, or one for all. Of a channel, no more may be `full` than "
+        "is `covered`, and it may yield to another channel that yields to none. "
+        "content = \"directions\" takes a noise of three channels, R, G and B.",
+        "[noise.w.channels.Y]\ntype = \"worley\"\n[bake.m]\nasset = \"weather_map\"\n"
+        "noise = \"w\"\ncovered = 0.2\nfull = 0.3",
+        "[noise.w.channels.Y]\ntype = \"worley\"\n[bake.m]\nasset = \"weather_map\"\n"
+        "noise = \"w\"\ncovered = 0.3\nfull = 0.2",
+        usage},
+    DiagnosticCode{
         "E0160", "asset or file that a target cannot load",
         "`target` names the program that files are for. It decides the keys of files that a "
         "section "
@@ -461,6 +473,14 @@ constexpr std::array codes = {
         "along an axis, with two axes exchanged, half a texel off, or empty. Its probes would pass "
         "such a file, so nothing is written. This is a bug: please report the recipe.",
         "", "", failed_check},
+
+    DiagnosticCode{
+        "E0411", "share of a weather map that cannot be reached",
+        "A channel of the noise has one value at many texels, so that no threshold divides them "
+        "and the wanted share is not between its parts. Worley noise clamped at 0 and constants "
+        "are like that. The message names the value and the shares below and above it. Nothing is "
+        "written.",
+        "covered = 0.5", "covered = 1", failed_check},
 
     DiagnosticCode{"E0500", "internal error",
                    "skybake reached a state that its authors thought impossible. Please report the "

@@ -119,6 +119,9 @@ const std::vector<Fault> faults = {
      cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\ncell = 8\n"
              "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
      9, 8, 1, "give `v` a size that 8 divides, or a `cell` that divides the size"},
+    {"E0156",
+     perlin + "[bake.m]\nasset = \"weather_map\"\nnoise = \"n\"\ncovered = 0.2\nfull = 0.3", 7, 8,
+     3, "`full` is at most `covered`"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
