@@ -86,10 +86,12 @@ Certificate certificate_of(const MaskView& mask) {
     certificate.lookup = window_error(mask);
     certificate.texel_points = static_cast<int>(mask.values->size());
     certificate.lookup_points = static_cast<int>(mask.values->size());
+    const int columns = std::min(kMaskWindow, mask.size[0]);
+    const int rows = std::min(kMaskWindow, mask.size[1]);
     certificate.reference = fmt::format(
         "texels: sorted values of a frame against evenly spread ones; lookups: means of {} x {} "
-        "pixels against 1/2, of which independent values would have an RMS of 0.036",
-        std::min(kMaskWindow, mask.size[0]), std::min(kMaskWindow, mask.size[1]));
+        "pixels against 1/2, of which independent values would have an RMS of {:.2g}",
+        columns, rows, std::sqrt(1.0 / (12.0 * columns * rows)));
     certificate.scale = "all values, 0 to 1";
     return certificate;
 }
