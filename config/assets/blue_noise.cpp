@@ -85,8 +85,21 @@ void check_one_level(const DecodedSection& bake, Decoder& decoder) {
         "a mean of several pixels is about 1/2 everywhere");
 }
 
+// The module beside the file loads masks of any size, the package's own loader only one.
+void warn_of_takram(const DecodedSection& bake, const VoxelCounts& voxels, Decoder& decoder) {
+    constexpr VoxelCounts loaded = {128, 128, 64};
+    if (choice_of<Target>(bake.at("target")) != Target::takram || voxels == loaded) return;
+    const bool is_wide = voxels[0] != loaded[0] || voxels[1] != loaded[1];
+    const std::string_view unusual = is_wide ? "size" : "frames";
+    decoder.diagnostics.warning("W0205", bake.at(unusual).source->place,
+                                fmt::format("`{}` is not what @takram/three-geospatial loads",
+                                            join_path(bake.path, unusual)),
+                                "its STBNLoader takes 128 x 128 pixels and 64 frames");
+}
+
 // Reports pixel types that a format does not have (E0131), a mask that is too large (E0126) and
-// levels of detail, which a mask does not have (E0110).
+// levels of detail, which a mask does not have (E0110). It warns of a size that takram's loader does
+// not take (W0205).
 void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decoder) {
     check_pixel_type(bake, decoder);
     refuse_blocks(bake, "blue noise, whose values must stay apart", decoder);
@@ -98,6 +111,7 @@ void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decod
     const VoxelCounts voxels = {width, height, static_cast<int>(std::get<double>(*frames.value))};
     resolve_files(bake, voxels, Halving::down, decoder);
     check_mask_size(bake, voxels, decoder);
+    warn_of_takram(bake, voxels, decoder);
 }
 
 std::vector<Read> reads_of(const Parameters&, const BlueNoiseBake&) { return {}; }

@@ -527,15 +527,17 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    0},
-    DiagnosticCode{"W0205", "not what takram's loader reads",
-                   "@takram/three-atmosphere assumes certain sizes, half floats and one stack of "
-                   "slices: it reads any other table wrongly, or not at all. Other readers of its "
-                   "convention may accept it.",
-                   "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
-                   "convention = \"takram\"\nsize = [128, 64, 16]",
-                   "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
-                   "convention = \"takram\"",
-                   0},
+    DiagnosticCode{
+        "W0205", "not what takram's loader reads",
+        "@takram/three-atmosphere assumes certain sizes, half floats and one stack of "
+        "slices: it reads any other table wrongly, or not at all. Other readers of its "
+        "convention may accept it. STBNLoader of @takram/three-geospatial takes masks of "
+        "blue noise of 128 x 128 pixels and 64 frames.",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"\nsize = [128, 64, 16]",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"",
+        0},
     DiagnosticCode{
         "W0208", "octave that adds nothing",
         "At this size every voxel lies on a lattice point of the octave, and gradient noise is 0 "

@@ -105,6 +105,18 @@ TEST(BlueNoiseDecoder, HasTheDefaultsOfThePaper) {
               (std::array<int, 3>{32, 24, 1}));
 }
 
+TEST(BlueNoiseDecoder, WarnsOfMasksThatTakramsLoaderDoesNotTake) {
+    EXPECT_EQ(mask_of("target = 'takram'\n").voxels(), (std::array<int, 3>{128, 128, 64}));
+    for (const char* keys : {"frames = 32\n", "size = [64, 128]\n"}) {
+        const auto warnings =
+            parse("[bake.blue_noise]\n" + std::string(keys) + "target = 'takram'\n").diagnostics;
+        ASSERT_EQ(warnings.size(), 1U) << keys;
+        EXPECT_EQ(warnings[0].code, "W0205");
+        EXPECT_EQ(warnings[0].where.line, 2);
+    }
+    EXPECT_EQ(mask_of("frames = 32\ntarget = 'three'\n").frames, 32);
+}
+
 TEST(BlueNoiseDecoder, RefusesWhatNoMaskHas) {
     const Diagnostic large = mask_fault("size = [4096, 4096]\nframes = 5\n");
     EXPECT_EQ(large.code, "E0126");

@@ -85,6 +85,18 @@ TEST(BlueNoise, OtherTypesHaveTheMiddlesOfEqualParts) {
                 2e-4);
 }
 
+// The smallest masks, which have no low frequencies and no window of 8 x 8 pixels.
+TEST(BlueNoise, TinyMasksHaveTheirProbesAndFigures) {
+    for (const std::array<int, 2>& size : {std::array{2, 2}, {3, 2}, {2, 7}}) {
+        const Baked volume = baked(bake_of(size, 1, PixelType::float32));
+        EXPECT_LT(volume.certificate.texel.max, 1e-7);
+        EXPECT_FALSE(volume.levels.front().probes.empty());
+        for (const char* name : {"low_power_of_frames", "low_power_over_time"}) {
+            EXPECT_EQ(fact_named(volume.details, name), "0") << name;
+        }
+    }
+}
+
 TEST(BlueNoise, SaysWhatItIs) {
     const Baked volume = baked(bake_of({24, 20}, 5, PixelType::unorm8));
     EXPECT_EQ(volume.kind, "blue_noise");

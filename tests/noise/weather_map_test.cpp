@@ -270,6 +270,16 @@ TEST(WeatherMap, StreaksAreThoseOfTheReference) {
     EXPECT_NE(map.levels.front().content_hash, turned.levels.front().content_hash);
 }
 
+TEST(WeatherMap, OneTexelIsCoveredOrNot) {
+    for (const double covered : {0.0, 0.4, 0.6, 1.0}) {
+        auto outcome = bake_weather_map(noise_of_channels({test::perlin({{1, 1, 1}})}),
+                                        bake_of({1, 1}, {covered}, {0}, PixelType::unorm8),
+                                        {.certification = Certification::off}, Baked{});
+        ASSERT_TRUE(outcome.value.has_value()) << covered;
+        EXPECT_EQ(outcome.value->image().texels.front(), covered < 0.5 ? 0.0F : 1.0F);
+    }
+}
+
 TEST(WeatherMap, DirectionsHaveLengthOne) {
     const config::Noise noise =
         noise_of_channels({test::curl({{4, 4, 4}}, config::CurlComponent::x),
