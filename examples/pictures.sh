@@ -10,6 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 "$skybake" preview earth.toml -o "$folder/sky" --sun-elevation 30,10,2,-4 -q >/dev/null
 "$skybake" preview phase.toml --only cloud_phase --only sky_view -o "$folder/phase" -q >/dev/null
 "$skybake" preview clouds.toml -o "$folder/clouds" --sun-elevation 20 -q >/dev/null
+"$skybake" preview takram_clouds.toml -o "$folder/takram" --only local_weather --only stbn -q >/dev/null
 "$skybake" init "$folder/mars.toml" --preset mars -q
 "$skybake" preview "$folder/mars.toml" -o "$folder/mars" --sun-elevation 30,2 -q >/dev/null
 cat >"$folder/presets.toml" <<'RECIPE'
@@ -32,3 +33,6 @@ done
 cp "$folder/phase/sky_view_sun_20.png" pictures/fog_bow.png
 cp "$folder/mars/sky_panoramas.png" pictures/mars_panoramas.png
 cp "$folder/presets_page/contact_sheet.png" pictures/sky_presets.png
+cp "$folder/takram/local_weather_channels.png" pictures/takram_weather_channels.png
+cp "$folder/takram/stbn_frames.png" pictures/blue_noise_frames.png
+cp "$folder/takram/stbn_spectrum.png" pictures/blue_noise_spectrum.png

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "config/assets/aerial_perspective.h"
+#include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
@@ -16,15 +17,17 @@
 #include "config/assets/phase.h"
 #include "config/assets/sky_view.h"
 #include "config/assets/transmittance.h"
+#include "config/assets/weather_map.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {
 
 // The assets stand in the order in which the documentation shows them.
-using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
-                          AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
-                          OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, CloudLightBake,
-                          OccupancyBake>;
+using Assets =
+    std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
+               AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake,
+               NoiseVolumeBake, WeatherMapBake, BlueNoiseBake, CloudVolumeBake, CloudLightBake,
+               OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

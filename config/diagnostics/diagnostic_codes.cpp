@@ -152,7 +152,8 @@ constexpr std::array codes = {
                    "", "", usage},
     DiagnosticCode{"E0126", "volume too large",
                    "The volume has more than 2^36 voxels. The message says how many bytes it would "
-                   "need. Noises tile, so a smaller volume that repeats is usually enough.",
+                   "need. Noises tile, so a smaller volume that repeats is usually enough. A mask "
+                   "of blue noise, which is made in memory, has at most 2^26 voxels.",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
                    "asset = \"noise_volume\"\nnoise = \"shape\"\nsize = [10000, 10000, 10000]",
                    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\n"
@@ -405,6 +406,17 @@ constexpr std::array codes = {
         "asset = \"occupancy\"\nof = \"v\"",
         usage},
     DiagnosticCode{
+        "E0156", "channels that a weather map cannot have",
+        "A weather map has the channels of its noise. `covered`, `full`, `streaks` and `yields_to` "
+        "have one item for each of them, or one for all. Of a channel, no more may be `full` than "
+        "is `covered`, and it may yield to another channel that yields to none. "
+        "content = \"directions\" takes a noise of three channels, R, G and B.",
+        "[noise.w.channels.Y]\ntype = \"worley\"\n[bake.m]\nasset = \"weather_map\"\n"
+        "noise = \"w\"\ncovered = 0.2\nfull = 0.3",
+        "[noise.w.channels.Y]\ntype = \"worley\"\n[bake.m]\nasset = \"weather_map\"\n"
+        "noise = \"w\"\ncovered = 0.3\nfull = 0.2",
+        usage},
+    DiagnosticCode{
         "E0160", "asset or file that a target cannot load",
         "`target` names the program that files are for. It decides the keys of files that a "
         "section "
@@ -508,6 +520,14 @@ constexpr std::array codes = {
         "such a file, so nothing is written. This is a bug: please report the recipe.",
         "", "", failed_check},
 
+    DiagnosticCode{
+        "E0411", "share of a weather map that cannot be reached",
+        "A channel of the noise has one value at many texels, so that no threshold divides them "
+        "and the wanted share is not between its parts. Worley noise clamped at 0 and constants "
+        "are like that. The message names the value and the shares below and above it. Nothing is "
+        "written.",
+        "covered = 0.5", "covered = 1", failed_check},
+
     DiagnosticCode{"E0500", "internal error",
                    "skybake reached a state that its authors thought impossible. Please report the "
                    "recipe and the command line.",
@@ -553,15 +573,17 @@ constexpr std::array codes = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    0},
-    DiagnosticCode{"W0205", "not what takram's loader reads",
-                   "@takram/three-atmosphere assumes certain sizes, half floats and one stack of "
-                   "slices: it reads any other table wrongly, or not at all. Other readers of its "
-                   "convention may accept it.",
-                   "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
-                   "convention = \"takram\"\nsize = [128, 64, 16]",
-                   "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
-                   "convention = \"takram\"",
-                   0},
+    DiagnosticCode{
+        "W0205", "not what takram's loader reads",
+        "@takram/three-atmosphere assumes certain sizes, half floats and one stack of "
+        "slices: it reads any other table wrongly, or not at all. Other readers of its "
+        "convention may accept it. STBNLoader of @takram/three-geospatial takes masks of "
+        "blue noise of 128 x 128 pixels and 64 frames.",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"\nsize = [128, 64, 16]",
+        "preset = \"takram\"\n[bake.scattering]\nasset = \"bruneton\"\n"
+        "convention = \"takram\"",
+        0},
     DiagnosticCode{
         "W0208", "octave that adds nothing",
         "At this size every voxel lies on a lattice point of the octave, and gradient noise is 0 "

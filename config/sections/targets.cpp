@@ -25,13 +25,13 @@ std::vector<TargetFacts> make_targets() {
     // The groups of assets that programs treat alike: pictures of numbers, pictures of the sky, textures
     // of two or three axes, and volumes with a place in space.
     const Words tables = {"transmittance", "multiple_scattering", "sky_view", "irradiance",
-                          "phase"};
+                          "phase",         "weather_map"};
     const Words environments = {"environment"};
     const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume",
                             "cloud_light"};
     const Words clouds = {"cloud_volume"};
     const Words densities = {"cloud_volume", "noise_volume"};
-    const Words occupancies = {"occupancy"};
+    const Words occupancies = {"occupancy", "blue_noise"};  // texels that no filter may mix
     const Words sky = all_of({tables, textures});
     const Words most = all_of({tables, textures, clouds, occupancies});
     Words all_but_phase = most;
@@ -70,6 +70,17 @@ std::vector<TargetFacts> make_targets() {
            .keys = {{"convention", "takram"}, {"layout", "stack"}, {"flip", "true"}}},
           {.assets = {"noise_volume"},
            .formats = {FileFormat::bin, FileFormat::png},
+           .pixel_types = only_unorm8,
+           .pixel_type = PixelType::unorm8,
+           .sidecars = {"*.takram.js"}},
+          {.assets = {"weather_map"},
+           .formats = {FileFormat::png},
+           .pixel_types = only_unorm8,
+           .pixel_type = PixelType::unorm8,
+           .sidecars = {"*.takram.js"},
+           .keys = {{"flip", "true"}}},
+          {.assets = {"blue_noise"},
+           .formats = {FileFormat::bin},
            .pixel_types = only_unorm8,
            .pixel_type = PixelType::unorm8,
            .sidecars = {"*.takram.js"}}}},

@@ -8,7 +8,7 @@ const fragment = (dim, head, color) => `
     ${head}
     void main() {
         vec4 at = texelFetch(places, ivec2(int(gl_FragCoord.x), 0), 0);
-        ${color} = texture(table, ${dim === 3 ? 'at.xyz' : 'at.xy'});
+        ${color} = textureLod(table, ${dim === 3 ? 'at.xyz' : 'at.xy'}, 0.0);
     }`;
 
 // The values, four of each place, that three.js finds in the textures of the module.

@@ -96,7 +96,8 @@ sampling = "equal_attenuation"
 TOML
 }
 
-# Every kernel of noise, wide cells and narrow ones, sizes that no vector divides, every format.
+# Every kernel of noise, wide cells and narrow ones, sizes that no vector divides, every format; a map
+# and a mask.
 noise_recipe() {
     cat <<'TOML'
 [noise.shape]
@@ -147,6 +148,19 @@ columns = 6
 compression = "piz"
 vdb_compression = "zip"
 pixel_type = "float"
+[bake.map]
+asset = "weather_map"
+noise = "odd"
+size = [53, 47]
+covered = [0.4, 0.6, 1, 0.3]
+full = [0.1, 0, 0, 0.2]
+yields_to = ["G", "", "", ""]
+streaks = [0, 0, 0.1, 0]
+wind = "50 deg"
+[bake.mask]
+asset = "blue_noise"
+size = [37, 29]
+frames = 7
 TOML
 }
 

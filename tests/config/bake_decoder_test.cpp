@@ -37,7 +37,7 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
 TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
     for (const std::string_view asset : asset_names()) {
         std::string keys;
-        if (asset == "noise_volume") keys = "noise = 'n'\n";
+        if (asset == "noise_volume" || asset == "weather_map") keys = "noise = 'n'\n";
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
         if (asset == "occupancy") keys = "of = 'v'\n";
         if (asset == "cloud_light") keys = "of = 'v'\nsun_elevations = '30 deg'\n";

@@ -124,6 +124,9 @@ const std::vector<Fault> faults = {
          "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"sky_visibility\"\npart = 2\n"
          "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
      10, 8, 1, "use at most 1"},
+    {"E0156",
+     perlin + "[bake.m]\nasset = \"weather_map\"\nnoise = \"n\"\ncovered = 0.2\nfull = 0.3", 7, 8,
+     3, "`full` is at most `covered`"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
     {"E0170",

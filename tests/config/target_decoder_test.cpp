@@ -25,6 +25,7 @@ using Codes = std::vector<std::string>;
 std::string recipe_of(std::string_view asset, const std::string& keys) {
     std::string more;
     if (asset == "noise_volume") more = "noise = 'n'\nsize = [16, 16, 16]\n";
+    if (asset == "weather_map") more = "noise = 'n'\n";
     if (asset == "cloud_volume") more = "cloud = 'c'\nsize = [16, 16, 16]\n";
     if (asset == "occupancy") more = "of = 'v'\n";
     if (asset == "cloud_light") more = "of = 'v'\nsun_elevations = '30 deg'\n";

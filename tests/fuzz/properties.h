@@ -11,6 +11,7 @@
 
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/assets.h"
+#include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
@@ -21,6 +22,7 @@
 #include "config/assets/optical_depth.h"
 #include "config/assets/phase.h"
 #include "config/assets/sky_view.h"
+#include "config/assets/weather_map.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake::config::fuzzing {
@@ -248,10 +250,8 @@ inline void check_files(const AssetFiles& files, const std::array<int, 3>& size)
     }
     require(voxels <= 68719476736.0, "at most 2^36 voxels");
     require(!files.formats.empty() && files.formats.size() <= 3, "one to three formats");
-    const bool unorm =
-        files.pixel_type == PixelType::unorm8 || files.pixel_type == PixelType::unorm16;
     for (const FileFormat format : files.formats) {
-        require(!unorm || format == FileFormat::bin, "unorm in bin alone");
+        require(facts_of(format).holds(files.pixel_type), "formats hold the pixel type");
     }
     require(files.columns >= 0 && files.columns <= size[2], "no more columns than slices");
     require(files.mips >= 1 && files.mips <= 15, "levels in range");
@@ -260,6 +260,28 @@ inline void check_files(const AssetFiles& files, const std::array<int, 3>& size)
 inline void check_asset(const NoiseVolumeBake& asset, const Parameters& parameters) {
     require(find_by_name(parameters.noises, asset.noise) != nullptr, "its noise is there");
     check_files(asset, asset.size);
+}
+
+inline void check_asset(const WeatherMapBake& asset, const Parameters& parameters) {
+    const Noise* noise = find_by_name(parameters.noises, asset.noise);
+    require(noise != nullptr, "its noise is there");
+    const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
+    check_files(asset, {asset.size[0], asset.size[1], 1});
+    if (asset.content != WeatherContent::amounts) return;
+    require(asset.covered.size() == channels && asset.full.size() == channels,
+            "each channel has its shares");
+    require(asset.streaks.size() == channels, "each channel has its streaks");
+    require(asset.yields_to.empty() || asset.yields_to.size() == channels,
+            "each channel yields or not");
+    for (std::size_t c = 0; c < channels; ++c) {
+        require(asset.full[c] <= asset.covered[c], "no more is full than is covered");
+    }
+}
+
+inline void check_asset(const BlueNoiseBake& asset, const Parameters&) {
+    require(asset.spatial_sigma > 0 && asset.temporal_sigma > 0, "energies have a width");
+    require(asset.mips == 1, "a mask has one level");
+    check_files(asset, asset.voxels());
 }
 
 inline void check_asset(const CloudVolumeBake& asset, const Parameters& parameters) {

@@ -135,6 +135,20 @@ frequency = 4
 asset = "noise_volume"
 noise = "shape"
 size = [8, 8, 8]
+[bake.map]
+asset = "weather_map"
+noise = "corners"
+size = [16, 12]
+covered = 1
+[noise.corners]
+sampling = "corners"
+[noise.corners.channels.Y]
+type = "perlin"
+frequency = [3, 2, 1]
+[bake.mask]
+asset = "blue_noise"
+size = [12, 8]
+frames = 3
 [clouds.c]
 noise = "shape"
 extent = ["6 km", "5 km", "1.5 km"]
@@ -336,6 +350,14 @@ TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
         EXPECT_EQ(cloud.axes[i].filter, AxisFilter::linear);
         EXPECT_EQ(number(asset("noise").axes[i], "offset"), i == 2 ? 0.5 / 8 : 0);
     }
+    for (std::size_t i = 0; i < 2; ++i) {
+        EXPECT_EQ(number(asset("map").axes[i], "offset"), i == 0 ? 0.5 / 16 : 0.5 / 12);
+    }
+    const ManifestAsset& mask = asset("mask");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(number(mask.axes[i], "period"), mask.size[i]);
+        EXPECT_EQ(mask.axes[i].filter, AxisFilter::nearest);
+    }
     EXPECT_EQ(fact_named(cells.details, "leap_scale"), "1");  // half holds cells as they are
     const std::vector<AxisMapping>& aerial = asset("aerial").axes;
     EXPECT_EQ(number(aerial[0], "heading_deg"), 30);
@@ -421,6 +443,8 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"density", "km", "", "", none, wavelengths, ""},
         {"phases", "km", "deg", "", none, wavelengths, ""},
         {"noise", "", "", "", none, none, "+z"},
+        {"map", "", "", "", none, none, ""},
+        {"mask", "", "", "", none, none, ""},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
@@ -447,7 +471,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
 
 TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
     for (const ManifestAsset& entry : manifest().assets) {
-        const bool is_tile = entry.mapping == "tile";
+        const bool is_tile = entry.mapping == "tile" || entry.mapping == "pixels";
         const bool is_layer = entry.mapping == "layer";
         const bool is_around = entry.mapping == "longitude_latitude";
         const std::array<bool, 3> repeats = {is_tile || is_layer || is_around, is_tile || is_layer,

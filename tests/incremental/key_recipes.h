@@ -86,6 +86,18 @@ fractal = "ridged"
 type = "curl"
 frequency = 2
 component = "x"
+[noise.curl_vector.channels.R]
+type = "curl"
+frequency = 2
+component = "x"
+[noise.curl_vector.channels.G]
+type = "curl"
+frequency = 2
+component = "y"
+[noise.curl_vector.channels.B]
+type = "curl"
+frequency = 2
+component = "z"
 [clouds.c]
 noise = "shape"
 detail = "detail"
@@ -113,6 +125,14 @@ size = [8, 8, 8]
 asset = "noise_volume"
 noise = "curls"
 size = [8, 8, 8]
+[bake.map]
+asset = "weather_map"
+noise = "curl_vector"
+size = [17, 13]
+[bake.mask]
+asset = "blue_noise"
+size = [8, 8]
+frames = 4
 [bake.cloud]
 asset = "cloud_volume"
 cloud = "c"

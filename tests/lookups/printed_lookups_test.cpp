@@ -495,6 +495,44 @@ TEST(PrintedLookups, Noise) {
     });
 }
 
+vec2 map_place(const Probe& probe) {
+    return vec2(8, 4) * vec2(coordinate(probe, "x_tile"), coordinate(probe, "y_tile"));
+}
+
+TEST(PrintedLookups, WeatherMap) {
+    const vec2 tile(8, 4);
+    BakedFile("weather.png").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(weather_png, baked_weather, table, map_place(at), tile);
+    });
+    BakedFile("weather_at_corners.ktx2").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(weather_at_corners_ktx2, baked_weather_at_corners, table, map_place(at),
+                            tile);
+    });
+    BakedFile("weather_directions.dds").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(weather_directions_dds, baked_weather_directions, table, map_place(at),
+                            tile);
+    });
+}
+
+vec2 mask_pixel(const Probe& probe) {
+    return vec2(coordinate(probe, "x_px"), coordinate(probe, "y_px"));
+}
+
+TEST(PrintedLookups, BlueNoise) {
+    BakedFile("mask.bin").holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(mask_bin, baked_mask, table, mask_pixel(at), coordinate(at, "frame"));
+    });
+    // Two masks and six frames away.
+    BakedFile("mask.bin").holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(mask_bin, baked_mask, table, mask_pixel(at) - vec2(48, -40),
+                            coordinate(at, "frame") - 6.0f);
+    });
+    BakedFile("mask_of_one.dds").holds([](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(mask_of_one_dds, baked_mask_of_one, table, mask_pixel(at),
+                            coordinate(at, "frame") + 17.0f);
+    });
+}
+
 // x, y and altitude in metres.
 vec3 cloud_place(const Probe& probe) {
     return vec3(coordinate(probe, "x_m"), coordinate(probe, "y_m"),

@@ -17,7 +17,8 @@ namespace {
 
 using Language = ShadingLanguage;
 
-constexpr std::array<const char*, 12> kLibraries = {"aerial_perspective",
+constexpr std::array<const char*, 14> kLibraries = {"aerial_perspective",
+                                                    "blue_noise",
                                                     "bruneton",
                                                     "clouds",
                                                     "columns",
@@ -28,7 +29,8 @@ constexpr std::array<const char*, 12> kLibraries = {"aerial_perspective",
                                                     "noise",
                                                     "phase",
                                                     "sky_view",
-                                                    "transmittance"};
+                                                    "transmittance",
+                                                    "weather_map"};
 
 // Without what stands before the functions.
 std::string body(std::string_view glsl, Language to) {

@@ -20,10 +20,16 @@ struct AssetPictures {
 };
 
 constexpr AssetPictures kPictures[] = {
-    {"transmittance", table_pictures},   {"multiple_scattering", table_pictures},
-    {"sky_view", sky_view_pictures},     {"environment", environment_pictures},
-    {"irradiance", irradiance_pictures}, {"aerial_perspective", aerial_pictures},
-    {"phase", phase_pictures},           {"bruneton", bruneton_pictures},
+    {"transmittance", table_pictures},
+    {"multiple_scattering", table_pictures},
+    {"sky_view", sky_view_pictures},
+    {"environment", environment_pictures},
+    {"irradiance", irradiance_pictures},
+    {"aerial_perspective", aerial_pictures},
+    {"phase", phase_pictures},
+    {"bruneton", bruneton_pictures},
+    {"weather_map", weather_map_pictures},
+    {"blue_noise", blue_noise_pictures},
 };
 
 }  // namespace

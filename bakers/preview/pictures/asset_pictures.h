@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -54,6 +55,13 @@ std::vector<PreviewPicture> bruneton_pictures(const PreviewAsset& asset);
 // does not have as many voxels as its size says.
 std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset);
 
+// Shows a weather map: its channels, two by two tiles, and their histograms.
+std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset);
+
+// Shows blue noise: a frame, a row of pixels over time and the pixels of the lowest ranks; the
+// spectrum of frames as a picture; and the spectra of frames and over time as curves.
+std::vector<PreviewPicture> blue_noise_pictures(const PreviewAsset& asset);
+
 // --- Captions ----------------------------------------------------------------------------------
 //
 // The wording of suns and exposures in captions and file names, the same for all pictures.
@@ -83,6 +91,18 @@ struct VoxelView {
 // image has y across and z up; for y, x across and z up; for z, x across and y up. Row 0 is the
 // lowest index.
 Image2<float> slice(const VoxelView& volume, int channel, int axis, int at);
+
+// The values that are shown as black and white.
+struct GreyScale {
+    double black = 0;
+    double white = 1;
+};
+
+// Draws a field in grey, with sRGB numbers in proportion to the values and row 0 at the bottom.
+Picture grey(const Image2<float>& field, const GreyScale& scale);
+
+// Returns the colour of a channel's curves: red, green, blue or dark.
+std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel);
 
 // Returns two by two copies of a tile, as a repeating sampler shows them.
 Image2<float> tiled_twice(const Image2<float>& tile);

@@ -19,34 +19,6 @@ constexpr int smallest_tile = 256;  // pixels along the longer edge of a slice
 constexpr int largest_tile = 512;
 constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 
-// The values that are shown as black and white.
-struct GreyScale {
-    double black = 0;
-    double white = 1;
-};
-
-// Draws a field in grey, with sRGB numbers in proportion to the values and row 0 at the bottom.
-Picture grey(const Image2<float>& field, const GreyScale& scale) {
-    Picture picture(field.width, field.height);
-    auto pixel = picture.rgb.begin();
-    for (int y = field.height - 1; y >= 0; --y) {
-        for (int x = 0; x < field.width; ++x) {
-            const double t =
-                (double{*field.texel(x, y)} - scale.black) / (scale.white - scale.black);
-            const auto byte = static_cast<std::uint8_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)));
-            pixel = std::fill_n(pixel, 3, byte);
-        }
-    }
-    return picture;
-}
-
-std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
-    if (channel == "R") return {0xc8, 0x3a, 0x32};
-    if (channel == "G") return {0x2e, 0x8b, 0x57};
-    if (channel == "B") return {0x2f, 0x6f, 0xc4};
-    return {0x1f, 0x23, 0x28};
-}
-
 class NoisePictures {
   public:
     explicit NoisePictures(const PreviewAsset& asset)
@@ -266,6 +238,27 @@ bool is_complete(const PreviewAsset& asset) {
 }
 
 }  // namespace
+
+Picture grey(const Image2<float>& field, const GreyScale& scale) {
+    Picture picture(field.width, field.height);
+    auto pixel = picture.rgb.begin();
+    for (int y = field.height - 1; y >= 0; --y) {
+        for (int x = 0; x < field.width; ++x) {
+            const double t =
+                (double{*field.texel(x, y)} - scale.black) / (scale.white - scale.black);
+            const auto byte = static_cast<std::uint8_t>(std::lround(255 * std::clamp(t, 0.0, 1.0)));
+            pixel = std::fill_n(pixel, 3, byte);
+        }
+    }
+    return picture;
+}
+
+std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
+    if (channel == "R") return {0xc8, 0x3a, 0x32};
+    if (channel == "G") return {0x2e, 0x8b, 0x57};
+    if (channel == "B") return {0x2f, 0x6f, 0xc4};
+    return {0x1f, 0x23, 0x28};
+}
 
 std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset) {
     if (!is_complete(asset)) return {};

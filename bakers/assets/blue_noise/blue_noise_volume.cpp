@@ -1,0 +1,159 @@
+#include "bakers/assets/blue_noise/blue_noise_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/blue_noise/mask_figures.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/noise/void_and_cluster.h"
+
+namespace skybake {
+
+namespace {
+
+using config::BlueNoiseBake;
+using config::Outcome;
+using config::PixelType;
+
+class MaskVoxels : public VoxelSource {
+  public:
+    MaskVoxels(const std::array<int, 3>& size, std::vector<float> values)
+        : size_(size), values_(std::move(values)) {}
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        if (channels.front() == nullptr) return;
+        float* out = channels.front();
+        for (int z = 0; z < box.size[2]; ++z) {
+            for (int y = 0; y < box.size[1]; ++y) {
+                const auto row = static_cast<std::size_t>(
+                    (std::int64_t{box.origin[2] + z} * size_[1] + box.origin[1] + y) * size_[0] +
+                    box.origin[0]);
+                out = std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(row), box.size[0],
+                                  out);
+            }
+        }
+    }
+
+    const std::vector<float>& values() const { return values_; }
+
+  private:
+    std::array<int, 3> size_;
+    std::vector<float> values_;
+};
+
+std::vector<AxisMapping> axes_of(const std::array<int, 3>& size) {
+    static constexpr std::array<const char*, 3> kQuantities = {"x_px", "y_px", "frame"};
+    std::vector<AxisMapping> axes(3);
+    for (std::size_t i = 0; i < 3; ++i) {
+        axes[i].quantity = kQuantities[i];
+        axes[i].formula = fmt::format("{} = {} / {}", "uvw"[i], kQuantities[i], size[i]);
+        axes[i].convention =
+            fmt::format("repeats; voxel k has {} from k to k + 1, look up nearest", kQuantities[i]);
+        axes[i].last = size[i];
+        axes[i].end_points = TexelConvention::end_points_on_edges;
+        axes[i].wrap = AxisWrap::repeat;
+        axes[i].filter = AxisFilter::nearest;
+        axes[i].constants = {{"period", static_cast<double>(size[i])}};
+    }
+    return axes;
+}
+
+// The nearest place that is a quarter of a voxel from a voxel's middle along each axis: rounding
+// does not reach the next voxel, and linear lookups differ.
+ProbePlace place_of(const std::array<int, 3>& size, const std::array<double, 3>& uvw) {
+    static constexpr std::array<const char*, 3> kQuantities = {"x_px", "y_px", "frame"};
+    ProbePlace place{{}, {{}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double position = (uvw[i] - std::floor(uvw[i])) * size[i];
+        const double voxel = std::min(std::floor(position), size[i] - 1.0);
+        const double at = voxel + (position - voxel < 0.5 ? 0.25 : 0.75);
+        place.at.emplace_back(kQuantities[i], at);
+        place.lookups.front().uvw[i] = at / size[i];
+    }
+    return place;
+}
+
+Certificate certificate_of(const MaskView& mask) {
+    Certificate certificate;
+    certificate.texel = unevenness(mask);
+    certificate.lookup = window_error(mask);
+    certificate.texel_points = static_cast<int>(mask.values->size());
+    certificate.lookup_points = static_cast<int>(mask.values->size());
+    const int columns = std::min(kMaskWindow, mask.size[0]);
+    const int rows = std::min(kMaskWindow, mask.size[1]);
+    certificate.reference = fmt::format(
+        "texels: sorted values of a frame against evenly spread ones; lookups: means of {} x {} "
+        "pixels against 1/2, of which independent values would have an RMS of {:.2g}",
+        columns, rows, std::sqrt(1.0 / (12.0 * columns * rows)));
+    certificate.scale = "all values, 0 to 1";
+    return certificate;
+}
+
+std::shared_ptr<const MaskVoxels> mask_voxels(const BlueNoiseBake& bake,
+                                              const std::vector<std::uint32_t>& ranks) {
+    const auto pixels =
+        static_cast<std::size_t>(bake.size[0]) * static_cast<std::size_t>(bake.size[1]);
+    std::vector<float> values;
+    values.reserve(ranks.size());
+    for (const std::uint32_t rank : ranks) {
+        values.push_back(round_to_pixel_type(double{mask_value(rank, pixels, bake.pixel_type)},
+                                             bake.pixel_type));
+    }
+    return std::make_shared<MaskVoxels>(bake.voxels(), std::move(values));
+}
+
+}  // namespace
+
+float mask_value(std::uint32_t rank, std::size_t pixels, PixelType type) {
+    if (type != PixelType::unorm8 && type != PixelType::unorm16) {
+        return static_cast<float>((rank + 0.5) / static_cast<double>(pixels));
+    }
+    const std::uint64_t codes = type == PixelType::unorm8 ? 256 : 65536;
+    const std::uint64_t code = codes * rank / pixels;
+    return static_cast<float>(static_cast<double>(code) / static_cast<double>(codes - 1));
+}
+
+Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& options,
+                               Baked volume) {
+    const auto start = std::chrono::steady_clock::now();
+    const std::vector<std::uint32_t> ranks = noise::void_and_cluster_ranks(
+        {bake.voxels(), bake.spatial_sigma, bake.temporal_sigma, bake.seed}, options);
+    if (options.cancelled()) return {};
+    const std::shared_ptr<const MaskVoxels> voxels = mask_voxels(bake, ranks);
+    volume.bake_seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+
+    volume.kind = "blue_noise";
+    volume.content = "blue noise, dimensionless: in each frame all values are equally frequent";
+    volume.mapping = "pixels";
+    volume.axes = axes_of(bake.voxels());
+    volume.channel_names = {"Y"};
+    set_files(bake, volume);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the mask is a metre wide
+    volume.up_axis = "+z";
+    const MaskView mask{bake.voxels(), &voxels->values()};
+    volume.details.emplace_back("low_power_of_frames", to_digits(low_power_of_frames(mask), 3));
+    volume.details.emplace_back("low_power_over_time", to_digits(low_power_over_time(mask), 3));
+    Level level;
+    level.size = bake.voxels();
+    level.voxels = voxels;
+    volume.levels.push_back(std::move(level));
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = {{0, 1}},
+         .reference = {},
+         .reference_name = {},
+         .measure = [&mask](const Baked&, const BakeOptions&) { return certificate_of(mask); },
+         .probe_place = [&bake](const std::array<double, 3>& uvw,
+                                int) { return place_of(bake.voxels(), uvw); }},
+        options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,23 @@
+// The asset weather_map: a plane of noise as amounts of clouds, or as directions.
+#pragma once
+
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+#include "config/assets/weather_map.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/noise.h"
+
+namespace skybake {
+
+// Fills all of `table` except its name and parameters. Returns E0411 if a share cannot be reached,
+// and neither value nor diagnostics after an interruption.
+config::Outcome<Baked> bake_weather_map(const config::Noise& noise,
+                                        const config::WeatherMapBake& bake,
+                                        const BakeOptions& options, Baked table);
+
+// The place of the samples within their texels, as a part of the tile that is added to coordinates
+// along each axis: 0, or half a texel if samples lie at the texels' corners.
+std::array<double, 2> weather_map_shift(const config::Noise& noise,
+                                        const config::WeatherMapBake& bake);
+
+}  // namespace skybake

@@ -1,0 +1,135 @@
+#include "config/assets/blue_noise.h"
+
+#include <fmt/format.h>
+
+#include "config/assets/asset_fields.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using BlueNoiseField = Row<BlueNoiseBake>;
+
+constexpr Range mask_edge_range{2, 4096};
+constexpr Range mask_frame_range{1, 1024};
+constexpr Range mask_sigma_range{0.5, 8};
+
+// The mask is made in memory, with 22 bytes for each voxel.
+constexpr std::int64_t most_mask_voxels = std::int64_t{1} << 26;
+
+constexpr std::string_view wolfe_2022 =
+    "Wolfe, Morrical, Akenine-Möller and Ramamoorthi 2022, Spatiotemporal Blue Noise Masks";
+
+const std::array blue_noise_table = {
+    BlueNoiseField{asset_field, {}},
+    BlueNoiseField{{.key = "size",
+                    .kind = Kind::size,
+                    .range = mask_edge_range,
+                    .fallback = "[128, 128]",
+                    .documentation = "pixels along x and y",
+                    .hint = "if both are multiples of 16, each value of unorm8 is equally frequent",
+                    .citation = wolfe_2022},
+                   &BlueNoiseBake::size},
+    BlueNoiseField{{.key = "frames",
+                    .kind = Kind::integer,
+                    .range = mask_frame_range,
+                    .fallback = "64",
+                    .documentation = "number of frames, along z; 1 gives a mask without time",
+                    .citation = wolfe_2022},
+                   &BlueNoiseBake::frames},
+    BlueNoiseField{{.key = "seed",
+                    .kind = Kind::seed,
+                    .fallback = "0",
+                    .documentation = "another seed gives another mask of the same kind"},
+                   &BlueNoiseBake::seed},
+    BlueNoiseField{{.key = "spatial_sigma",
+                    .kind = Kind::number,
+                    .range = mask_sigma_range,
+                    .fallback = "1.9",
+                    .documentation = "standard deviation of the energy within a frame, in pixels",
+                    .hint = "larger values leave less power at low frequencies",
+                    .citation = wolfe_2022},
+                   &BlueNoiseBake::spatial_sigma},
+    BlueNoiseField{
+        {.key = "temporal_sigma",
+         .kind = Kind::number,
+         .range = mask_sigma_range,
+         .fallback = "1.9",
+         .documentation = "standard deviation of the energy of a pixel over time, in frames",
+         .citation = wolfe_2022},
+        &BlueNoiseBake::temporal_sigma},
+};
+
+void check_mask_size(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    const std::int64_t voxels = std::int64_t{size[0]} * size[1] * size[2];
+    if (voxels <= most_mask_voxels) return;
+    decoder.diagnostics.error(
+        "E0126", bake.at("size").source->place,
+        fmt::format("[{}] has {} voxels ({}), which are made in memory", bake.path, voxels,
+                    voxels_to_string(size)),
+        fmt::format("at most {} (2^26) voxels are allowed", most_mask_voxels));
+}
+
+// Means of neighbours are all near 1/2 and no blue noise.
+void check_one_level(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& mips = bake.at("mips");
+    if (!mips.value || std::get<double>(*mips.value) == 1) return;
+    decoder.diagnostics.error(
+        "E0110", mips.source->place,
+        fmt::format("`{}` is out of range: blue noise has one level", join_path(bake.path, "mips")),
+        "a mean of several pixels is about 1/2 everywhere");
+}
+
+// The module beside the file loads masks of any size, the package's own loader only one.
+void warn_of_takram(const DecodedSection& bake, const VoxelCounts& voxels, Decoder& decoder) {
+    constexpr VoxelCounts loaded = {128, 128, 64};
+    if (choice_of<Target>(bake.at("target")) != Target::takram || voxels == loaded) return;
+    const bool is_wide = voxels[0] != loaded[0] || voxels[1] != loaded[1];
+    const std::string_view unusual = is_wide ? "size" : "frames";
+    decoder.diagnostics.warning("W0205", bake.at(unusual).source->place,
+                                fmt::format("`{}` is not what @takram/three-geospatial loads",
+                                            join_path(bake.path, unusual)),
+                                "its STBNLoader takes 128 x 128 pixels and 64 frames");
+}
+
+// Reports pixel types that a format does not have (E0131), a mask that is too large (E0126) and
+// levels of detail, which a mask does not have (E0110). It warns of a size that takram's loader does
+// not take (W0205).
+void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    refuse_blocks(bake, "blue noise, whose values must stay apart", decoder);
+    check_one_level(bake, decoder);
+    const DecodedField& size = bake.at("size");
+    const DecodedField& frames = bake.at("frames");
+    if (!size.value || !frames.value) return;
+    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
+    const VoxelCounts voxels = {width, height, static_cast<int>(std::get<double>(*frames.value))};
+    resolve_files(bake, voxels, Halving::down, decoder);
+    check_mask_size(bake, voxels, decoder);
+    warn_of_takram(bake, voxels, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters&, const BlueNoiseBake&) { return {}; }
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<BlueNoiseBake>) {
+    static const auto rows =
+        with_file_fields(blue_noise_table, {.formats = R"(["bin"])",
+                                            .mips = "always 1: means of pixels are no blue noise",
+                                            .pixel_type = R"("unorm8")"});
+    static const AssetKind kind = make_asset_kind<BlueNoiseBake>(
+        {
+            .name = "blue_noise",
+            .documentation = "a mask of blue noise, also over time, for jitter and dithering",
+        },
+        std::span<const BlueNoiseField>(rows), reads_of, resolve_blue_noise);
+    return kind;
+}
+
+}  // namespace skybake::config

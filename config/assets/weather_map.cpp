@@ -1,0 +1,272 @@
+#include "config/assets/weather_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numbers>
+
+#include "config/assets/asset_fields.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/octave_checks.h"
+#include "config/fields/fields.h"
+#include "config/fields/number_reader.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using WeatherMapField = Row<WeatherMapBake>;
+
+// A noise has at most so many channels.
+constexpr int most_shares = 4;
+
+std::optional<FieldValue> read_shares(const Reader& reader, const Value& value) {
+    std::optional<std::vector<double>> shares = read_numbers(reader, value);
+    if (!shares) return std::nullopt;
+    if (!shares->empty() && shares->size() <= std::size_t{most_shares}) return std::move(*shares);
+    report_count(reader, value, shares->size(),
+                 fmt::format("expected one number, or up to {}", most_shares));
+    return std::nullopt;
+}
+
+constexpr ValueKind share_kind = list_kind(
+    "a share, such as 0.3 or \"30 %\", or a list of one per channel of the noise", read_shares,
+    one_or_numbers_schema, &Scales::fraction, 1, most_shares, RangeOver::numbers);
+
+constexpr Range streak_range{0, 1};
+constexpr Range wind_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
+
+constexpr std::array weather_content_choices = {
+    Choice{WeatherContent::amounts, "amounts",
+           "how much there is of what each channel stands for: 0 none, 1 all"},
+    Choice{WeatherContent::directions, "directions",
+           "the unit vector along the channels R, G and B: (1 + vector) / 2"},
+};
+constexpr std::array cover_edge_choices = {
+    Choice{CoverEdge::linear, "linear", "in proportion to the noise"},
+    Choice{CoverEdge::smooth, "smooth", "smoothstep of that"},
+};
+constexpr std::string_view of_amounts[] = {"amounts"};
+
+const std::array weather_map_table = {
+    WeatherMapField{asset_field, {}},
+    WeatherMapField{{.key = "noise",
+                     .kind = Kind::text,
+                     .required = true,
+                     .documentation = "NAME of the [noise.NAME] whose plane z = 1/2 is taken",
+                     .citation = schneider_2015},
+                    &WeatherMapBake::noise},
+    WeatherMapField{{.key = "size",
+                     .kind = Kind::size,
+                     .range = texel_range,
+                     .documentation = "texels along x and y; by default those of the noise's size"},
+                    &WeatherMapBake::size},
+    WeatherMapField{{.key = "content",
+                     .kind = Kind::choice,
+                     .choices = weather_content_choices,
+                     .fallback = R"("amounts")",
+                     .documentation = "what a texel holds"},
+                    &WeatherMapBake::content},
+    WeatherMapField{{.key = "covered",
+                     .kind = share_kind,
+                     .range = unit_range,
+                     .fallback = "0.5",
+                     .documentation = "share of the texels of a channel that are above 0, exactly",
+                     .hint = "0.3 for fair weather, 1 for channels without gaps",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::covered},
+    WeatherMapField{{.key = "full",
+                     .kind = share_kind,
+                     .range = unit_range,
+                     .fallback = "0",
+                     .documentation = "share of the texels that are 1; with 0 the greatest one is",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::full},
+    WeatherMapField{{.key = "edge",
+                     .kind = Kind::choice,
+                     .choices = cover_edge_choices,
+                     .fallback = R"("linear")",
+                     .documentation = "how a channel rises from 0 to 1",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::edge},
+    WeatherMapField{{.key = "yields_to",
+                     .kind = Kind::text_list,
+                     .documentation = "for each channel, another one whose finished values are "
+                                      "taken from its noise, or \"\"",
+                     .hint = "[\"G\", \"\", \"\"]: low clouds where there are no middle ones",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::yields_to},
+    WeatherMapField{{.key = "streaks",
+                     .kind = share_kind,
+                     .range = streak_range,
+                     .fallback = "0",
+                     .documentation = "length in tiles over which the wind draws a channel's noise "
+                                      "out, falling to 1/e",
+                     .hint = "0.05 for cirrus",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::streaks},
+    WeatherMapField{{.key = "wind",
+                     .kind = Kind::angle,
+                     .range = wind_range,
+                     .fallback = R"("0 deg")",
+                     .documentation = "where the wind draws streaks to, from +x towards +y",
+                     .selector = "content",
+                     .selected_by = of_amounts},
+                    &WeatherMapBake::wind},
+};
+
+// This is one section while it is resolved.
+class WeatherMapResolver {
+  public:
+    WeatherMapResolver(DecodedSection& bake, const Noise& noise, Decoder& decoder)
+        : bake_(bake), decoder_(decoder) {
+        if (noise.pack != NoisePacking::none || noise.channels.size() == 1) {
+            names_ = {"Y"};
+            return;
+        }
+        for (const NoiseChannel& channel : noise.channels) names_.push_back(channel.name);
+    }
+
+    void resolve_size(const Noise& noise) {
+        DecodedField& size = bake_.at("size");
+        if (size.source || noise.size[0] == 0) return;
+        size.value = std::array<int, 2>{noise.size[0], noise.size[1]};
+        size.derived = true;
+    }
+
+    void resolve_channels() {
+        for (const std::string_view key : {"covered", "full", "streaks"}) spread(key);
+        resolve_yields();
+        check_full();
+        check_directions();
+    }
+
+  private:
+    void refuse(const DecodedField& given, std::string message, std::string label) const {
+        decoder_.diagnostics.error("E0156", given.source ? given.source->place : bake_.place,
+                                   std::move(message), std::move(label));
+    }
+
+    std::string path(std::string_view key) const { return join_path(bake_.path, key); }
+
+    void report_count(const DecodedField& given, std::string_view key, std::size_t count) const {
+        refuse(given,
+               fmt::format("`{}` has {} items, and the noise has {} channel{}", path(key), count,
+                           names_.size(), names_.size() == 1 ? "" : "s"),
+               "give one item for each channel, or one for all");
+    }
+
+    // Gives each channel its number.
+    void spread(std::string_view key) {
+        DecodedField& decoded = bake_.at(key);
+        if (!decoded.value) return;
+        auto& shares = std::get<std::vector<double>>(*decoded.value);
+        if (shares.size() == 1) shares.resize(names_.size(), shares.front());
+        if (shares.size() != names_.size()) report_count(decoded, key, shares.size());
+    }
+
+    void resolve_yields() {
+        DecodedField& decoded = bake_.at("yields_to");
+        if (!decoded.value) return;
+        const auto& yields = std::get<std::vector<std::string>>(*decoded.value);
+        if (yields.empty()) return;
+        if (yields.size() != names_.size())
+            return report_count(decoded, "yields_to", yields.size());
+        for (std::size_t i = 0; i < yields.size(); ++i) check_yield(decoded, yields, i);
+    }
+
+    void check_yield(const DecodedField& decoded, const std::vector<std::string>& yields,
+                     std::size_t channel) const {
+        const std::string& name = yields[channel];
+        if (name.empty()) return;
+        const auto found = std::find(names_.begin(), names_.end(), name);
+        const auto index = static_cast<std::size_t>(found - names_.begin());
+        if (found != names_.end() && index != channel && yields[index].empty()) return;
+        refuse(decoded,
+               fmt::format("`{}`: channel {} cannot yield to `{}`", path("yields_to"),
+                           names_[channel], shorten(name)),
+               "a channel may yield to another one of the noise that yields to none");
+    }
+
+    void check_full() const {
+        const DecodedField& covered = bake_.at("covered");
+        const DecodedField& full = bake_.at("full");
+        if (!covered.value || !full.value) return;
+        const auto& shares = std::get<std::vector<double>>(*covered.value);
+        const auto& most = std::get<std::vector<double>>(*full.value);
+        for (std::size_t i = 0; i < std::min(shares.size(), most.size()); ++i) {
+            if (most[i] <= shares[i]) continue;
+            refuse(full,
+                   fmt::format("`{}`: {} of a channel cannot be 1 where {} is above 0",
+                               path("full"), most[i], shares[i]),
+                   "`full` is at most `covered`");
+            return;
+        }
+    }
+
+    void check_directions() const {
+        const auto content = choice_of<WeatherContent>(bake_.at("content"));
+        if (content != WeatherContent::directions || names_.size() == 3) return;
+        refuse(bake_.at("content"),
+               fmt::format("`{}`: directions need three channels, and the noise has {}",
+                           path("content"), names_.size()),
+               "a noise of type = \"curl\" with the components x, y and z is usual");
+    }
+
+    DecodedSection& bake_;
+    Decoder& decoder_;
+    std::vector<std::string> names_;
+};
+
+// Fills in `size` from the noise, and an item for each channel. It reports a noise that does not
+// exist (E0130) and channels that the map cannot have (E0156). It warns of octaves that add nothing
+// at that size (W0208) or are too fine for it (W0203). Files are checked as those of all tables.
+void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const std::span<const Noise> noises = recipe.parameters.noises;
+    const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
+    if (!noise) return;
+    WeatherMapResolver resolver(bake, *noise, decoder);
+    resolver.resolve_size(*noise);
+    resolver.resolve_channels();
+    const DecodedField& size = bake.at("size");
+    if (!size.value) return;
+    const auto [width, height] = std::get<std::array<int, 2>>(*size.value);
+    const std::array<int, 3> voxels = {width, height, 1};
+    OctaveChecks checks(voxels);
+    checks.add(*noise, noise->channels, {.sampling = noise->sampling});
+    const DecodedField& place = bake.at(size.source ? "size" : "noise");
+    checks.report(place.source ? place.source->place : bake.place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& bake) {
+    const Noise& noise = noise_named(parameters, bake.noise);
+    return reads_of_noise(noise, noise.channels);
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<WeatherMapBake>) {
+    static const auto rows =
+        with_file_fields(weather_map_table, {.formats = R"(["png"])",
+                                             .mips = "number of levels of detail, with the map",
+                                             .pixel_type = R"("unorm8")"});
+    static const AssetKind kind = make_asset_kind<WeatherMapBake>(
+        {
+            .name = "weather_map",
+            .documentation =
+                "where clouds are and how much of each kind, or directions, in a plane",
+            .is_table = true,
+        },
+        std::span<const WeatherMapField>(rows), reads_of, resolve_weather_map);
+    return kind;
+}
+
+}  // namespace skybake::config

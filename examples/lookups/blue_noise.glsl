@@ -1,0 +1,10 @@
+// Lookup of asset = "blue_noise": one value of a pixel and a frame. It fetches a texel, so that no sampler
+// filters it. Pixel and frame may be any numbers, also below 0: the mask repeats.
+vec4 blue_noise(sampler3D table, vec2 pixel, float frame) {
+    vec3 size = vec3(textureSize(table, 0));
+    vec3 at = vec3(floor(pixel.x), floor(pixel.y), floor(frame));
+    return texelFetch(table, ivec3(at - size * floor((at + 0.5) / size)), 0);
+}
+
+// A value of unorm8 as one of 256 numbers that are spread evenly between 0 and 1, without both.
+float blue_noise_between(float value) { return (255.0 * value + 0.5) / 256.0; }

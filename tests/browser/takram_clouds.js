@@ -1,0 +1,89 @@
+'use strict';
+// Every texture that @takram/three-clouds loads, from skybake, through the package's own loaders in Chromium without a
+// GPU: at the places of the probes they have the values that the manifest says, and nothing else is loaded.
+//   node takram_clouds.js PROGRAM FOLDER
+const {browser_with_a_page} = require('./page_of.js');
+const {execFileSync} = require('node:child_process');
+const fs = require('node:fs');
+const path = require('node:path');
+
+const [, , program, folder] = process.argv;
+const work = fs.mkdtempSync(path.join(folder, 'takram-clouds-'));
+const modules = path.join(folder, 'node_modules');
+const recipe = path.join(__dirname, '..', '..', 'examples', 'takram_clouds.toml');
+
+const imports = {
+    'three': 'three/build/three.module.js',
+    'three/addons/': 'three/examples/jsm/',
+    'postprocessing': 'postprocessing/build/index.js',
+    '@takram/three-atmosphere': '@takram/three-atmosphere/build/index.js',
+    '@takram/three-atmosphere/shaders/bruneton': '@takram/three-atmosphere/build/shaders/bruneton.js',
+    '@takram/three-clouds': '@takram/three-clouds/build/index.js',
+    '@takram/three-geospatial': '@takram/three-geospatial/build/index.js',
+    '@takram/three-geospatial/shaders': '@takram/three-geospatial/build/shaders.js',
+};
+for (const name of Object.keys(imports)) imports[name] = `/modules/${imports[name]}`;
+
+// What the package's textures are, by what its loaders and its own files say.
+const expected = {
+    local_weather: {path: 'local_weather.png', size: [512, 512], channels: 4},
+    shape: {path: 'shape.bin', size: [128, 128, 128], channels: 1},
+    shape_detail: {path: 'shape_detail.bin', size: [32, 32, 32], channels: 1},
+    turbulence: {path: 'turbulence.png', size: [128, 128], channels: 3},
+    stbn: {path: 'stbn.bin', size: [128, 128, 64], channels: 1},
+};
+
+const places_of = (asset) => asset.probes.flatMap((probe) => {
+    const [u, v, w] = probe.uvw ?? probe.uv;
+    return [u, v, w ?? 0, 0];
+});
+
+function faults_of(asset, found) {
+    return asset.probes.flatMap((probe, i) => probe.value.flatMap((value, c) => {
+        const difference = Math.abs(found[4 * i + c] - value);
+        return difference <= probe.tolerance[c] ? [] :
+            [`${asset.name}, probe ${i}: ${found[4 * i + c]} is not ${value} ± ${probe.tolerance[c]}`];
+    }));
+}
+
+// What is wrong with the files by themselves.
+function faults_of_files(asset) {
+    const wanted = expected[asset.name];
+    const file = asset.files.find((one) => one.format !== 'sidecar');
+    const found = {path: file.path, size: asset.size, channels: asset.channels.length};
+    return JSON.stringify(found) === JSON.stringify(wanted) ? [] :
+        [`${asset.name}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`];
+}
+
+async function main() {
+    execFileSync(program, ['bake', recipe, '-o', path.join(work, 'baked'), '-q', '--certify=off'], {stdio: 'inherit'});
+    const {assets} = JSON.parse(fs.readFileSync(path.join(work, 'baked', 'manifest.json'), 'utf8'));
+    const {browser, page} = await browser_with_a_page(work,
+        {modules, baked: path.join(work, 'baked'), page: __dirname},
+        `<script type="importmap">${JSON.stringify({imports})}</script>
+         <script type="module" src="/page/takram_clouds_page.js"></script>`);
+    await page.waitForFunction(() => window.look_up).catch((error) => {
+        throw new Error([error.message, ...page.complaints].join('\n'));
+    });
+    const faults = [];
+    let probes = 0;
+    for (const name of Object.keys(expected)) {
+        const asset = assets.find((one) => one.name === name);
+        faults.push(...faults_of_files(asset));
+        const url = `/baked/${expected[name].path}`;
+        const look_up = (turned) => page.evaluate(([which, from, places, upside_down]) =>
+            window.look_up(which, from, places, upside_down), [name, url, places_of(asset), turned]);
+        faults.push(...faults_of(asset, await look_up(false)));
+        // A test that cannot fail would accept rows in the wrong order too.
+        if (faults_of(asset, await look_up(true)).length === 0) faults.push(`${name}: upside down, it passes`);
+        probes += asset.probes.length;
+    }
+    faults.push(...await page.evaluate(() => window.faults_of_effect('/baked/')));
+    faults.push(...page.complaints);
+    await browser.close();
+    console.log(faults.length > 0 ? faults.join('\n') : `${probes} probes of five textures`);
+    fs.rmSync(work, {recursive: true, force: true});
+    process.exit(faults.length > 0 || probes < 80 ? 1 : 0);
+}
+
+main();

@@ -1,0 +1,138 @@
+// The ranks of blue noise: against a reference that sums every energy anew, and what must hold of
+// them for any shape.
+#include "bakers/noise/void_and_cluster.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "bakers/assets/blue_noise/mask_figures.h"
+#include "tests/noise/void_and_cluster_reference.h"
+
+namespace skybake {
+namespace {
+
+using noise::MaskShape;
+
+std::vector<std::uint32_t> ranks_of(const MaskShape& shape) {
+    return noise::void_and_cluster_ranks(shape, {});
+}
+
+void expect_reference(const MaskShape& shape) {
+    const std::vector<std::uint32_t> ranks = ranks_of(shape);
+    std::vector<std::uint32_t> wanted;
+    for (const std::vector<int>& frame : test::MaskReference(shape).ranks()) {
+        wanted.insert(wanted.end(), frame.begin(), frame.end());
+    }
+    EXPECT_EQ(ranks, wanted) << shape.size[0] << " x " << shape.size[1] << " x " << shape.size[2];
+}
+
+TEST(VoidAndCluster, IsTheReferenceThatSumsEveryEnergyAnew) {
+    expect_reference({{13, 9, 1}, 1.9, 1.9, 3});
+    expect_reference({{8, 6, 3}, 1.2, 0.8, 7});  // the stamp is wider than the torus
+    expect_reference({{5, 7, 4}, 1.9, 1.9, 0});
+    expect_reference({{40, 3, 1}, 1, 1, 1});  // wider than the stamp along x alone
+}
+
+TEST(VoidAndCluster, TinyShapesHaveTheirRanks) {
+    EXPECT_EQ(ranks_of({{1, 1, 1}}), std::vector<std::uint32_t>{0});
+    EXPECT_EQ(ranks_of({{1, 1, 3}}), (std::vector<std::uint32_t>{0, 0, 0}));
+    expect_reference({{2, 1, 1}});
+    expect_reference({{1, 3, 2}});
+}
+
+TEST(VoidAndCluster, AnotherSeedIsAnotherMask) {
+    EXPECT_NE(ranks_of({{16, 16, 2}, 1.9, 1.9, 1}), ranks_of({{16, 16, 2}, 1.9, 1.9, 2}));
+}
+
+RC_GTEST_PROP(VoidAndCluster, EveryFrameHasEachRankOnce, ()) {
+    MaskShape shape;
+    shape.size = {*rc::gen::inRange(1, 24), *rc::gen::inRange(1, 24), *rc::gen::inRange(1, 6)};
+    shape.spatial_sigma = *rc::gen::inRange(5, 40) / 10.0;
+    shape.temporal_sigma = *rc::gen::inRange(5, 40) / 10.0;
+    shape.seed = *rc::gen::arbitrary<std::uint64_t>();
+    const std::vector<std::uint32_t> ranks = ranks_of(shape);
+    const auto pixels = static_cast<std::ptrdiff_t>(shape.size[0] * shape.size[1]);
+    std::vector<std::uint32_t> all(static_cast<std::size_t>(pixels));
+    std::iota(all.begin(), all.end(), 0U);
+    RC_ASSERT(ranks.size() == all.size() * static_cast<std::size_t>(shape.size[2]));
+    for (int frame = 0; frame < shape.size[2]; ++frame) {
+        std::vector<std::uint32_t> sorted(ranks.begin() + frame * pixels,
+                                          ranks.begin() + (frame + 1) * pixels);
+        std::sort(sorted.begin(), sorted.end());
+        RC_ASSERT(sorted == all);
+    }
+}
+
+class Interrupted : public Progress {
+  public:
+    void advance(std::string_view, double) override {}
+    bool cancelled() const override { return true; }
+};
+
+TEST(VoidAndCluster, AnInterruptionLeavesNothing) {
+    Interrupted progress;
+    BakeOptions options;
+    options.progress = &progress;
+    EXPECT_TRUE(noise::void_and_cluster_ranks({{16, 16, 2}}, options).empty());
+}
+
+// The figures are shares of what white noise has; see the values that each kind of noise reached.
+struct Figures {
+    double of_frames = 0;
+    double over_time = 0;
+};
+
+Figures figures_of(const std::array<int, 3>& size, const std::vector<std::uint32_t>& ranks) {
+    std::vector<float> values;
+    for (const std::uint32_t rank : ranks) {
+        values.push_back((static_cast<float>(rank) + 0.5F) / static_cast<float>(size[0] * size[1]));
+    }
+    const MaskView mask{size, &values};
+    return {low_power_of_frames(mask), low_power_over_time(mask)};
+}
+
+// Each frame a permutation by hash.
+std::vector<std::uint32_t> white_ranks(const std::array<int, 3>& size) {
+    const auto pixels = static_cast<std::size_t>(size[0] * size[1]);
+    std::vector<std::uint32_t> ranks(pixels * static_cast<std::size_t>(size[2]));
+    for (std::size_t frame = 0; frame < static_cast<std::size_t>(size[2]); ++frame) {
+        std::vector<std::size_t> order(pixels);
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::sort(order.begin(), order.end(), [frame](std::size_t a, std::size_t b) {
+            return noise::first_hash(9, frame, a) < noise::first_hash(9, frame, b);
+        });
+        for (std::size_t i = 0; i < pixels; ++i) {
+            ranks[frame * pixels + order[i]] = static_cast<std::uint32_t>(i);
+        }
+    }
+    return ranks;
+}
+
+// Low frequencies have almost no power in frames, and little over time: 0.14 % and 2 % of white
+// noise's. Frames that are made one by one are blue by themselves and white over time, and white
+// noise is white in both.
+TEST(VoidAndCluster, IsBlueInFramesAndOverTime) {
+    const std::array<int, 3> size = {48, 48, 16};
+    const Figures mask = figures_of(size, ranks_of({size}));
+    EXPECT_LT(mask.of_frames, 0.002);
+    EXPECT_LT(mask.over_time, 0.06);
+
+    std::vector<std::uint32_t> apart;
+    for (std::uint64_t frame = 0; frame < 16; ++frame) {
+        const std::vector<std::uint32_t> one = ranks_of({{48, 48, 1}, 1.9, 1.9, frame});
+        apart.insert(apart.end(), one.begin(), one.end());
+    }
+    const Figures of_apart = figures_of(size, apart);
+    EXPECT_LT(of_apart.of_frames, 0.002);
+    EXPECT_NEAR(of_apart.over_time, 1, 0.1);
+
+    const Figures white = figures_of(size, white_ranks(size));
+    EXPECT_NEAR(white.of_frames, 1, 0.1);
+    EXPECT_NEAR(white.over_time, 1, 0.1);
+}
+
+}  // namespace
+}  // namespace skybake
