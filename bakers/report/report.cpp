@@ -130,10 +130,15 @@ struct AssetReporter {
 };
 
 constexpr AssetReporter kReporters[] = {
-    {"transmittance", report_table_asset},   {"multiple_scattering", report_table_asset},
-    {"phase", report_table_asset},           {"bruneton", report_bruneton},
-    {"optical_depth", report_column_volume}, {"noise_volume", report_noise_volume},
-    {"cloud_volume", report_cloud_volume},   {"occupancy", report_occupancy},
+    {"transmittance", report_table_asset},
+    {"multiple_scattering", report_table_asset},
+    {"phase", report_table_asset},
+    {"bruneton", report_bruneton},
+    {"optical_depth", report_column_volume},
+    {"noise_volume", report_noise_volume},
+    {"cloud_volume", report_cloud_volume},
+    {"occupancy", report_occupancy},
+    {"cloud_distance", report_cloud_distance},
 };
 
 }  // namespace

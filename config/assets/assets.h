@@ -5,6 +5,7 @@
 
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
@@ -20,9 +21,10 @@
 namespace skybake::config {
 
 // The assets stand in the order in which the documentation shows them.
-using Assets = std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
-                          AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake,
-                          OpticalDepthBake, NoiseVolumeBake, CloudVolumeBake, OccupancyBake>;
+using Assets =
+    std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
+               AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake,
+               NoiseVolumeBake, CloudVolumeBake, CloudDistanceBake, OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

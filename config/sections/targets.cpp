@@ -29,7 +29,7 @@ std::vector<TargetFacts> make_targets() {
     const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume"};
     const Words clouds = {"cloud_volume"};
     const Words densities = {"cloud_volume", "noise_volume"};
-    const Words occupancies = {"occupancy"};
+    const Words occupancies = {"occupancy", "cloud_distance"};
     const Words sky = all_of({tables, textures});
     const Words most = all_of({tables, textures, clouds, occupancies});
     // Bevy's materials take phase functions whose texels run from backward to forward.

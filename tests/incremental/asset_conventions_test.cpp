@@ -149,6 +149,12 @@ asset = "occupancy"
 of = "cloud"
 contents = ["leap"]
 formats = ["exr"]
+[bake.distance]
+asset = "cloud_distance"
+of = "cloud"
+cell = 2
+pixel_type = "half"
+formats = ["exr"]
 )";
 
 FactValue constant(const AxisMapping& axis, const std::string& name) {
@@ -332,6 +338,13 @@ TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
         EXPECT_EQ(number(asset("noise").axes[i], "offset"), i == 2 ? 0.5 / 8 : 0);
     }
     EXPECT_EQ(fact_named(cells.details, "leap_scale"), "1");  // half holds cells as they are
+    const ManifestAsset& distance = asset("distance");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(number(distance.axes[i], "texel_voxels"), 2);
+        EXPECT_EQ(number(distance.axes[i], "texel_m"), 2 * extent[i] / cloud.size[i]);
+        EXPECT_EQ(distance.axes[i].filter, AxisFilter::linear);
+    }
+    EXPECT_EQ(fact_named(distance.details, "metres_at_1"), "1");  // half holds metres
     const std::vector<AxisMapping>& aerial = asset("aerial").axes;
     EXPECT_EQ(number(aerial[0], "heading_deg"), 30);
     EXPECT_EQ(number(aerial[1], "pitch_deg"), 5);
@@ -418,6 +431,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"noise", "", "", "", none, none, "+z"},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
+        {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());
     for (const Wanted& wanted : all) {

@@ -121,6 +121,13 @@ size = [8, 8, 8]
 asset = "occupancy"
 of = "cloud"
 cell = 2
+[bake.distance]
+asset = "cloud_distance"
+of = "cloud"
+cell = 2
+range = ["-64 m", "1024 m"]
+core = "100 m"
+contents = ["distance", "profile", "detail_type", "density_scale"]
 )";
 
 inline constexpr const char* kParticles = R"(

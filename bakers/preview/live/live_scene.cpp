@@ -36,7 +36,8 @@ struct BakedLight {
 };
 
 bool read_air(const PreviewAssets& assets) {
-    constexpr std::array without_air = {"cloud_volume", "noise_volume", "occupancy", "phase"};
+    constexpr std::array without_air = {"cloud_volume", "cloud_distance", "noise_volume",
+                                        "occupancy", "phase"};
     return std::any_of(assets.assets.begin(), assets.assets.end(), [&](const PreviewAsset& asset) {
         return std::find(without_air.begin(), without_air.end(), asset.entry.kind) ==
                without_air.end();

@@ -20,10 +20,15 @@ struct AssetPictures {
 };
 
 constexpr AssetPictures kPictures[] = {
-    {"transmittance", table_pictures},   {"multiple_scattering", table_pictures},
-    {"sky_view", sky_view_pictures},     {"environment", environment_pictures},
-    {"irradiance", irradiance_pictures}, {"aerial_perspective", aerial_pictures},
-    {"phase", phase_pictures},           {"bruneton", bruneton_pictures},
+    {"transmittance", table_pictures},
+    {"multiple_scattering", table_pictures},
+    {"sky_view", sky_view_pictures},
+    {"environment", environment_pictures},
+    {"irradiance", irradiance_pictures},
+    {"aerial_perspective", aerial_pictures},
+    {"phase", phase_pictures},
+    {"bruneton", bruneton_pictures},
+    {"cloud_distance", distance_pictures},
 };
 
 }  // namespace

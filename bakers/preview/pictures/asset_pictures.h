@@ -54,6 +54,10 @@ std::vector<PreviewPicture> bruneton_pictures(const PreviewAsset& asset);
 // does not have as many voxels as its size says.
 std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset);
 
+// Shows distances to cloud: slices in metres through the middle, across y and z, and across y of each
+// further channel.
+std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset);
+
 // --- Captions ----------------------------------------------------------------------------------
 //
 // The wording of suns and exposures in captions and file names, the same for all pictures.
