@@ -20,7 +20,8 @@ using testing::valid;
 // The distance's keys begin on line 4; its volume, of 16x32x10 voxels, stands behind it.
 std::string distance_recipe(const std::string& keys) {
     return "[bake.d]\nasset = 'cloud_distance'\nof = 'v'\n" + keys +
-           "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 10]\n" +
+           "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 10]\nformats = "
+           "['bin']\n" +
            cloud_recipe("");
 }
 
@@ -76,8 +77,8 @@ TEST(CloudDistanceDecoder, SaysWhatIsWrong) {
 TEST(CloudDistanceDecoder, TexelsTileTheVolume) {
     const auto recipe = [](const char* size, int cell) {
         return "[bake.d]\nasset = 'cloud_distance'\nof = 'v'\ncell = " + std::to_string(cell) +
-               "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = " + size + "\n" +
-               cloud_recipe("");
+               "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = " + size +
+               "\nformats = ['bin']\n" + cloud_recipe("");
     };
     EXPECT_EQ(only_diagnostic(recipe("[24, 16, 5]", 16)).code, "E0150");
     // One texel for half a tile would repeat with another period.
