@@ -80,10 +80,10 @@ TEST(CloudDistanceDecoder, TexelsTileTheVolume) {
                "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = " + size +
                "\nformats = ['bin']\n" + cloud_recipe("");
     };
-    EXPECT_EQ(only_diagnostic(recipe("[24, 16, 5]", 16)).code, "E0150");
+    EXPECT_EQ(only_diagnostic(recipe("[24, 16, 8]", 16)).code, "E0150");
     // One texel for half a tile would repeat with another period.
-    EXPECT_EQ(only_diagnostic(recipe("[8, 16, 5]", 16)).code, "E0150");
-    valid(recipe("[32, 16, 5]", 16));
+    EXPECT_EQ(only_diagnostic(recipe("[8, 16, 8]", 16)).code, "E0150");
+    valid(recipe("[32, 16, 8]", 16));
 }
 
 // The parameters that its file carries are a recipe.

@@ -1,5 +1,5 @@
-// What a texture of distances promises: no lookup of it is farther from 0 than the filtered volume is,
-// and that a texture which is wrong is found.
+// What a texture of distances promises: no lookup of it is farther from 0 than the distance to the
+// cloud of the filtered volume.
 #include "bakers/occupancy/stored_distance.h"
 
 #include <gtest/gtest.h>
@@ -12,97 +12,20 @@
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/occupancy/distance_volume.h"
-#include "tests/occupancy/volumes_in_memory.h"
+#include "tests/occupancy/distance_trial.h"
 
 namespace skybake::occupancy {
 namespace {
 
 using config::DistanceContent;
 using config::PixelType;
+using test::balls;
+using test::bits_of;
+using test::field;
+using test::Point;
+using test::steps_that_lose;
 using test::Volume;
-using Point = std::array<double, 3>;
-
-VoxelBits bits_of(const Volume& volume, float threshold) {
-    VoxelBits bits(volume.grid.voxels);
-    for (int z = 0; z < volume.grid.voxels[2]; ++z) {
-        for (int y = 0; y < volume.grid.voxels[1]; ++y) {
-            bits.set_row(y, z, &volume.voxels[index_of(volume.grid.voxels, 0, y, z)], threshold);
-        }
-    }
-    return bits;
-}
-
-// Balls of cloud, denser inside, in a tile that they may stick out of.
-Volume balls(const CellGrid& grid, std::uint32_t seed, int count, double radius) {
-    Volume volume = test::volume_of(grid);
-    for (int ball = 0; ball < count; ++ball) {
-        Point centre{};
-        for (std::size_t a = 0; a < 3; ++a) {
-            const auto bits =
-                seed + 31U * static_cast<std::uint32_t>(ball) + static_cast<std::uint32_t>(a);
-            centre[a] = double{test::share_of(test::mixed(bits))} * grid.voxels[a];
-        }
-        for (int z = 0; z < grid.voxels[2]; ++z) {
-            for (int y = 0; y < grid.voxels[1]; ++y) {
-                for (int x = 0; x < grid.voxels[0]; ++x) {
-                    const Point at = {x + 0.5, y + 0.5, z + 0.5};
-                    double square = 0;
-                    for (std::size_t a = 0; a < 3; ++a) {
-                        double way = std::fabs(at[a] - centre[a]);
-                        if (a < 2) way = std::min(way, grid.voxels[a] - way);
-                        square += way * way;
-                    }
-                    const auto density = static_cast<float>(1 - std::sqrt(square) / radius);
-                    volume.at(x, y, z) = std::max(volume.at(x, y, z), density);
-                }
-            }
-        }
-    }
-    return volume;
-}
-
-// A texture of distances, and all that it was made from.
-struct Trial {
-    Trial(const Volume& from, const Point& edges, PixelType type = PixelType::unorm16,
-          float from_threshold = 0, std::array<double, 2> range = {-256, 4096})
-        : volume(from),
-          voxel_m(edges),
-          threshold(from_threshold),
-          code(range,
-               {edges[0] * from.grid.cell, edges[1] * from.grid.cell, edges[2] * from.grid.cell},
-               type),
-          bits(bits_of(volume, threshold)),
-          texels(bits, {volume.grid, voxel_m}, code, {DistanceContent::distance}, {}, {}),
-          values(texels.distances()) {}
-
-    DistanceCheckResult check(int points = 3000) const {
-        const NearestVoxel nearest(bits, voxel_m);
-        return check_distances({volume.grid.size(), values.data(), volume.grid.cell}, code, nearest,
-                               volume.grid.voxels, voxel_m, points, 300, {});
-    }
-    // In metres at a place in voxels.
-    double look_up(const Point& place) const {
-        std::array<AxisTaps, 3> taps;
-        for (std::size_t a = 0; a < 3; ++a) {
-            taps[a] = filter_taps(config::OccupancyFilter::trilinear, place[a] / volume.grid.cell,
-                                  volume.grid.size()[a], a < 2);
-        }
-        return code.metres(filtered_in_double(taps, [&](int x, int y, int z) {
-            return values[index_of(volume.grid.size(), x, y, z)];
-        }));
-    }
-    bool is_cloud(const Point& place) const {
-        return test::lookup(volume, config::OccupancyFilter::trilinear, place) > double{threshold};
-    }
-
-    Volume volume;
-    Point voxel_m;
-    float threshold;
-    DistanceCode code;
-    VoxelBits bits;
-    DistanceSource texels;
-    std::vector<float> values;
-};
+using Trial = test::DistanceTrial;
 
 Trial any_trial() {
     CellGrid grid;
@@ -154,44 +77,6 @@ TEST(StoredDistance, HoldsItsOwnCheck) {
     }));
 }
 
-// Rays through a field of small clouds, each step of which is sampled at every quarter of a voxel.
-std::int64_t steps_that_lose(const Trial& trial, int rays, std::int64_t& steps) {
-    const std::array<int, 3>& size = trial.volume.grid.voxels;
-    std::int64_t lost = 0;
-    for (int ray = 0; ray < rays; ++ray) {
-        Point at = low_discrepancy_point(ray);
-        for (std::size_t a = 0; a < 3; ++a) at[a] *= size[a];
-        const Point share = low_discrepancy_point(ray + (1 << 21));
-        const double cosine = 2 * share[0] - 1;
-        const double sine = std::sqrt(1 - cosine * cosine);
-        const Point way = {sine * std::cos(6.2831853 * share[1]) / trial.voxel_m[0],
-                           sine * std::sin(6.2831853 * share[1]) / trial.voxel_m[1],
-                           cosine / trial.voxel_m[2]};
-        for (int step = 0; step < 64 && at[2] >= 0 && at[2] <= size[2]; ++step) {
-            const double distance = trial.look_up(at);
-            if (distance <= 0.1) break;
-            ++steps;
-            const int samples =
-                static_cast<int>(4 * distance /
-                                 *std::min_element(trial.voxel_m.begin(), trial.voxel_m.end())) +
-                1;
-            bool lose = false;
-            for (int i = 0; i <= samples && !lose; ++i) {
-                Point sample = at;
-                for (std::size_t a = 0; a < 3; ++a) sample[a] += distance * i / samples * way[a];
-                lose = sample[2] >= 0 && sample[2] <= size[2] && trial.is_cloud(sample);
-            }
-            lost += lose ? 1 : 0;
-            for (std::size_t a = 0; a < 3; ++a) at[a] += distance * way[a];
-        }
-    }
-    return lost;
-}
-
-Trial field(PixelType type = PixelType::unorm16) {
-    return {balls({{48, 40, 26}, 2}, 5, 4, 5), {25, 20, 30}, type};
-}
-
 TEST(StoredDistance, RaysLoseNoStep) {
     for (const PixelType type : {PixelType::unorm8, PixelType::unorm16, PixelType::half}) {
         const Trial trial = field(type);
@@ -207,105 +92,6 @@ TEST(SlowStoredDistance, AMillionRaysLoseNoStep) {
     EXPECT_EQ(steps_that_lose(trial, 1000000, steps), 0);
     EXPECT_GT(steps, 1000000);
 }
-
-// --- Faults -------------------------------------------------------------------------------------
-
-// Each fault changes the texture of a field, and both the check of files and rays find it.
-void expect_found(const char* fault, const std::function<void(Trial&)>& change, bool loses = true) {
-    Trial trial = field();
-    ASSERT_FALSE(trial.check().failed());
-    change(trial);
-    const DistanceCheckResult found = trial.check();
-    EXPECT_TRUE(found.failed()) << fault;
-    if (!loses) return;
-    EXPECT_GT(found.too_far, 0) << fault;
-    std::int64_t steps = 0;
-    EXPECT_GT(steps_that_lose(trial, 3000, steps), 0) << fault;
-}
-
-TEST(DistanceFaults, AreFound) {
-    const auto metres = [](Trial& trial, double more) {
-        for (float& value : trial.values) {
-            if (trial.code.metres(double{value}) > 0) {
-                value += static_cast<float>(more / (4096 + 256));
-            }
-        }
-    };
-    const std::array<int, 3> size = field().volume.grid.size();
-    // As if it were rounded up to the diagonal of a texel that was taken off.
-    const double diagonal = 2 * std::sqrt(25.0 * 25 + 20 * 20 + 30 * 30);
-    expect_found("rounded up", [&](Trial& trial) { metres(trial, diagonal); });
-    expect_found("x and z exchanged", [&](Trial& trial) {
-        const std::vector<float> before = trial.values;
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) {
-                    trial.values[index_of(size, x, y, z)] =
-                        before[index_of(size, z * size[0] / size[2], y, x * size[2] / size[0])];
-                }
-            }
-        }
-    });
-    expect_found(
-        "zeros",
-        [](Trial& trial) {
-            for (float& value : trial.values) value = trial.code.surface();
-        },
-        false);
-    expect_found("a flip",
-                 [&](Trial& trial) { std::reverse(trial.values.begin(), trial.values.end()); });
-    expect_found("a shift by two texels", [&](Trial& trial) {
-        std::rotate(trial.values.begin(), trial.values.begin() + 2, trial.values.end());
-    });
-    expect_found("an old threshold", [](Trial& trial) {
-        trial.values = Trial(trial.volume, trial.voxel_m, PixelType::unorm16, 0.4F).values;
-    });
-    expect_found(
-        "a threshold that was higher",
-        [](Trial& trial) {
-            const Trial other(trial.volume, trial.voxel_m, PixelType::unorm16, 0.4F);
-            trial.bits = other.bits;
-            trial.threshold = 0.4F;
-        },
-        false);
-    expect_found("edges exchanged", [](Trial& trial) {
-        trial.values = Trial(trial.volume, {20, 25, 60}).values;
-    });
-}
-
-// A cloud at the seam, in a tile between two tiles of nothing: distances that do not wrap.
-TEST(DistanceFaults, AWrapLeftOutIsFound) {
-    Volume volume = test::volume_of({{32, 32, 16}, 2});
-    volume.at(1, 16, 8) = 1;
-    Trial trial(volume, {20, 20, 20});
-    ASSERT_FALSE(trial.check().failed());
-    Volume wide = test::volume_of({{96, 32, 16}, 2});
-    wide.at(1, 16, 8) = 1;
-    const Trial unwrapped(wide, {20, 20, 20});
-    for (int z = 0; z < 8; ++z) {
-        for (int y = 0; y < 16; ++y) {
-            for (int x = 0; x < 16; ++x) {
-                trial.values[index_of({16, 16, 8}, x, y, z)] =
-                    unwrapped.values[index_of({48, 16, 8}, x, y, z)];
-            }
-        }
-    }
-    EXPECT_GT(trial.check().too_far, 0);
-    EXPECT_GT(trial.check().lost_steps, 0);
-}
-
-// The smallest excess that a stored value can have: the bound of a lookup is met closely.
-TEST(DistanceFaults, HalfADiagonalTooFarIsFound) {
-    Volume volume = test::volume_of({{32, 32, 32}, 1});
-    volume.at(16, 16, 16) = 1;
-    Trial trial(volume, {10, 10, 10}, PixelType::float32);
-    ASSERT_FALSE(trial.check().failed());
-    const double half = 5 * std::sqrt(3.0);
-    for (float& value : trial.values) value += static_cast<float>(1.25 * half);
-    EXPECT_GT(trial.check(20000).too_far, 0);
-}
-
-// --- Stated results -----------------------------------------------------------------------------
 
 TEST(StoredDistance, NubisRangeHoldsZero) {
     const std::array<double, 3> texel = {40, 40, 40};

@@ -121,8 +121,9 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
     const CloudVolumeBake& of = volume_of(parameters, asset);
     const Cloud cloud = spanned_cloud(parameters, of);
     const Uvw spanned = spanned_m(of, asset, cloud);
+    const std::string corner = glsl_vector({0, 0, cloud.base_altitude.meters});
     const std::string box =
-        cloud_box_glsl(cloud) + fmt::format("    vec3 box = {};\n", glsl_vector(spanned));
+        fmt::format("    vec3 corner = {}, box = {};\n", corner, glsl_vector(spanned));
     const std::array<double, 2> metres =
         distance_code(asset, config::voxel_edges(cloud, of)).ends();
     const std::string ends =
@@ -138,7 +139,9 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
     // A march sums densities as they are stored.
     if (cloud.channels == config::CloudChannels::density &&
         cloud.threshold_at == config::ThresholdAt::bake) {
-        lookup.functions.push_back(trace_function(ends, box));
+        const std::string tile =
+            fmt::format("    vec3 tile = {};\n", glsl_vector(extent_m_of(cloud)));
+        lookup.functions.push_back(trace_function(ends, box + tile));
     }
     return lookup;
 }
