@@ -166,11 +166,12 @@ class ChangedRecipe {
 };
 
 // Changes each value of a recipe. What names other things cannot change alone, or has no other
-// value.
+// value, is fixed: by its last part or by its whole path.
 void change_every_value(const std::string& text, const std::set<std::string>& fixed) {
     const auto changed = ChangedRecipe(text).change_all();
     for (const ResolvedValue& value : recipe_of(text, kMaps).values) {
         if (value.only_shown || fixed.count(last_part(value.path)) > 0) continue;
+        if (fixed.count(value.path) > 0) continue;
         EXPECT_EQ(changed.count(value.path), 1U) << value.path << " = " << value.canonical;
     }
 }
@@ -181,7 +182,8 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape"});
+    change_every_value(kClouds, {"bake.distance.mips", "format", "profile", "pack", "asset",
+                                 "cloud", "of", "shape"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {
