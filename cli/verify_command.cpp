@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "bakers/assets/cloud_distance/distance_folder_check.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
 #include "bakers/assets/probe_check.h"
 #include "bakers/io/formats/format.h"
@@ -65,7 +66,7 @@ ExitCode run_verify(const Invocation& invocation, Console& console) {
         return code;
     }
     const std::array checks = {probe_check()};
-    const std::array of_folder = {skipping_check()};
+    const std::array of_folder = {skipping_check(), distance_folder_check()};
     const auto outcome = [&] {
         BakeProgress progress("verify", console);
         return verify_bake(invocation.arguments()[0], checks, of_folder, &progress);

@@ -92,6 +92,21 @@ class March {
         return result();
     }
 
+    MarchResult tracing(const DistanceLookup& distance) {
+        std::int64_t k = 0;
+        while (k < samples_) {
+            if (!within_height(k)) {
+                ++k;
+                continue;
+            }
+            ++structure_fetches_;
+            const double steps = distance({position(0, k), position(1, k), position(2, k)}) / step_;
+            if (steps < 1) sample_until(k, k + 1);
+            k += std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
+        }
+        return result();
+    }
+
   private:
     double position(std::size_t axis, std::int64_t k) const {
         const double t = static_cast<double>(k) * step_;
@@ -180,6 +195,12 @@ MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, do
     March march(volume, ray, length, step);
     if (skipping == Skipping::none) return march.straight();
     return march.skipping(skipping, cells, leaps);
+}
+
+MarchResult march_by_distance(const MarchedVolume& volume, const Ray& ray, double length,
+                              double step, const DistanceLookup& distance) {
+    assert(step > 0 && length >= 0);
+    return March(volume, ray, length, step).tracing(distance);
 }
 
 }  // namespace skybake::occupancy

@@ -1,4 +1,4 @@
-// The report of an occupancy grid: how much work empty-space skipping saves, and whether it loses
+// The reports of occupancy grids and of distances to cloud: how much work empty-space skipping saves, and whether it loses
 // samples.
 #pragma once
 
@@ -17,6 +17,11 @@ namespace skybake {
 config::Outcome<AssetReport> report_occupancy(const config::Recipe& recipe,
                                               const config::Bake& bake,
                                               const ReportOptions& options);
+
+// Makes the report of distances, beside those of grids with cells as large as its texels.
+config::Outcome<AssetReport> report_cloud_distance(const config::Recipe& recipe,
+                                                   const config::Bake& bake,
+                                                   const ReportOptions& options);
 
 // One of the three sets of fixed rays through a repeating tile, with which skipping is measured.
 struct RaySet {

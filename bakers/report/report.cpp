@@ -131,11 +131,16 @@ struct AssetReporter {
 };
 
 constexpr AssetReporter kReporters[] = {
-    {"transmittance", report_table_asset},   {"multiple_scattering", report_table_asset},
-    {"phase", report_table_asset},           {"bruneton", report_bruneton},
-    {"optical_depth", report_column_volume}, {"noise_volume", report_noise_volume},
-    {"cloud_volume", report_cloud_volume},   {"cloud_light", report_cloud_light},
+    {"transmittance", report_table_asset},
+    {"multiple_scattering", report_table_asset},
+    {"phase", report_table_asset},
+    {"bruneton", report_bruneton},
+    {"optical_depth", report_column_volume},
+    {"noise_volume", report_noise_volume},
+    {"cloud_volume", report_cloud_volume},
+    {"cloud_light", report_cloud_light},
     {"occupancy", report_occupancy},
+    {"cloud_distance", report_cloud_distance},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
@@ -27,7 +28,7 @@ using Assets =
     std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake,
                NoiseVolumeBake, WeatherMapBake, BlueNoiseBake, CloudVolumeBake, CloudLightBake,
-               OccupancyBake>;
+               CloudDistanceBake, OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

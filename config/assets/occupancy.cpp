@@ -15,7 +15,6 @@
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
-#include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -24,8 +23,6 @@ namespace skybake::config {
 namespace {
 
 using OccupancyField = Row<OccupancyBake>;
-
-constexpr Range cell_range{1, 16};
 
 constexpr std::array filter_choices = {
     Choice{OccupancyFilter::nearest, "nearest", "the voxel in which a point lies"},
@@ -100,16 +97,6 @@ struct OccupancyResolver {
         return count;
     }
 
-    void report_untiled(const CloudVolumeBake& volume, int cell, std::size_t axis) const {
-        const DecodedField& said = bake.at("cell");
-        decoder.diagnostics.error(
-            "E0150", said.source ? said.source->place : bake.at("of").source->place,
-            fmt::format("cells of {} voxels do not tile the {} voxels of `{}` along {}", cell,
-                        volume.size[axis], shorten(*text_of(bake.at("of"))), "xy"[axis]),
-            fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size",
-                        shorten(*text_of(bake.at("of"))), cell));
-    }
-
     // The volume repeats along x and y. Cells that stick out of the tile would repeat with another
     // period than the volume. A runtime that repeats both would then find other cells than those
     // that contain its voxels. A single cell that holds the whole tile is the same everywhere and
@@ -117,7 +104,7 @@ struct OccupancyResolver {
     void check_tiling(const CloudVolumeBake& volume, int cell) const {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const bool tiles = volume.size[axis] % cell == 0 || volume.size[axis] < cell;
-            if (!tiles) return report_untiled(volume, cell, axis);
+            if (!tiles) return report_untiled(bake, volume, cell, axis, decoder);
         }
     }
 
@@ -140,23 +127,6 @@ struct OccupancyResolver {
             return;
         }
     }
-
-    void check_voxels(const CloudVolumeBake& volume, int cell) const {
-        const Cloud* cloud = find_cloud(volume, recipe);
-        if (!cloud || cloud->extent[0].meters <= 0) return;
-        std::array<double, 3> edges = voxel_edges(*cloud, volume);
-        for (double& edge : edges) edge *= cell;
-        check_cubes(bake, edges, bake.at("of").source->place, decoder);
-    }
-
-    // Returns the number of cells along each axis, including those that stick out at the top.
-    VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) const {
-        VoxelCounts cells{};
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            cells[axis] = (volume.size[axis] + cell - 1) / cell;
-        }
-        return cells;
-    }
 };
 
 // Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
@@ -174,11 +144,11 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     const DecodedField& cell = bake.at("cell");
     if (!cell.value || volume->size[0] == 0) return;
     const int edge = static_cast<int>(std::get<double>(*cell.value));
-    const VoxelCounts cells = resolver.cells_of(*volume, edge);
+    const VoxelCounts cells = cells_of(*volume, edge);
     resolve_files(bake, cells, Halving::up, decoder);
     resolver.check_tiling(*volume, edge);
     resolver.check_halving(cells);
-    resolver.check_voxels(*volume, edge);
+    check_cell_cubes(bake, *volume, edge, recipe, decoder);
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <string>
 #include <string_view>
@@ -89,6 +90,35 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
                     *text_of(bake.at("of")), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
+}
+
+VoxelCounts cells_of(const CloudVolumeBake& volume, int cell) {
+    VoxelCounts cells{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        cells[axis] = (volume.size[axis] + cell - 1) / cell;
+    }
+    return cells;
+}
+
+void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
+                    std::size_t axis, Decoder& decoder) {
+    const DecodedField& said = bake.at("cell");
+    const std::string of = shorten(*text_of(bake.at("of")));
+    decoder.diagnostics.error(
+        "E0150", said.source ? said.source->place : bake.at("of").source->place,
+        fmt::format("cells of {} voxels do not tile the {} voxels of `{}` along {}", cell,
+                    volume.size[axis], of, "xy"[axis]),
+        fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size", of,
+                    cell));
+}
+
+void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
+                      const RecipeSoFar& recipe, Decoder& decoder) {
+    const Cloud* cloud = find_cloud(volume, recipe);
+    if (!cloud || cloud->extent[0].meters <= 0) return;
+    std::array<double, 3> edges = voxel_edges(*cloud, volume);
+    for (double& edge : edges) edge *= cell;
+    check_cubes(bake, edges, bake.at("of").source->place, decoder);
 }
 
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {

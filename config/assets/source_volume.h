@@ -2,11 +2,13 @@
 // made from.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/cloud.h"
@@ -25,6 +27,9 @@ inline constexpr Field source_channel_field{
     .documentation = "channel of that volume; its first by default",
     .hint = "R, G, B or A, or Y for a volume of one channel"};
 
+// Voxels along an edge of a cell.
+inline constexpr Range cell_range{1, 16};
+
 // Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
 // (E0133), unless that volume has errors of its own.
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
@@ -36,6 +41,18 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
 
 // Returns the cloud of the volume, or null if it has errors.
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe);
+
+// Returns how many cells of `cell` voxels along each edge cover the volume, including those that
+// stick out of it.
+VoxelCounts cells_of(const CloudVolumeBake& volume, int cell);
+
+// Reports cells that do not divide the volume along an axis (E0150), at the key `cell`.
+void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
+                    std::size_t axis, Decoder& decoder);
+
+// Warns of cells that are not cubes in a VDB file (W0211).
+void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume, int cell,
+                      const RecipeSoFar& recipe, Decoder& decoder);
 
 // Lists the values of the cloud volume and of its cloud. Those of the volume's files are left out,
 // unless the files that it has by default cannot hold its type of numbers: then the list would be no

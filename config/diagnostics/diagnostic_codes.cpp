@@ -457,6 +457,24 @@ constexpr std::array codes = {
         "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sky_visibility\"\ndegree = 2\npart = 2",
         usage},
 
+    DiagnosticCode{
+        "E0175", "distances that cannot be stored",
+        "A cloud_distance holds metres to the cloud, 0 at its surface and negative within it. Its "
+        "`range` begins at or below 0 and ends above 0, and its `contents` begin with "
+        "\"distance\".",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.d]\n"
+        "asset = \"cloud_distance\"\nof = \"v\"\nrange = [\"10 m\", \"4 km\"]",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.d]\n"
+        "asset = \"cloud_distance\"\nof = \"v\"\nrange = [\"-250 m\", \"4 km\"]",
+        usage},
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
                    "skybake check erth.toml", "skybake check earth.toml", input_or_output},

@@ -31,7 +31,7 @@ std::vector<TargetFacts> make_targets() {
                             "cloud_light"};
     const Words clouds = {"cloud_volume"};
     const Words densities = {"cloud_volume", "noise_volume"};
-    const Words occupancies = {"occupancy", "blue_noise"};  // texels that no filter may mix
+    const Words occupancies = {"occupancy", "cloud_distance", "blue_noise"};
     const Words sky = all_of({tables, textures});
     const Words most = all_of({tables, textures, clouds, occupancies});
     Words all_but_phase = most;

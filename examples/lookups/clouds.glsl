@@ -1,5 +1,6 @@
-// Lookups of asset = "cloud_volume", and a march that leaps over what is empty by the channel `leap` of
-// asset = "occupancy". The cloud's sampler is trilinear, repeats along x and y and is clamped along z.
+// Lookups of asset = "cloud_volume", and marches that leave out what is empty: by the channel `leap` of
+// asset = "occupancy", or by the first channel of asset = "cloud_distance". The samplers of the cloud and
+// of distances are trilinear, repeat along x and y and are clamped along z.
 //
 // p and the march's `from` are in metres from the lower corner of the tile, z up; `tile` are the edges of
 // the tile, the recipe's extent. Density times extinction_scale is extinction, so that density summed
@@ -64,6 +65,29 @@ float cloud_march(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 
         vec3 p = from + ray * (stride * float(i));
         float empty = cloud_leap(cloud, leaps, cell, full, p, ray, tile);
         if (empty == 0.0) sum += cloud_density(cloud, p, tile);
+        i += max(int(min(empty / stride, float(count))), 1);
+    }
+    return sum * stride;
+}
+
+// Metres from p, which lies within the layer, to the cloud, negative within it: never farther from 0 than
+// the distance is. `ends` are the metres that texels of 0 and 1 stand for: the recipe's range for unorm
+// types, else 0 and 1. `box` are the edges of what the texels span: the tile's, and more along z where
+// `cell` does not divide the cloud's size.
+float cloud_distance(sampler3D distances, vec2 ends, vec3 p, vec3 box) {
+    return ends.x + (ends.y - ends.x) * texture(distances, p / box).r;
+}
+
+// The sum that cloud_march returns, of samples that it finds by distances: no sample that is nearer than
+// the distance at the one before can hold cloud.
+float cloud_trace(sampler3D cloud, sampler3D distances, vec2 ends, vec3 box, vec3 from, vec3 ray,
+                  vec3 tile, float stride, int count) {
+    float sum = 0.0;
+    int i = 0;
+    while (i < count) {
+        vec3 p = from + ray * (stride * float(i));
+        float empty = cloud_distance(distances, ends, p, box);
+        if (empty < stride) sum += cloud_density(cloud, p, tile);
         i += max(int(min(empty / stride, float(count))), 1);
     }
     return sum * stride;

@@ -234,6 +234,19 @@ cell = 8
 filter = "tricubic"
 formats = ["bin"]
 pixel_type = "unorm8"
+[bake.field_distance]
+asset = "cloud_distance"
+of = "field"
+cell = 1
+formats = ["npy", "bin"]
+[bake.thesis_distance]
+asset = "cloud_distance"
+of = "thesis"
+channel = "G"
+cell = 8
+contents = ["distance", "profile", "detail_type", "density_scale"]
+pixel_type = "half"
+formats = ["exr"]
 [bake.thesis_rule]
 asset = "occupancy"
 of = "thesis"

@@ -24,7 +24,8 @@ class CloudBake : public ::testing::Test {
                         "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [32, 32, 16]\n"
                         "formats = [\"vdb\", \"exr\", \"bin\"]\n"
                         "[bake.g]\nasset = \"occupancy\"\nof = \"c\"\ncell = 2\n"
-                        "formats = [\"exr\", \"vdb\", \"bin\"]\nmips = \"all\"\n");
+                        "formats = [\"exr\", \"vdb\", \"bin\"]\nmips = \"all\"\n"
+                        "[bake.d]\nasset = \"cloud_distance\"\nof = \"c\"\ncell = 2\n");
     }
     Result bake(const std::vector<std::string>& more = {}) const {
         std::vector<std::string> words = {"bake", recipe_, "-o", out_};
@@ -55,8 +56,23 @@ TEST_F(CloudBake, VerifyFindsWhatAGridLoses) {
     const Result verified = run_words({"verify", out_, "--json"});
     EXPECT_EQ(verified.code, 1);
     const auto report = nlohmann::json::parse(verified.out);
-    ASSERT_EQ(report["failures"].size(), 1u) << verified.out;
+    ASSERT_EQ(report["failures"].size(), 2u) << verified.out;
     EXPECT_EQ(report["failures"][0]["check"], "skipping");
+    EXPECT_EQ(report["failures"][1]["check"], "distance");
+}
+
+// Distances to a cloud that has since shrunk are too near.
+TEST_F(CloudBake, VerifyFindsDistancesOfAnOldThreshold) {
+    ASSERT_EQ(bake().code, 0);
+    std::string recipe = read_bytes(recipe_);
+    recipe.replace(recipe.find("threshold = 0.6"), 15, "threshold = 0.7");
+    write_bytes(recipe_, recipe);
+    ASSERT_EQ(bake({"--only", "c"}).code, 0);
+    const Result verified = run_words({"verify", out_, "--json"});
+    EXPECT_EQ(verified.code, 1);
+    const auto report = nlohmann::json::parse(verified.out);
+    ASSERT_EQ(report["failures"].size(), 1u) << verified.out;
+    EXPECT_EQ(report["failures"][0]["check"], "distance");
 }
 
 TEST_F(CloudBake, OfNothingIsAValidFile) {

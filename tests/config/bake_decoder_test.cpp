@@ -39,7 +39,7 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         std::string keys;
         if (asset == "noise_volume" || asset == "weather_map") keys = "noise = 'n'\n";
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
-        if (asset == "occupancy") keys = "of = 'v'\n";
+        if (asset == "occupancy" || asset == "cloud_distance") keys = "of = 'v'\n";
         if (asset == "cloud_light") keys = "of = 'v'\nsun_elevations = '30 deg'\n";
         if (asset == "sky_view") keys = "sun_elevations = '30 deg'\n";
         if (asset == "phase") keys = "particles = 'p'\n";

@@ -127,6 +127,10 @@ const std::vector<Fault> faults = {
     {"E0156",
      perlin + "[bake.m]\nasset = \"weather_map\"\nnoise = \"n\"\ncovered = 0.2\nfull = 0.3", 7, 8,
      3, "`full` is at most `covered`"},
+    {"E0175",
+     cloud + "[bake.d]\nasset = \"cloud_distance\"\nof = \"v\"\nrange = [\"10 m\", \"4 km\"]\n"
+             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
+     9, 9, 16, "begin it at or below 0 m, and end it above 0 m"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
     {"E0170",
@@ -176,7 +180,7 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name :
          {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150", "E0171",
-          "E0174", "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+          "E0174", "E0175", "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

@@ -27,7 +27,7 @@ std::string recipe_of(std::string_view asset, const std::string& keys) {
     if (asset == "noise_volume") more = "noise = 'n'\nsize = [16, 16, 16]\n";
     if (asset == "weather_map") more = "noise = 'n'\n";
     if (asset == "cloud_volume") more = "cloud = 'c'\nsize = [16, 16, 16]\n";
-    if (asset == "occupancy") more = "of = 'v'\n";
+    if (asset == "occupancy" || asset == "cloud_distance") more = "of = 'v'\n";
     if (asset == "cloud_light") more = "of = 'v'\nsun_elevations = '30 deg'\n";
     if (asset == "sky_view") more = "sun_elevations = '30 deg'\n";
     if (asset == "phase") more = "layer = 'mie'\n";

@@ -15,6 +15,7 @@
 #include "config/assets/bruneton.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/cloud_distance.h"
 #include "config/assets/environment.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/noise_volume.h"
@@ -316,6 +317,22 @@ inline void check_asset(const CloudLightBake& asset, const Parameters& parameter
     }
     require(asset.sun_azimuths.empty() || asset.sun_azimuths.size() == asset.sun_elevations.size(),
             "each sun has an azimuth");
+}
+
+inline void check_asset(const CloudDistanceBake& asset, const Parameters& parameters) {
+    const Bake* of = find_by_name(parameters.bakes, asset.of);
+    require(of && of->is<CloudVolumeBake>(), "its cloud volume is there");
+    require(asset.cell >= 1 && asset.cell <= 16 && (asset.cell & (asset.cell - 1)) == 0,
+            "a cell is a power of two");
+    std::array<int, 3> texels = of->as<CloudVolumeBake>().size;
+    require(texels[0] % asset.cell == 0 && texels[1] % asset.cell == 0, "texels tile the volume");
+    for (int& edge : texels) edge = (edge + asset.cell - 1) / asset.cell;
+    check_files(asset, texels);
+    require(asset.mips == 1, "it has one level");
+    require(asset.range[0].meters <= 0 && asset.range[1].meters > 0, "0 is in its range");
+    const std::size_t contents = asset.contents.size();
+    require(contents == 1 || contents == 3 || contents == 4, "contents make a picture");
+    require(asset.contents.front() == DistanceContent::distance, "the distance is the first");
 }
 
 inline bool is_elevation(Angle angle) { return within(angle.radians, -1.571, 1.571); }

@@ -168,6 +168,12 @@ asset = "cloud_light"
 of = "cloud"
 sun_elevations = ["40 deg"]
 formats = ["exr"]
+[bake.distance]
+asset = "cloud_distance"
+of = "cloud"
+cell = 2
+pixel_type = "half"
+formats = ["exr"]
 )";
 
 FactValue constant(const AxisMapping& axis, const std::string& name) {
@@ -359,6 +365,13 @@ TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
         EXPECT_EQ(mask.axes[i].filter, AxisFilter::nearest);
     }
     EXPECT_EQ(fact_named(cells.details, "leap_scale"), "1");  // half holds cells as they are
+    const ManifestAsset& distance = asset("distance");
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(number(distance.axes[i], "texel_voxels"), 2);
+        EXPECT_EQ(number(distance.axes[i], "texel_m"), 2 * extent[i] / cloud.size[i]);
+        EXPECT_EQ(distance.axes[i].filter, AxisFilter::linear);
+    }
+    EXPECT_EQ(fact_named(distance.details, "metres_at_1"), "1");  // half holds metres
     const std::vector<AxisMapping>& aerial = asset("aerial").axes;
     EXPECT_EQ(number(aerial[0], "heading_deg"), 30);
     EXPECT_EQ(number(aerial[1], "pitch_deg"), 5);
@@ -448,6 +461,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
+        {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());
     for (const Wanted& wanted : all) {

@@ -151,6 +151,13 @@ asset = "cloud_light"
 of = "cloud"
 contents = "sky_visibility"
 degree = 2
+[bake.distance]
+asset = "cloud_distance"
+of = "cloud"
+cell = 2
+range = ["-64 m", "1024 m"]
+core = "100 m"
+contents = ["distance", "profile", "detail_type", "density_scale"]
 )";
 
 inline constexpr const char* kParticles = R"(

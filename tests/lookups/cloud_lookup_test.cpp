@@ -17,6 +17,9 @@ using gpu::vec3;
 // In the first channel, which is the only one.
 const gpu::vec4 kUnormLeap(255, 0, 0, 0);
 
+// The metres that texels of 0 and 1 stand for.
+const gpu::vec2 kEnds(-256, 4096);
+
 const std::string kShape = "[noise.shape]\npreset = 'nubis_shape'\nseed = 7\n";
 
 TEST(NoiseLookup, FloatLosesLittle) {
@@ -100,9 +103,12 @@ struct CloudTrial {
                                size +
                                "\npixel_type = 'float'\n[bake.leap]\n"
                                "asset = 'occupancy'\nof = 'cloud'\ncell = 4\ncontents = ['leap']\n"
-                               "pixel_type = 'unorm8'\nformats = ['bin']\n")),
+                               "pixel_type = 'unorm8'\nformats = ['bin']\n"
+                               "[bake.distance]\nasset = 'cloud_distance'\nof = 'cloud'\n"
+                               "cell = 2\n")),
           cloud(texture_of(baked.asset(0))),
-          leaps(texture_of(baked.asset(1))) {}
+          leaps(texture_of(baked.asset(1))),
+          distances(texture_of(baked.asset(2))) {}
 
     struct Ray {
         vec3 from, ray;
@@ -132,6 +138,15 @@ struct CloudTrial {
         return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, kUnormLeap, ray.from, ray.ray,
                                                tile, ray.stride, ray.count);
     }
+    // What the texels of distances span along z: 19 voxels have 10 texels.
+    vec3 box() const {
+        const auto voxels = static_cast<float>(2 * distances.size[2]);
+        return {tile.x, tile.y, tile.z * voxels / static_cast<float>(cloud.size[2])};
+    }
+    float trace(const Ray& ray, const Texture& with) const {
+        return gpu::cloud_lookups::cloud_trace({cloud}, {with}, kEnds, box(), ray.from, ray.ray,
+                                               tile, ray.stride, ray.count);
+    }
     // In metres from the lower corner of the tile.
     glm::dvec3 place_of(const Probe& probe) const {
         const double base_m = baked.recipe.parameters.clouds.front().base_altitude.meters;
@@ -148,6 +163,7 @@ struct CloudTrial {
     test::BakedLookup baked;
     Texture cloud;
     Texture leaps;
+    Texture distances;
     vec3 tile{3000, 3200, 1000};
 };
 
@@ -191,6 +207,56 @@ TEST(CloudMarch, TooLongLeapsWouldBeNoticed) {
         if (trial.march(ray, everywhere) != trial.march(ray, bold)) ++different;
     }
     EXPECT_GT(different, 100);
+}
+
+TEST(CloudTrace, DistancesChangeNothing) {
+    for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
+        const CloudTrial trial(size);
+        Texture nowhere = trial.distances;
+        std::fill(nowhere.texels.begin(), nowhere.texels.end(), 0.0f);
+        test::Dice dice;
+        long looked = 0;
+        long steps = 0;
+        double sum = 0;
+        for (int i = 0; i < 3000; ++i) {
+            const CloudTrial::Ray ray = trial.any_ray(dice);
+            const float straight = trial.trace(ray, nowhere);
+            steps += trial.cloud.lookups;
+            trial.cloud.lookups = 0;
+            const float traced = trial.trace(ray, trial.distances);
+            looked += trial.cloud.lookups;
+            trial.cloud.lookups = 0;
+            ASSERT_EQ(straight, traced) << "ray " << i;
+            sum += double{straight};
+        }
+        EXPECT_GT(sum, 0);
+        EXPECT_LT(looked, 2 * steps / 3);
+    }
+}
+
+// Distances that are a diagonal of a texel too far would be noticed.
+TEST(CloudTrace, TooLongDistancesWouldBeNoticed) {
+    const CloudTrial trial;
+    Texture bold = trial.distances;
+    const float more = std::hypot(100.0f, 100.0f, 100.0f) / 4352;
+    for (float& texel : bold.texels) texel += more;
+    test::Dice dice;
+    int different = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const CloudTrial::Ray ray = trial.any_ray(dice);
+        if (trial.trace(ray, trial.distances) != trial.trace(ray, bold)) ++different;
+    }
+    EXPECT_GT(different, 50);
+}
+
+TEST(CloudDistance, HoldsTheProbes) {
+    const CloudTrial trial;
+    for (const Probe& probe : trial.baked.asset(2).levels.front().probes) {
+        const float found = gpu::cloud_lookups::cloud_distance(
+            {trial.distances}, kEnds, vec3(trial.place_of(probe)), trial.box());
+        EXPECT_NEAR(found, -256 + 4352 * probe.value.front(), 4352 * probe.tolerance.front())
+            << "x " << trial.place_of(probe).x;
+    }
 }
 
 // Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels

@@ -578,6 +578,15 @@ TEST(PrintedLookups, CellsOfClouds) {
     });
 }
 
+TEST(PrintedLookups, DistancesToClouds) {
+    BakedFile("distance.bin").holds([](const Texture& texels, const Probe& at) {
+        return SKYBAKE_CALL(distance_bin, baked_distance, texels, cloud_place(at));
+    });
+    BakedFile("fields.exr").holds([](const Texture& texels, const Probe& at) {
+        return SKYBAKE_CALL(fields_exr, baked_fields, texels, cloud_place(at));
+    });
+}
+
 // A march by leaps finds the densities that one without finds, and asks for fewer.
 template <class Leap, class March>
 void expect_leaping_march(const std::string& name, const Leap& leap, const March& march) {
@@ -645,6 +654,19 @@ TEST(PrintedLookups, MarchesByLeaps) {
            float stride, int count) {
             return SKYBAKE_CALL(leaps_bin, baked_leaps_march, cloud, cells, from, ray, stride,
                                 count);
+        });
+}
+
+TEST(PrintedLookups, MarchesByDistances) {
+    expect_leaping_march(
+        "distance.bin",
+        [](const Texture&, const Texture& texels, const vec3& p, const vec3&) {
+            return SKYBAKE_CALL(distance_bin, baked_distance_distance, texels, p);
+        },
+        [](const Texture& cloud, const Texture& texels, const vec3& from, const vec3& ray,
+           float stride, int count) {
+            return SKYBAKE_CALL(distance_bin, baked_distance_trace, cloud, texels, from, ray,
+                                stride, count);
         });
 }
 

@@ -12,7 +12,7 @@
 #include <variant>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/io/formats/format.h"
+#include "bakers/assets/source_files.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
@@ -147,22 +147,6 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
     // A recipe that was read names a cloud volume of a cloud that is there.
     const auto& of = bake_named(parameters, bake->of).as<config::CloudVolumeBake>();
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
-}
-
-const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {
-    const auto found = std::find_if(manifest.assets.begin(), manifest.assets.end(),
-                                    [&](const ManifestAsset& asset) { return asset.name == name; });
-    return found != manifest.assets.end() ? &*found : nullptr;
-}
-
-// The file of the volume itself.
-const ManifestFile* first_file(const ManifestAsset& asset) {
-    const auto found =
-        std::find_if(asset.files.begin(), asset.files.end(), [](const ManifestFile& file) {
-            const Format* format = find_format(file.format);
-            return file.level == 0 && format != nullptr && format->read != nullptr;
-        });
-    return found != asset.files.end() ? &*found : nullptr;
 }
 
 // Which channel tells empty cells from others, the plainest first.

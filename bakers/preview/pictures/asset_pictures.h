@@ -62,6 +62,10 @@ std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset);
 // spectrum of frames as a picture; and the spectra of frames and over time as curves.
 std::vector<PreviewPicture> blue_noise_pictures(const PreviewAsset& asset);
 
+// Shows distances to cloud: slices in metres through the middle, across y and z, and across y of each
+// further channel.
+std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset);
+
 // --- Captions ----------------------------------------------------------------------------------
 //
 // The wording of suns and exposures in captions and file names, the same for all pictures.

@@ -1,0 +1,266 @@
+#include "bakers/assets/cloud_distance/cloud_distance.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/cloud_distance/distance_check.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/occupancy/distance_volume.h"
+#include "bakers/occupancy/nearest_voxel.h"
+#include "config/fields/fields.h"
+
+namespace skybake {
+
+namespace {
+
+using config::CloudDistanceBake;
+using config::DistanceContent;
+using config::Outcome;
+using occupancy::CellGrid;
+using occupancy::ChannelSource;
+using occupancy::DistanceCheckResult;
+using occupancy::DistanceCode;
+using occupancy::DistanceSource;
+
+std::vector<std::string> distance_channels(std::size_t count) {
+    static constexpr std::array<const char*, 4> kColours = {"R", "G", "B", "A"};
+    if (count == 1) return {"Y"};
+    return {kColours.begin(), kColours.begin() + count};
+}
+
+std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
+    const config::Section& section = *config::find_section("bake.*", "cloud_distance");
+    const auto words = config::choice_names(*config::find_field(section, "contents"));
+    std::vector<std::string> names;
+    for (const DistanceContent content : contents) {
+        names.emplace_back(words[static_cast<std::size_t>(content)]);
+    }
+    return names;
+}
+
+bool is_unorm(const CloudDistanceBake& bake) {
+    return bake.pixel_type == config::PixelType::unorm8 ||
+           bake.pixel_type == config::PixelType::unorm16;
+}
+
+std::string content_of(const CloudDistanceBake& bake) {
+    const std::string scale =
+        is_unorm(bake)
+            ? fmt::format(", 0 to 1 for {} m to {} m", bake.range[0].meters, bake.range[1].meters)
+            : "";
+    return fmt::format(
+        "texels of {} voxels: {} (distance: metres to cloud, negative within it, never too far{})",
+        bake.cell, fmt::join(grid_names(bake.contents), ", "), scale);
+}
+
+std::vector<AxisMapping> axes_of(const Baked& of, const CellGrid& grid) {
+    std::vector<AxisMapping> axes = of.axes;
+    const std::array<int, 3> texels = grid.size();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge = of.voxel_size_m[i] * grid.cell;
+        axes[i].last = axes[i].first + edge * texels[i];
+        axes[i].formula = fmt::format("{} = ({} - {}) / {}", "uvw"[i], axes[i].quantity,
+                                      axes[i].first, axes[i].last - axes[i].first);
+        axes[i].convention =
+            fmt::format("{}; texel i is at (i + 1/2) / size", i < 2 ? "repeats" : "clamped");
+        axes[i].constants = {{"first_m", axes[i].first},
+                             {"extent_m", axes[i].last - axes[i].first},
+                             {"texel_m", edge},
+                             {"texel_voxels", static_cast<double>(grid.cell)}};
+    }
+    return axes;
+}
+
+ProbePlace place_of(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw) {
+    ProbePlace place{{}, {{uvw}}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        place.at.emplace_back(axes[i].quantity,
+                              axes[i].first + uvw[i] * (axes[i].last - axes[i].first));
+    }
+    return place;
+}
+
+std::vector<std::array<double, 2>> histogram_ranges(const CloudDistanceBake& bake) {
+    std::vector<std::array<double, 2>> ranges(bake.contents.size(), {0, 1});
+    if (!is_unorm(bake)) ranges.front() = {bake.range[0].meters, bake.range[1].meters};
+    return ranges;
+}
+
+struct PointsAndRays {
+    int points = 0;
+    int rays = 0;
+};
+
+PointsAndRays checked_by(Certification certification) {
+    if (certification == Certification::off) return {};
+    return certification == Certification::full ? PointsAndRays{65536, 10000}
+                                                : PointsAndRays{4096, 1000};
+}
+
+Certificate certificate_of(const Baked& volume, const DistanceCheckResult& found,
+                           const CloudDistanceBake& bake) {
+    Certificate certificate;
+    certificate.texel = found.texel;
+    certificate.lookup = found.lookup;
+    certificate.texel_points = found.points;
+    certificate.lookup_points = found.points;
+    certificate.reference = fmt::format(
+        "exact distances to the cells of the filtered volume, of which {} of {} steps of {} rays "
+        "are lost",
+        found.lost_steps, found.steps, found.rays);
+    certificate.scale = fmt::format("the range of {} m; values are lower bounds of the distance",
+                                    bake.range[1].meters - bake.range[0].meters);
+    std::vector<std::string> place;
+    for (std::size_t i = 0; i < 3; ++i) {
+        place.push_back(fmt::format(
+            "{} {:.6g}", volume.axes[i].quantity,
+            volume.axes[i].first + found.farthest_off[i] * volume.voxel_size_m[i] / bake.cell));
+    }
+    certificate.worst = fmt::format("{}", fmt::join(place, ", "));
+    return certificate;
+}
+
+config::Diagnostic failed_check(const Baked& volume, const DistanceCheckResult& found) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0405";
+    diagnostic.message = fmt::format(
+        "`{}`: {} of {} distances are too far and {} too near, by up to {:.3g} m, and {} of {} "
+        "steps are lost",
+        volume.name, found.too_far, found.points, found.too_near, found.worst_m, found.lost_steps,
+        found.steps);
+    return diagnostic;
+}
+
+// One bake of the asset.
+class DistanceBake {
+  public:
+    DistanceBake(const OccupiedVolume& of, const CloudDistanceBake& bake, double wisp_height,
+                 const BakeOptions& options)
+        : of_(of),
+          bake_(bake),
+          wisp_height_(wisp_height),
+          options_(options),
+          grid_{{of.volume.levels.front().size, bake.cell}, of.volume.voxel_size_m},
+          code_(distance_code(bake, of.volume.voxel_size_m)) {}
+
+    Outcome<Baked> run(Baked volume) {
+        describe(volume);
+        const auto start = std::chrono::steady_clock::now();
+        const ChannelSource source = channel();
+        const occupancy::VoxelBits bits = voxel_bits(source, grid_.grid, of_.threshold, options_);
+        if (options_.cancelled()) return {};
+        occupancy::DistanceFields fields{bake_.core.meters, wisp_height_, {}};
+        if (has(DistanceContent::density_scale)) {
+            fields.mean_density = mean_densities(source, grid_.grid, options_);
+        }
+        const auto texels = std::make_shared<const DistanceSource>(
+            bits, grid_, code_, bake_.contents, std::move(fields), options_);
+        if (options_.cancelled()) return {};
+        volume.bake_seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        if (has(DistanceContent::profile)) volume.details.emplace_back("core_m", texels->core_m());
+        volume.levels.push_back(level_of(volume, texels));
+        return finish(std::move(volume), check(*texels, bits));
+    }
+
+  private:
+    bool has(DistanceContent content) const {
+        return std::find(bake_.contents.begin(), bake_.contents.end(), content) !=
+               bake_.contents.end();
+    }
+
+    ChannelSource channel() const {
+        return {*of_.volume.levels.front().voxels,
+                static_cast<int>(channel_named(of_.volume, bake_.channel)),
+                static_cast<int>(of_.volume.channel_names.size()), of_.volume.pixel_type};
+    }
+
+    void describe(Baked& volume) const {
+        volume.kind = "cloud_distance";
+        volume.content = content_of(bake_);
+        volume.mapping = of_.volume.mapping;
+        volume.axes = axes_of(of_.volume, grid_.grid);
+        volume.channel_names = distance_channels(bake_.contents.size());
+        volume.grid_names = grid_names(bake_.contents);
+        set_files(bake_, volume);
+        for (std::size_t i = 0; i < 3; ++i) {
+            volume.voxel_size_m[i] = of_.volume.voxel_size_m[i] * bake_.cell;
+        }
+        volume.minimum_m = of_.volume.minimum_m;
+        volume.up_axis = of_.volume.up_axis;
+        volume.conventions = of_.volume.conventions;
+        const auto add = [&](const char* key, FactValue value) {
+            volume.details.emplace_back(key, std::move(value));
+        };
+        add("of", bake_.of);
+        add("channel", of_.volume.channel_names[channel_named(of_.volume, bake_.channel)]);
+        add("cell", static_cast<double>(bake_.cell));
+        add("threshold", to_shortest(of_.threshold));
+        add("metres_at_0", code_.ends()[0]);
+        add("metres_at_1", code_.ends()[1]);
+        if (has(DistanceContent::detail_type)) add("wisp_height", wisp_height_);
+    }
+
+    static Level level_of(const Baked& volume, std::shared_ptr<const DistanceSource> texels) {
+        Level level;
+        level.size = texels->size();
+        level.repeats = repeating_axes(volume.axes);
+        level.voxels = std::move(texels);
+        return level;
+    }
+
+    DistanceCheckResult check(const DistanceSource& texels,
+                              const occupancy::VoxelBits& bits) const {
+        const auto [points, rays] = checked_by(options_.certification);
+        if (points == 0) return {};
+        const occupancy::NearestVoxel nearest(bits, grid_.voxel_m);
+        return check_distances({texels.size(), texels.distances().data(), bake_.cell}, code_,
+                               nearest, grid_.grid.voxels, grid_.voxel_m, points, rays, options_);
+    }
+
+    Outcome<Baked> finish(Baked volume, const DistanceCheckResult& found) const {
+        if (options_.cancelled()) return {};
+        if (found.failed()) return {{}, {failed_check(volume, found)}};
+        VolumeFinish finish;
+        finish.histogram_ranges = histogram_ranges(bake_);
+        finish.measure = [&](const Baked& baked, const BakeOptions&) {
+            return certificate_of(baked, found, bake_);
+        };
+        finish.probe_place = [axes = volume.axes](const std::array<double, 3>& uvw, int) {
+            return place_of(axes, uvw);
+        };
+        return finish_volume(std::move(volume), finish, options_);
+    }
+
+    const OccupiedVolume& of_;
+    const CloudDistanceBake& bake_;
+    double wisp_height_;
+    const BakeOptions& options_;
+    occupancy::DistanceGrid grid_;
+    DistanceCode code_;
+};
+
+}  // namespace
+
+DistanceCode distance_code(const CloudDistanceBake& bake, const std::array<double, 3>& voxel_m) {
+    std::array<double, 3> texel_m{};
+    for (std::size_t i = 0; i < 3; ++i) texel_m[i] = voxel_m[i] * bake.cell;
+    return {{bake.range[0].meters, bake.range[1].meters}, texel_m, bake.pixel_type};
+}
+
+Outcome<Baked> bake_cloud_distance(const OccupiedVolume& of, const CloudDistanceBake& bake,
+                                   double wisp_height, const BakeOptions& options, Baked volume) {
+    return DistanceBake(of, bake, wisp_height, options).run(std::move(volume));
+}
+
+}  // namespace skybake

@@ -1,0 +1,170 @@
+// The baker of asset = "cloud_distance".
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/cloud_distance/cloud_distance.h"
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/occupancy/cell_grid.h"
+#include "config/assets/cloud_distance.h"
+#include "config/assets/cloud_volume.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+using config::Cloud;
+using config::CloudDistanceBake;
+using config::CloudVolumeBake;
+using occupancy::CellGrid;
+
+const CloudVolumeBake& volume_of(const Parameters& parameters, const CloudDistanceBake& asset) {
+    return bake_named(parameters, asset.of).as<CloudVolumeBake>();
+}
+
+Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const Cloud& cloud = cloud_named(parameters, of.cloud);
+    Baked volume = labelled_volume(std::move(label));
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
+    if (!inputs.value) return {{}, inputs.diagnostics};
+    Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
+    if (options.cancelled()) return {};
+    code_levels(voxels);
+    volume.bake_seconds = voxels.bake_seconds;
+    const double wisp_height = cloud.detail.empty() ? kUsualWispHeight : cloud.wisp_height;
+    return bake_cloud_distance({voxels, filtered_threshold(cloud)}, asset, wisp_height, options,
+                               std::move(volume));
+}
+
+std::vector<Need> needs(const Parameters& parameters, const CloudDistanceBake& asset,
+                        Certification) {
+    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+}
+
+Estimate estimate(const Parameters& parameters, const CloudDistanceBake& asset) {
+    constexpr double kSecondsPerVoxel = 2e-9;
+    constexpr double kSecondsPerTexel = 1e-8;
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const std::array<int, 3> texels = CellGrid{of.size, asset.cell}.size();
+    Estimate result = estimate_volume(asset, texels, asset.contents.size(), kSecondsPerTexel);
+    const Estimate voxels = estimate_cloud_volume(parameters, of);
+    // Bits of voxels, a float for each column of texels at each height of a voxel, and for each texel
+    // those of distance, depth and density.
+    const double bytes = voxels_of(of.size, 1) / 8 +
+                         sizeof(float) * (voxels_of({texels[0], texels[1], of.size[2] + 1}, 1) +
+                                          3 * voxels_of(texels, 1));
+    result.seconds += voxels.seconds / 2 + kSecondsPerVoxel * voxels_of(of.size, 1);
+    result.memory_mib += voxels.memory_mib + bytes / kMebibyte;
+    return result;
+}
+
+// The edges of what the texels span, which may go on beyond the volume.
+Uvw spanned_m(const CloudVolumeBake& of, const CloudDistanceBake& asset, const Cloud& cloud) {
+    const std::array<int, 3> texels = CellGrid{of.size, asset.cell}.size();
+    Uvw extent_m = extent_m_of(cloud);
+    for (std::size_t i = 0; i < 3; ++i) {
+        extent_m[i] *= static_cast<double>(asset.cell) * texels[i] / of.size[i];
+    }
+    return extent_m;
+}
+
+AssetPlaces places(const Parameters& parameters, const CloudDistanceBake& asset,
+                   const StoredTexels&) {
+    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
+    return cloud_places(cloud, spanned_m(volume_of(parameters, asset), asset, cloud));
+}
+
+GlslFunction distance_function(const std::string& ends, const std::string& box) {
+    GlslFunction function;
+    function.comment =
+        "Returns how far it is from p, which lies within the layer, to the cloud, in metres, "
+        "negative "
+        "within it: never farther from 0 than it is.";
+    function.result = "float";
+    function.arguments = "sampler3D distances, vec3 p";
+    function.before = box;
+    function.value = fmt::format("cloud_distance(distances, {}, p - corner, box)", ends);
+    function.suffix = "_distance";
+    return function;
+}
+
+GlslFunction trace_function(const std::string& ends, const std::string& box) {
+    GlslFunction function;
+    function.comment =
+        "Returns the sum of densities times metres over `count` samples, all of them within the "
+        "layer, at from, from + ray * stride and so on. `cloud` is the volume.";
+    function.result = "float";
+    function.arguments =
+        "sampler3D cloud, sampler3D distances, vec3 from, vec3 ray, float stride, int count";
+    function.before = box;
+    function.value = fmt::format(
+        "cloud_trace(cloud, distances, {}, box, from - corner, ray, tile, stride, count)", ends);
+    function.suffix = "_trace";
+    return function;
+}
+
+AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
+                   const StoredTexels& stored) {
+    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const Cloud cloud = spanned_cloud(parameters, of);
+    const Uvw spanned = spanned_m(of, asset, cloud);
+    const std::string corner = glsl_vector({0, 0, cloud.base_altitude.meters});
+    const std::string box =
+        fmt::format("    vec3 corner = {}, box = {};\n", corner, glsl_vector(spanned));
+    const std::array<double, 2> metres =
+        distance_code(asset, config::voxel_edges(cloud, of)).ends();
+    const std::string ends =
+        fmt::format("vec2({}, {})", glsl_number(metres[0]), glsl_number(metres[1]));
+    GlslFunction function;
+    function.comment =
+        "Returns the channels of the texels at x and y in metres and at the altitude z in metres.";
+    function.arguments = "sampler3D distances, vec3 p";
+    function.before = box;
+    function.value = "texture(distances, (p - corner) / box)";
+    AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, std::move(function))}};
+    lookup.functions.push_back(distance_function(ends, box));
+    // A march sums densities as they are stored.
+    if (cloud.channels == config::CloudChannels::density &&
+        cloud.threshold_at == config::ThresholdAt::bake) {
+        const std::string tile =
+            fmt::format("    vec3 tile = {};\n", glsl_vector(extent_m_of(cloud)));
+        lookup.functions.push_back(trace_function(ends, box + tile));
+    }
+    return lookup;
+}
+
+// The volume of a draft has fewer voxels, which a larger cell may not divide.
+void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
+
+std::vector<InputFile> inputs(const Parameters& parameters, const CloudDistanceBake& asset) {
+    return cloud_volume_inputs(parameters, volume_of(parameters, asset));
+}
+
+}  // namespace
+
+const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
+    static const Baker<CloudDistanceBake> row = {.version = 1,
+                                                 .bake = bake,
+                                                 .estimate = estimate,
+                                                 .needs = needs,
+                                                 .places = places,
+                                                 .lookup = lookup,
+                                                 .draft = draft,
+                                                 .inputs = inputs};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,162 @@
+#include "bakers/assets/cloud_distance/distance_folder_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/assets/cloud_distance/cloud_distance.h"
+#include "bakers/assets/cloud_distance/distance_check.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/source_files.h"
+#include "bakers/io/manifest/asset_files.h"
+#include "bakers/occupancy/cloud_bits.h"
+#include "bakers/occupancy/nearest_voxel.h"
+#include "config/assets/cloud_distance.h"
+#include "config/assets/cloud_volume.h"
+#include "config/recipe/recipe.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+namespace {
+
+using config::CloudDistanceBake;
+using config::CloudVolumeBake;
+using occupancy::VoxelBits;
+
+constexpr int kPoints = 65536;
+constexpr int kRays = 10000;
+
+// What the parameters in an asset's entry say.
+struct Distances {
+    CloudDistanceBake bake;
+    std::array<int, 3> voxels{};
+    std::array<double, 3> voxel_m{};
+    float threshold = 0;
+};
+
+// None where the entry is not what a bake writes.
+std::optional<Distances> distances_of(const ManifestAsset& asset) {
+    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
+    if (!recipe.value) return std::nullopt;
+    const config::Parameters& parameters = recipe.value->parameters;
+    const auto own =
+        std::find_if(parameters.bakes.begin(), parameters.bakes.end(),
+                     [&](const config::Bake& bake) { return bake.name == asset.name; });
+    if (own == parameters.bakes.end()) return std::nullopt;
+    const auto* bake = own->find<CloudDistanceBake>();
+    if (bake == nullptr || bake->contents.size() != asset.channels.size()) return std::nullopt;
+    // A recipe that was read names a cloud volume of a cloud that is there.
+    const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
+    const config::Cloud& cloud = cloud_named(parameters, of.cloud);
+    return Distances{*bake, of.size, config::voxel_edges(cloud, of), filtered_threshold(cloud)};
+}
+
+// The first channel of a file; nothing where it cannot be read, which fails elsewhere.
+std::optional<std::vector<float>> stored_distances(const std::filesystem::path& folder,
+                                                   const ManifestAsset& asset,
+                                                   const ManifestFile& file) {
+    const std::size_t channels = asset.channels.size();
+    std::vector<float> distances;
+    const auto read = read_asset_file(folder / file.path, asset, file, 0,
+                                      [&](std::int64_t, std::int64_t count, const float* values) {
+                                          for (std::int64_t i = 0; i < count; ++i) {
+                                              distances.push_back(*values);
+                                              values += channels;
+                                          }
+                                          return true;
+                                      });
+    return read.value ? std::optional(std::move(distances)) : std::nullopt;
+}
+
+std::optional<VoxelBits> stored_bits(const std::filesystem::path& folder,
+                                     const ManifestAsset& volume, const ManifestFile& file,
+                                     std::size_t channel, float threshold) {
+    const std::array<int, 3>& size = volume.levels.front().size;
+    VoxelBits bits(size);
+    const auto read = read_asset_file(
+        folder / file.path, volume, file, 0,
+        [&](std::int64_t first, std::int64_t count, const float* values) {
+            for (std::int64_t i = first; i < first + count; ++i) {
+                if (values[channel] > threshold) {
+                    const std::int64_t row = i / size[0];
+                    bits.set(static_cast<int>(i % size[0]), static_cast<int>(row % size[1]),
+                             static_cast<int>(row / size[1]));
+                }
+                values += volume.channels.size();
+            }
+            return true;
+        });
+    return read.value ? std::optional(std::move(bits)) : std::nullopt;
+}
+
+// What is wrong with the distances to `volume`, in words; empty: nothing.
+std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& asset,
+                     const ManifestAsset& volume, const Distances& wanted) {
+    const ManifestFile* file = first_file(asset);
+    const ManifestFile* voxels_file = first_file(volume);
+    if (file == nullptr || voxels_file == nullptr) return "";
+    const std::string& name = wanted.bake.channel;
+    const auto channel = std::find(volume.channels.begin(), volume.channels.end(), name);
+    if (!name.empty() && channel == volume.channels.end()) {
+        return fmt::format("{} has no channel {}", volume.name, name);
+    }
+    const std::array<int, 3> texels = occupancy::CellGrid{wanted.voxels, wanted.bake.cell}.size();
+    if (volume.levels.front().size != wanted.voxels || asset.levels.front().size != texels) {
+        return fmt::format("its texels do not cover {} at {} voxels per texel", volume.name,
+                           wanted.bake.cell);
+    }
+    const auto distances = stored_distances(folder, asset, *file);
+    const auto bits =
+        stored_bits(folder, volume, *voxels_file,
+                    name.empty() ? 0 : static_cast<std::size_t>(channel - volume.channels.begin()),
+                    wanted.threshold);
+    if (!distances || !bits) return "";
+    const occupancy::DistanceCheckResult found = check_distances(
+        {texels, distances->data(), wanted.bake.cell}, distance_code(wanted.bake, wanted.voxel_m),
+        occupancy::NearestVoxel(*bits, wanted.voxel_m), wanted.voxels, wanted.voxel_m, kPoints,
+        kRays, {});
+    if (!found.failed()) return "";
+    return fmt::format(
+        "of {} distances to {}, {} are too far and {} are nearer than they need be, by up to "
+        "{:.3g} "
+        "m at voxel ({:.1f}, {:.1f}, {:.1f}); {} of {} steps of rays are lost",
+        found.points, volume.name, found.too_far, found.too_near, found.worst_m,
+        found.worst_place[0], found.worst_place[1], found.worst_place[2], found.lost_steps,
+        found.steps);
+}
+
+std::vector<VerifyFailure> check_folder(const Manifest& manifest,
+                                        const std::filesystem::path& folder, int& checks) {
+    std::vector<VerifyFailure> failures;
+    for (const ManifestAsset& asset : manifest.assets) {
+        if (asset.kind != "cloud_distance" || asset.files.empty()) continue;
+        const auto fail = [&](std::string message) {
+            failures.push_back({asset.files.front().path, "distance", std::move(message)});
+        };
+        const std::optional<Distances> distances = distances_of(asset);
+        if (!distances) {
+            ++checks;
+            fail("its parameters cannot be read as a recipe");
+            continue;
+        }
+        const ManifestAsset* volume = asset_named(manifest, distances->bake.of);
+        if (volume == nullptr || !volume->is_volume()) continue;  // baked elsewhere
+        ++checks;
+        std::string fault = fault_of(folder, asset, *volume, *distances);
+        if (!fault.empty()) fail(std::move(fault));
+    }
+    return failures;
+}
+
+}  // namespace
+
+FolderCheck distance_folder_check() { return {check_folder}; }
+
+}  // namespace skybake

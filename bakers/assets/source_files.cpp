@@ -1,0 +1,24 @@
+#include "bakers/assets/source_files.h"
+
+#include <algorithm>
+
+#include "bakers/io/formats/format.h"
+
+namespace skybake {
+
+const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {
+    const auto found = std::find_if(manifest.assets.begin(), manifest.assets.end(),
+                                    [&](const ManifestAsset& asset) { return asset.name == name; });
+    return found != manifest.assets.end() ? &*found : nullptr;
+}
+
+const ManifestFile* first_file(const ManifestAsset& asset) {
+    const auto found =
+        std::find_if(asset.files.begin(), asset.files.end(), [](const ManifestFile& file) {
+            const Format* format = find_format(file.format);
+            return file.level == 0 && format != nullptr && format->read != nullptr;
+        });
+    return found != asset.files.end() ? &*found : nullptr;
+}
+
+}  // namespace skybake

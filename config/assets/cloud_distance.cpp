@@ -1,0 +1,176 @@
+#include "config/assets/cloud_distance.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "config/assets/asset_fields.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/source_volume.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+
+namespace skybake::config {
+namespace {
+
+using DistanceField = Row<CloudDistanceBake>;
+
+constexpr Range distance_range{-1e9, 1e9};
+constexpr Range core_range{1e-3, 1e9};
+
+constexpr std::string_view schneider_2023 =
+    "Schneider 2023, Nubis Cubed: Methods (and madness) to model and render immersive real-time "
+    "voxel-based clouds";
+
+constexpr std::array distance_content_choices = {
+    Choice{DistanceContent::distance, "distance",
+           "metres to the cloud, negative within it; it must be the first"},
+    Choice{DistanceContent::profile, "profile",
+           "how deep within the cloud: 0 at its surface, 1 at the depth `core` and deeper"},
+    Choice{
+        DistanceContent::detail_type, "detail_type",
+        "0 at the base, where details are wisps, 1 from `wisp_height` on, where they are billows"},
+    Choice{DistanceContent::density_scale, "density_scale", "mean of the volume's voxels"},
+};
+
+const std::array distance_table = {
+    DistanceField{asset_field, {}},
+    DistanceField{source_volume_field, &CloudDistanceBake::of},
+    DistanceField{source_channel_field, &CloudDistanceBake::channel},
+    DistanceField{{.key = "cell",
+                   .kind = Kind::power_of_two,
+                   .range = cell_range,
+                   .fallback = "4",
+                   .documentation = "voxels along each edge of a texel",
+                   .hint = "1, 2, 4, 8 or 16"},
+                  &CloudDistanceBake::cell},
+    DistanceField{{.key = "range",
+                   .kind = Kind::length_bounds,
+                   .range = distance_range,
+                   .fallback = R"(["-256 m", "4096 m"])",
+                   .documentation = "least and greatest distance, which unorm types store as 0 and "
+                                    "1; distances beyond it are stored as its ends",
+                   .hint = "a texel holds 0 exactly where the ends are as -1 to 16",
+                   .citation = schneider_2023},
+                  &CloudDistanceBake::range},
+    DistanceField{{.key = "core",
+                   .kind = Kind::length,
+                   .range = core_range,
+                   .documentation = "depth from which the profile is 1; by default the greatest "
+                                    "depth of the volume"},
+                  &CloudDistanceBake::core},
+    DistanceField{{.key = "contents",
+                   .kind = Kind::choice_list,
+                   .choices = distance_content_choices,
+                   .fallback = R"(["distance"])",
+                   .documentation = "what the one, three or four channels hold, in this order",
+                   .citation = schneider_2023},
+                  &CloudDistanceBake::contents},
+};
+
+// This is one section while it is resolved.
+struct DistanceResolver {
+    DecodedSection& bake;
+    const RecipeSoFar& recipe;
+    Decoder& decoder;
+
+    std::size_t check_contents() const {
+        const DecodedField& decoded = bake.at("contents");
+        if (!decoded.value) return 1;
+        const auto& contents = std::get<std::vector<ChoiceIndex>>(*decoded.value);
+        const std::string path = join_path(bake.path, "contents");
+        if (contents.size() == 2) {
+            decoder.diagnostics.error(
+                "E0129", decoded.source->place, fmt::format("`{}` has two channels", path),
+                "a picture has one, three or four channels: add one, or bake two assets");
+        } else if (!distance_content_choices[contents.front().index].is(
+                       DistanceContent::distance)) {
+            decoder.diagnostics.error("E0175", decoded.source->place,
+                                      fmt::format("`{}` does not begin with \"distance\"", path),
+                                      "lookups find the distance in the first channel");
+        }
+        return contents.size();
+    }
+
+    // A surface has the distance 0.
+    void check_range() const {
+        const DecodedField& decoded = bake.at("range");
+        if (!decoded.value) return;
+        const auto& ends = std::get<std::array<double, 2>>(*decoded.value);
+        if (ends[0] <= 0 && ends[1] > 0) return;
+        decoder.diagnostics.error(
+            "E0175", decoded.source->place,
+            fmt::format("`{}` has no room for the distance 0", join_path(bake.path, "range")),
+            "begin it at or below 0 m, and end it above 0 m");
+    }
+
+    void check_tiling(const CloudVolumeBake& volume, int cell) const {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            if (volume.size[axis] % cell != 0) {
+                return report_untiled(bake, volume, cell, axis, decoder);
+            }
+        }
+    }
+
+    // The mean of distances is no distance to keep to.
+    void check_levels() const {
+        const DecodedField& mips = bake.at("mips");
+        if (!mips.value || std::get<double>(*mips.value) == 1 || mips.source == nullptr) return;
+        decoder.diagnostics.error("E0110", mips.source->place,
+                                  fmt::format("`{}` must be 1", join_path(bake.path, "mips")),
+                                  "bake another cloud_distance with a larger `cell`");
+    }
+};
+
+// Reports a name that is not a cloud volume's (E0133), a channel that the volume does not have
+// (E0134), two contents (E0129), other contents than the distance in the first channel and a range
+// without 0 (E0175), texels that do not tile as the volume does (E0150), levels (E0110), and faults
+// of the files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
+void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const DistanceResolver resolver{bake, recipe, decoder};
+    check_pixel_type(bake, decoder);
+    refuse_blocks(bake, "cloud_distance, whose distances must not grow", decoder);
+    const std::size_t contents = resolver.check_contents();
+    resolver.check_range();
+    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
+    if (!volume) return;
+    check_source_channel(bake, *volume, recipe, decoder);
+    const DecodedField& cell = bake.at("cell");
+    if (!cell.value || volume->size[0] == 0) return;
+    const int edge = static_cast<int>(std::get<double>(*cell.value));
+    const VoxelCounts texels = cells_of(*volume, edge);
+    resolve_files(bake, texels, Halving::up, decoder);
+    resolver.check_levels();
+    resolver.check_tiling(*volume, edge);
+    check_cell_cubes(bake, *volume, edge, recipe, decoder);
+    check_voxel_count(bake, texels, contents, bake.at("of").source->place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const CloudDistanceBake& bake) {
+    return reads_of_source_volume(parameters, bake.of);
+}
+
+}  // namespace
+
+const AssetKind& asset_kind(Tag<CloudDistanceBake>) {
+    static const auto rows =
+        with_file_fields(distance_table, {.formats = R"(["bin"])",
+                                          .mips = "number of levels, which is 1",
+                                          .pixel_type = R"("unorm16")"});
+    static const AssetKind kind = make_asset_kind<CloudDistanceBake>(
+        {
+            .name = "cloud_distance",
+            .documentation = "how far it is to a cloud volume's cloud, for rays traced in spheres",
+            .of_another_bake = true,
+        },
+        std::span<const DistanceField>(rows), reads_of, resolve_distance);
+    return kind;
+}
+
+}  // namespace skybake::config
