@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bakers/math/memory.h"
-#include "bakers/occupancy/occupied_cells.h"
 #include "config/sections/cloud.h"
 
 namespace skybake {
