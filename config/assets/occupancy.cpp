@@ -182,15 +182,8 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 
-// Lists the values of the cloud volume. Those of the volume's files are left out, unless the files
-// that it has by default cannot hold its type of numbers: then the list would be no valid recipe.
 std::vector<Read> reads_of(const Parameters& parameters, const OccupancyBake& bake) {
-    const auto& volume = bake_named(parameters, bake.of).as<CloudVolumeBake>();
-    std::vector<Read> reads = reads_of_cloud(parameters, volume.cloud);
-    const bool has_usual_files = facts_of(FileFormat::vdb).holds(volume.pixel_type);
-    reads.push_back({join_path("bake", bake.of),
-                     has_usual_files ? Roles{Role::content} : Roles{Role::content, Role::files}});
-    return reads;
+    return reads_of_cloud_volume(parameters, bake.of);
 }
 
 }  // namespace

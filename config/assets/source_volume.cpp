@@ -31,7 +31,7 @@ std::vector<std::string_view> volume_names(const RecipeSoFar& recipe) {
     return names;
 }
 
-void report_no_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
+void report_no_volume(const DecodedSection& bake, std::string_view key, const RecipeSoFar& recipe,
                       const std::string& name, bool is_other_asset, Decoder& decoder) {
     const std::vector<std::string_view> names = volume_names(recipe);
     std::string label = did_you_mean(name, names);
@@ -40,11 +40,11 @@ void report_no_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
     }
     if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
     decoder.diagnostics.error(
-        "E0133", bake.at("of").source->place,
+        "E0133", bake.at(key).source->place,
         is_other_asset
             ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
-                          join_path(bake.path, "of"), shorten(name))
-            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
+                          join_path(bake.path, key), shorten(name))
+            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, key),
                           shorten(name)),
         std::move(label));
 }
@@ -61,8 +61,8 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 }  // namespace
 
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder) {
-    const std::string* name = text_of(bake.at("of"));
+                                          Decoder& decoder, std::string_view key) {
+    const std::string* name = text_of(bake.at(key));
     if (!name) return nullptr;
     const Bake* found = find_by_name(recipe.bakes, *name);
     const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
@@ -70,7 +70,7 @@ const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const Reci
     const bool is_reported =
         std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
     if (!volume && !is_reported && decoder.complete) {
-        report_no_volume(bake, recipe, *name, found != nullptr, decoder);
+        report_no_volume(bake, key, recipe, *name, found != nullptr, decoder);
     }
     return volume;
 }
@@ -88,6 +88,15 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
                     *text_of(bake.at("of")), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
+}
+
+std::vector<Read> reads_of_cloud_volume(const Parameters& parameters, const std::string& name) {
+    const auto& volume = bake_named(parameters, name).as<CloudVolumeBake>();
+    std::vector<Read> reads = reads_of_cloud(parameters, volume.cloud);
+    const bool has_usual_files = facts_of(FileFormat::vdb).holds(volume.pixel_type);
+    reads.push_back({join_path("bake", name),
+                     has_usual_files ? Roles{Role::content} : Roles{Role::content, Role::files}});
+    return reads;
 }
 
 const Cloud* find_cloud(const CloudVolumeBake& volume, const RecipeSoFar& recipe) {

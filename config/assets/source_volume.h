@@ -1,6 +1,10 @@
-// This header reads the keys `of` and `channel`, which name the cloud volume that another asset is
-// made from.
+// This header reads the keys that name the cloud volume from which another asset is made: `of` and
+// `channel`, or a key of that asset.
 #pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
@@ -22,10 +26,15 @@ inline constexpr Field source_channel_field{
     .documentation = "channel of that volume; its first by default",
     .hint = "R, G, B or A, or Y for a volume of one channel"};
 
-// Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
+// Returns the volume that `key` names, or null. It reports a name that is not a cloud volume's
 // (E0133), unless that volume has errors of its own.
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder);
+                                          Decoder& decoder, std::string_view key = "of");
+
+// Lists what the voxels of a volume are made from, with its own section. The volume's files are left
+// out, unless the files that it has by default cannot hold its type of numbers: then the list would
+// be no valid recipe.
+std::vector<Read> reads_of_cloud_volume(const Parameters& parameters, const std::string& name);
 
 // Reports a channel that the volume does not have (E0134).
 void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,

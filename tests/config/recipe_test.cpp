@@ -121,6 +121,9 @@ const std::vector<Fault> faults = {
      9, 8, 1, "give `v` a size that 8 divides, or a `cell` that divides the size"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
+    {"E0170",
+     vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4, 17, 5,
+     "give `mips`, for instance 6"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

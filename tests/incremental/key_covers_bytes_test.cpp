@@ -181,7 +181,8 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape"});
+    change_every_value(kClouds,
+                       {"format", "profile", "pack", "asset", "cloud", "of", "clouds", "shape"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {

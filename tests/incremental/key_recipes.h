@@ -121,6 +121,12 @@ size = [8, 8, 8]
 asset = "occupancy"
 of = "cloud"
 cell = 2
+[bake.cloudy]
+asset = "environment"
+orders = "single"
+clouds = "cloud"
+size = [4, 4]
+sun_elevation = "20 deg"
 )";
 
 inline constexpr const char* kParticles = R"(
