@@ -22,7 +22,7 @@ const std::string around =
 const std::string cloud =
     "\n[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
     "extent = ['1 km', '1 km', '1 km']\n"
-    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [8, 8, 8]\n";
+    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n";
 
 Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
 
