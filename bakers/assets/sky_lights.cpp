@@ -121,6 +121,10 @@ std::optional<config::Diagnostic> SkyLights::problem(const std::string& name) co
     return std::nullopt;
 }
 
+void SkyLights::for_each_packet(const std::function<void(const SkyLight& light)>& use) const {
+    for (const SkyLight* light : packets_) use(*light);
+}
+
 int SkyLights::channels() const { return colors_ ? kColorChannels : first().medium().air.channels; }
 
 void SkyLights::write_channels(

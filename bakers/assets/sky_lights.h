@@ -64,6 +64,9 @@ class SkyLights {
     // Whether channels are colours; else they are wavelengths.
     bool makes_colors() const { return colors_ != nullptr; }
 
+    // Calls `use` with the light of each packet.
+    void for_each_packet(const std::function<void(const SkyLight& light)>& use) const;
+
     // Returns the number of channels that files hold, unless something else is added to them.
     int channels() const;
 

@@ -351,7 +351,16 @@ Image2<float> stacked_image(const std::vector<TablePart>& parts) {
 
 }  // namespace
 
-Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options) {
+void add_level(const Image2<double>& texels, Baked& table) {
+    Level level = table.levels.back();
+    level.size = {texels.width, texels.height, 1};
+    RangeCounts range;
+    level.voxels = std::make_shared<DenseTexels>(store_texels(texels, table.pixel_type, range));
+    table.levels.push_back(std::move(level));
+}
+
+Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options,
+                            const ChangeTable& change) {
     const auto count = static_cast<int>(parts.size());
     std::vector<ProbeSpace> spaces;
     for (int k = 0; k < count; ++k) {
@@ -369,6 +378,8 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
         add_certificate(part.certificate, table.certificate, static_cast<int>(k));
     }
     if (stack) set_image(std::move(*stack), table);
+    if (change) change(table);
+    if (options.cancelled()) return {};
     add_levels(table);
     std::vector<Diagnostic> problems = look_over(spaces, options, table);
     if (options.cancelled()) return {};

@@ -57,8 +57,14 @@ config::Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequ
 // k/n to (k + 1)/n. The table has the texts of the first part; its range counts and its certificate
 // cover all parts. Adds levels of detail, surveys them and chooses their probes, some in each part.
 // E0407 if the probes cannot detect a wrong file. After an interruption there is neither a value
-// nor a diagnostic.
-config::Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options);
+// nor a diagnostic. `change`, if there is one, comes before levels are added: it may change texels, which
+// it rounds itself (store_texels), and add all levels, which are means otherwise.
+using ChangeTable = std::function<void(Baked& table)>;
+config::Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options,
+                                    const ChangeTable& change = nullptr);
+
+// Adds a level of texels, rounded to the table's pixel type.
+void add_level(const Image2<double>& texels, Baked& table);
 
 // Makes a table of one part: make_part, then stack_tables.
 config::Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,

@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_medium.h"
 #include "bakers/render/sky_tables.h"
 #include "config/assets/occupancy.h"
 

@@ -2,9 +2,8 @@
 // air between camera and cloud.
 #pragma once
 
-#include <vector>
-
 #include "bakers/field/image.h"
+#include "bakers/march/air_depths.h"
 #include "bakers/render/cloud_view.h"
 
 namespace skybake {
@@ -31,16 +30,11 @@ class CloudAir {
     Along along(double elevation_degrees, double azimuth_degrees, double distance_m) const;
 
   private:
-    void fill_optical_depths(const Medium& air, double altitude_km);
-
     Range range_;
     double sun_azimuth_degrees_;
     Image2<float> panorama_;
     Image2<float> air_;  // the same without the light of the ground
-    // Optical depths of the air, channels interleaved. Columns are distances from 0 to the reach,
-    // spaced quadratically; the last column is for the whole ray. Rows are the panorama's
-    // elevations, from the lowest up, but fewer of them.
-    Image2<float> optical_depth_;
+    AirDepths depths_;
 };
 
 }  // namespace skybake

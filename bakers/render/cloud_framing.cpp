@@ -113,8 +113,7 @@ double reach_m(const CloudMedium& medium, const CloudCamera& camera) {
             {medium.extent_m[0], medium.extent_m[1], medium.base_m + medium.extent_m[2]}};
         return farthest_corner_m(whole, camera.position_m);
     }
-    const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
-    return std::min(std::max(24 * tile, 40e3), 256 * tile);
+    return usual_steps(medium, {}).reach_m;
 }
 
 std::string kilometers(double meters) { return fmt::format("{:.4g}km", meters / 1000); }
@@ -161,12 +160,9 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
     settings.width = width;
     settings.height = height;
     settings.sun = sun;
-    settings.step_m =
-        exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
-                              medium.meters_per_voxel(2)) /
-                    3);
-    settings.light_step_m =
-        std::max(settings.step_m, sun_march_length_m(medium, sun) / kSunSamples);
+    const MarchSteps steps = usual_steps(medium, sun);
+    settings.step_m = steps.step_m;
+    settings.light_step_m = steps.light_step_m;
     settings.camera = camera_for(medium, request, static_cast<double>(height) / width);
     settings.reach_m = reach_m(medium, settings.camera);
     return settings;

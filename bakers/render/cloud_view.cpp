@@ -10,7 +10,6 @@
 #include "bakers/render/cloud_air.h"
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/sky_view.h"
-#include "bakers/render/sun_leaps.h"
 
 namespace skybake {
 
@@ -32,29 +31,13 @@ TilePixel tile_pixel(int i) {
 class ViewMarch {
   public:
     ViewMarch(const CloudMedium& medium, const CloudViewSettings& settings, int threads)
-        : medium_(medium),
-          settings_(settings),
-          rays_(settings.camera, settings.width, settings.height),
-          sun_(direction_of(settings.sun.elevation_degrees, settings.sun.azimuth_degrees)),
-          diffuse_(diffuse_share(medium, 4, threads)) {
-        march_.medium = &medium_;
-        march_.diffuse = &diffuse_;
-        for (std::size_t a = 0; a < 3; ++a) {
-            const double origin = settings.camera.position_m[a] - (a == 2 ? medium.base_m : 0);
-            march_.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
-            march_.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
-        }
-        march_.step_m = static_cast<float>(settings.step_m);
-        march_.light_step_m = static_cast<float>(settings.light_step_m);
-        if (settings.sunlit) {
-            march_.light_samples = static_cast<float>(
-                std::ceil(sun_march_length_m(medium, settings.sun) / settings.light_step_m));
-        }
-        march_.leaping = settings.leaping;
-        if (settings.leaping) march_.sun_leaps = leaps_towards_sun(threads);
-    }
+        : rays_(settings.camera, settings.width, settings.height),
+          march_(medium, settings.camera.position_m, settings.sun,
+                 {settings.step_m, settings.light_step_m, settings.reach_m, settings.leaping,
+                  settings.sunlit},
+                 threads) {}
 
-    double through() const { return diffuse_.through; }
+    double through() const { return march_.through(); }
 
     FetchCounts march_tile(int tile_x, int tile_y, Image2<float>& image) const {
         RayBlock block;
@@ -63,12 +46,13 @@ class ViewMarch {
             const int x = tile_x * kTile + pixel.x;
             const int y = tile_y * kTile + pixel.y;
             if (x < image.width && y < image.height) {
-                set_ray(block, static_cast<std::size_t>(i), x, y);
+                march_.set_ray(block, static_cast<std::size_t>(i), rays_.through(x, y),
+                               gradient_noise(x, y, 0), gradient_noise(x, y, 1));
             }
         }
         RayResults results;
         FetchCounts counts;
-        march_cloud_rays(march_, block, results, counts);
+        march_.march(block, results, counts);
         for (int i = 0; i < RayBlock::kCount; ++i) {
             const TilePixel pixel = tile_pixel(i);
             const int x = tile_x * kTile + pixel.x;
@@ -84,46 +68,11 @@ class ViewMarch {
     }
 
   private:
-    std::vector<float> leaps_towards_sun(int threads) const {
-        const auto& direction = march_.light_direction;
-        const glm::dvec3 step =
-            double{march_.light_step_m} * glm::dvec3(direction[0], direction[1], direction[2]);
-        return sun_leaps(medium_.leaps, medium_.volume.size, step,
-                         static_cast<int>(march_.light_samples), threads);
-    }
-
-    void set_ray(RayBlock& block, std::size_t i, int x, int y) const {
-        const glm::dvec3 direction = rays_.through(x, y);
-        const RaySpan span = span_in_layer(medium_, settings_.camera, direction, settings_.reach_m);
-        for (std::size_t a = 0; a < 3; ++a) {
-            block.direction[a][i] = static_cast<float>(direction[a] / medium_.meters_per_voxel(a));
-        }
-        block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
-        block.jitter[i] = gradient_noise(x, y, 0);
-        block.light_jitter[i] = gradient_noise(x, y, 1);
-        if (span.first_m > span.last_m) return;  // first = end = 0: no samples
-        // One sample is added on each side; the march checks whether samples are inside.
-        block.first[i] =
-            static_cast<float>(std::max(std::floor(span.first_m / settings_.step_m) - 1, 0.0));
-        block.end[i] = static_cast<float>(std::ceil(span.last_m / settings_.step_m) + 1);
-    }
-
-    const CloudMedium& medium_;
-    const CloudViewSettings& settings_;
     CameraRays rays_;
-    glm::dvec3 sun_;
-    DiffuseShare diffuse_;
-    CloudMarch march_;
+    LayerMarch march_;
 };
 
 }  // namespace
-
-double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
-    const double longest = medium.repeats ? std::max(medium.extent_m[0], medium.extent_m[1])
-                                          : std::hypot(medium.extent_m[0], medium.extent_m[1]);
-    const double slope = std::fabs(sine_of_degrees(sun.elevation_degrees));
-    return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
-}
 
 MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
                        Progress* progress) {

@@ -19,14 +19,13 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
+#include "bakers/march/cloud_medium.h"
+#include "bakers/march/cloud_rays.h"
+#include "bakers/march/layer_march.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/render/cloud_medium.h"
-#include "bakers/render/cloud_rays.h"
 #include "bakers/render/sky_tables.h"
 
 namespace skybake {
-
-inline constexpr double kSunSamples = 256;
 
 // Azimuths are from +x towards +y.
 struct CloudCamera {
@@ -35,16 +34,6 @@ struct CloudCamera {
     double elevation_degrees = 0;
     double horizontal_field_degrees = 60;
 };
-
-struct SunDirection {
-    double elevation_degrees = 0;
-    double azimuth_degrees = 0;
-};
-
-// Returns the length of a march towards the sun. It ends where sunlight enters the layer, but it is
-// not longer than the tile's longer edge, after which the same clouds repeat, or than the tile's
-// diagonal if they do not repeat.
-double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun);
 
 struct CloudViewSettings {
     int width = 0;

@@ -432,7 +432,9 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
         }
-        if (bake.kind->facts.is_table) resolve_table_files(bake.section, decoder);
+        if (bake.kind->facts.is_table && !bake.kind->facts.of_another_bake) {
+            resolve_table_files(bake.section, decoder);
+        }
         for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }
@@ -444,6 +446,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
     for (std::size_t i = 0; i < open.size(); ++i) {
         if (open[i].kind->facts.of_another_bake) {
             open[i].kind->resolve(open[i].section, {recipe, bakes, unreadable}, decoder);
+            if (open[i].kind->facts.is_table) resolve_table_files(open[i].section, decoder);
             bakes[i] = bind(open[i], recipe);
         }
         append_values(open[i].section, decoder);

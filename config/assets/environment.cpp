@@ -1,22 +1,73 @@
 #include "config/assets/environment.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <numbers>
+#include <string>
+#include <vector>
+
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
 
 using EnvironmentField = Row<EnvironmentBake>;
 
+constexpr Range azimuth_range{-std::numbers::pi, std::numbers::pi};
+constexpr Range camera_place_range{-1e8, 1e8};
+constexpr Range sample_range{1, 16};
+
+constexpr std::array environment_mapping_choices = {
+    Choice{EnvironmentMapping::longitude_latitude, "longitude_latitude",
+           "azimuth along u and elevation along v, twice as wide as high"},
+    Choice{EnvironmentMapping::cube, "cube",
+           "six square faces below each other: +x, -x, +y, -y, +z, -z, as GPUs have them"},
+    Choice{EnvironmentMapping::octahedral, "octahedral",
+           "the sphere as an octahedron that is unfolded to a square, the zenith in its middle"},
+};
+
+constexpr std::array sun_choices = {
+    Choice{SunInMap::none, "none", "the sun's disc is left out; `lights` tells its light"},
+    Choice{SunInMap::disc, "disc", "texels hold the light of the sun's disc, all of it"},
+};
+
+constexpr std::array level_choices = {
+    Choice{LevelContent::mean, "mean", "the means of the level before"},
+    Choice{LevelContent::ggx, "ggx",
+           "light as rough surfaces reflect it, from smooth to the roughness 1"},
+};
+
+constexpr Field needing_clouds(Field field) {
+    field.needs = "clouds";
+    return field;
+}
+
 const std::array environment_table = {
     EnvironmentField{asset_field, {}},
-    EnvironmentField{{.key = "size",
-                      .kind = Kind::size,
-                      .range = texel_range,
-                      .fallback = "[1024, 512]",
-                      .documentation = "texels around, and from the zenith to straight down"},
-                     &EnvironmentBake::size},
+    EnvironmentField{{.key = "mapping",
+                      .kind = Kind::choice,
+                      .choices = environment_mapping_choices,
+                      .fallback = R"("longitude_latitude")",
+                      .documentation = "which direction a texel shows"},
+                     &EnvironmentBake::mapping},
+    EnvironmentField{
+        {.key = "size",
+         .kind = Kind::size,
+         .range = texel_range,
+         .fallback = "[1024, 512]",
+         .documentation = "texels of the image: around, and from the zenith to straight down; of a "
+                          "cube [256, 1536] by default, of an octahedron [512, 512]"},
+        &EnvironmentBake::size},
     EnvironmentField{camera_altitude_field, &EnvironmentBake::altitude},
     EnvironmentField{{.key = "sun_elevation",
                       .kind = Kind::angle,
@@ -25,12 +76,175 @@ const std::array environment_table = {
                       .documentation = "elevation of the sun, which stands in the middle of a row",
                       .hint = "-90 deg to 90 deg"},
                      &EnvironmentBake::sun_elevation},
+    EnvironmentField{{.key = "sun_azimuth",
+                      .kind = Kind::angle,
+                      .range = azimuth_range,
+                      .fallback = R"("0 deg")",
+                      .documentation = "azimuth of the sun, to the right of straight ahead, which "
+                                       "is the middle of a row and the x axis of clouds"},
+                     &EnvironmentBake::sun_azimuth},
     EnvironmentField{orders_field, &EnvironmentBake::orders},
     EnvironmentField{layers_field, &EnvironmentBake::layers},
+    EnvironmentField{
+        {.key = "clouds",
+         .kind = Kind::text,
+         .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
+                          "sky; without it, the sky is clear"},
+        &EnvironmentBake::clouds},
+    EnvironmentField{
+        needing_clouds({.key = "camera_x",
+                        .kind = Kind::length,
+                        .range = camera_place_range,
+                        .fallback = R"("0 m")",
+                        .documentation = "x of the camera, from the corner of the clouds' tile"}),
+        &EnvironmentBake::camera_x},
+    EnvironmentField{
+        needing_clouds({.key = "camera_y",
+                        .kind = Kind::length,
+                        .range = camera_place_range,
+                        .fallback = R"("0 m")",
+                        .documentation = "y of the camera, from the corner of the clouds' tile"}),
+        &EnvironmentBake::camera_y},
+    EnvironmentField{
+        needing_clouds(
+            {.key = "samples",
+             .kind = Kind::integer,
+             .range = sample_range,
+             .fallback = "2",
+             .documentation = "rays along each edge of a texel, whose mean through clouds it is"}),
+        &EnvironmentBake::samples},
+    EnvironmentField{{.key = "sun",
+                      .kind = Kind::choice,
+                      .choices = sun_choices,
+                      .fallback = R"("none")",
+                      .documentation = "whether the map holds the light of the sun's disc"},
+                     &EnvironmentBake::sun},
+    EnvironmentField{{.key = "level_content",
+                      .kind = Kind::choice,
+                      .choices = level_choices,
+                      .fallback = R"("mean")",
+                      .documentation = "what the levels of `mips` beyond the first hold",
+                      .citation = karis_2013},
+                     &EnvironmentBake::level_content},
+    EnvironmentField{{.key = "lights",
+                      .kind = Kind::flag,
+                      .fallback = "false",
+                      .documentation = "writes NAME.json with the sun's light, the light on a "
+                                       "level surface, and spherical harmonics to degree 4"},
+                     &EnvironmentBake::lights},
 };
 
-std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake&) {
-    return reads_of_air(parameters, Roles::all());
+template <class T>
+const T* given_value(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
+}
+
+// This is one section while it is resolved.
+struct EnvironmentResolver {
+    DecodedSection& bake;
+    const RecipeSoFar& recipe;
+    Decoder& decoder;
+
+    template <class Enum>
+    bool is(std::string_view key, Enum wanted) const {
+        const DecodedField& decoded = bake.at(key);
+        const auto* choice = given_value<ChoiceIndex>(decoded);
+        return choice && decoded.field->choices[choice->index].is(wanted);
+    }
+
+    void refuse(std::string_view key, std::string message, std::string label) const {
+        const DecodedField& decoded = bake.at(key);
+        decoder.diagnostics.error("E0172", decoded.source ? decoded.source->place : bake.place,
+                                  std::move(message), std::move(label));
+    }
+
+    // Returns how many squares the image is high, or 0 where it need not be made of squares.
+    int squares() const {
+        if (is("mapping", EnvironmentMapping::cube)) return 6;
+        return is("mapping", EnvironmentMapping::octahedral) ? 1 : 0;
+    }
+
+    void resolve_size() const {
+        const int high = squares();
+        if (high == 0) return;
+        const std::array<int, 2> usual = high == 6 ? std::array{256, 1536} : std::array{512, 512};
+        derive(bake.at("size"), usual);
+        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        if (!size || (*size)[1] == high * (*size)[0]) return;
+        report_size(bake,
+                    fmt::format("`{}` of {} makes no squares", join_path(bake.path, "size"),
+                                high == 6 ? "a cube" : "an octahedron"),
+                    fmt::format("give [{0}, {1}], or another size that is {2}", (*size)[0],
+                                high * (*size)[0],
+                                high == 6 ? "six times as high as wide" : "as high as wide"),
+                    decoder);
+    }
+
+    void check_target() const {
+        if (squares() == 0 || !bake.at("target").value) return;
+        refuse("mapping",
+               fmt::format("`{}`: a target loads the mapping longitude_latitude alone",
+                           join_path(bake.path, "mapping")),
+               "leave out `target`, or `mapping`");
+    }
+
+    // Faces and octahedra halve evenly, down to four texels along an edge.
+    void check_halving() const {
+        const auto* mips = given_value<double>(bake.at("mips"));
+        const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
+        if (squares() == 0 || !mips || *mips == 1 || !size) return;
+        int most = 1;
+        for (int edge = (*size)[0]; edge % 2 == 0 && edge >= 8; edge /= 2) ++most;
+        if (*mips > 0 && *mips <= most) return;
+        refuse("mips",
+               fmt::format("`{}` halves squares of {} texels too often",
+                           join_path(bake.path, "mips"), (*size)[0]),
+               fmt::format("at most {} levels keep four whole texels along an edge", most));
+    }
+
+    void check_levels() const {
+        check_halving();
+        const auto* mips = given_value<double>(bake.at("mips"));
+        if (!is("level_content", LevelContent::ggx) || !mips || *mips != 1) return;
+        refuse("level_content",
+               fmt::format("`{}` needs more levels than the map itself",
+                           join_path(bake.path, "level_content")),
+               "give `mips`, for instance 6");
+    }
+
+    void check_clouds(const Cloud* cloud) const {
+        if (cloud && cloud->channels != CloudChannels::density) {
+            refuse("clouds",
+                   fmt::format("`{}` needs a volume of densities", join_path(bake.path, "clouds")),
+                   "the cloud's `channels` are noise");
+        }
+        const auto* altitude = given_value<double>(bake.at("altitude"));
+        const Atmosphere& air = recipe.parameters.atmosphere;
+        const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
+        if (!altitude || thickness_m <= 0 || *altitude < thickness_m) return;
+        refuse("clouds",
+               fmt::format("`{}` needs a camera in the air", join_path(bake.path, "clouds")),
+               fmt::format("the air ends {} above the ground", length_to_string(thickness_m)));
+    }
+};
+
+// Fills in the size. It reports a size that the mapping cannot have (E0142), a name that is not a
+// cloud volume's (E0133), and values that contradict each other (E0172).
+void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    const EnvironmentResolver resolver{bake, recipe, decoder};
+    resolver.resolve_size();
+    resolver.check_target();
+    resolver.check_levels();
+    const std::string* clouds = text_of(bake.at("clouds"));
+    if (!clouds || clouds->empty()) return;
+    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder, "clouds");
+    resolver.check_clouds(volume ? find_cloud(*volume, recipe) : nullptr);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake& bake) {
+    std::vector<Read> reads = reads_of_air(parameters, Roles::all());
+    if (bake.has_clouds()) append(reads_of_source_volume(parameters, bake.clouds), reads);
+    return reads;
 }
 
 }  // namespace
@@ -39,11 +253,12 @@ const AssetKind& asset_kind(Tag<EnvironmentBake>) {
     static const auto rows = with_file_fields(environment_table, table_files);
     static const AssetKind kind = make_asset_kind<EnvironmentBake>(
         {.name = "environment",
-         .documentation = "the sky and the ground around a camera, by longitude and latitude",
+         .documentation = "the sky and the ground around a camera, with clouds if wanted",
          .is_table = true,
          .needs_atmosphere = true,
-         .use_of_light = UseOfLight::colors},
-        std::span<const EnvironmentField>(rows), reads_of);
+         .use_of_light = UseOfLight::colors,
+         .of_another_bake = true},
+        std::span<const EnvironmentField>(rows), reads_of, resolve_environment);
     return kind;
 }
 

@@ -1,5 +1,5 @@
-// This header declares the asset "environment": an image of the sky and the ground around a camera,
-// which renderers use as an environment map.
+// This header declares the asset "environment": an image of the sky, of clouds and of the ground
+// around a camera, which renderers use as an environment map.
 #pragma once
 
 #include <array>
@@ -13,13 +13,40 @@
 
 namespace skybake::config {
 
+// Which direction a texel shows. A cube is a strip of six faces below each other.
+enum class EnvironmentMapping { longitude_latitude, cube, octahedral };
+
+// Whether texels hold the light of the sun's disc.
+enum class SunInMap { none, disc };
+
+// What the levels of detail beyond the first hold.
+enum class LevelContent { mean, ggx };
+
 struct EnvironmentBake : LightFiles {
-    std::array<int, 2> size{};  // texels around the horizon, and from zenith to nadir
+    EnvironmentMapping mapping = EnvironmentMapping::longitude_latitude;
+    std::array<int, 2> size{};  // of the image
     Length altitude;            // of the camera, which may be in space
     Angle sun_elevation;
+    Angle sun_azimuth;  // to the right of straight ahead
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
+    std::string clouds;  // NAME of a [bake.NAME] with asset = "cloud_volume"; empty: a clear sky
+    Length camera_x;     // of the camera, from the corner of the clouds' tile
+    Length camera_y;
+    int samples = 2;  // rays through the clouds along each edge of a texel
+    SunInMap sun = SunInMap::none;
+    LevelContent level_content = LevelContent::mean;
+    bool lights = false;  // writes NAME.json
+
+    bool has_clouds() const { return !clouds.empty(); }
 };
+
+// Whether azimuths count from the sun, so that a lookup needs no other direction: the sun is straight
+// ahead, and nothing but the sky stands there.
+inline bool looks_to_the_sun(const EnvironmentBake& bake) {
+    return bake.mapping == EnvironmentMapping::longitude_latitude && !bake.has_clouds() &&
+           bake.sun_azimuth.radians == 0;
+}
 
 const AssetKind& asset_kind(Tag<EnvironmentBake>);
 

@@ -33,7 +33,7 @@ std::vector<std::string_view> volume_names(const RecipeSoFar& recipe) {
     return names;
 }
 
-void report_no_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
+void report_no_volume(const DecodedSection& bake, std::string_view key, const RecipeSoFar& recipe,
                       const std::string& name, bool is_other_asset, Decoder& decoder) {
     const std::vector<std::string_view> names = volume_names(recipe);
     std::string label = did_you_mean(name, names);
@@ -42,11 +42,11 @@ void report_no_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
     }
     if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
     decoder.diagnostics.error(
-        "E0133", bake.at("of").source->place,
+        "E0133", bake.at(key).source->place,
         is_other_asset
             ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
-                          join_path(bake.path, "of"), shorten(name))
-            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, "of"),
+                          join_path(bake.path, key), shorten(name))
+            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, key),
                           shorten(name)),
         std::move(label));
 }
@@ -63,8 +63,8 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 }  // namespace
 
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder) {
-    const std::string* name = text_of(bake.at("of"));
+                                          Decoder& decoder, std::string_view key) {
+    const std::string* name = text_of(bake.at(key));
     if (!name) return nullptr;
     const Bake* found = find_by_name(recipe.bakes, *name);
     const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
@@ -72,7 +72,7 @@ const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const Reci
     const bool is_reported =
         std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
     if (!volume && !is_reported && decoder.complete) {
-        report_no_volume(bake, recipe, *name, found != nullptr, decoder);
+        report_no_volume(bake, key, recipe, *name, found != nullptr, decoder);
     }
     return volume;
 }

@@ -1,9 +1,10 @@
-// This header reads the keys `of` and `channel`, which name the cloud volume that another asset is
-// made from.
+// This header reads the keys that name the cloud volume from which another asset is made: `of` and
+// `channel`, or a key of that asset.
 #pragma once
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/assets/asset_kind.h"
@@ -30,10 +31,10 @@ inline constexpr Field source_channel_field{
 // Voxels along an edge of a cell.
 inline constexpr Range cell_range{1, 16};
 
-// Returns the volume that `of` names, or null. It reports a name that is not a cloud volume's
+// Returns the volume that `key` names, or null. It reports a name that is not a cloud volume's
 // (E0133), unless that volume has errors of its own.
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
-                                          Decoder& decoder);
+                                          Decoder& decoder, std::string_view key = "of");
 
 // Reports a channel that the volume does not have (E0134).
 void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,

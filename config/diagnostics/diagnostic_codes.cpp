@@ -319,7 +319,8 @@ constexpr std::array codes = {
         "Each axis of a table has an end point on its first and on its last texel, so it needs at "
         "least two texels; an axis that the table does not use has one. A table of scattering "
         "holds `nu_size` sub-images side by side, so `nu_size` must divide the first number; the "
-        "second must be even, since half of it is for rays to the ground.",
+        "second must be even, since half of it is for rays to the ground. An environment that is a "
+        "cube is six times as high as wide, and an octahedral one is a square.",
         "preset = \"earth\"\n[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 7",
         "preset = \"earth\"\n[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 8", usage},
 
@@ -475,6 +476,19 @@ constexpr std::array codes = {
         "size = [64, 64, 16]\n[bake.d]\n"
         "asset = \"cloud_distance\"\nof = \"v\"\nrange = [\"-250 m\", \"4 km\"]",
         usage},
+    DiagnosticCode{
+        "E0172", "environment that cannot be made",
+        "Keys of an environment contradict each other. Clouds are volumes of densities, and "
+        "the camera below or above them is in the air. Faces of a cube and octahedra halve to four "
+        "texels at least. Levels of roughness need `mips` above 1, "
+        "since the first level is the map itself. Programs that `target` names load the mapping "
+        "longitude_latitude alone.",
+        "preset = \"earth\"\n[bake.environment]\nsun_elevation = \"20 deg\"\n"
+        "level_content = \"ggx\"",
+        "preset = \"earth\"\n[bake.environment]\nsun_elevation = \"20 deg\"\n"
+        "level_content = \"ggx\"\nmips = 6",
+        usage},
+
     DiagnosticCode{"E0300", "cannot open or read",
                    "A file does not exist, is a folder, or may not be read.",
                    "skybake check erth.toml", "skybake check earth.toml", input_or_output},

@@ -135,6 +135,7 @@ inline constexpr std::string_view bruneton_2017 =
     "Bruneton 2017, Precomputed Atmospheric Scattering: a New Implementation";
 inline constexpr std::string_view olajos_2016 =
     "Olajos 2016, Real-Time Rendering of Volumetric Clouds";
+inline constexpr std::string_view karis_2013 = "Karis 2013, Real Shading in Unreal Engine 4";
 inline constexpr std::string_view schneider_2015 =
     "Schneider and Vos 2015, The Real-Time Volumetric Cloudscapes of Horizon: Zero Dawn";
 

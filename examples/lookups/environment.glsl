@@ -1,18 +1,72 @@
-// Lookup of asset = "environment": radiance in 1/sr for a solar irradiance of 1. Use a bilinear sampler
-// that repeats along u and clamps along v.
+// Lookups of asset = "environment": radiance in 1/sr for a solar irradiance of 1. Use a bilinear sampler that
+// clamps along v; along u it repeats if the mapping is longitude_latitude, and else clamps.
 //
-// The unit vectors `dir`, `up` and `sun` point along the view ray, away from the planet's centre and to
-// the sun, which stands at u = 1/2. Angles come from atan(y, x), which keeps its digits everywhere.
-vec4 environment_of_4(sampler2D table, vec3 dir, vec3 up, vec3 sun) {                // of four wavelengths
+// The unit vectors `dir`, `up` and `ahead` point along the view ray, away from the planet's centre and straight
+// ahead, whose azimuth is 0: to the sun where the asset has no clouds and no `sun_azimuth`. Azimuths grow to the
+// right. Angles come from atan(y, x), which keeps its digits everywhere.
+vec4 environment_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {              // of four wavelengths
     const float PI = 3.14159265;
     float mu = dot(dir, up);
-    vec3 a = dir - up * mu, b = sun - up * dot(sun, up);               // their azimuths
-    float across = dot(cross(b, a), up), along = dot(a, b);
+    vec3 a = dir - up * mu, b = ahead - up * dot(ahead, up);           // their azimuths
+    float across = dot(cross(a, b), up), along = dot(a, b);
     float azimuth = across != 0.0 || along < 0.0 ? atan(across, along) : 0.0;    // any at the zenith
     float elevation = atan(mu, length(a));
     return texture(table, vec2(0.5 + azimuth / (2.0 * PI), 0.5 - elevation / PI));
 }
 
-vec3 environment(sampler2D table, vec3 dir, vec3 up, vec3 sun) {
-    return vec3(environment_of_4(table, dir, up, sun));
+vec3 environment(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    return vec3(environment_of_4(table, dir, up, ahead));
+}
+
+vec3 environment_view(vec3 dir, vec3 up, vec3 ahead) {                 // how far to the right, up and ahead
+    vec3 flat_ahead = ahead - up * dot(ahead, up);
+    vec3 level = flat_ahead / length(flat_ahead);
+    return vec3(dot(dir, cross(level, up)), dot(dir, up), dot(dir, level));
+}
+
+vec3 environment_face(vec3 v) {                                        // 0 to 5, and the place from -1 to 1
+    float x = abs(v.x), y = abs(v.y), z = abs(v.z);
+    if (x >= y && x >= z) {
+        return v.x > 0.0 ? vec3(0.0, -v.z / x, -v.y / x) : vec3(1.0, v.z / x, -v.y / x);
+    }
+    if (y >= z) return v.y > 0.0 ? vec3(2.0, v.x / y, v.z / y) : vec3(3.0, v.x / y, -v.z / y);
+    return v.z > 0.0 ? vec3(4.0, v.x / z, -v.y / z) : vec3(5.0, -v.x / z, -v.y / z);
+}
+
+vec4 environment_cube_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    vec3 at = environment_face(environment_view(dir, up, ahead));
+    float margin = 0.5 / float(textureSize(table, 0).x);               // of a face, against the next one
+    float x = clamp(0.5 + 0.5 * at.y, margin, 1.0 - margin);
+    float y = clamp(0.5 + 0.5 * at.z, margin, 1.0 - margin);
+    return texture(table, vec2(x, (at.x + y) / 6.0));
+}
+
+vec3 environment_cube(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    return vec3(environment_cube_of_4(table, dir, up, ahead));
+}
+
+vec4 environment_octahedral_texel(sampler2D table, float x, float y) {  // beyond an edge lies the one beside it
+    float in_x = abs(x) > 1.0 ? sign(x) * 2.0 - x : x, of_y = abs(x) > 1.0 ? -y : y;
+    float in_y = abs(of_y) > 1.0 ? sign(of_y) * 2.0 - of_y : of_y, of_x = abs(of_y) > 1.0 ? -in_x : in_x;
+    return texture(table, vec2(0.5 + 0.5 * of_x, 0.5 + 0.5 * in_y));
+}
+
+vec4 environment_octahedral_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    vec3 v = environment_view(dir, up, ahead);
+    float s = abs(v.x) + abs(v.y) + abs(v.z);
+    float x = v.x / s, y = -v.z / s;
+    float across = v.y < 0.0 ? (x < 0.0 ? -1.0 : 1.0) * (1.0 - abs(y)) : x;
+    float down = v.y < 0.0 ? (y < 0.0 ? -1.0 : 1.0) * (1.0 - abs(x)) : y;
+    float n = float(textureSize(table, 0).x), next = 2.0 / n;
+    float column = (0.5 + 0.5 * across) * n - 0.5, row = (0.5 + 0.5 * down) * n - 0.5;
+    float left = (floor(column) + 0.5) * next - 1.0, top = (floor(row) + 0.5) * next - 1.0;
+    vec4 above = mix(environment_octahedral_texel(table, left, top),
+                     environment_octahedral_texel(table, left + next, top), column - floor(column));
+    vec4 below = mix(environment_octahedral_texel(table, left, top + next),
+                     environment_octahedral_texel(table, left + next, top + next), column - floor(column));
+    return mix(above, below, row - floor(row));
+}
+
+vec3 environment_octahedral(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    return vec3(environment_octahedral_of_4(table, dir, up, ahead));
 }

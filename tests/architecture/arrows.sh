@@ -53,13 +53,14 @@ room bakers/light math color field air
 room bakers/noise math field
 room bakers/clouds math field noise
 room bakers/occupancy math field
-room bakers/assets math color field io air light noise clouds occupancy
+room bakers/march math field air occupancy
+room bakers/assets math color field io air light noise clouds occupancy march
 room bakers/shading
 room bakers/workspace math field io assets
 room bakers/plot field io
-room bakers/render math color field io air light occupancy plot
-room bakers/report math color field io air light noise clouds occupancy assets plot render
-room bakers/preview math color field io air light occupancy assets workspace plot render report
+room bakers/render math color field io air light occupancy march plot
+room bakers/report math color field io air light noise clouds occupancy march assets plot render
+room bakers/preview math color field io air light occupancy march assets workspace plot render report
 
 # Each room has its line, and nothing lies beside the rooms.
 for path in config/* bakers/*; do
@@ -92,7 +93,7 @@ forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
 # The console, and the reading and writing of files, are not a baker's business.
-makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/assets'
+makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/march bakers/assets'
 forbid '(iostream|fstream)' "$makers" "$none"
 forbid 'bakers/io/' bakers/assets \
     'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_distance/distance_folder_check\.(h|cpp)|source_files\.(h|cpp)|cloud_volume/cloud_inputs\.cpp)'

@@ -137,6 +137,9 @@ const std::vector<Fault> faults = {
      "[volumes.smoke]\nfile = \"smoke.vdb\"\n[clouds.c]\nvolume = \"smok\"\n"
      "extent = [\"1 km\", \"1 km\", \"1 km\"]",
      4, 10, 6, "did you mean `smoke`?"},
+    {"E0172",
+     vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4, 17, 5,
+     "give `mips`, for instance 6"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

@@ -183,7 +183,7 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
     change_every_value(
-        kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape", "bake.mask.mips",
+        kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "clouds", "shape", "bake.mask.mips",
                   "bake.distance.mips"});
 }
 

@@ -158,6 +158,12 @@ cell = 2
 range = ["-64 m", "1024 m"]
 core = "100 m"
 contents = ["distance", "profile", "detail_type", "density_scale"]
+[bake.cloudy]
+asset = "environment"
+orders = "single"
+clouds = "cloud"
+size = [4, 4]
+sun_elevation = "20 deg"
 )";
 
 inline constexpr const char* kParticles = R"(

@@ -288,6 +288,27 @@ TEST(PrintedLookups, Environment) {
     });
 }
 
+// Azimuths count from straight ahead, which is not where the sun is.
+TEST(PrintedLookups, EnvironmentsWithoutTheSunAhead) {
+    const auto ahead_of = [](const Probe& at) {
+        return view_of(test::at(at, "elevation_deg") * kDegree,
+                       test::at(at, "azimuth_deg") * kDegree, 0);
+    };
+    BakedFile("panorama_turned.exr").holds([&](const Texture& table, const Probe& at) {
+        const View view = ahead_of(at);
+        return SKYBAKE_CALL(panorama_turned_exr, baked_panorama_turned, table, view.dir, view.up,
+                            view.sun);
+    });
+    BakedFile("faces.exr").holds([&](const Texture& table, const Probe& at) {
+        const View view = ahead_of(at);
+        return SKYBAKE_CALL(faces_exr, baked_faces, table, view.dir, view.up, view.sun);
+    });
+    BakedFile("octahedron.exr").holds([&](const Texture& table, const Probe& at) {
+        const View view = ahead_of(at);
+        return SKYBAKE_CALL(octahedron_exr, baked_octahedron, table, view.dir, view.up, view.sun);
+    });
+}
+
 // Before the first slice a lookup goes on towards the camera, where a probe has the slice's value.
 template <class Lookup>
 void expect_air(const BakedFile& file, const Lookup& lookup) {

@@ -10,7 +10,7 @@
 
 #include "bakers/render/cloud_camera.h"
 #include "bakers/render/cloud_framing.h"
-#include "bakers/render/sun_leaps.h"
+#include "bakers/march/sun_leaps.h"
 #include "tests/noise/every_target.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/skies.h"

@@ -65,7 +65,8 @@ double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, cons
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
                            const CloudViewSettings& settings, const glm::dvec3& direction,
                            int steps) {
-    const RaySpan span = span_in_layer(medium, settings.camera, direction, settings.reach_m);
+    const RaySpan span =
+        span_in_layer(medium, settings.camera.position_m, direction, settings.reach_m);
     ReferenceRay result;
     if (!(span.first_m < span.last_m)) return result;
     const auto octaves = octave_phases();

@@ -2,23 +2,30 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "bakers/assets/baker.h"
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/environment/environment_clouds.h"
+#include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/sky_asset.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
+#include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 
+using config::CloudVolumeBake;
 using config::EnvironmentBake;
+using config::EnvironmentMapping;
 using config::Outcome;
 using config::Parameters;
 
@@ -30,40 +37,110 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     });
     return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
-        return bake_environment(found, asset, options,
-                                labelled_light_table(parameters, std::move(label)));
+        Baked table = labelled_light_table(parameters, std::move(label));
+        if (!asset.has_clouds()) return bake_environment(found, asset, options, std::move(table));
+        const Outcome<CloudMedium> medium =
+            clouds_of_environment(parameters, asset, options, table.details);
+        if (!medium.value) return Outcome<Baked>{{}, medium.diagnostics};
+        return bake_environment(found, asset, options, std::move(table), &*medium.value);
     });
+}
+
+const CloudVolumeBake& clouds_of(const Parameters& parameters, const EnvironmentBake& asset) {
+    return bake_named(parameters, asset.clouds).as<CloudVolumeBake>();
 }
 
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
-    return light_needs(parameters, asset.orders, true);
+    std::vector<Need> needs = light_needs(parameters, asset.orders, true);
+    if (asset.has_clouds()) {
+        needs.push_back(need_of_voxels(parameters, clouds_of(parameters, asset)));
+    }
+    return needs;
 }
 
-Estimate estimate(const Parameters&, const EnvironmentBake& asset) {
-    return estimate_texels(asset, asset.size, 3e-6, 0.3 + seconds_to_solve(asset.orders));
+Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
+    Estimate result =
+        estimate_texels(asset, asset.size, 3e-6, 0.3 + seconds_to_solve(asset.orders));
+    if (!asset.has_clouds()) return result;
+    constexpr double kSecondsPerRay = 4e-6;
+    const CloudVolumeBake& of = clouds_of(parameters, asset);
+    const Estimate voxels = estimate_cloud_volume(parameters, of);
+    const double texels = double(asset.size[0]) * asset.size[1];
+    result.seconds += voxels.seconds + kSecondsPerRay * texels * asset.samples * asset.samples / 2;
+    // The voxels, as they are made and as they are marched, and what texels see of them.
+    result.memory_mib += voxels.memory_mib + (8 * voxels_of(of.size, 1) + 24 * texels) / kMebibyte;
+    return result;
 }
 
-AssetPlaces places(const Parameters&, const EnvironmentBake&, const StoredTexels&) {
-    return single_lookup({"azimuth_deg", "elevation_deg"}, [](const Place& at) {
-        return Uvw{at[0].second / 360 + 0.5, 0.5 - at[1].second / 180, 0.5};
-    });
+// A lookup of a part stays within it.
+Uvw uvw_in_part(const EnvironmentLayout& layout, int level, const MapAngles& angles) {
+    const EnvironmentLayout::At at = layout.at(direction_of_angles(angles));
+    const double margin = 0.5 / std::max(layout.part_size()[0] >> level, 1);
+    const double x = std::clamp(at.x, margin, 1 - margin);
+    const double y = std::clamp(at.y, margin, 1 - margin);
+    return {x, (at.part + y) / layout.parts(), 0.5};
+}
+
+AssetPlaces places(const Parameters&, const EnvironmentBake& asset, const StoredTexels&) {
+    const std::vector<std::string> names = {"azimuth_deg", "elevation_deg"};
+    if (asset.mapping == EnvironmentMapping::longitude_latitude) {
+        return single_lookup(names, [](const Place& at) {
+            return Uvw{at[0].second / 360 + 0.5, 0.5 - at[1].second / 180, 0.5};
+        });
+    }
+    const EnvironmentLayout layout(asset.mapping, asset.size);
+    return {names, [layout](const Probe& probe, int level) {
+                const MapAngles angles = {probe.at[0].second / kDegreesPerRadian,
+                                          probe.at[1].second / kDegreesPerRadian};
+                return std::vector<ProbeLookup>{{uvw_in_part(layout, level, angles)}};
+            }};
+}
+
+// The beginning of the lookup's name, and the argument from which azimuths are counted.
+struct LookupWords {
+    std::string function;
+    std::string ahead;
+};
+
+LookupWords lookup_words(const EnvironmentBake& asset) {
+    switch (asset.mapping) {
+        case EnvironmentMapping::cube:
+            return {"environment_cube", "ahead"};
+        case EnvironmentMapping::octahedral:
+            return {"environment_octahedral", "ahead"};
+        default:
+            return {"environment", looks_to_the_sun(asset) ? "sun" : "ahead"};
+    }
 }
 
 AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const StoredTexels& stored) {
+    const LookupWords words = lookup_words(asset);
+    const double sun_deg = to_digits(asset.sun_elevation.radians * kDegreesPerRadian, 9);
     GlslFunction function;
     function.comment = fmt::format(
-        "Returns the radiance of the sky or of the ground in 1/sr, for a solar irradiance of 1, "
+        "Returns the radiance of the sky{} or of the ground in 1/sr, for a solar irradiance of 1, "
         "seen from an altitude of {} km. The unit vectors point along the view ray, away from the "
-        "planet's centre and to the sun, which is at an elevation of {} degrees.",
-        glsl_number(asset.altitude.kilometers()),
-        to_digits(asset.sun_elevation.radians * 180 / std::numbers::pi, 9));
-    function.arguments = "sampler2D table, vec3 dir, vec3 up, vec3 sun";
-    function.value = fmt::format("environment{}(table, dir, up, sun)", of_4(stored.channels));
+        "planet's centre and ",
+        asset.has_clouds() ? ", of clouds" : "", glsl_number(asset.altitude.kilometers()));
+    function.comment +=
+        words.ahead == "sun"
+            ? fmt::format("to the sun, which is at an elevation of {} degrees.", sun_deg)
+            : fmt::format(
+                  "straight ahead. The sun is at an elevation of {} degrees and {} degrees "
+                  "to the right of ahead.",
+                  sun_deg, to_digits(asset.sun_azimuth.radians * kDegreesPerRadian, 9));
+    function.arguments = fmt::format("sampler2D table, vec3 dir, vec3 up, vec3 {}", words.ahead);
+    function.value =
+        fmt::format("{}{}(table, dir, up, {})", words.function, of_4(stored.channels), words.ahead);
     return {"environment", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
+// Paths of light meet no clouds and end before the sun's disc.
 std::optional<TracedLight> traced(const Parameters& parameters, const EnvironmentBake& asset) {
-    if (asset.orders == config::SkyOrders::single) return std::nullopt;
+    if (asset.orders == config::SkyOrders::single || asset.has_clouds() ||
+        asset.sun == config::SunInMap::disc) {
+        return std::nullopt;
+    }
     const Shell shell = shell_of(parameters.atmosphere);
     const double altitude_km = asset.altitude.kilometers();
     const double dip_deg = SkyViewCamera(shell, altitude_km).dip() * kDegreesPerRadian;
@@ -73,7 +150,9 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
     for (const SkySample& sample : samples) {
         // Every other view is to the left of the sun.
         const double side = at.size() % 2 == 0 ? 1 : -1;
-        at.push_back({{"azimuth_deg", side * sample.azimuth_deg},
+        const double azimuth_deg =
+            asset.sun_azimuth.radians * kDegreesPerRadian + side * sample.azimuth_deg;
+        at.push_back({{"azimuth_deg", std::remainder(azimuth_deg, 360)},
                       {"elevation_deg", sample.above_horizon_deg - dip_deg}});
     }
     const auto places_in = [&](const StoredTexels& stored) {
@@ -88,7 +167,20 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
 }
 
 void draft(EnvironmentBake& asset, int) {
-    asset.size = {std::min(asset.size[0], 128), std::min(asset.size[1], 64)};
+    asset.samples = 1;
+    if (asset.mapping == EnvironmentMapping::longitude_latitude) {
+        asset.size = {std::min(asset.size[0], 128), std::min(asset.size[1], 64)};
+        return;
+    }
+    const int edge = std::min(asset.size[0], 64);
+    asset.size = {edge, asset.mapping == EnvironmentMapping::cube ? 6 * edge : edge};
+    asset.mips = 1;
+    asset.level_content = config::LevelContent::mean;
+}
+
+std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBake& asset) {
+    if (!asset.has_clouds()) return {};
+    return cloud_volume_inputs(parameters, clouds_of(parameters, asset));
 }
 
 }  // namespace
@@ -101,7 +193,8 @@ const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
                                                .places = places,
                                                .lookup = lookup,
                                                .traced = traced,
-                                               .draft = draft};
+                                               .draft = draft,
+                                               .inputs = inputs};
     return row;
 }
 

@@ -3,124 +3,223 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/environment/environment_lights.h"
+#include "bakers/assets/environment/environment_sun.h"
+#include "bakers/assets/environment/prefilter.h"
+#include "bakers/assets/environment/sphere_harmonics.h"
 #include "bakers/assets/sky_asset.h"
-#include "bakers/assets/sky_view/sky_view_table.h"
+#include "bakers/field/stored_voxels.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {
 
 using config::EnvironmentBake;
+using config::EnvironmentMapping;
+using config::LevelContent;
+using config::SunInMap;
 
 namespace {
 
-// The angle above the horizon, in radians, at a coordinate y, and back.
-double above_horizon(const SkyViewCamera& camera, double y) {
-    return environment_elevation_deg(y) / kDegreesPerRadian + camera.dip();
-}
-double coordinate_of(const SkyViewCamera& camera, double above_horizon) {
-    return 0.5 - (above_horizon - camera.dip()) * kDegreesPerRadian / 180;
-}
-
-// Rays from space that pass above the air see nothing.
-bool sees_air(const SkyViewCamera& camera, double above_horizon) {
-    return !camera.in_space() || above_horizon <= camera.range_above();
+std::string content_of_environment(const EnvironmentBake& bake) {
+    return fmt::format(
+        "radiance of the sky{} and of the ground around a camera (1/sr) for a solar irradiance of "
+        "1, {} the sun's disc: {}{}",
+        bake.has_clouds() ? ", of clouds" : "", bake.sun == SunInMap::disc ? "with" : "without",
+        light_text(bake.orders, bake.layers),
+        bake.level_content == LevelContent::ggx ? "; coarser levels as rough surfaces reflect it"
+                                                : "");
 }
 
-// The model of sky_view, whose rows may have any angle above the horizon and any azimuth.
-using SkyRowFunction = std::function<void(double y, const std::vector<double>& x, double* values)>;
-
-void fill_row(const SkyViewCamera& camera, int channels, double y, const std::vector<double>& x,
-              double* values, const SkyRowFunction& sky_row) {
-    const double angle = above_horizon(camera, y);
-    if (!sees_air(camera, angle)) {
-        std::fill_n(values, x.size() * static_cast<std::size_t>(channels), 0.0);
-        return;
+std::array<AxisMapping, 2> axes_of_environment(const EnvironmentBake& bake) {
+    std::array<AxisMapping, 2> axes;
+    switch (bake.mapping) {
+        case EnvironmentMapping::cube:
+            axes[0] = {"face_x", "u = coordinate of the face, from its left edge to its right one",
+                       "end points on texture edges", 0, 1};
+            axes[1] = {"face_y",
+                       "v = (face + coordinate downwards) / 6; faces right, left, up, down, ahead, "
+                       "behind, as +x, -x, +y, -y, +z, -z of GPUs",
+                       "end points on texture edges", 0, 6};
+            break;
+        case EnvironmentMapping::octahedral:
+            axes[0] = {
+                "right",
+                "u = 1/2 + right / 2 s, s = |right| + |up| + |ahead|; below the horizontal u "
+                "= 1/2 + sign(right) (1 - |ahead| / s) / 2",
+                "end points on texture edges", -1, 1};
+            axes[1] = {"ahead",
+                       "v = 1/2 - ahead / 2 s; below the horizontal v = 1/2 - sign(ahead) (1 - "
+                       "|right| / s) / 2",
+                       "end points on texture edges", 1, -1};
+            break;
+        default:
+            axes[0] = {"azimuth_deg",
+                       looks_to_the_sun(bake)
+                           ? "u = azimuth from the sun / 360 degrees + 1/2"
+                           : "u = azimuth to the right of ahead / 360 degrees + 1/2",
+                       "end points on texture edges", -180, 180};
+            axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees",
+                       "end points on texture edges", 90, -90};
+            axes[0].wrap = AxisWrap::repeat;
+            axes[0].constants = {{"range_deg", 360.0}};
     }
-    std::vector<double> azimuths;  // in half turns from the sun, to either side
-    for (const double coordinate : x) azimuths.push_back(std::fabs(2 * coordinate - 1));
-    sky_row(camera.coordinate(angle), azimuths, values);
+    for (AxisMapping& axis : axes) axis.end_points = TexelConvention::end_points_on_edges;
+    return axes;
 }
 
-void describe(const EnvironmentBake& bake, const SkyViewCamera& camera, const Shell& shell,
-              Baked& table) {
+constexpr const char* kMappingWords[] = {"longitude_latitude", "cube", "octahedral"};
+
+void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& camera,
+                          const Shell& shell, Baked& table) {
     table.kind = "environment";
-    table.content = fmt::format(
-        "radiance of the sky and of the ground around a camera (1/sr) for a solar irradiance of 1, "
-        "without the sun's disc: {}",
-        light_text(bake.orders, bake.layers));
-    table.mapping = "longitude_latitude";
-    table.axes.resize(2);
-    table.axes[0] = {"azimuth_deg", "u = azimuth from the sun / 360 degrees + 1/2",
-                     "end points on texture edges", -180, 180};
-    table.axes[1] = {"elevation_deg", "v = 1/2 - elevation / 180 degrees",
-                     "end points on texture edges", 90, -90};
-    for (AxisMapping& axis : table.axes) axis.end_points = TexelConvention::end_points_on_edges;
-    table.axes[0].wrap = AxisWrap::repeat;
-    table.axes[0].constants = {{"range_deg", 360.0}};
+    table.content = content_of_environment(bake);
+    table.mapping = kMappingWords[static_cast<std::size_t>(bake.mapping)];
+    const auto axes = axes_of_environment(bake);
+    table.axes.assign(axes.begin(), axes.end());
     table.axes[1].constants = shell_constants(shell);
-    const Facts numbers = {
+    Facts numbers = {
         {"dip_deg", camera.dip() * kDegreesPerRadian},
-        {"sun_elevation_deg", to_digits(bake.sun_elevation.radians * kDegreesPerRadian, 9)},
-        {"camera_altitude_km", to_digits(bake.altitude.kilometers(), 9)}};
+        {"sun_elevation_deg", to_digits(bake.sun_elevation.radians * kDegreesPerRadian, 9)}};
+    if (bake.sun_azimuth.radians != 0) {
+        numbers.emplace_back("sun_azimuth_deg",
+                             to_digits(bake.sun_azimuth.radians * kDegreesPerRadian, 9));
+    }
+    numbers.emplace_back("camera_altitude_km", to_digits(bake.altitude.kilometers(), 9));
     table.axes[1].constants.insert(table.axes[1].constants.end(), numbers.begin(), numbers.end());
     set_files(bake, table);
     describe_sky_table(table);
+    if (bake.has_clouds()) {
+        table.certificate.reference =
+            "means of 64 rays that no texel has, marched with half steps; exact light of the air";
+    }
 }
+
+AccuracyRequest request_of_environment(const EnvironmentBake& bake,
+                                       const EnvironmentLayout& layout) {
+    AccuracyRequest request = sky_table_request(layout.part_size());
+    // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
+    request.quick_search = {64, 36, 8, 6, 64};
+    if (bake.has_clouds()) {
+        request.quick = {128 / layout.parts(), 1};
+        request.quick_search = {16, 16, 4, 2, 16};
+        request.full_search = {128, 64, 16, 8, 256};
+    }
+    return request;
+}
+
+Image2<double> in_double(const Image2<float>& image) {
+    Image2<double> result(image.width, image.height, image.channels);
+    std::copy(image.texels.begin(), image.texels.end(), result.texels.begin());
+    return result;
+}
+
+// What is made of the texels once they are known: the lights, the sun's disc and rough levels.
+class EnvironmentFinish {
+  public:
+    EnvironmentFinish(const SkyLights& lights, const EnvironmentBake& bake,
+                      const EnvironmentModels& models, const BakeOptions& options)
+        : lights_(lights), bake_(bake), models_(models), options_(options) {}
+
+    void operator()(Baked& table) const {
+        if (!bake_.lights && bake_.sun == SunInMap::none &&
+            bake_.level_content == LevelContent::mean) {
+            return;
+        }
+        const auto start = std::chrono::steady_clock::now();
+        const std::vector<SunPoint> sun = sun_points(lights_, bake_, models_.clouds());
+        if (bake_.lights) add_lights(sun, table);
+        if (bake_.sun == SunInMap::disc) add_disc(sun, table);
+        if (bake_.level_content == LevelContent::ggx) add_rough_levels(table);
+        table.bake_seconds +=
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+  private:
+    void add_lights(const std::vector<SunPoint>& sun, Baked& table) const {
+        const Image2<float>& map = table.image();
+        const EnvironmentLights lights = {irradiance_of(sun, LitSurface::facing_sun, map.channels),
+                                          irradiance_of(sun, LitSurface::level, map.channels),
+                                          level_irradiance(map, models_.layout()),
+                                          harmonics_of(map, models_.layout())};
+        add_light_facts(lights, table);
+        table.companion = CompanionFile{"json", lights_json(lights, bake_, table)};
+    }
+
+    void add_disc(const std::vector<SunPoint>& sun, Baked& table) const {
+        Image2<double> map = in_double(table.image());
+        add_sun_points(sun, models_.layout(), map);
+        table.range = {};
+        set_image(store_texels(map, table.pixel_type, table.range), table);
+    }
+
+    void add_rough_levels(Baked& table) const {
+        const MapPyramid pyramid(bake_.mapping, table.image());
+        std::vector<double> roughness = {0};
+        std::array<int, 3> size = table.levels.front().size;
+        for (int level = 1; level < table.mips && !options_.cancelled(); ++level) {
+            size = next_mip_size(size);
+            const EnvironmentLayout layout(bake_.mapping, {size[0], size[1]});
+            roughness.push_back(roughness_of_level(level, table.mips));
+            add_level(prefiltered(pyramid, layout, roughness.back(), options_), table);
+        }
+        table.details.emplace_back("roughness_of_levels", to_digits(roughness, 9));
+    }
+
+    const SkyLights& lights_;
+    const EnvironmentBake& bake_;
+    const EnvironmentModels& models_;
+    const BakeOptions& options_;
+};
 
 }  // namespace
 
-double environment_azimuth_deg(double x) { return 360 * (x - 0.5); }
-
-double environment_elevation_deg(double y) { return 180 * (0.5 - y); }
-
-TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
-                             const SunZenith& sun) {
-    TableModel model = sky_view_model(light, camera, sun);
-    model.convention = TexelConvention::end_points_on_edges;
-    model.v_of = nullptr;
-    const int channels = model.channels;
-    model.probe_place = [&camera](double x, double y) {
-        const double angle = above_horizon(camera, y);
-        if (!sees_air(camera, angle)) return std::array<double, 2>{x, y};
-        const double off = camera.angle_at(camera.off_the_edges(camera.coordinate(angle)));
-        return std::array<double, 2>{x, coordinate_of(camera, off)};
-    };
-    model.row = [&camera, channels, sky = model.row](int level, double y,
-                                                     const std::vector<double>& x, double* values) {
-        fill_row(camera, channels, y, x, values,
-                 [&](double of_view, const std::vector<double>& azimuths, double* row) {
-                     sky(level, of_view, azimuths, row);
-                 });
-    };
-    model.reference = [&camera, channels, sky = model.reference](
-                          double y, const std::vector<double>& x, double* values) {
-        fill_row(camera, channels, y, x, values, sky);
-    };
-    return model;
+Place environment_place(const EnvironmentLayout& layout, int part, double x, double y) {
+    if (layout.mapping() == EnvironmentMapping::longitude_latitude) {
+        return {{"azimuth_deg", 360 * (x - 0.5)}, {"elevation_deg", 180 * (0.5 - y)}};
+    }
+    const MapAngles angles = angles_of(layout.direction(part, x, y));
+    return {{"azimuth_deg", angles.azimuth * kDegreesPerRadian},
+            {"elevation_deg", angles.elevation * kDegreesPerRadian}};
 }
 
 config::Outcome<Baked> bake_environment(const SkyLights& lights, const EnvironmentBake& bake,
-                                        const BakeOptions& options, Baked table) {
-    const Shell& shell = lights.first().shell();
-    const SkyViewCamera camera(shell, bake.altitude.kilometers());
-    describe(bake, camera, shell, table);
-    const auto place_of = [](double x, double y) {
-        return Place{{"azimuth_deg", environment_azimuth_deg(x)},
-                     {"elevation_deg", environment_elevation_deg(y)}};
-    };
-    const SunZenith sun = sun_at_elevation(bake.sun_elevation.radians);
-    const TableModel model =
-        lights.model([&](const SkyLight& light) { return environment_model(light, camera, sun); });
-    AccuracyRequest request = sky_table_request(bake.size);
-    // The horizon lies within a row of texels, so more rows must be measured than of sky_view.
-    request.quick_search = {64, 36, 8, 6, 64};
-    return finish_table(model, request, options, place_of, std::move(table));
+                                        const BakeOptions& options, Baked table,
+                                        const CloudMedium* medium) {
+    const auto start = std::chrono::steady_clock::now();
+    const EnvironmentModels models(lights, bake, medium, options);
+    if (options.cancelled()) return {};
+    table.bake_seconds +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    describe_environment(bake, models.camera(), lights.first().shell(), table);
+    const AccuracyRequest request = request_of_environment(bake, models.layout());
+    config::Outcome<Baked> outcome;
+    std::vector<TablePart> parts;
+    for (int part = 0; part < models.layout().parts(); ++part) {
+        const auto place_of = [layout = models.layout(), part](double x, double y) {
+            return environment_place(layout, part, x, y);
+        };
+        config::Outcome<TablePart> made =
+            make_part(models.of_part(part), request, options, place_of, table);
+        outcome.diagnostics.insert(outcome.diagnostics.end(), made.diagnostics.begin(),
+                                   made.diagnostics.end());
+        if (!made.value) return outcome;
+        parts.push_back(std::move(*made.value));
+        table.bake_seconds = 0;  // of what all parts share
+    }
+    config::Outcome<Baked> stack =
+        stack_tables(std::move(parts), options, EnvironmentFinish(lights, bake, models, options));
+    outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
+                               stack.diagnostics.end());
+    outcome.value = std::move(stack.value);
+    return outcome;
 }
 
 }  // namespace skybake

@@ -1,32 +1,27 @@
-// The sky and the ground around a camera, by longitude and latitude (asset = "environment").
+// The sky, clouds and the ground around a camera (asset = "environment").
 #pragma once
 
+#include "bakers/assets/environment/environment_mapping.h"
+#include "bakers/assets/environment/environment_model.h"
 #include "bakers/assets/sky_lights.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/table_model.h"
-#include "bakers/light/sky_light.h"
-#include "bakers/light/sky_view_mapping.h"
+#include "bakers/field/choose_probes.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/environment.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
-// Return the azimuth and the elevation of coordinates x and y in [0, 1], in degrees. The azimuth
-// from the sun grows to the right, from -180 to 180; the elevation falls from the zenith, 90, to
-// -90.
-double environment_azimuth_deg(double x);
-double environment_elevation_deg(double y);
+// Returns the place of coordinates x and y in [0, 1] of a part, as probes have it: the azimuth to the
+// right of ahead and the elevation, in degrees. By longitude and latitude the azimuth grows from -180
+// to 180, and the elevation falls from the zenith, 90, to -90.
+Place environment_place(const EnvironmentLayout& layout, int part, double x, double y);
 
-// The table as a function: radiance (1/sr) towards the camera, computed as in sky_view_model. All
-// arguments must outlive the model.
-TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
-                             const SunZenith& sun);
-
-// Bakes the sky from one altitude under one sun, without the sun's disc. `table` comes with name,
-// parameters and channel names.
+// Bakes the sky from one altitude under one sun, without the sun's disc unless the bake asks for it.
+// `table` comes with name, parameters and channel names. `medium` is of the clouds; null: none.
 config::Outcome<Baked> bake_environment(const SkyLights& lights,
                                         const config::EnvironmentBake& bake,
-                                        const BakeOptions& options, Baked table);
+                                        const BakeOptions& options, Baked table,
+                                        const CloudMedium* medium = nullptr);
 
 }  // namespace skybake

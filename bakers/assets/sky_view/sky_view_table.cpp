@@ -86,9 +86,13 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
 
 }  // namespace
 
-TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
-                          const SunZenith& sun) {
+TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun,
+                          SeenGround ground) {
     const auto channels = light.medium().air.channels;
+    const auto wanted_of = [&light, ground](SkyRadiance radiance) {
+        if (ground == SeenGround::black) radiance.ground = {};
+        return light.wanted(radiance);
+    };
     TableModel model;
     model.channels = channels;
     model.lowest = 0;
@@ -98,23 +102,23 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera,
         return std::array<double, 2>{x, camera.off_the_edges(y)};
     };
     model.cost_per_texel = {1};
-    model.row = [&light, &camera, sun, channels](int, double y, const std::vector<double>& x,
-                                                 double* values) {
+    model.row = [&light, &camera, sun, channels, wanted_of](
+                    int, double y, const std::vector<double>& x, double* values) {
         std::vector<double> cosines;
         for (const double azimuth : x) cosines.push_back(cosine_of_pi(azimuth));
         const SkyRow row(light.integrator(), light.medium(), light.higher_orders(),
                          camera.ray(y, sun, 1), &light.sunlight());
         const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
         for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
-            const Spectrum wanted = light.wanted(radiance);
+            const Spectrum wanted = wanted_of(radiance);
             values = std::copy_n(data(wanted), channels, values);
         }
     };
-    model.reference = [&light, &camera, sun, channels](double y, const std::vector<double>& x,
-                                                       double* values) {
+    model.reference = [&light, &camera, sun, channels, wanted_of](
+                          double y, const std::vector<double>& x, double* values) {
         for (const double azimuth : x) {
             const SkyRay ray = camera.ray(y, sun, cosine_of_pi(azimuth));
-            const Spectrum wanted = light.wanted(light.integrator().radiance(ray));
+            const Spectrum wanted = wanted_of(light.integrator().radiance(ray));
             values = std::copy_n(data(wanted), channels, values);
         }
     };

@@ -14,7 +14,9 @@ namespace skybake {
 
 // The table of one sun as a function: radiance (1/sr) at azimuth and angle of (x, y), computed by
 // sky_row.h. The reference is SkyIntegrator, ray by ray. All arguments must outlive the model.
-TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun);
+enum class SeenGround { lit, black };  // black: only its light at the end of rays is left out
+TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, const SunZenith& sun,
+                          SeenGround ground = SeenGround::lit);
 
 // Bakes the sky from one altitude under one sun or several (sky_view_mapping.h), without the sun's
 // disc. `table` comes with name, parameters and channel names.

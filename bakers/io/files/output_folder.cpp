@@ -15,6 +15,7 @@
 #include "bakers/io/files/temporary_file.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/environment.h"
 #include "config/sections/targets.h"
 
 namespace skybake {
@@ -150,7 +151,8 @@ std::vector<std::string> file_names(const config::Bake& bake) {
         }
     }
     const auto* bruneton = bake.find<config::BrunetonBake>();
-    if (bruneton && config::has_companion(*bruneton)) {
+    const auto* environment = bake.find<config::EnvironmentBake>();
+    if ((bruneton && config::has_companion(*bruneton)) || (environment && environment->lights)) {
         names.push_back(companion_file_name(bake.name, "json"));
     }
     for (std::string& name :

@@ -21,8 +21,8 @@ constexpr std::string_view kColumns =
 constexpr std::size_t kColumnCount = 13;
 
 // Exact at 90 and 0 degrees.
-double cosine_of_degrees(double angle) { return cosine_of_pi(angle / 180); }
-double sine_of_degrees(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
+double cosine_deg(double angle) { return cosine_of_pi(angle / 180); }
+double sine_deg(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
 
 // Cuts the text up to `separator`, or all of it, off its beginning.
 std::string_view cut(std::string_view& text, char separator) {
@@ -83,11 +83,10 @@ std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
     std::vector<SkyTruth> result;
     for (std::size_t i = 0; i < directions.size(); ++i) {
         const SkyTruthDirection& at = directions[i];
-        const SunZenith sun = {cosine_of_degrees(at.sun_zenith_degrees),
-                               sine_of_degrees(at.sun_zenith_degrees)};
-        const SkyDirection view = sky_direction(sun, cosine_of_degrees(at.view_zenith_degrees),
-                                                sine_of_degrees(at.view_zenith_degrees),
-                                                cosine_of_degrees(at.azimuth_degrees));
+        const SunZenith sun = {cosine_deg(at.sun_zenith_degrees), sine_deg(at.sun_zenith_degrees)};
+        const SkyDirection view =
+            sky_direction(sun, cosine_deg(at.view_zenith_degrees), sine_deg(at.view_zenith_degrees),
+                          cosine_deg(at.azimuth_degrees));
         PathTracerSettings path_settings;
         path_settings.seed = settings.seed;
         path_settings.ray = static_cast<std::uint32_t>(i);

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/assets/registry.h"
-#include "bakers/render/cloud_light.h"
+#include "bakers/march/cloud_light.h"
 #include "bakers/render/sun_disc.h"
 #include "config/recipe/recipe.h"
 

@@ -6,7 +6,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_medium.h"
 #include "bakers/render/sky_tables.h"
 
 namespace skybake {

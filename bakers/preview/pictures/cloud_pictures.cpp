@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "bakers/preview/pictures/asset_pictures.h"

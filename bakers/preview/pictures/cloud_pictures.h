@@ -8,7 +8,7 @@
 
 #include "bakers/plot/drawing.h"
 #include "bakers/render/cloud_framing.h"
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_medium.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/tone_curve.h"

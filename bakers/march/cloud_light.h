@@ -31,7 +31,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_medium.h"
 
 namespace skybake {
 

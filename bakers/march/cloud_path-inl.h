@@ -2,19 +2,19 @@
 //
 // The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
 // include guard.
-#if defined(SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
-#undef SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#if defined(SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_
+#undef SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_
 #else
-#define SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#define SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_
 #endif
 
 #include <bit>
 #include <cstddef>
 #include <cstdint>
 
+#include "bakers/march/cloud_medium.h"
 #include "bakers/math/transcendental-inl.h"
-#include "bakers/render/cloud_medium.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -160,4 +160,4 @@ HWY_INLINE void step_on(FloatMask sampled, FloatLanes sigma, Progress& progress)
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();
 
-#endif  // SKYBAKE_BAKERS_PREVIEW_CLOUD_PATH_INL_H_
+#endif  // SKYBAKE_BAKERS_MARCH_CLOUD_PATH_INL_H_

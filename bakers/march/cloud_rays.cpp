@@ -1,5 +1,5 @@
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "bakers/render/cloud_rays.cpp"
+#define HWY_TARGET_INCLUDE "bakers/march/cloud_rays.cpp"
 #include <hwy/foreach_target.h>
 // Highway wants its own header after foreach_target.h.
 #include <hwy/highway.h>
@@ -9,12 +9,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/render/cloud_rays.h"
+#include "bakers/march/cloud_rays.h"
 
 #include "bakers/air/particles/phase_function-inl.h"
-#include "bakers/render/cloud_leap-inl.h"
-#include "bakers/render/cloud_path-inl.h"
-#include "bakers/render/sun_march-inl.h"
+#include "bakers/march/cloud_leap-inl.h"
+#include "bakers/march/cloud_path-inl.h"
+#include "bakers/march/sun_march-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {

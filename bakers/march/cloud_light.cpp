@@ -1,4 +1,4 @@
-#include "bakers/render/cloud_light.h"
+#include "bakers/march/cloud_light.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "bakers/occupancy/cell_grid.h"
 
 namespace skybake {
 

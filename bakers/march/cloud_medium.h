@@ -12,7 +12,6 @@
 
 #include "bakers/air/cloud_optics.h"
 #include "bakers/math/memory.h"
-#include "bakers/occupancy/occupied_cells.h"
 #include "config/sections/cloud.h"
 
 namespace skybake {

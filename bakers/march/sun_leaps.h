@@ -15,8 +15,8 @@
 #include <array>
 #include <vector>
 
+#include "bakers/march/cloud_medium.h"
 #include "bakers/math/vectors.h"
-#include "bakers/render/cloud_medium.h"
 
 namespace skybake {
 

@@ -2,17 +2,17 @@
 //
 // The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
 // include guard.
-#if defined(SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
-#undef SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
+#if defined(SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_
+#undef SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_
 #else
-#define SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
+#define SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_
 #endif
 
 #include <bit>
 #include <cstdint>
 
-#include "bakers/render/cloud_path-inl.h"
+#include "bakers/march/cloud_path-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -113,4 +113,4 @@ HWY_INLINE FloatMask leap_or_look(const CloudPath& path, const Pace& pace, const
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();
 
-#endif  // SKYBAKE_BAKERS_PREVIEW_CLOUD_LEAP_INL_H_
+#endif  // SKYBAKE_BAKERS_MARCH_CLOUD_LEAP_INL_H_

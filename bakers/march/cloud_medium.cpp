@@ -1,4 +1,4 @@
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_medium.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,6 +6,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
 
 namespace skybake {

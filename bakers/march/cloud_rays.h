@@ -18,8 +18,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/render/cloud_light.h"
-#include "bakers/render/cloud_medium.h"
+#include "bakers/march/cloud_light.h"
+#include "bakers/march/cloud_medium.h"
 
 namespace skybake {
 

@@ -1,4 +1,4 @@
-#include "bakers/render/sun_leaps.h"
+#include "bakers/march/sun_leaps.h"
 
 #include <algorithm>
 #include <cmath>

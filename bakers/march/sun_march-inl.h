@@ -2,19 +2,19 @@
 //
 // The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
 // include guard.
-#if defined(SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
-#ifdef SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
-#undef SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
+#if defined(SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_
+#undef SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_
 #else
-#define SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
+#define SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_
 #endif
 
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "bakers/render/cloud_path-inl.h"
-#include "bakers/render/cloud_rays.h"
+#include "bakers/march/cloud_path-inl.h"
+#include "bakers/march/cloud_rays.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -154,4 +154,4 @@ class SunMarches {
 }  // namespace skybake
 HWY_AFTER_NAMESPACE();
 
-#endif  // SKYBAKE_BAKERS_PREVIEW_SUN_MARCH_INL_H_
+#endif  // SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_

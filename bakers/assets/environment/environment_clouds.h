@@ -1,0 +1,74 @@
+// Clouds in front of the sky around a camera, marched as previews of clouds are (march/).
+//
+// What a march finds does not depend on colours, so all wavelengths share it. A texel's coefficients
+// are means over its solid angle, of rays through the middles of samples x samples equal parts of it.
+// The layer's x axis points straight ahead, its y axis to the left.
+#pragma once
+
+#include <array>
+
+#include "bakers/assets/environment/environment_mapping.h"
+#include "bakers/field/image.h"
+#include "bakers/march/layer_march.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/math/facts.h"
+#include "config/assets/environment.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/parameters.h"
+
+namespace skybake {
+
+// Returns the voxels of an environment's clouds, as the volume's own files hold them. After an
+// interruption there is neither a value nor a diagnostic.
+config::Outcome<CloudMedium> clouds_of_environment(const config::Parameters& parameters,
+                                                   const config::EnvironmentBake& bake,
+                                                   const BakeOptions& options, Facts& details);
+
+// Returns a direction (right, up, ahead) in the coordinates of a layer.
+inline glm::dvec3 in_layer(const glm::dvec3& direction) {
+    return {direction.z, -direction.x, direction.y};
+}
+
+// What a texel shows of the clouds: coefficients of light sources as in RayResults.
+struct SeenClouds {
+    double sun_at_base = 0;
+    double sun_at_top = 0;
+    double from_sky = 0;
+    double from_ground = 0;
+    double transmittance = 1;
+    double distance_m = 0;  // times 1 - transmittance
+};
+
+class CloudsAround {
+  public:
+    // The arguments must outlive this object. Without `sunlit`, there are no marches to the sun.
+    // After an interruption it must not be used.
+    CloudsAround(const CloudMedium& medium, const config::EnvironmentBake& bake,
+                 const EnvironmentLayout& layout, bool sunlit, const BakeOptions& options);
+
+    SeenClouds texel(int part, int column, int row) const;
+
+    // Returns the mean over an area of a texel's size around any place, of 64 rays that no texel has,
+    // with steps of half the length.
+    SeenClouds around(int part, double x, double y) const;
+
+    // Returns the transmittance of the clouds along a direction, however small.
+    double transmittance(const glm::dvec3& direction) const;
+
+    const CloudMedium& medium() const { return medium_; }
+    double through() const { return march_.through(); }
+    double reach_m() const { return steps_.reach_m; }
+
+  private:
+    void march_texels(int part, int row, int first, int count);
+
+    const CloudMedium& medium_;
+    const EnvironmentLayout& layout_;
+    int samples_;
+    MarchSteps steps_;
+    LayerMarch march_;
+    LayerMarch finer_;
+    Image2<float> seen_;  // the members of SeenClouds, in their order
+};
+
+}  // namespace skybake

@@ -1,0 +1,104 @@
+#include "bakers/march/layer_march.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bakers/march/sun_leaps.h"
+
+namespace skybake {
+
+// The pattern is that of Jimenez 2014. Other layers are the same pattern, moved by an irrational
+// number of pixels.
+float gradient_noise(int x, int y, int layer) {
+    const auto fraction = [](double v) { return v - std::floor(v); };
+    const double moved = 5.588238 * layer;
+    const double slope = 0.06711056 * (x + moved) + 0.00583715 * (y + moved);
+    return static_cast<float>(fraction(52.9829189 * fraction(slope)));
+}
+
+RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
+                      const glm::dvec3& direction, double reach_m) {
+    RaySpan span{0, reach_m};
+    for (std::size_t a = medium.repeats ? 2 : 0; a < 3; ++a) {
+        const double low = (a == 2 ? medium.base_m : 0) - position_m[a];
+        const double high = low + medium.extent_m[a];
+        const double slope = direction[a];
+        if (slope == 0) {
+            if (low > 0 || high < 0) return {1, 0};
+            continue;
+        }
+        span.first_m = std::max(span.first_m, (slope > 0 ? low : high) / slope);
+        span.last_m = std::min(span.last_m, (slope > 0 ? high : low) / slope);
+    }
+    return span;
+}
+
+double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
+    const double longest = medium.repeats ? std::max(medium.extent_m[0], medium.extent_m[1])
+                                          : std::hypot(medium.extent_m[0], medium.extent_m[1]);
+    const double slope = std::fabs(sine_of_degrees(sun.elevation_degrees));
+    return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
+}
+
+MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
+    MarchSteps steps;
+    steps.step_m = exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
+                                         medium.meters_per_voxel(2)) /
+                               3);
+    steps.light_step_m = std::max(steps.step_m, sun_march_length_m(medium, sun) / kSunSamples);
+    const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
+    steps.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
+    return steps;
+}
+
+LayerMarch::LayerMarch(const CloudMedium& medium, const glm::dvec3& position_m,
+                       const SunDirection& sun, const MarchSteps& steps, int threads)
+    : medium_(medium),
+      position_m_(position_m),
+      steps_(steps),
+      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)),
+      diffuse_(diffuse_share(medium, 4, threads)) {
+    march_.medium = &medium_;
+    march_.diffuse = &diffuse_;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double origin = position_m[a] - (a == 2 ? medium.base_m : 0);
+        march_.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
+        march_.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
+    }
+    march_.step_m = static_cast<float>(steps.step_m);
+    march_.light_step_m = static_cast<float>(steps.light_step_m);
+    if (steps.sunlit) {
+        march_.light_samples =
+            static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / steps.light_step_m));
+    }
+    march_.leaping = steps.leaping;
+    if (steps.leaping) march_.sun_leaps = leaps_towards_sun(threads);
+}
+
+std::vector<float> LayerMarch::leaps_towards_sun(int threads) const {
+    const auto& direction = march_.light_direction;
+    const glm::dvec3 step =
+        double{march_.light_step_m} * glm::dvec3(direction[0], direction[1], direction[2]);
+    return sun_leaps(medium_.leaps, medium_.volume.size, step,
+                     static_cast<int>(march_.light_samples), threads);
+}
+
+void LayerMarch::set_ray(RayBlock& block, std::size_t i, const glm::dvec3& direction, float jitter,
+                         float light_jitter) const {
+    const RaySpan span = span_in_layer(medium_, position_m_, direction, steps_.reach_m);
+    for (std::size_t a = 0; a < 3; ++a) {
+        block.direction[a][i] = static_cast<float>(direction[a] / medium_.meters_per_voxel(a));
+    }
+    block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
+    block.jitter[i] = jitter;
+    block.light_jitter[i] = light_jitter;
+    block.first[i] = 0;
+    block.end[i] = 0;
+    if (span.first_m > span.last_m) return;  // no samples
+    // One sample is added on each side; the march checks whether samples are inside.
+    block.first[i] =
+        static_cast<float>(std::max(std::floor(span.first_m / steps_.step_m) - 1, 0.0));
+    block.end[i] = static_cast<float>(std::ceil(span.last_m / steps_.step_m) + 1);
+}
+
+}  // namespace skybake

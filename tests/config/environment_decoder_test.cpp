@@ -1,0 +1,76 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "config/assets/environment.h"
+#include "tests/config/recipes.h"
+
+namespace skybake::config {
+namespace {
+
+using testing::codes_and_places;
+using testing::parse;
+using testing::valid;
+using testing::value_at;
+using Codes = std::vector<std::string>;
+using Size = std::array<int, 2>;
+
+const std::string around =
+    "preset = 'earth_hillaire'\n[bake.environment]\nsun_elevation = '20 deg'\n";
+const std::string cloud =
+    "\n[noise.n.channels.Y]\ntype = 'perlin'\n[clouds.c]\nnoise = 'n'\n"
+    "extent = ['1 km', '1 km', '1 km']\n"
+    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n";
+
+Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
+
+EnvironmentBake environment_of(const std::string& text) {
+    return valid(text).parameters.bakes.front().as<EnvironmentBake>();
+}
+
+TEST(EnvironmentDecoder, SizesFollowTheMapping) {
+    EXPECT_EQ(environment_of(around).size, (Size{1024, 512}));
+    EXPECT_EQ(environment_of(around + "mapping = 'cube'").size, (Size{256, 1536}));
+    EXPECT_EQ(environment_of(around + "mapping = 'octahedral'").size, (Size{512, 512}));
+    EXPECT_EQ(value_at(valid(around + "mapping = 'cube'"), "bake.environment.size").origin,
+              "derived");
+    EXPECT_EQ(environment_of(around + "mapping = 'cube'\nsize = [7, 42]").size, (Size{7, 42}));
+    EXPECT_EQ(faults(around + "mapping = 'cube'\nsize = [8, 8]"), Codes{"E0142 5:8"});
+    EXPECT_EQ(faults(around + "mapping = 'octahedral'\nsize = [8, 4]"), Codes{"E0142 5:8"});
+    EXPECT_EQ(faults(around + "size = [8, 8]"), Codes{});
+}
+
+TEST(EnvironmentDecoder, LevelsHalveWholeSquares) {
+    EXPECT_EQ(environment_of(around + "mips = 'all'").mips, 11);
+    const std::string cube = around + "mapping = 'cube'\nsize = [32, 192]\nmips = ";
+    EXPECT_EQ(environment_of(cube + "4").mips, 4);
+    EXPECT_EQ(faults(cube + "5"), Codes{"E0172 6:8"});
+    EXPECT_EQ(faults(cube + "'all'"), Codes{"E0172 6:8"});
+    EXPECT_EQ(faults(around + "mapping = 'octahedral'\nsize = [9, 9]\nmips = 2"),
+              Codes{"E0172 6:8"});
+    EXPECT_EQ(faults(around + "level_content = 'ggx'"), Codes{"E0172 4:17"});
+    EXPECT_EQ(faults(around + "level_content = 'ggx'\nmips = 6"), Codes{});
+}
+
+TEST(EnvironmentDecoder, TargetsLoadLongitudeAndLatitude) {
+    EXPECT_EQ(faults(around + "target = 'blender'"), Codes{});
+    EXPECT_EQ(faults(around + "target = 'blender'\nmapping = 'octahedral'"), Codes{"E0172 5:11"});
+}
+
+TEST(EnvironmentDecoder, CloudsAreAVolumeOfTheRecipe) {
+    const EnvironmentBake bake =
+        environment_of(around + "clouds = 'v'\ncamera_x = '2 km'\nsamples = 3" + cloud);
+    EXPECT_TRUE(bake.has_clouds());
+    EXPECT_EQ(bake.camera_x.meters, 2000);
+    EXPECT_EQ(bake.samples, 3);
+    EXPECT_EQ(faults(around + "clouds = 'w'" + cloud), Codes{"E0133 4:10"});
+    EXPECT_EQ(faults(around + "clouds = 'environment'" + cloud), Codes{"E0133 4:10"});
+    EXPECT_EQ(faults(around + "camera_x = '2 km'"), Codes{"E0111 4:1"});
+    EXPECT_EQ(faults(around + "samples = 3"), Codes{"E0111 4:1"});
+    EXPECT_EQ(faults(around + "clouds = 'v'\naltitude = '200 km'" + cloud), Codes{"E0172 4:10"});
+}
+
+}  // namespace
+}  // namespace skybake::config

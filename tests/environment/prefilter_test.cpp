@@ -1,0 +1,119 @@
+#include "bakers/assets/environment/prefilter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/environment/maps.h"
+
+namespace skybake {
+namespace {
+
+using config::EnvironmentMapping;
+using test::kPi;
+using test::map_of;
+using test::MappingCase;
+
+const std::vector<MappingCase> kMaps = {{EnvironmentMapping::longitude_latitude, {64, 32}},
+                                        {EnvironmentMapping::cube, {24, 144}},
+                                        {EnvironmentMapping::octahedral, {48, 48}}};
+const BakeOptions kOneThread{.threads = 1};
+
+EnvironmentLayout half_of(const MappingCase& of) {
+    return {of.mapping, {of.size[0] / 2, of.size[1] / 2}};
+}
+
+// Bright over a quarter of the sky, on a gradient.
+double lamp(const glm::dvec3& d) {
+    const glm::dvec3 to_lamp = glm::normalize(glm::dvec3(1, 1, 2));
+    return 1 + 0.5 * d.y + 8 * std::exp(12 * (glm::dot(d, to_lamp) - 1));
+}
+
+// The two integrals of the split sum as sums over every texel of a fine map, with the microfacets'
+// distribution in tangents (Walter et al. 2007, equation 33).
+double by_all_texels(const Image2<float>& map, const EnvironmentLayout& layout,
+                     const glm::dvec3& normal, double roughness) {
+    const double alpha = roughness * roughness;
+    double light = 0;
+    double weights = 0;
+    test::for_texels(map, layout, [&](const glm::dvec3& l, double solid_angle, const float* texel) {
+        const double cosine = glm::dot(normal, l);
+        if (cosine <= 0) return;
+        const double half = glm::dot(normal, glm::normalize(normal + l));
+        const double tangent_square = 1 / (half * half) - 1;
+        const double bottom = alpha * alpha + tangent_square;
+        const double facets = alpha * alpha / (kPi * half * half * half * half * bottom * bottom);
+        light += facets * cosine * solid_angle * double{*texel};
+        weights += facets * cosine * solid_angle;
+    });
+    return light / weights;
+}
+
+TEST(Prefilter, WhiteStaysWhite) {
+    for (const MappingCase& of : kMaps) {
+        const EnvironmentLayout layout(of.mapping, of.size);
+        const MapPyramid pyramid(of.mapping, map_of(layout, [](const glm::dvec3&) { return 1; }));
+        for (const double roughness : {1e-3, 0.2, 0.6, 1.0}) {
+            for (const double texel :
+                 prefiltered(pyramid, half_of(of), roughness, kOneThread).texels) {
+                EXPECT_NEAR(texel, 1, 1e-6);
+            }
+        }
+    }
+}
+
+TEST(Prefilter, IsTheIntegralOverAllTexels) {
+    for (const MappingCase& of : kMaps) {
+        const EnvironmentLayout layout(of.mapping, of.size);
+        const Image2<float> map = map_of(layout, lamp);
+        const MapPyramid pyramid(of.mapping, map);
+        for (const double roughness : {0.4, 0.7, 1.0}) {
+            const EnvironmentLayout small(of.mapping, {of.size[0] / 4, of.size[1] / 4});
+            const Image2<double> found = prefiltered(pyramid, small, roughness, kOneThread);
+            const auto [columns, rows] = small.part_size();
+            double largest = 0;
+            for (int line = 0; line < found.height; ++line) {
+                for (int x = 0; x < columns; ++x) {
+                    const glm::dvec3 normal = small.direction(line / rows, (x + 0.5) / columns,
+                                                              (line % rows + 0.5) / rows);
+                    const double wanted = by_all_texels(map, layout, normal, roughness);
+                    largest = std::max(largest, std::fabs(*found.texel(x, line) / wanted - 1));
+                }
+            }
+            EXPECT_LT(largest, 0.05) << roughness;
+            RecordProperty("largest", std::to_string(largest));
+        }
+    }
+}
+
+TEST(Prefilter, SmoothestIsTheMap) {
+    for (const MappingCase& of : kMaps) {
+        const EnvironmentLayout layout(of.mapping, of.size);
+        const Image2<float> map = map_of(layout, lamp);
+        const Image2<double> found =
+            prefiltered(MapPyramid(of.mapping, map), layout, 0.01, kOneThread);
+        for (std::size_t i = 0; i < map.texels.size(); ++i) {
+            EXPECT_NEAR(found.texels[i], map.texels[i], 1e-3 * map.texels[i]);
+        }
+    }
+}
+
+TEST(Prefilter, RoughnessGrowsEvenlyToOne) {
+    EXPECT_EQ(roughness_of_level(0, 6), 0);
+    EXPECT_EQ(roughness_of_level(5, 6), 1);
+    EXPECT_DOUBLE_EQ(roughness_of_level(2, 5), 0.5);
+    EXPECT_EQ(roughness_of_level(0, 1), 0);
+}
+
+TEST(Prefilter, TakesMapsOfOneTexel) {
+    for (const EnvironmentMapping mapping :
+         {EnvironmentMapping::longitude_latitude, EnvironmentMapping::cube,
+          EnvironmentMapping::octahedral}) {
+        const EnvironmentLayout layout(mapping, {1, mapping == EnvironmentMapping::cube ? 6 : 1});
+        const MapPyramid pyramid(mapping, map_of(layout, [](const glm::dvec3&) { return 2; }));
+        EXPECT_NEAR(prefiltered(pyramid, layout, 0.5, kOneThread).texels[0], 2, 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace skybake
