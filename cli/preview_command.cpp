@@ -68,8 +68,8 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
     if (!unused.empty()) return {{}, std::move(unused)};
     auto complete = completed(request.options, &selection.value->recipe, lit);
     if (!complete.value) return {{}, std::move(complete.diagnostics)};
-    const BakeStages stages = {&progress,
-                               static_cast<int>(bakes.size()) + picture_stages(bakes.size(), lit)};
+    const BakeStages stages = {&progress, static_cast<int>(bakes.size()) +
+                                              picture_stages(bakes.size(), lit, *complete.value)};
     request.options.stages_before = static_cast<int>(bakes.size());
     const BakeOptions options{.threads = selection.value->threads,
                               .certification = certification_of(request.options),

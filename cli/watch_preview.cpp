@@ -181,8 +181,9 @@ class Watch {
             .certification = draft ? Certification::off : certification_of(request_.options),
             .progress = &progress,
             .intermediates = &intermediates_};
-        const BakeStages stages{&progress,
-                                count + picture_stages(bakes.size(), lit_pictures_of(bakes))};
+        const BakeStages stages{
+            &progress,
+            count + picture_stages(bakes.size(), lit_pictures_of(bakes), request_.options)};
         Outcome<PreviewPage> outcome;
         const auto assets = bake_assets(recipe, bakes, title(), options, &memory.assets, stages);
         outcome.diagnostics = assets.diagnostics;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
 
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
@@ -97,6 +99,27 @@ CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
     const std::vector<float> all_occupied(occupancy::count_of(CellGrid{size, 16}.size()), 0.0F);
     medium.leaps = leap_grid(size, 16, all_occupied);
     return medium;
+}
+
+TileVariation varied_tiles(const CloudMedium& medium) {
+    // The margin's share of a tile's edge, on each side of a border.
+    constexpr float kMargin = 0.125F;
+    const std::array<int, 3>& size = medium.volume.size;
+    TileVariation variation;
+    std::mt19937_64 random;
+    for (int tile = 0; tile < kVariedTiles * kVariedTiles; ++tile) {
+        const std::uint64_t bits = random();
+        variation.shift_x.push_back(
+            static_cast<float>((bits & 0xffffffff) % static_cast<std::uint64_t>(size[0])));
+        variation.shift_y.push_back(
+            static_cast<float>((bits >> 32) % static_cast<std::uint64_t>(size[1])));
+    }
+    variation.margin_x = kMargin * static_cast<float>(size[0]);
+    variation.margin_y = kMargin * static_cast<float>(size[1]);
+    for (const float value : medium.volume.values) {
+        variation.greatest = std::max(variation.greatest, std::fabs(value));
+    }
+    return variation;
 }
 
 LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads) {

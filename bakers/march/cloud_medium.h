@@ -46,6 +46,21 @@ struct LeapGrid {
 // one such cell per tile.
 LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector<float>& leaps);
 
+// How the copies of a repeating tile differ, so that no pattern shows towards the horizon: each copy
+// reads the volume from another voxel on. Copies run into each other over a margin on both sides of
+// their common border (tile_variation-inl.h). `shift_x` and `shift_y` hold the first voxel that a copy
+// reads, for kVariedTiles x kVariedTiles copies; copies beyond repeat these.
+inline constexpr int kVariedTiles = 64;
+struct TileVariation {
+    std::vector<float> shift_x;  // voxels, integers; empty: all copies are alike
+    std::vector<float> shift_y;
+    float margin_x = 0;  // voxels
+    float margin_y = 0;
+    float greatest = 0;  // magnitude of a voxel
+
+    bool varies() const { return !shift_x.empty(); }
+};
+
 struct CloudMedium {
     std::array<double, 3> extent_m{};  // the tile's edges along x and y, and the layer's height
     double base_m = 0;                 // altitude of z = 0
@@ -60,6 +75,7 @@ struct CloudMedium {
     // exact.
     float visible_above = 0;
     LeapGrid leaps;
+    TileVariation variation;
 
     double meters_per_voxel(std::size_t axis) const { return extent_m[axis] / volume.size[axis]; }
 };
@@ -69,6 +85,9 @@ struct CloudMedium {
 CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
                          const std::array<int, 3>& size, int channels, int threads,
                          bool repeats = true);
+
+// Returns a variation of the medium's tiles. The same size of the volume gives the same shifts.
+TileVariation varied_tiles(const CloudMedium& medium);
 
 // Calculates leaps from the voxels, by the exact rule for trilinear lookups.
 LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads);

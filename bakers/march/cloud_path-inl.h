@@ -20,10 +20,12 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// A place on a ray, in voxels. `x` and `y` are within the tile that begins at tile_x, tile_y.
+// A place on a ray, in voxels. `x` and `y` are within the volume whose copy begins at tile_x, tile_y.
+// If tiles vary, copies begin elsewhere than tiles do, and local_x, local_y are within the tile.
 struct Place {
     FloatLanes x, y, z;
     FloatLanes tile_x, tile_y;
+    FloatLanes local_x, local_y;
     FloatMask within;  // inside the volume, including both its faces along z
 };
 
@@ -71,6 +73,16 @@ HWY_INLINE FloatLanes lookup(const PaddedVolume& volume, FloatLanes x, FloatLane
                  mixed(along_x(plane), along_x(plane + row), ty.weight), tz.weight);
 }
 
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#include "bakers/march/tile_variation-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
 // The samples along a ray, evenly spaced.
 struct CloudSamples {
     FloatLanes jitter;
@@ -107,6 +119,9 @@ struct CloudPath {
         split(y_at(t), static_cast<float>(medium.volume.size[1]), place.y, place.tile_y);
         place.z = z_at(t);
         const FloatLanes top(static_cast<float>(medium.volume.size[2]));
+        place.local_x = place.x;
+        place.local_y = place.y;
+        if (medium.variation.varies()) shift_into_copy(medium, place);
         place.within = (FloatLanes(0.0F) <= place.z) & (place.z <= top);
         if (!medium.repeats) place.within = place.within & in_first_tile(place);
         return place;
@@ -131,7 +146,9 @@ HWY_INLINE IntLanes index_of(const LeapGrid& grid, const CellPlace& cell) {
 // Returns the extinction in 1/m for the lanes in `wanted`, and 0 for the others.
 HWY_INLINE FloatLanes extinction(const CloudMedium& medium, const Place& at, FloatMask wanted) {
     const CloudOptics& optics = medium.optics;
-    const FloatLanes value = lookup(medium.volume, at.x, at.y, zero_unless(wanted, at.z));
+    const FloatLanes z = zero_unless(wanted, at.z);
+    const FloatLanes value = medium.variation.varies() ? varied_lookup(medium, at, z, wanted)
+                                                       : lookup(medium.volume, at.x, at.y, z);
     const FloatMask visible = wanted & (FloatLanes(medium.visible_above) < value);
     FloatLanes sigma = value * FloatLanes(static_cast<float>(optics.extinction_per_m));
     if (optics.has_edge && optics.edge_softness > 0) {

@@ -2,18 +2,23 @@
 #define HWY_TARGET_INCLUDE "bakers/march/cloud_rays.cpp"
 #include <hwy/foreach_target.h>
 // Highway wants its own header after foreach_target.h.
+#include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <span>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "bakers/march/cloud_rays.h"
 
-#include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/march/cloud_leap-inl.h"
 #include "bakers/march/cloud_path-inl.h"
+#include "bakers/march/cloud_points-inl.h"
 #include "bakers/march/sun_march-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -21,230 +26,158 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr float kPi = 3.14159265F;
-
-// The values b^n p_n of the octaves of sun_scattering, for the angle of each lane.
-struct OctaveLanes {
-    FloatLanes value[kOctaves];
-};
-
-HWY_INLINE FloatLanes henyey_greenstein(double g, FloatLanes offset) {
-    return FloatLanes(static_cast<float>((1 - g) * (1 + g) / 4)) /
-           (FloatLanes(kPi) * henyey_greenstein_denominator(static_cast<float>(g), offset,
-                                                            FloatLanes(2.0F) - offset));
-}
-
-HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {
-    OctaveLanes lanes;
-    const FloatLanes u = FloatLanes(1.0F) - offset;
-    for (std::size_t n = 0; n < kOctaves; ++n) {
-        const DropletPhase& phase = march.octaves[n].phase;
-        const double brightness = march.octaves[n].brightness;
-        const double g = phase.draine_g;
-        const double alpha = phase.draine_alpha;
-        const double draine_scale =
-            brightness * phase.draine_share / (1 + alpha * (1 + 2 * g * g) / 3);
-        const FloatLanes draine =
-            henyey_greenstein(g, offset) *
-            (FloatLanes(1.0F) + FloatLanes(static_cast<float>(alpha)) * u * u) *
-            FloatLanes(static_cast<float>(draine_scale));
-        const FloatLanes forward =
-            henyey_greenstein(phase.hg_g, offset) *
-            FloatLanes(static_cast<float>(brightness * (1 - phase.draine_share)));
-        lanes.value[n] = draine + forward;
-    }
-    return lanes;
-}
-
-// Calculates exp(-tau / 2^n) for the last octave; squaring it repeatedly gives the octaves before.
-HWY_INLINE FloatLanes scattered_sunlight(const OctaveLanes& octaves, FloatLanes tau) {
-    static_assert(kOctaveHalving == 0.5);
-    FloatLanes through =
-        exponential_of_negative(tau * FloatLanes(-1.0F / static_cast<float>(1 << (kOctaves - 1))));
-    FloatLanes sum(0.0F);
-    for (std::size_t n = kOctaves; n-- > 0;) {
-        sum = sum + octaves.value[n] * through;
-        through = through * through;
-    }
-    return sum;
-}
-
-// Looks up a share of diffuse light at places in the volume.
-HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVolume& shares,
-                               FloatLanes x, FloatLanes y, FloatLanes z) {
-    const auto scaled = [&](FloatLanes value, std::size_t axis) HWY_ATTR {
-        const double scale = static_cast<double>(shares.size[axis]) / voxels[axis];
-        return minimum(value * FloatLanes(static_cast<float>(scale)),
-                       FloatLanes(static_cast<float>(shares.size[axis])));
-    };
-    return lookup(shares, scaled(x, 0), scaled(y, 1), scaled(z, 2));
-}
-
-// Adds the light of each point to its ray, in the order of points.
-class Lighting {
+// The march of a packet of rays through one layer.
+class LayerPacket {
   public:
-    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
-        for (std::size_t i = 0; i < RayBlock::kCount; i += FloatLanes::kCount) {
-            const OctaveLanes octaves = octaves_at(march, FloatLanes::load(&rays.sun_offset[i]));
-            for (std::size_t n = 0; n < kOctaves; ++n) octaves.value[n].store(&octaves_[n][i]);
-        }
-    }
+    LayerPacket(const CloudMarch& march, const RayBlock& rays, std::size_t first,
+                LightPoints& points)
+        : march_(march),
+          path_{*march.medium,
+                FloatLanes(march.origin[0]),
+                FloatLanes(march.origin[1]),
+                FloatLanes(march.origin[2]),
+                FloatLanes::load(&rays.direction[0][first]),
+                FloatLanes::load(&rays.direction[1][first]),
+                FloatLanes::load(&rays.direction[2][first]),
+                {FloatLanes::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}},
+          pace_{pace_of(path_.direction_x), pace_of(path_.direction_y), pace_of(path_.direction_z)},
+          collector_(rays, points, first),
+          end_(FloatLanes::load(&rays.end[first])),
+          progress_{FloatLanes::load(&rays.first[first]), FloatLanes(1.0F)} {}
 
-    void add(const LightPoints& points, RayResults& results) const {
-        for (std::size_t first = 0; first < points.size(); first += FloatLanes::kCount) {
-            add_packet(points, first, results);
-        }
-    }
+    FloatMask going() const { return progress_.k < end_; }
+    // The distance of the next sample.
+    FloatLanes next_distance() const { return path_.samples.distance(progress_.k); }
 
-  private:
-    void add_packet(const LightPoints& points, std::size_t first, RayResults& results) const {
-        alignas(64) float x[FloatLanes::kCount] = {};
-        alignas(64) float y[FloatLanes::kCount] = {};
-        alignas(64) float z[FloatLanes::kCount] = {};
-        alignas(64) float tau[FloatLanes::kCount] = {};
-        alignas(64) float octaves[kOctaves][FloatLanes::kCount] = {};
-        const std::size_t count = std::min(FloatLanes::kCount, points.size() - first);
-        for (std::size_t i = 0; i < count; ++i) {
-            x[i] = points.x[first + i];
-            y[i] = points.y[first + i];
-            z[i] = points.z[first + i];
-            tau[i] = points.tau[first + i];
-            for (std::size_t n = 0; n < kOctaves; ++n) {
-                octaves[n][i] = octaves_[n][points.ray[first + i]];
-            }
-        }
-        OctaveLanes lanes;
-        for (std::size_t n = 0; n < kOctaves; ++n) lanes.value[n] = FloatLanes::load(octaves[n]);
-        const std::array<int, 3>& voxels = march_.medium->volume.size;
-        const FloatLanes at_x = FloatLanes::load(x);
-        const FloatLanes at_y = FloatLanes::load(y);
-        const FloatLanes at_z = FloatLanes::load(z);
-        const FloatLanes sunlight = scattered_sunlight(lanes, FloatLanes::load(tau));
-        const FloatLanes height = at_z * FloatLanes(1.0F / static_cast<float>(voxels[2]));
-        const FloatLanes high = sunlight * height;
-        (sunlight - high).store(x);
-        high.store(y);
-        share_at(voxels, march_.diffuse->from_sky, at_x, at_y, at_z).store(z);
-        share_at(voxels, march_.diffuse->from_ground, at_x, at_y, at_z).store(tau);
-        for (std::size_t i = 0; i < count; ++i) {
-            const std::size_t ray = points.ray[first + i];
-            const float weight = points.weight[first + i];
-            results.sun_at_base[ray] += weight * x[i];
-            results.sun_at_top[ray] += weight * y[i];
-            results.from_sky[ray] += 0.5F * weight * z[i];
-            results.from_ground[ray] += 0.5F * weight * tau[i];
-        }
-    }
-
-    const CloudMarch& march_;
-    alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
-};
-
-// Chooses the samples of a packet of rays at which light is evaluated. If samples k and k + 1 are
-// both in cloud and k is even, sample k + 1 uses the light of sample k.
-class PointCollector {
-  public:
-    PointCollector(LightPoints& points, std::size_t first_ray)
-        : points_(points), first_ray_(first_ray) {
-        for (float& k : last_k_) k = -2;  // no sample follows it
-    }
-
-    void add(const Place& at, FloatLanes k, FloatLanes weight, FloatMask lit) {
-        alignas(64) float values[5][FloatLanes::kCount];
-        at.x.store(values[0]);
-        at.y.store(values[1]);
-        at.z.store(values[2]);
-        zero_unless(lit, weight).store(values[3]);
-        k.store(values[4]);
-        for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
-            if (values[3][lane] == 0) continue;
-            const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
-            if (odd && last_k_[lane] + 1 == values[4][lane]) {
-                points_.weight[last_point_[lane]] += values[3][lane];
-                continue;
-            }
-            last_k_[lane] = values[4][lane];
-            last_point_[lane] = points_.size();
-            points_.x.push_back(values[0][lane]);
-            points_.y.push_back(values[1][lane]);
-            points_.z.push_back(values[2][lane]);
-            points_.weight.push_back(values[3][lane]);
-            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
-        }
-    }
-
-  private:
-    LightPoints& points_;
-    std::size_t first_ray_;
-    float last_k_[FloatLanes::kCount];
-    std::size_t last_point_[FloatLanes::kCount] = {};
-};
-
-void march_packet(const CloudMarch& march, const RayBlock& rays, std::size_t first,
-                  LightPoints& points, RayResults& results, FetchCounts& counts) {
-    const FloatLanes direction_x = FloatLanes::load(&rays.direction[0][first]);
-    const FloatLanes direction_y = FloatLanes::load(&rays.direction[1][first]);
-    const FloatLanes direction_z = FloatLanes::load(&rays.direction[2][first]);
-    const CloudPath path{*march.medium,
-                         FloatLanes(march.origin[0]),
-                         FloatLanes(march.origin[1]),
-                         FloatLanes(march.origin[2]),
-                         direction_x,
-                         direction_y,
-                         direction_z,
-                         {FloatLanes::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}};
-    const Pace pace{pace_of(direction_x), pace_of(direction_y), pace_of(direction_z)};
-    PointCollector collector(points, first);
-    const FloatLanes zero(0.0F);
-    const FloatLanes one(1.0F);
-    const FloatLanes end = FloatLanes::load(&rays.end[first]);
-    Progress progress{FloatLanes::load(&rays.first[first]), one};
-    FloatLanes transmittance = one;
-    FloatLanes distance = zero;
-    FloatMask going = progress.k < end;
-    while (any(going)) {
-        progress.k = zero_unless(going, progress.k);
-        const FloatLanes k = progress.k;
-        const FloatLanes t = path.samples.distance(k);
-        const Place at = path.place(t);
-        const FloatMask before = and_not(going, at.within);
-        progress.k = select(before, k + one, k);
-        FloatMask sampling = going & at.within;
-        if (march.leaping) {
-            sampling = leap_or_look(path, pace, at, sampling, end, progress, counts.cells);
+    // Takes a sample in the lanes `taking`, or leaps, and attenuates what is behind it.
+    void advance(FloatMask taking, FloatLanes& transmittance, FetchCounts& counts) {
+        const FloatLanes one(1.0F);
+        const FloatLanes waiting = progress_.k;
+        progress_.k = zero_unless(taking, progress_.k);
+        const FloatLanes k = progress_.k;
+        const FloatLanes t = path_.samples.distance(k);
+        const Place at = path_.place(t);
+        const FloatMask before = and_not(taking, at.within);
+        progress_.k = select(before, k + one, k);
+        FloatMask sampling = taking & at.within;
+        if (march_.leaping) {
+            sampling = leap_or_look(path_, pace_, at, sampling, end_, progress_, counts.cells);
         }
         if (any(sampling)) {
             counts.samples += count_of(sampling);
-            const FloatLanes sigma = extinction(*march.medium, at, sampling);
-            step_on(sampling, sigma, progress);
-            const FloatMask lit = zero < sigma;
-            if (any(lit)) {
-                const FloatLanes through =
-                    exponential_of_negative(zero - sigma * FloatLanes(march.step_m));
-                const FloatLanes weight = transmittance * (one - through);
-                collector.add(at, k, weight, lit);
-                distance = distance + zero_unless(lit, weight * t);
-                transmittance = select(lit, transmittance * through, transmittance);
-            }
+            const FloatLanes sigma = faded(extinction(*march_.medium, at, sampling), t);
+            step_on(sampling, sigma, progress_);
+            const FloatMask lit = FloatLanes(0.0F) < sigma;
+            if (any(lit)) add(at, k, t, sigma, lit, transmittance);
         }
-        going = going & (progress.k < end) & (FloatLanes(kOpaque) <= transmittance);
+        progress_.k = select(taking, progress_.k, waiting);
     }
-    transmittance.store(&results.transmittance[first]);
-    distance.store(&results.distance_m[first]);
+
+    void store(std::size_t first, RayResults& results) const {
+        opacity_.store(&results.opacity[first]);
+        distance_.store(&results.distance_m[first]);
+    }
+
+  private:
+    void add(const Place& at, FloatLanes k, FloatLanes t, FloatLanes sigma, FloatMask lit,
+             FloatLanes& transmittance) {
+        const FloatLanes through =
+            exponential_of_negative(FloatLanes(0.0F) - sigma * FloatLanes(march_.step_m));
+        const FloatLanes weight = transmittance * (FloatLanes(1.0F) - through);
+        collector_.add(at, k, weight, lit);
+        opacity_ = opacity_ + zero_unless(lit, weight);
+        distance_ = distance_ + zero_unless(lit, weight * t);
+        transmittance = select(lit, transmittance * through, transmittance);
+    }
+
+    FloatLanes faded(FloatLanes sigma, FloatLanes t) const {
+        if (march_.fade_to_m == 0) return sigma;
+        const FloatLanes scale(1 / (march_.fade_to_m - march_.fade_from_m));
+        const FloatLanes x =
+            maximum(minimum((FloatLanes(march_.fade_to_m) - t) * scale, FloatLanes(1.0F)),
+                    FloatLanes(0.0F));
+        return sigma * (x * x * (FloatLanes(3.0F) - (x + x)));
+    }
+
+    const CloudMarch& march_;
+    CloudPath path_;
+    Pace pace_;
+    PointCollector collector_;
+    FloatLanes end_;
+    Progress progress_;
+    FloatLanes opacity_ = FloatLanes(0.0F);
+    FloatLanes distance_ = FloatLanes(0.0F);
+};
+
+// Marches a packet of rays through all layers: again and again, those layers of a ray go on whose next
+// sample is nearest. `packets` is room for one packet for each layer.
+void march_packet(std::span<const CloudMarch> layers, std::span<const RayBlock> rays,
+                  std::size_t first, std::span<LayerPacket> packets, std::span<LightPoints> points,
+                  std::span<RayResults> results, FetchCounts& counts) {
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        std::construct_at(&packets[l], layers[l], rays[l], first, points[l]);
+    }
+    FloatLanes transmittance(1.0F);
+    for (bool busy = true; busy;) {
+        FloatLanes nearest(0x1p60F);
+        for (const LayerPacket& packet : packets) {
+            nearest = select(packet.going(), minimum(nearest, packet.next_distance()), nearest);
+        }
+        busy = false;
+        for (LayerPacket& packet : packets) {
+            const FloatMask taking = packet.going() & (packet.next_distance() <= nearest) &
+                                     (FloatLanes(kOpaque) <= transmittance);
+            if (!any(taking)) continue;
+            packet.advance(taking, transmittance, counts);
+            busy = true;
+        }
+    }
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        packets[l].store(first, results[l]);
+        transmittance.store(&results[l].transmittance[first]);
+    }
 }
 
 }  // namespace
 
-void march_all(const CloudMarch& march, const RayBlock& rays, RayResults& results,
-               FetchCounts& counts) {
-    results = {};
-    const Lighting lighting(march, rays);
-    LightPoints points;
+void march_all(std::span<const CloudMarch> layers, std::span<const RayBlock> rays,
+               std::span<RayResults> results, FetchCounts& counts) {
+    std::vector<LightPoints> points(layers.size());
+    for (RayResults& result : results) result = {};
+    // Vectors need an alignment that the memory of std::vector does not have.
+    static_assert(std::is_trivially_destructible_v<LayerPacket>);
+    const auto room = hwy::AllocateAligned<std::byte>(layers.size() * sizeof(LayerPacket));
+    const std::span<LayerPacket> packets(reinterpret_cast<LayerPacket*>(room.get()), layers.size());
     for (std::size_t first = 0; first < RayBlock::kCount; first += FloatLanes::kCount) {
-        march_packet(march, rays, first, points, results, counts);
+        march_packet(layers, rays, first, packets, points, results, counts);
     }
-    SunMarches(march, rays, points, counts).run();
-    lighting.add(points, results);
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        points[l].tau.assign(points[l].size(), 0.0F);
+        for (std::size_t m = 0; m < layers.size(); ++m) {
+            const PointFrame frame =
+                m == l ? own_frame(layers[l]) : frame_of(*layers[l].medium, *layers[m].medium);
+            SunMarches(layers[m], frame, points[l], counts).run();
+        }
+        Lighting(layers[l], rays[l]).add(points[l], results[l]);
+    }
+}
+
+void depths_of_all(std::span<const CloudMarch> layers, std::span<const SunlitPoint> points,
+                   std::vector<float>& depths, FetchCounts& counts) {
+    LightPoints light;
+    for (const SunlitPoint& point : points) {
+        light.x.push_back(point.x_m);
+        light.y.push_back(point.y_m);
+        light.z.push_back(point.altitude_m);
+        light.jitter.push_back(point.jitter);
+    }
+    light.tile_x.assign(points.size(), 0.0F);
+    light.tile_y.assign(points.size(), 0.0F);
+    light.tau.assign(points.size(), 0.0F);
+    for (const CloudMarch& layer : layers) {
+        SunMarches(layer, frame_of_meters(*layer.medium), light, counts).run();
+    }
+    depths = std::move(light.tau);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -255,10 +188,18 @@ HWY_AFTER_NAMESPACE();
 namespace skybake {
 
 HWY_EXPORT(march_all);
+HWY_EXPORT(depths_of_all);
 
-void march_cloud_rays(const CloudMarch& march, const RayBlock& rays, RayResults& results,
-                      FetchCounts& counts) {
-    HWY_DYNAMIC_DISPATCH(march_all)(march, rays, results, counts);
+void march_cloud_rays(std::span<const CloudMarch> layers, std::span<const RayBlock> rays,
+                      std::span<RayResults> results, FetchCounts& counts) {
+    HWY_DYNAMIC_DISPATCH(march_all)(layers, rays, results, counts);
+}
+
+std::vector<float> depths_towards_sun(std::span<const CloudMarch> layers,
+                                      std::span<const SunlitPoint> points, FetchCounts& counts) {
+    std::vector<float> depths;
+    HWY_DYNAMIC_DISPATCH(depths_of_all)(layers, points, depths, counts);
+    return depths;
 }
 
 }  // namespace skybake

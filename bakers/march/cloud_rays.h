@@ -1,4 +1,5 @@
-// Marches many rays through a cloud at once. This is the vector kernel of cloud_view.h.
+// Marches many rays through one or more cloud layers at once. This is the vector kernel of
+// cloud_view.h and scene_view.h.
 //
 // The samples of a ray are at t_k = (k + jitter) * step with integer k, so leaping over some
 // samples never moves the others. A sample whose lookup is not above medium.visible_above adds
@@ -12,10 +13,15 @@
 // transmittance falls by the factor exp(-sigma step), and the step scatters
 // J (1 - exp(-sigma step)) towards the eye (Hillaire 2016, section 5.6.2; exact for constant sigma
 // and J and albedo 1). A ray ends when its transmittance is below kOpaque.
+//
+// Each layer has samples of its own distance. The samples of all layers along a ray are taken in the
+// order of their distances, and a sample's light is attenuated by all samples before it, of whatever
+// layer. Towards the sun, the optical depths of all layers are added.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bakers/march/cloud_light.h"
@@ -51,8 +57,9 @@ struct RayResults {
     alignas(64) Floats sun_at_top{};   // 1/sr
     alignas(64) Floats from_sky{};
     alignas(64) Floats from_ground{};
-    alignas(64) Floats transmittance{};
-    alignas(64) Floats distance_m{};  // mean distance of what is seen, times 1 - transmittance
+    alignas(64) Floats transmittance{};  // of all layers
+    alignas(64) Floats opacity{};        // the share of light from the eye that ends in this layer
+    alignas(64) Floats distance_m{};     // mean distance of what is seen of it, times opacity
 };
 
 struct FetchCounts {
@@ -71,11 +78,29 @@ struct CloudMarch {
     float light_step_m = 1;        // towards the sun
     std::vector<float> sun_leaps;  // of samples towards the sun (sun_leaps.h), if leaping
     float light_samples = 0;       // the most per march towards the sun; an integer
+    // Along rays, extinction falls smoothly from its full value at the first distance to 0 at the
+    // second. It is the full value everywhere if both are 0.
+    float fade_from_m = 0;
+    float fade_to_m = 0;
     bool leaping = true;
 };
 
-// Marches a block of rays and adds its lookups to `counts`.
-void march_cloud_rays(const CloudMarch& march, const RayBlock& rays, RayResults& results,
-                      FetchCounts& counts);
+// Marches a block of rays through layers and adds its lookups to `counts`. `rays` and `results` have
+// one block for each layer; the rays of all blocks are the same, each in its layer's voxels.
+void march_cloud_rays(std::span<const CloudMarch> layers, std::span<const RayBlock> rays,
+                      std::span<RayResults> results, FetchCounts& counts);
+
+// A point outside or inside of layers, in metres: x and y from the tiles' corner, z as altitude.
+// `jitter` in [0, 1] shifts its samples towards the sun.
+struct SunlitPoint {
+    float x_m = 0;
+    float y_m = 0;
+    float altitude_m = 0;
+    float jitter = 0;
+};
+
+// Returns the optical depth of all layers from each point towards the sun.
+std::vector<float> depths_towards_sun(std::span<const CloudMarch> layers,
+                                      std::span<const SunlitPoint> points, FetchCounts& counts);
 
 }  // namespace skybake

@@ -89,7 +89,7 @@ class LayerMarch {
 
     // Any thread may call it.
     void march(const RayBlock& block, RayResults& results, FetchCounts& counts) const {
-        march_cloud_rays(march_, block, results, counts);
+        march_cloud_rays({&march_, 1}, {&block, 1}, {&results, 1}, counts);
     }
 
   private:

@@ -9,37 +9,64 @@
 #define SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_
 #endif
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-#include "bakers/march/cloud_path-inl.h"
+#include "bakers/march/cloud_leap-inl.h"
+#include "bakers/march/cloud_points-inl.h"
 #include "bakers/march/cloud_rays.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// The points where light is looked up. They are collected while rays are marched and evaluated
-// together.
-struct LightPoints {
-    std::vector<float> x, y, z;  // in voxels, within the tile
-    std::vector<float> weight;   // the share of its light that reaches the eye
-    std::vector<float> tau;      // optical depth towards the sun
-    std::vector<std::uint32_t> ray;
-
-    std::size_t size() const { return x.size(); }
+// How points become voxels of the layer that is marched: x' = (tile_x + x) * scale + offset.
+struct PointFrame {
+    std::array<float, 3> scale = {1, 1, 1};
+    float offset_z = 0;
+    bool enters = true;    // points may be outside of the layer
+    bool in_tile = false;  // x and y alone count, because all tiles are alike
 };
 
-// Marches towards the sun, one in each lane; a lane that has ended takes the next point.
+// Of the layer's own points.
+inline PointFrame own_frame(const CloudMarch& march) {
+    PointFrame frame;
+    frame.enters = false;
+    frame.in_tile = !march.medium->variation.varies();
+    return frame;
+}
+// Of points of another layer.
+inline PointFrame frame_of(const CloudMedium& from, const CloudMedium& to) {
+    PointFrame frame;
+    for (std::size_t a = 0; a < 3; ++a) {
+        frame.scale[a] = static_cast<float>(from.meters_per_voxel(a) / to.meters_per_voxel(a));
+    }
+    frame.offset_z = static_cast<float>((from.base_m - to.base_m) / to.meters_per_voxel(2));
+    return frame;
+}
+// Of points in metres.
+inline PointFrame frame_of_meters(const CloudMedium& to) {
+    PointFrame frame;
+    for (std::size_t a = 0; a < 3; ++a) {
+        frame.scale[a] = static_cast<float>(1 / to.meters_per_voxel(a));
+    }
+    frame.offset_z = static_cast<float>(-to.base_m / to.meters_per_voxel(2));
+    return frame;
+}
+
+// Marches towards the sun, one in each lane; a lane that has ended takes the next point. The optical
+// depths are added to those of the points.
 class SunMarches {
   public:
-    SunMarches(const CloudMarch& march, const RayBlock& rays, LightPoints& points,
+    SunMarches(const CloudMarch& march, const PointFrame& frame, LightPoints& points,
                FetchCounts& counts)
-        : march_(march), rays_(rays), points_(points), counts_(counts) {}
+        : march_(march), frame_(frame), points_(points), counts_(counts) {}
 
     void run() {
-        points_.tau.resize(points_.size());
         FloatMask going = refill(FloatLanes(0.0F) < FloatLanes(0.0F));
         while (any(going)) {
             going = advance(going);
@@ -62,18 +89,10 @@ class SunMarches {
         if (started_) progress_.was_empty.store(lanes_.was_empty);
         for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
             if (busy[lane] != 0) continue;
-            if (lanes_.point[lane] != kNone) points_.tau[lanes_.point[lane]] = lanes_.tau[lane];
-            lanes_.point[lane] = next_ < points_.size() ? next_++ : kNone;
-            if (lanes_.point[lane] == kNone) continue;
-            const std::size_t point = lanes_.point[lane];
-            busy[lane] = 1;
-            lanes_.x[lane] = points_.x[point];
-            lanes_.y[lane] = points_.y[point];
-            lanes_.z[lane] = points_.z[point];
-            lanes_.jitter[lane] = rays_.light_jitter[points_.ray[point]];
-            lanes_.tau[lane] = 0;
-            lanes_.k[lane] = 0;
-            lanes_.was_empty[lane] = 0;
+            if (lanes_.point[lane] != kNone) points_.tau[lanes_.point[lane]] += lanes_.tau[lane];
+            lanes_.point[lane] = kNone;
+            while (next_ < points_.size() && lanes_.point[lane] == kNone) begin(lane, next_++);
+            if (lanes_.point[lane] != kNone) busy[lane] = 1;
         }
         started_ = true;
         tau_ = FloatLanes::load(lanes_.tau);
@@ -81,12 +100,56 @@ class SunMarches {
         return FloatLanes(0.0F) < FloatLanes::load(busy);
     }
 
+    // Begins the march from a point, unless it never meets the layer.
+    void begin(std::size_t lane, std::size_t point) {
+        const float tile_x = frame_.in_tile ? 0.0F : points_.tile_x[point];
+        const float tile_y = frame_.in_tile ? 0.0F : points_.tile_y[point];
+        lanes_.x[lane] = (tile_x + points_.x[point]) * frame_.scale[0];
+        lanes_.y[lane] = (tile_y + points_.y[point]) * frame_.scale[1];
+        lanes_.z[lane] = points_.z[point] * frame_.scale[2] + frame_.offset_z;
+        lanes_.jitter[lane] = points_.jitter[point];
+        const float first =
+            frame_.enters ? first_within(lanes_.z[lane], lanes_.jitter[lane]) : 0.0F;
+        if (first < 0) return;
+        lanes_.point[lane] = point;
+        lanes_.tau[lane] = 0;
+        lanes_.k[lane] = first;
+        lanes_.end[lane] = first + march_.light_samples;
+        lanes_.was_empty[lane] = frame_.enters ? 1.0F : 0.0F;
+    }
+
+    // Returns the first sample at a height within the layer, or -1 if there is none.
+    float first_within(float z, float jitter) const {
+        constexpr float kFarthest = 0x1p22F;  // whole numbers and halves beyond it are not exact
+        const float top = static_cast<float>(march_.medium->volume.size[2]);
+        if (z >= 0 && z <= top) return 0;
+        const float climb = march_.light_direction[2] * march_.light_step_m;
+        const float way = z < 0 ? 0 - z : top - z;
+        if (!(way * climb > 0) || way / climb > kFarthest) return -1;
+        float k = std::max(std::ceil(way / climb - jitter), 0.0F);
+        const auto outside = [&] {
+            const float at = z + (k + jitter) * march_.light_step_m * march_.light_direction[2];
+            return z < 0 ? at < 0 : at > top;
+        };
+        while (outside()) ++k;
+        return k;
+    }
+
     // Lanes that are in an empty cell after an empty sample leap to the first sample that may be in
     // cloud. Returns whether any lane has leapt.
-    bool leap_on(const Place& at, FloatMask going) {
+    bool leap_on(const CloudPath& path, const Place& at, FloatMask going, FloatLanes end) {
         const FloatMask looking = going & (FloatLanes(0.0F) < progress_.was_empty);
         if (!any(looking)) return false;
         counts_.cells += count_of(looking);
+        // The leaps of cells are exact for marches that begin in the tile (sun_leaps.h).
+        if (!frame_.in_tile) {
+            const Pace pace{pace_of(path.direction_x), pace_of(path.direction_y),
+                            pace_of(path.direction_z)};
+            FloatLanes next;
+            const FloatMask leapt = leap(path, pace, at, looking, progress_.k, end, next);
+            if (any(leapt)) progress_.k = select(leapt, next, progress_.k);
+            return any(leapt);
+        }
         const LeapGrid& grid = march_.medium->leaps;
         const FloatLanes leaps =
             gather(march_.sun_leaps.data(), index_of(grid, cell_place(grid, at, looking)));
@@ -106,11 +169,11 @@ class SunMarches {
             FloatLanes(march_.light_direction[1]),
             FloatLanes(march_.light_direction[2]),
             {FloatLanes::load(lanes_.jitter), march_.light_step_m, 1 / march_.light_step_m}};
-        const FloatLanes end(march_.light_samples);
+        const FloatLanes end = FloatLanes::load(lanes_.end);
         progress_.k = zero_unless(going, progress_.k);
         Place at = path.place(path.samples.distance(progress_.k));
         going = going & at.within;  // a march that leaves never returns
-        if (march_.leaping && leap_on(at, going)) {
+        if (march_.leaping && leap_on(path, at, going, end)) {
             going = going & (progress_.k < end);
             progress_.k = zero_unless(going, progress_.k);
             at = path.place(path.samples.distance(progress_.k));
@@ -132,6 +195,7 @@ class SunMarches {
         alignas(64) float jitter[FloatLanes::kCount] = {};
         alignas(64) float tau[FloatLanes::kCount] = {};
         alignas(64) float k[FloatLanes::kCount] = {};
+        alignas(64) float end[FloatLanes::kCount] = {};
         alignas(64) float was_empty[FloatLanes::kCount] = {};
         std::size_t point[FloatLanes::kCount];
         State() {
@@ -140,7 +204,7 @@ class SunMarches {
     };
 
     const CloudMarch& march_;
-    const RayBlock& rays_;
+    PointFrame frame_;
     LightPoints& points_;
     FetchCounts& counts_;
     State lanes_;

@@ -356,12 +356,14 @@ Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
     const int longest_edge = std::max(1024, 2 * smallest_edge);
     Picture plot = in_false_colours(fitted(field, smallest_edge, longest_edge), scale);
     const int width = plot.width, height = plot.height;
-    return painted(drawing_of(Chart{title, across, up, width, height, std::move(plot), scale}));
+    return painted(
+        on_dark_paper(drawing_of(Chart{title, across, up, width, height, std::move(plot), scale})));
 }
 
 Picture framed(const Picture& picture, const std::string& title, const ChartAxis& across,
                const ChartAxis& up) {
-    return painted(drawing_of(Chart{title, across, up, picture.width, picture.height, picture}));
+    return painted(on_dark_paper(
+        drawing_of(Chart{title, across, up, picture.width, picture.height, picture})));
 }
 
 Picture line_chart(const std::vector<ChartLine>& lines, const std::string& title,

@@ -1,6 +1,8 @@
 // Charts: pictures, curves and points over axes with titles, units and legends.
 //
-// A chart becomes a Drawing, which becomes pixels or an SVG file (drawing.h).
+// A chart becomes a Drawing, which becomes pixels or an SVG file (drawing.h). Pictures and fields of
+// colours are on dark paper, against which light is judged best and which suits light and dark pages.
+// Curves and points are on white paper, which a dark page inverts.
 #pragma once
 
 #include <optional>

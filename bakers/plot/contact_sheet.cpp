@@ -89,7 +89,7 @@ Picture contact_sheet(const std::vector<Picture>& pictures,
             baseline += caption_line_height;
         }
     }
-    return painted(drawing);
+    return painted(on_dark_paper(std::move(drawing)));
 }
 
 }  // namespace skybake

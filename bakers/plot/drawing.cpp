@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -131,6 +132,37 @@ Picture painted(const Drawing& drawing) {
     Picture blank(drawing.width, drawing.height);
     std::fill(blank.rgb.begin(), blank.rgb.end(), paper_colour[0]);
     return blank;
+}
+
+namespace {
+
+void darken(Colour& colour) {
+    constexpr std::array<std::array<Colour, 2>, 4> pairs = {
+        {{ink_colour, dark_ink_colour},
+         {pale_ink_colour, dark_pale_ink_colour},
+         {grid_colour, dark_grid_colour},
+         {paper_colour, dark_paper_colour}}};
+    const auto pair =
+        std::find_if(pairs.begin(), pairs.end(), [&](const auto& one) { return one[0] == colour; });
+    if (pair != pairs.end()) colour = (*pair)[1];
+}
+
+}  // namespace
+
+Drawing on_dark_paper(Drawing drawing) {
+    for (DrawingItem& item : drawing.items) {
+        if (Shape* shape = std::get_if<Shape>(&item)) {
+            if (shape->fill) darken(*shape->fill);
+            darken(shape->stroke);
+        } else if (TextLine* text = std::get_if<TextLine>(&item)) {
+            darken(text->style.colour);
+        }
+    }
+    Drawing result = drawing;
+    result.items.clear();
+    result.fill(0, 0, drawing.width, drawing.height, dark_paper_colour);
+    result.items.insert(result.items.end(), drawing.items.begin(), drawing.items.end());
+    return result;
 }
 
 std::string svg_of(const Drawing& drawing, std::string_view comment) {

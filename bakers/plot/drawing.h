@@ -52,10 +52,15 @@ struct PreviewPicture {
     std::optional<double> exposure = {};  // the factor of radiance, in pictures of light
     PictureKind kind = PictureKind::image;
     std::string sequence = {};  // a page shows pictures of the same sequence as one that turns
+    // A page shows pictures of the same group in one place. `tab` names one of them there.
+    std::string group = {};
+    std::string tab = {};
+    bool titled = false;  // the title stands in the picture
 };
 
 inline PreviewPicture as_plot(PreviewPicture picture) {
     picture.kind = PictureKind::plot;
+    picture.titled = true;
     return picture;
 }
 
@@ -66,6 +71,12 @@ inline constexpr Colour ink_colour = {0x1f, 0x23, 0x28};
 inline constexpr Colour pale_ink_colour = {0x59, 0x63, 0x6e};
 inline constexpr Colour grid_colour = {0xe6, 0xe8, 0xeb};
 inline constexpr Colour paper_colour = {0xff, 0xff, 0xff};
+
+// The same for drawings on dark paper.
+inline constexpr Colour dark_ink_colour = {0xe5, 0xea, 0xf0};
+inline constexpr Colour dark_pale_ink_colour = {0xa3, 0xaf, 0xbd};
+inline constexpr Colour dark_grid_colour = {0x2a, 0x34, 0x41};
+inline constexpr Colour dark_paper_colour = {0x17, 0x1d, 0x26};
 
 // A point, in pixels from the upper left corner of the drawing, with y downwards. The centre of the
 // first pixel is at (1/2, 1/2).
@@ -138,6 +149,10 @@ double text_width(std::string_view text, const TextStyle& style);
 
 // Paints the drawing on white paper. Parts outside of it are cut off.
 Picture painted(const Drawing& drawing);
+
+// Returns the drawing on dark paper: the four colours above become those of dark paper, and all others
+// stay.
+Drawing on_dark_paper(Drawing drawing);
 
 // Returns the drawing as an SVG file, which is well-formed whatever the texts contain. Letters are
 // outlines, so that they look the same in every viewer. The same drawing gives the same bytes. The

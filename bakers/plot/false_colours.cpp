@@ -33,6 +33,10 @@ constexpr std::array<Colour, 7> diverging_stops = {{{23, 45, 110},
                                                     {214, 96, 57},
                                                     {120, 22, 33}}};
 
+// The sky, thin cloud that it shines through, grey cloud and white cloud.
+constexpr std::array<Colour, 5> cloud_stops = {
+    {{24, 50, 92}, {70, 99, 138}, {128, 145, 164}, {190, 195, 200}, {252, 252, 250}}};
+
 // Returns the colour at the fraction `share` of the way from one to the other, in sRGB.
 Colour mixed(Colour from, Colour to, double share) {
     Colour colour{};
@@ -98,12 +102,20 @@ Colour sequential_colour(double t) {
     return colour;
 }
 
-Colour diverging_colour(double t) {
-    const double place = t * (diverging_stops.size() - 1);
-    const auto stop = std::min(static_cast<std::size_t>(place), diverging_stops.size() - 2);
-    return mixed(diverging_stops[stop], diverging_stops[stop + 1],
-                 place - static_cast<double>(stop));
+namespace {
+
+template <std::size_t kStops>
+Colour between(const std::array<Colour, kStops>& stops, double t) {
+    const double place = t * static_cast<double>(kStops - 1);
+    const auto stop = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+    return mixed(stops[stop], stops[stop + 1], place - static_cast<double>(stop));
 }
+
+}  // namespace
+
+Colour diverging_colour(double t) { return between(diverging_stops, t); }
+
+Colour cloud_colour(double t) { return between(cloud_stops, t); }
 
 ChartAxis ColourScale::axis() const {
     return logarithmic ? logarithmic_axis(title, low, high) : linear_axis(title, low, high);

@@ -18,6 +18,10 @@ Colour sequential_colour(double t);
 // Returns a colour from dark blue over white at 1/2 to dark red, for t in [0, 1].
 Colour diverging_colour(double t);
 
+// Returns a colour of a cloud against the sky, for t in [0, 1]: a deep blue at 0, over the greys of
+// thin and of dense cloud to white. Its lightness rises throughout.
+Colour cloud_colour(double t);
+
 // The meaning of colours.
 struct ColourScale {
     double low = 0;
@@ -25,10 +29,12 @@ struct ColourScale {
     bool logarithmic = false;
     bool diverging = false;  // 0 in the middle: low == -high
     std::string title;       // "transmittance"
+    bool clouds = false;     // densities and depths of clouds, in the colours of clouds
 
     // Returns the colour at t in [0, 1] of the scale.
     Colour colour_at(double t) const {
-        return diverging ? diverging_colour(t) : sequential_colour(t);
+        if (diverging) return diverging_colour(t);
+        return clouds ? cloud_colour(t) : sequential_colour(t);
     }
     ChartAxis axis() const;
 };

@@ -9,13 +9,13 @@
 #include <variant>
 
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/complete_options.h"
 #include "bakers/preview/live/live_scene.h"
 #include "bakers/preview/pictures/asset_pictures.h"
+#include "bakers/preview/pictures/scene_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_volume.h"
-#include "config/assets/occupancy.h"
 
 namespace skybake {
 namespace {
@@ -49,6 +49,8 @@ class Preview {
         page_.title = assets_.title;
         page_.notes = assets_.notes;
         if (!options_.note.empty()) page_.notes.push_back(options_.note);
+        add_scene();
+        if (is_cancelled(options_.progress)) return {};
         add_sky();
         for (const PreviewAsset& asset : assets_.assets) {
             if (is_cancelled(options_.progress)) return {};
@@ -64,7 +66,7 @@ class Preview {
   private:
     void begin_stage(const std::string& what) {
         if (options_.progress == nullptr) return;
-        const int count = picture_stages(assets_.assets.size(), lit_pictures_of(assets_));
+        const int count = picture_stages(assets_.assets.size(), lit_pictures_of(assets_), options_);
         options_.progress->begin_stage(options_.stages_before + ++stage_,
                                        options_.stages_before + count, what + ", pictures");
     }
@@ -81,6 +83,19 @@ class Preview {
         sky.progress = options_.progress;
         sky.intermediates = options_.intermediates;
         return sky;
+    }
+
+    // Adds the pictures of all clouds in one sky. They need a sky, and the recipe for what the volumes
+    // are.
+    void add_scene() {
+        if (!has_scene(lit_pictures_of(assets_), options_)) return;
+        const std::vector<CloudPreviewInput> layers = scene_input(assets_, options_);
+        begin_stage("one sky");
+        std::string key = "scene\n";
+        for (const CloudPreviewInput& layer : layers) key += cloud_key(layer);
+        page_.scenes.push_back(
+            {"One sky", "All clouds of the recipe at their altitudes, in its atmosphere.",
+             encoder_.encode(key, [&] { return scene_pictures(layers, options_.threads); }), true});
     }
 
     // Adds the pictures of the sky. They need both tables, and the recipe for how the layers
@@ -142,8 +157,12 @@ class Preview {
 
 }  // namespace
 
-int picture_stages(std::size_t assets, const LitPictures& lit) {
-    return static_cast<int>(assets) + (lit.sky ? 1 : 0);
+int picture_stages(std::size_t assets, const LitPictures& lit, const PreviewOptions& options) {
+    return static_cast<int>(assets) + (lit.sky ? 1 : 0) + (has_scene(lit, options) ? 1 : 0);
+}
+
+bool has_scene(const LitPictures& lit, const PreviewOptions& options) {
+    return lit.sky && lit.clouds && !lit.sweep && !options.single && options.turntable == 0;
 }
 
 std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
@@ -193,98 +212,6 @@ Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOpti
     if (auto problem = camera_above_air(assets, *complete.value))
         return {{}, {std::move(*problem)}};
     return Preview(assets, *complete.value).make();
-}
-
-namespace {
-
-using config::CloudVolumeBake;
-using config::OccupancyBake;
-
-template <class Section>
-const Section* section_named(const config::Parameters& parameters, const std::string& name) {
-    for (const config::Bake& bake : parameters.bakes) {
-        if (bake.name == name) return bake.find<Section>();
-    }
-    return nullptr;
-}
-
-const config::Cloud* cloud_of(const config::Parameters& parameters, const CloudVolumeBake* bake) {
-    const auto cloud =
-        std::find_if(parameters.clouds.begin(), parameters.clouds.end(),
-                     [&](const config::Cloud& one) { return bake && one.name == bake->cloud; });
-    return cloud == parameters.clouds.end() ? nullptr : &*cloud;
-}
-
-void add_occupancy(const PreviewAssets& assets, CloudPreviewInput& input) {
-    const config::Parameters& parameters = assets.recipe->parameters;
-    for (const PreviewAsset& asset : assets.assets) {
-        const auto* bake = section_named<OccupancyBake>(parameters, asset.entry.name);
-        if (bake == nullptr || bake->of != input.volume->entry.name || asset.voxels.empty())
-            continue;
-        input.occupancy = &asset;
-        input.occupancy_bake = bake;
-        return;
-    }
-}
-
-void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
-    input.transmittance = assets.of_kind("transmittance");
-    input.multiple_scattering = assets.of_kind("multiple_scattering");
-    input.atmosphere = &assets.recipe->parameters.atmosphere;
-}
-
-void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
-    const double azimuth = options.sun_azimuth_deg.value_or(input.suns.front().azimuth_degrees);
-    std::vector<double> elevations = options.sun_elevations_deg;
-    if (elevations.empty()) elevations = {input.suns.front().elevation_degrees};
-    input.suns.clear();
-    for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
-    input.exposure_stops = options.exposure_stops;
-    input.tone_curve = options.tone_curve.value_or(ToneCurve::exponential);
-}
-
-// Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its
-// longer edge; the draft then has half of it.
-void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
-    constexpr int longest_of_draft = 768;
-    if (options.camera) input.camera = *options.camera;
-    if (options.picture_size) {
-        input.width = (*options.picture_size)[0];
-        input.height = (*options.picture_size)[1];
-    }
-    input.single = options.single || options.turntable > 0;
-    input.turntable = options.turntable;
-    input.progress = options.progress;
-    input.draft = options.draft;
-    const int longest = std::max(input.width, input.height);
-    if (!options.draft || longest <= longest_of_draft) return;
-    input.width = std::max(input.width * longest_of_draft / longest, 1);
-    input.height = std::max(input.height * longest_of_draft / longest, 1);
-}
-
-}  // namespace
-
-CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& asset,
-                              const PreviewOptions& options) {
-    CloudPreviewInput input;
-    if (!assets.recipe || asset.voxels.empty()) return input;
-    const config::Parameters& parameters = assets.recipe->parameters;
-    const std::string& name = asset.entry.name;
-    if (const auto* grid = section_named<OccupancyBake>(parameters, name)) {
-        input.volume_bake = section_named<CloudVolumeBake>(parameters, grid->of);
-        input.cloud = cloud_of(parameters, input.volume_bake);
-        input.occupancy = &asset;
-        input.occupancy_bake = grid;
-    } else if (const auto* volume = section_named<CloudVolumeBake>(parameters, name)) {
-        input.volume_bake = volume;
-        input.cloud = cloud_of(parameters, volume);
-        input.volume = &asset;
-        add_occupancy(assets, input);
-        add_sky(assets, input);
-    }
-    choose_light(options, input);
-    choose_frame(options, input);
-    return input;
 }
 
 }  // namespace skybake

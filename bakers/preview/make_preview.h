@@ -52,9 +52,13 @@ struct PreviewOptions {
     Intermediates* intermediates = nullptr;  // of the assets' bake; null: none
 };
 
-// Returns the number of stages for the pictures of such assets: one for each asset and one for the
-// sky.
-int picture_stages(std::size_t assets, const LitPictures& lit);
+// Returns whether the preview has pictures of all clouds in one sky: it has a sky and a cloud volume,
+// and options do not ask for a single tile.
+bool has_scene(const LitPictures& lit, const PreviewOptions& options);
+
+// Returns the number of stages for the pictures of such assets: one for each asset, one for the sky,
+// and one for all clouds in it.
+int picture_stages(std::size_t assets, const LitPictures& lit, const PreviewOptions& options);
 
 // Returns what pictures of a recipe's assets are made from besides the assets.
 std::vector<Need> needs_of_pictures(const config::Recipe& recipe);
@@ -66,11 +70,5 @@ std::vector<Need> needs_of_pictures(const config::Recipe& recipe);
 // diagnostic.
 config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
                                           const PreviewOptions& options);
-
-// Gathers the input for the pictures of a cloud from the assets of a preview. For a cloud volume,
-// it includes the volume's first occupancy grid and the sky; for an occupancy grid, it is the grid
-// alone. `cloud` is null if the recipe is not known or does not say which cloud the asset shows.
-CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& asset,
-                              const PreviewOptions& options);
 
 }  // namespace skybake

@@ -39,7 +39,10 @@ Json to_json(const PagePicture& picture) {
             {"width", picture.width},
             {"height", picture.height},
             {"kind", kind_name(picture.kind)},
-            {"sequence", picture.sequence}};
+            {"sequence", picture.sequence},
+            {"group", picture.group},
+            {"tab", picture.tab},
+            {"titled", picture.titled}};
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {
@@ -148,8 +151,10 @@ Json to_json(const PageAsset& asset) {
 }
 
 Json to_json(const PageScene& scene) {
-    return {
-        {"title", scene.title}, {"content", scene.content}, {"pictures", to_json(scene.pictures)}};
+    return {{"title", scene.title},
+            {"content", scene.content},
+            {"clouds", scene.clouds},
+            {"pictures", to_json(scene.pictures)}};
 }
 
 Json to_json(const PageVariant& variant) {

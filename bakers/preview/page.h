@@ -22,6 +22,9 @@ struct PagePicture {
     std::string png;  // bytes
     PictureKind kind = PictureKind::image;
     std::string sequence = {};  // of pictures that are shown as one that turns
+    std::string group = {};     // of pictures that are shown in one place, behind tabs
+    std::string tab = {};       // the name of its tab
+    bool titled = false;        // the title stands in the picture
 };
 
 // An asset with its pictures.
@@ -36,6 +39,7 @@ struct PageScene {
     std::string title;
     std::string content;  // a sentence on what is shown
     std::vector<PagePicture> pictures;
+    bool clouds = false;  // with the recipe's clouds; shown before all others
 };
 
 // One variant of a sweep. A cell is sorted by its number and shows its text, if it has one.

@@ -107,21 +107,35 @@
         const image = images.get(picture.file);
         return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
     }
+    // A title that stands in the picture does not stand below it too.
     function figureOf(picture, content) {
         return element('figure',
             {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
              class: picture.kind},
-            ...content, element('figcaption', {}, element('b', {}, picture.title), picture.caption));
+            ...content, element('figcaption', {},
+                picture.titled ? null : element('b', {}, picture.title), picture.caption));
     }
-    // Pictures of one sequence are a turntable; every other picture is a figure of its own.
+    // Pictures of one sequence are a turntable, those of one group are tabs of one figure, and every
+    // other picture is a figure of its own.
     function gallery(pictures) {
         if (pictures.length === 0) return null;
-        const turns = (picture) => pictures.filter((other) => other.sequence === picture.sequence);
+        const alike = (picture, key) => pictures.filter((other) => other[key] === picture[key]);
         return element('div', {class: 'gallery'}, ...pictures.map((picture) => {
-            if (picture.sequence === '') return figureOf(picture, [pictureButton(picture)]);
-            const frames = turns(picture);
-            return frames[0] === picture ? turntable(frames) : null;
-        }).filter((figure) => figure !== null));
+            const key = picture.sequence !== '' ? 'sequence' : 'group';
+            const all = picture[key] === '' ? [picture] : alike(picture, key);
+            if (all[0] !== picture) return null;
+            if (key === 'sequence') return turntable(all);
+            return all.length === 1 ? figureOf(picture, [pictureButton(picture)]) : tabbedFigures(all);
+        }));
+    }
+    function tabbedFigures(pictures) {
+        const choices = pictures.map((picture) => ({
+            title: picture.tab, content: figureOf(picture, [pictureButton(picture)])}));
+        const whole = tabbed(pictures[0].title, choices);
+        const shape = Math.max(...pictures.map((picture) => picture.width / picture.height));
+        whole.style.setProperty('--shape', shape.toFixed(3));
+        whole.classList.add(pictures[0].kind);
+        return whole;
     }
 
     // One picture that turns: by its slider, by dragging, by the arrow keys, or by itself.
@@ -313,8 +327,8 @@
     function assetSection(asset) {
         return element('section', {id: anchor(asset.name)},
             element('h2', {}, asset.name),
-            element('p', {class: 'lead'}, asset.content),
             gallery(asset.pictures),
+            element('p', {class: 'lead'}, asset.content),
             facts(asset),
             asset.error && asset.error.worst ? element('p', {class: 'advice'},
                 `The largest lookup error is at ${asset.error.worst}${asset.error.advice ? '; ' + asset.error.advice : ''}.`) : null,
@@ -327,7 +341,7 @@
     }
     function sceneSection(scene) {
         return element('section', {id: anchor(scene.title)}, element('h2', {}, scene.title),
-            scene.content ? element('p', {class: 'lead'}, scene.content) : null, gallery(scene.pictures));
+            gallery(scene.pictures), scene.content ? element('p', {class: 'lead'}, scene.content) : null);
     }
     function sweepSection(sweep) {
         const columns = [{title: ''}, ...sweep.columns];
@@ -347,25 +361,30 @@
             : element('ul', {}, ...notes.map((note) => element('li', {}, note))));
     }
 
-    // What is to be looked at comes first: clouds in their light, the sky, then all others.
-    const lit = preview.assets.filter((asset) => asset.pictures.some((picture) => picture.kind === 'scene'));
-    const titles = [...(preview.sweep ? ['Sweep'] : []), ...lit.map((asset) => asset.name),
-                    ...preview.scenes.map((scene) => scene.title),
-                    ...preview.assets.filter((asset) => !lit.includes(asset)).map((asset) => asset.name)];
+    // What is to be looked at comes first: the sweep, all clouds in one sky, clouds in their light, the
+    // sky, then all others. The first picture stands above all words but the page's name.
+    const isLit = (asset) => asset.pictures.some((picture) => picture.kind === 'scene');
+    const [skies, ones] = [preview.scenes.filter((scene) => !scene.clouds),
+                           preview.scenes.filter((scene) => scene.clouds)];
+    const sections = [
+        ...(preview.sweep ? [['Sweep', () => sweepSection(preview.sweep)]] : []),
+        ...ones.map((scene) => [scene.title, () => sceneSection(scene)]),
+        ...preview.assets.filter(isLit).map((asset) => [asset.name, () => assetSection(asset)]),
+        ...skies.map((scene) => [scene.title, () => sceneSection(scene)]),
+        ...preview.assets.filter((asset) => !isLit(asset)).map((asset) => [asset.name, () => assetSection(asset)]),
+    ];
+    const [first, ...others] = sections.map(([, made]) => made());
     document.body.append(
         element('main', {},
-            element('header', {},
-                element('p', {class: 'overline'}, preview.generator),
-                element('h1', {}, preview.title),
-                element('div', {id: 'diagnostics', 'aria-live': 'polite'}),
-                notice(preview.notes),
-                titles.length > 1 ? element('nav', {'aria-label': 'Sections'}, ...titles.map(
-                    (title) => element('a', {href: `#${anchor(title)}`}, title))) : null),
-            preview.sweep ? sweepSection(preview.sweep) : null,
-            ...lit.map(assetSection),
-            ...preview.scenes.map(sceneSection),
-            ...preview.assets.filter((asset) => !lit.includes(asset)).map(assetSection),
-            preview.assets.length > 0 ? overview() : null),
+            element('header', {}, element('h1', {}, preview.title),
+                element('div', {id: 'diagnostics', 'aria-live': 'polite'})),
+            first,
+            notice(preview.notes),
+            sections.length > 1 ? element('nav', {'aria-label': 'Sections'}, ...sections.map(
+                ([title]) => element('a', {href: `#${anchor(title)}`}, title))) : null,
+            ...others,
+            preview.assets.length > 0 ? overview() : null,
+            element('footer', {}, element('p', {class: 'overline'}, preview.generator))),
         dialog);
     standing.remove();
 })();

@@ -55,7 +55,7 @@ std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPictur
         const PreviewPicture& picture = pictures[i];
         result.push_back({picture.name, picture.title, picture.caption, picture.picture.width,
                           picture.picture.height, std::move(*bytes[i].value), picture.kind,
-                          picture.sequence});
+                          picture.sequence, picture.group, picture.tab, picture.titled});
     }
     return result;
 }

@@ -11,6 +11,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"

@@ -56,6 +56,7 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     bilinear(air_, u, 1 - height, data(air));
     for (int c = 0; c < panorama_.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);
+        result.ground[i] = std::max(result.sky[i] - air[i], 0.0);
         result.transmittance[i] = exponential(-depths.near[i]);
         const double opacity = 1 - exponential(-depths.whole[i]);
         result.in_scattered[i] =

@@ -23,7 +23,8 @@ class CloudAir {
 
     // What the air does along a direction, given by its elevation and azimuth in degrees.
     struct Along {
-        Spectrum sky{};            // radiance of the sky behind the cloud
+        Spectrum sky{};            // radiance of the sky behind the cloud, or of the ground
+        Spectrum ground{};         // the part of it that the ground sends
         Spectrum transmittance{};  // of the air up to the given distance
         Spectrum in_scattered{};   // radiance of the air up to that distance
     };

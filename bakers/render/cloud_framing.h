@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bakers/render/cloud_view.h"
+#include "bakers/render/scene_march.h"
 
 namespace skybake {
 
@@ -25,6 +26,16 @@ struct CameraRequest {
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
+
+// Chooses the layers and the camera of a picture of several media, which repeat. Each layer has steps
+// of its own voxels, and fades so far away that its end is close to the horizon. The camera is that of
+// the lowest medium.
+struct FramedScene {
+    std::vector<SceneLayer> layers;  // of the media, in their order
+    CloudCamera camera;
+};
+FramedScene framed_scene(const std::vector<const CloudMedium*>& media, const SunDirection& sun,
+                         int width, int height, const CameraRequest& request = {});
 
 // Returns the settings of `count` views from all around the cloud of a medium that does not repeat,
 // in equal steps from the request's heading towards greater azimuths. The camera turns about the

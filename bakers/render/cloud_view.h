@@ -3,10 +3,7 @@
 // from the baked tables.
 //
 // The layer is flat. It repeats along x and y unless the medium says otherwise, and it is marched
-// up to `reach_m` from the camera. The samples of a ray are `step_m` apart, shifted for each pixel
-// sample by interleaved gradient noise (Jimenez, "Next Generation Post Processing in Call of Duty:
-// Advanced Warfare", SIGGRAPH 2014), which turns bands into fine grain. Samples towards the sun are
-// shifted by another noise.
+// up to `reach_m` from the camera, as scene_march.h describes.
 //
 // The air between camera and cloud attenuates and adds light as if everything seen were at its mean
 // distance (Hillaire 2016, section 5.9). With the transmittance T up to that distance and T_end
@@ -44,7 +41,7 @@ struct CloudViewSettings {
     double light_step_m = 1;
     double reach_m = 1;
     bool leaping = true;  // uses medium.leaps; changes no pixel
-    bool sunlit = true;   // false: no marches towards the sun
+    bool sunlit = true;   // false: march_view does not march towards the sun
 };
 
 // The result of the march, which does not depend on the colours of light: one channel for each
@@ -74,11 +71,20 @@ struct Atmosphere {
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads);
 
+// The irradiance of level ground under a clear sky, per unit of solar irradiance.
+struct GroundIrradiance {
+    Spectrum sun{};
+    Spectrum sky{};
+};
+GroundIrradiance ground_irradiance(const Atmosphere& atmosphere, const SunDirection& sun,
+                                   int threads);
+
 // The picture of cloud, air and sky: radiance in the atmosphere's channels. `progress` reports the
 // march. After an interruption the picture must not be used.
 struct CloudView {
     Image2<float> radiance;
     FetchCounts fetches;
+    int refined_pixels = 0;  // that have four samples
 };
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
                        const CloudViewSettings& settings, int threads,

@@ -185,14 +185,13 @@ const char* tone_curve_name(ToneCurve curve) {
     return "AgX (base look)";
 }
 
-double exposure_for(const Image2<float>& radiance, ToneCurve curve) {
-    return exposure_of(luminances_of(radiance), 0.99, 0.85, curve);
-}
-
-double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve) {
+double exposure_by(const ExposureRule& rule, const Image2<float>& radiance, ToneCurve curve) {
     std::vector<double> luminances = luminances_of(radiance);
-    std::erase_if(luminances, [](double value) { return value <= 0; });
-    return exposure_of(std::move(luminances), 0.5, 0.25, curve);
+    if (rule.lit_pixels) std::erase_if(luminances, [](double value) { return value <= 0; });
+    const double exposure = rule.factor * exposure_of(luminances, rule.quantile, rule.share, curve);
+    if (rule.bright_quantile == 0) return exposure;
+    return std::min(exposure, exposure_of(std::move(luminances), rule.bright_quantile,
+                                          rule.bright_share, curve));
 }
 
 }  // namespace skybake

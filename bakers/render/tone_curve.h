@@ -22,13 +22,45 @@ Picture tone_mapped(const Image2<float>& radiance, double exposure,
 // The text for captions: "1 - exp(-exposure L)".
 const char* tone_curve_name(ToneCurve curve = ToneCurve::exponential);
 
-// Returns the exposure that brings the 99th percentile of luminance to 0.85 of white, as the curve shows
-// grey: nothing but the brightest hundredth is lost.
-double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::exponential);
+// A rule by which an exposure is chosen: it brings a quantile of luminance to `share` of white, as the
+// curve shows grey, and is then multiplied by `factor`.
+struct ExposureRule {
+    double quantile = 0;
+    double share = 0;
+    double factor = 1;
+    bool lit_pixels = false;  // pixels that are black do not count
+    // The exposure is at most that which brings this quantile to this share of white; 0: no limit.
+    double bright_quantile = 0;
+    double bright_share = 0;
+};
 
-// Returns the exposure that brings the median luminance of the pixels that are not black to 0.25 of
-// white, half a stop above middle grey, as a photographer exposes a sky: the light around the sun may
-// become white.
-double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::exponential);
+// Of tables and other pictures without a sky: nothing but the brightest hundredth is lost.
+inline constexpr ExposureRule kWholePicture = {0.99, 0.85, 1, false};
+
+// Of pictures with clouds: they are the brightest part, and their shades must be visible. The 99th
+// percentile becomes 0.78 of white by the exponential curve.
+inline constexpr ExposureRule kCloudPicture = {0.99, 0.85, 0.8, false};
+
+// Of clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
+// is so much brighter than its sky that this would burn out the light around it; so no more than a
+// twentieth of the picture is brighter than 0.8 of white.
+inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.8};
+
+// Returns the exposure that the rule chooses; 1 if the quantile is black.
+double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
+                   ToneCurve curve = ToneCurve::exponential);
+
+inline double exposure_for(const Image2<float>& radiance,
+                           ToneCurve curve = ToneCurve::exponential) {
+    return exposure_by(kWholePicture, radiance, curve);
+}
+inline double cloud_exposure_for(const Image2<float>& radiance,
+                                 ToneCurve curve = ToneCurve::exponential) {
+    return exposure_by(kCloudPicture, radiance, curve);
+}
+inline double sky_exposure_for(const Image2<float>& radiance,
+                               ToneCurve curve = ToneCurve::exponential) {
+    return exposure_by(kSkyPicture, radiance, curve);
+}
 
 }  // namespace skybake

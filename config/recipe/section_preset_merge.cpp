@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -113,13 +115,33 @@ bool has_noise(const Table& root, const std::string& name) {
     return !noise || find_entry(*noise, "preset") || find_entry(*noise, "channels");
 }
 
-// Returns the noise `name` of a cloud that starts from a preset, as the text of a recipe. The text
-// is empty if the recipe has this noise or if no noise goes with the preset.
-std::string brought_noise(const Table& root, const std::string& cloud_preset,
-                          const std::string& name) {
+// The noises that presets of clouds bring, by their names in the recipe.
+using BroughtNoises = std::map<std::string, CloudNoisePreset>;
+
+bool are_alike(const CloudNoisePreset& a, const CloudNoisePreset& b) {
+    return a.preset == b.preset && a.pack == b.pack;
+}
+
+// Returns the name under which a cloud's preset brings its noise: `wanted`, or "WANTED_CLOUD" if the
+// preset of another cloud brings another noise under that name.
+std::string name_of_noise(const BroughtNoises& brought, const std::string& wanted,
+                          const std::string& cloud, const CloudNoisePreset& noise) {
+    const auto other = brought.find(wanted);
+    if (other == brought.end() || are_alike(other->second, noise)) return wanted;
+    return fmt::format("{}_{}", wanted, cloud);
+}
+
+// Names the noise that a key of a cloud asks for, if its preset brings that noise. Returns the noise as
+// the text of a recipe, which is empty if the recipe has this noise or if no noise goes with the preset.
+std::string brought_noise(const Table& root, const std::string& cloud,
+                          const std::string& cloud_preset, std::string& name,
+                          BroughtNoises& brought) {
     if (has_noise(root, name) || !is_bare_key(name)) return "";
     const CloudNoisePreset noise = noise_of_cloud_preset(cloud_preset, name);
     if (!noise.preset) return "";
+    name = name_of_noise(brought, name, cloud, noise);
+    if (has_noise(root, name) || !is_bare_key(name)) return "";
+    if (!brought.emplace(name, noise).second) return "";
     return fmt::format("[noise.{}]\npreset = \"{}\"\npack = \"{}\"\n", name, noise.preset->name,
                        noise.pack);
 }
@@ -128,17 +150,19 @@ std::string brought_noise(const Table& root, const std::string& cloud_preset,
 // that name.
 void lay_over_noises_of_clouds(Table& root, std::deque<Source>& sources,
                                DiagnosticList& diagnostics) {
-    const Entry* entry = find_entry(root, "clouds");
-    const Table* clouds = entry ? as_table(entry->value) : nullptr;
+    Entry* const entry = find_entry(root, "clouds");
+    Table* const clouds = entry ? std::get_if<Table>(&entry->value.data) : nullptr;
     if (!clouds) return;
     Table base;
-    for (const Entry& cloud : *clouds) {
-        const Table* table = as_table(cloud.value);
+    BroughtNoises brought;
+    for (Entry& cloud : *clouds) {
+        Table* const table = std::get_if<Table>(&cloud.value.data);
         const std::string* preset = table ? string_under(*table, "preset") : nullptr;
         if (!preset || !find_cloud_preset(*preset)) continue;
         for (const std::string_view key : {"noise", "detail"}) {
-            const std::string* name = string_under(*table, key);
-            std::string text = name ? brought_noise(root, *preset, *name) : "";
+            Entry* const named = find_entry(*table, key);
+            auto* const name = named ? std::get_if<std::string>(&named->value.data) : nullptr;
+            std::string text = name ? brought_noise(root, cloud.key, *preset, *name, brought) : "";
             if (text.empty()) continue;
             sources.push_back(
                 {Source::Kind::preset, -1, fmt::format("preset {}", *preset), std::move(text)});

@@ -115,15 +115,81 @@ const tests = {
         assert.match(await page.innerText('body'), /Without JavaScript/);
     },
 
-    async 'begins with the lit cloud, as wide as the page'(browser, file) {
+    async 'begins with all clouds in one sky, as wide as the page'(browser, file) {
         const page = await open(browser, file);
-        const first = page.locator('figure').first();
-        assert.match(await first.getAttribute('data-name'), /^cumulus_lit_sun_20$/);
-        const box = await first.boundingBox();
-        assert.ok(box.width > 1000 && box.y < 400, JSON.stringify(box));
+        const names = await page.$$eval('figure', (figures) => figures.map((figure) => figure.dataset.name));
+        assert.deepEqual(names.slice(0, 2), ['scene_sun_20', 'cumulus_lit_sun_20']);
+        const box = await page.locator('figure').first().boundingBox();
+        assert.ok(box.width > 1000 && box.y < 200, JSON.stringify(box));
         assert.ok((await page.$$('img.plot')).length >= 5);
         // Of a recipe no file is written: no column for them.
         assert.equal((await page.$$('[aria-label="All assets"] th:text-is("Files")')).length, 0);
+    },
+
+    async 'shows one of several pictures of a kind, by tabs'(browser, file) {
+        for (const width of [1280, 400]) {
+            const page = await open(browser, file, {viewport: {width, height: 800}});
+            const tabbed = page.locator('section:has(h2:text-is("transmittance")) .tabbed');
+            assert.equal(await tabbed.count(), 1);
+            const tabs = tabbed.locator('[role=tab]');
+            assert.equal(await tabs.count(), 3);  // channels
+            const shown = async () => {
+                const states = await tabbed.evaluate((whole) => Array.from(whole.querySelectorAll('[role=tab]'), (tab) => {
+                    const panel = document.getElementById(tab.getAttribute('aria-controls'));
+                    return [tab.getAttribute('aria-selected') === 'true', panel.getClientRects().length > 0,
+                            panel.getAttribute('aria-labelledby') === tab.id, tab.tabIndex === 0];
+                }));
+                for (const [selected, visible, labelled, focusable] of states) {
+                    assert.equal(visible, selected);
+                    assert.equal(focusable, selected);
+                    assert.ok(labelled);
+                }
+                assert.equal(states.filter(([selected]) => selected).length, 1);
+                return states.findIndex(([selected]) => selected);
+            };
+            assert.equal(await shown(), 0);
+            await tabs.nth(0).focus();
+            for (const [key, at] of [['ArrowRight', 1], ['ArrowRight', 2], ['ArrowRight', 0], ['ArrowLeft', 2],
+                                     ['Home', 0], ['End', 2]]) {
+                await page.keyboard.press(key);
+                assert.equal(await shown(), at, key);
+                assert.ok(await tabs.nth(at).evaluate((tab) => tab === document.activeElement));
+            }
+            // Tab goes on to the picture, which Enter enlarges.
+            await page.keyboard.press('Tab');
+            await page.keyboard.press('Enter');
+            assert.ok(await page.locator('dialog').isVisible());
+            await page.keyboard.press('Escape');
+            await tabs.nth(1).click();
+            assert.equal(await shown(), 1);
+            assert.ok(await page.evaluate(() => document.documentElement.scrollWidth) <= width);
+            assert.deepEqual(page.complaints, []);
+        }
+    },
+
+    async 'has no white plot on a dark page, and says each title once'(browser, file) {
+        const page = await open(browser, file, {colorScheme: 'dark'});
+        const bright = await page.evaluate(async () => {
+            const bright = [];
+            for (const image of document.querySelectorAll('figure:not(.scene) img')) {
+                await image.decode();
+                const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+                const context = canvas.getContext('2d');
+                context.drawImage(image, 0, 0);
+                const [r, g, b] = context.getImageData(1, 1, 1, 1).data;  // the paper
+                const inverted = getComputedStyle(image).filter.includes('invert');
+                const grey = (r + g + b) / 3;
+                if ((inverted ? 255 - grey : grey) > 80) bright.push(image.dataset.file);
+            }
+            return bright;
+        });
+        assert.deepEqual(bright, []);
+        const {assets} = await data(page);
+        const titled = assets.flatMap((asset) => asset.pictures).filter((picture) => picture.titled);
+        assert.ok(titled.length > 10);
+        for (const picture of titled) {
+            assert.equal(await page.locator(`figure[data-name="${picture.name}"] figcaption b`).count(), 0);
+        }
     },
 
     async 'sorts numbers as numbers'(browser, file) {

@@ -58,7 +58,8 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
     EXPECT_EQ(slip.where.line, 2);
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-              "choose one of billows, nubis_detail, nubis_layer, nubis_shape, takram_detail, takram_shape, "
+              "choose one of billows, nubis_detail, nubis_layer, nubis_shape, takram_detail, "
+              "takram_shape, "
               "thesis");
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
@@ -133,6 +134,33 @@ TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
                   .parameters.noises.size(),
               3u)
         << "detail, which both have, shape and billows";
+}
+
+// Clouds whose presets bring different noises under one name do not share the first one's.
+TEST(SectionPresetMerge, NoisesOfTwoPresetsDoNotCollide) {
+    const std::string stratus = "[clouds.high]\npreset = 'stratus'\n";
+    const std::string thesis = "[clouds.low]\npreset = 'thesis'\n";
+    for (const std::string& text : {stratus + thesis, thesis + stratus}) {
+        const Recipe both = valid(text);
+        ASSERT_EQ(both.parameters.noises.size(), 3u) << "detail, shape and shape_low";
+        EXPECT_EQ(both.parameters.noises[1].name, "shape");
+        EXPECT_EQ(both.parameters.noises[2].name, "shape_low");
+        EXPECT_EQ(both.parameters.clouds.at(0).noise, "shape");
+        EXPECT_EQ(both.parameters.clouds.at(1).noise, "shape_low");
+        const Recipe alone = valid(thesis);
+        EXPECT_EQ(both.parameters.noises[2].channels.size(),
+                  alone.parameters.noises.at(0).channels.size());
+        EXPECT_EQ(both.parameters.noises[2].pack, alone.parameters.noises.at(0).pack);
+        EXPECT_NE(both.parameters.noises[1].pack, both.parameters.noises[2].pack);
+    }
+    // A noise of the recipe serves all that name it.
+    const Recipe shared =
+        valid("[noise.shape]\npreset = 'nubis_shape'\npack = 'shape'\n" + stratus + thesis);
+    EXPECT_EQ(shared.parameters.clouds.at(1).noise, "shape");
+    // The second noise is set as any other.
+    const Recipe seeded = valid(stratus + thesis + "[noise.shape_low]\nseed = 9\n");
+    EXPECT_EQ(seeded.parameters.noises.at(2).seed, 9u);
+    EXPECT_EQ(seeded.parameters.noises.at(2).pack, NoisePacking::none);
 }
 
 TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {

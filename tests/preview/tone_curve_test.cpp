@@ -145,16 +145,22 @@ TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
 }
 
 // A dome in its black surround: the median of what is lit is half a stop above middle grey, however
-// bright the light around the sun is.
+// bright the light around the sun is, if it is less than a twentieth of the sky.
 TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
     Image2<float> image(1000, 1, 3);
     for (int x = 0; x < 1000; ++x) {
-        const float value = x < 500 ? 0.0F : x < 800 ? 2.0F : 1e6F;
+        const float value = x < 500 ? 0.0F : x < 980 ? 2.0F : 1e6F;
         std::fill_n(image.texel(x, 0), 3, value);
     }
     EXPECT_NEAR(1 - std::exp(-sky_exposure_for(image) * 2), 0.25, 1e-6);
     for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
         EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 2, curve), 0.25, 2e-3);
+    }
+    // A tenth of the sky is so bright that the median would burn it out.
+    for (int x = 950; x < 1000; ++x) std::fill_n(image.texel(x, 0), 3, 50.0F);
+    EXPECT_NEAR(1 - std::exp(-sky_exposure_for(image) * 50), 0.8, 1e-6);
+    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+        EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 50, curve), 0.8, 2e-3);
     }
     EXPECT_EQ(sky_exposure_for(texel({0, 0, 0})), 1);
     EXPECT_EQ(sky_exposure_for(Image2<float>()), 1);

@@ -135,16 +135,20 @@
 
     // --- Frames -----------------------------------------------------------------------------------
 
-    // Brings the 99th percentile of luminance to 0.85 of white, or less with clouds, as the preview's pictures of
-    // clouds do; its pictures of skies show their median as 0.25 of white.
+    // Chooses the exposure by the scene's rule, which is that of the preview's pictures (tone_curve.h).
     function fit_exposure(target) {
+        const rule = page.scene.exposure;
         const floats = page.renderer.pixels(target), luminances = [];
         for (let i = 0; i < floats.length; i += 4) {
-            luminances.push(0.2126 * floats[i] + 0.7152 * floats[i + 1] + 0.0722 * floats[i + 2]);
+            const luminance = 0.2126 * floats[i] + 0.7152 * floats[i + 1] + 0.0722 * floats[i + 2];
+            if (luminance > 0 || !rule.lit_pixels) luminances.push(luminance);
         }
-        const rank = luminances.sort((a, b) => a - b)[Math.floor(0.99 * (luminances.length - 1))];
-        const well = page.scene.well_exposed[page.view.tone_curve] * (page.scene.cloud ? 0.8 : 1);
-        if (rank > 0) page.view.exposure = Math.max(-4, Math.min(30, Math.log2(well / rank)));
+        luminances.sort((a, b) => a - b);
+        const stops = (light, quantile) =>
+            Math.log2(light[page.view.tone_curve] / luminances[Math.floor(quantile * (luminances.length - 1))]);
+        let chosen = stops(rule.light, rule.quantile);
+        if (rule.bright_light) chosen = Math.min(chosen, stops(rule.bright_light, rule.bright_quantile));
+        if (Number.isFinite(chosen)) page.view.exposure = Math.max(-4, Math.min(30, chosen));
         page.fits_exposure = false;
         tell_controls();
     }

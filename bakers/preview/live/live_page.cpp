@@ -31,16 +31,18 @@ std::string files_json(const PreviewPage& page) {
 }  // namespace
 
 std::string live_html(const PreviewPage& page) {
-    return filled(live_text("live.html"), {{"generator", html_text(generator())},
-                                           {"title", html_text(page.title)},
-                                           {"style", std::string(live_text("live.css"))},
-                                           {"pictures", pictures_html(page)},
-                                           {"shaders", shaders_json()},
-                                           {"scene", safe_in_script(page.live_scene)},
-                                           {"files", files_json(page)},
-                                           {"renderer", std::string(live_text("live_renderer.js"))},
-                                           {"script", std::string(live_text("live.js"))},
-                                           {"watch", watch_element(page.watch_revision)}});
+    return filled(live_text("live.html"),
+                  {{"generator", html_text(generator())},
+                   {"title", html_text(page.title)},
+                   {"style", std::string(live_text("live.css"))},
+                   {"pictures", pictures_html(page)},
+                   {"shaders", shaders_json()},
+                   {"scene", safe_in_script(page.live_scene)},
+                   {"files", files_json(page)},
+                   {"renderer", std::string(live_text("live_diffuse.js")) +
+                                    std::string(live_text("live_renderer.js"))},
+                   {"script", std::string(live_text("live.js"))},
+                   {"watch", watch_element(page.watch_revision)}});
 }
 
 std::vector<PreviewFile> live_files(const PreviewPage& page) {

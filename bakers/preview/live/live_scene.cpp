@@ -4,18 +4,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/math/half_conversion.h"
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/live/live_glsl.h"
+#include "bakers/preview/live/live_textures.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
@@ -25,7 +23,7 @@ namespace skybake {
 namespace {
 
 using config::Outcome;
-using Json = nlohmann::ordered_json;
+using Json = LiveJson;
 
 // --- Light ---------------------------------------------------------------------------------------
 
@@ -83,68 +81,6 @@ Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions
     return {std::move(light), {}};
 }
 
-// --- Textures ------------------------------------------------------------------------------------
-
-std::string bytes_of(const void* data, std::size_t size) {
-    std::string bytes(size, '\0');
-    std::memcpy(bytes.data(), data, size);
-    return bytes;
-}
-
-// Describes a texture and holds its texels. `type` is "float", "half" or "unorm8".
-Json texture(const std::string& name, const std::string& label, std::vector<int> size, int channels,
-             const char* type, const std::string& texels) {
-    return {{"name", name},         {"label", label}, {"size", std::move(size)},
-            {"channels", channels}, {"type", type},   {"texels", base64(zlib_bytes(texels))}};
-}
-
-Json table_texture(const std::string& name, const std::string& label, const Image2<float>& table) {
-    return texture(name, label, {table.width, table.height}, table.channels, "float",
-                   bytes_of(table.texels.data(), table.texels.size() * sizeof(float)));
-}
-
-// The first channel of a volume, as unorm8 or half.
-struct PackedVolume {
-    const char* type = "half";
-    std::string texels;
-    double greatest_error = 0;
-};
-
-PackedVolume packed_volume(const PreviewAsset& asset) {
-    const std::size_t channels = asset.entry.channels.size();
-    std::vector<float> values;
-    values.reserve(asset.voxels.size() / channels);
-    for (std::size_t i = 0; i < asset.voxels.size(); i += channels) {
-        values.push_back(asset.voxels[i]);
-    }
-    const auto [least, greatest] = std::minmax_element(values.begin(), values.end());
-    const bool fits = *least >= 0 && *greatest <= 1;
-    const bool is_unorm8 = fits && std::all_of(values.begin(), values.end(), [](float value) {
-                               return std::round(value * 255) / 255 == value;
-                           });
-    PackedVolume packed;
-    if (is_unorm8 || (fits && 2 * values.size() > kMostHalfBytes)) {
-        packed.type = "unorm8";
-        packed.texels.reserve(values.size());
-        for (const float value : values) {
-            const float level = std::round(value * 255);
-            packed.greatest_error =
-                std::max(packed.greatest_error, std::fabs(double{level} / 255 - double{value}));
-            packed.texels += static_cast<char>(static_cast<std::uint8_t>(level));
-        }
-        return packed;
-    }
-    std::vector<std::uint16_t> halves;
-    halves.reserve(values.size());
-    for (const float value : values) {
-        halves.push_back(half_of_float(value));
-        packed.greatest_error = std::max(
-            packed.greatest_error, std::fabs(double{float_of_half(halves.back())} - double{value}));
-    }
-    packed.texels = bytes_of(halves.data(), 2 * halves.size());
-    return packed;
-}
-
 // --- Clouds --------------------------------------------------------------------------------------
 
 // A cloud with all that a march through it needs.
@@ -153,17 +89,6 @@ struct LiveCloud {
     CloudMedium medium;
     std::string leaps_name;
 };
-
-// Returns the leaps in cells, as bytes. Longer ones than 255 cells are held as 255.
-std::string leap_bytes(const LeapGrid& grid) {
-    std::string bytes;
-    bytes.reserve(grid.reach.size());
-    for (const float reach : grid.reach) {
-        const float leap = reach < 0 ? 0 : 1 + std::floor(reach / static_cast<float>(grid.cell));
-        bytes += static_cast<char>(static_cast<std::uint8_t>(std::min(leap, 255.0F)));
-    }
-    return bytes;
-}
 
 std::optional<LiveCloud> find_cloud(const PreviewAssets& assets, const PreviewOptions& options) {
     for (const PreviewAsset& asset : assets.assets) {
@@ -211,6 +136,27 @@ Json cloud_json(const LiveCloud& cloud, const PackedVolume& packed,
             {"most_sun_samples", kSunSamples},
             {"reach", cloud.medium.repeats ? settings.reach_m : 1e6},
             {"repeats", cloud.medium.repeats}};
+}
+
+// Returns the exposed light that each curve shows as `share` of white, times a factor.
+Json light_json(double share, double factor) {
+    Image2<float> grey(1, 1, 1);
+    grey.texels[0] = 1;
+    const ExposureRule rule = {1, share, factor};
+    return {{"exponential", exposure_by(rule, grey, ToneCurve::exponential)},
+            {"aces", exposure_by(rule, grey, ToneCurve::aces)},
+            {"agx", exposure_by(rule, grey, ToneCurve::agx)}};
+}
+
+// Returns the rule by which the page chooses exposures: they make the quantile of luminance as bright as
+// `light` says for each curve, and another quantile at most as bright as `bright_light` says.
+Json exposure_json(const ExposureRule& rule) {
+    return {{"quantile", rule.quantile},
+            {"light", light_json(rule.share, rule.factor)},
+            {"lit_pixels", rule.lit_pixels},
+            {"bright_quantile", rule.bright_quantile},
+            {"bright_light",
+             rule.bright_quantile > 0 ? light_json(rule.bright_share, 1) : Json(nullptr)}};
 }
 
 Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
@@ -269,11 +215,7 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
                                             {leaps.cells[0], leaps.cells[1], leaps.cells[2]}, 1,
                                             "unorm8", leap_bytes(leaps)));
     }
-    Image2<float> grey(1, 1, 1);
-    grey.texels[0] = 1;
-    scene["well_exposed"] = {{"exponential", exposure_for(grey, ToneCurve::exponential)},
-                             {"aces", exposure_for(grey, ToneCurve::aces)},
-                             {"agx", exposure_for(grey, ToneCurve::agx)}};
+    scene["exposure"] = exposure_json(scene["cloud"].is_null() ? kSkyPicture : kCloudPicture);
     scene["view"] = view_json(options, camera, light.medium.air.thickness_km);
     return scene;
 }

@@ -14,70 +14,15 @@
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "bakers/preview/pictures/asset_pictures.h"
+#include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/render/stage_progress.h"
 #include "bakers/render/tone_curve.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
-#include "config/recipe/recipe.h"
 
 namespace skybake {
 
 namespace {
-
-// The factor on the exposure that tone_curve.h chooses for whole pictures. It brings the 99th
-// percentile to 0.78 of white, because clouds are the brightest part and their shades must be
-// visible.
-constexpr double kExposureShare = 0.8;
-
-struct Lighting {
-    SkyMedium medium;
-    SkyTables tables;
-    std::string name;  // as captions say it
-};
-
-std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
-                                    const PreviewAsset& transmittance,
-                                    const PreviewAsset& multiple_scattering, std::string name) {
-    auto tables = make_sky_tables(transmittance, multiple_scattering);
-    if (!tables.value) return std::nullopt;
-    return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
-}
-
-std::optional<Lighting> earth_lighting(int threads) {
-    const auto recipe = config::parse_recipe(kEarthLight, "earth");
-    if (!recipe.value) return std::nullopt;
-    BakeOptions options;
-    options.threads = threads;
-    options.certification = Certification::off;
-    const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
-    if (!baked.value) return std::nullopt;
-    return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
-                       *baked.value->of_kind("multiple_scattering"), "the preset earth");
-}
-
-std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
-    if (input.atmosphere == nullptr || input.transmittance == nullptr ||
-        input.multiple_scattering == nullptr) {
-        return earth_lighting(threads);
-    }
-    return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
-                       "the recipe's atmosphere");
-}
-
-// The leaps of a march, and where they come from.
-struct Leaps {
-    LeapGrid grid;
-    std::string name;  // as captions say it
-};
-
-Leaps leaps_of(const CloudPreviewInput& input, const CloudMedium& medium, int threads) {
-    if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
-        auto grid = leap_grid_of(*input.volume, *input.occupancy, *input.occupancy_bake,
-                                 filtered_threshold(*input.cloud));
-        if (grid) return {std::move(*grid), input.occupancy->entry.name};
-    }
-    return {leaps_of_voxels(medium, 4, threads), "cells made from the volume"};
-}
 
 // Returns the views under a sun: one, or those of a turntable.
 std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const CloudMedium& medium,
@@ -96,80 +41,54 @@ std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const Cl
     return views;
 }
 
-// Returns two samples along each edge of a pixel for small pictures, else one.
-int samples_along_edge(const CloudViewSettings& settings) {
-    return std::int64_t{settings.width} * settings.height <= kSmallPixels ? 2 : 1;
+// The pictures of a cloud under one sun.
+struct LitScene {
+    const CloudPreviewInput& input;
+    const Lighting& lighting;
+    const std::string& leaps_name;
+    SceneRenderer renderer;
+};
+
+SceneFrame frame_of(const CloudViewSettings& settings) {
+    return {settings.width, settings.height, settings.camera,
+            refinement_of(settings.width, settings.height), true};
 }
 
-// Returns the means of squares of edge x edge pixels.
-Image2<float> means_of_squares(const Image2<float>& image, int edge) {
-    Image2<float> result(image.width / edge, image.height / edge, image.channels);
-    const auto count = static_cast<float>(edge * edge);
-    for (int y = 0; y < result.height * edge; ++y) {
-        for (int x = 0; x < result.width * edge; ++x) {
-            for (int c = 0; c < image.channels; ++c) {
-                result.texel(x / edge, y / edge)[c] += image.texel(x, y)[c] / count;
-            }
-        }
-    }
-    return result;
-}
-
-CloudView render_samples(const CloudMedium& medium, const Lighting& lighting,
-                         CloudViewSettings settings, int threads, Progress* progress) {
-    const int edge = samples_along_edge(settings);
-    settings.width *= edge;
-    settings.height *= edge;
-    CloudView view =
-        render_cloud(medium, {lighting.medium, lighting.tables}, settings, threads, progress);
-    if (edge > 1) view.radiance = means_of_squares(view.radiance, edge);
-    return view;
-}
-
-// Says where the sun is for somebody who looks along the camera's heading. Azimuths grow from +x
-// towards +y, which is to the left.
-std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
-    const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
-    if (turn == 0) return "straight ahead";
-    return fmt::format("{:.4g} degrees to the {} of the view", std::fabs(turn),
-                       turn > 0 ? "left" : "right");
-}
-
-std::string lit_caption(const CloudPreviewInput& input, const CloudViewSettings& settings,
-                        const Lighting& lighting, const Leaps& leaps, const FetchCounts& fetches,
-                        double exposure) {
-    const int samples = samples_along_edge(settings) * samples_along_edge(settings);
+std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,
+                        const CloudView& view, double exposure) {
     const double pixels = static_cast<double>(settings.width) * settings.height;
+    const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "{}, the {}, {}, in the light of {}; {}. The camera is `{}`. There {} per pixel, {:.3g} m "
+        "{}, the {}, {}, in the light of {}; {}. The camera is `{}`. There are {}, {:.3g} m "
         "steps along the view and {:.3g} m steps towards the sun, and {} octaves of scattering "
         "(Wrenninge et al. 2013). Leaping by {}, each pixel takes {:.0f} lookups of the volume and "
         "{:.0f} of the grid.",
-        input.single ? "One tile alone" : "The layer that the tile repeats to",
+        scene.input.single ? "One tile alone" : "The layer that the tile repeats to",
         sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
-        lighting.name, tone_text(exposure, input.tone_curve), camera_text(settings.camera),
-        samples == 1 ? std::string("is one sample") : fmt::format("are {} samples", samples),
-        settings.step_m, settings.light_step_m, kOctaves, leaps.name,
+        scene.lighting.name, tone_text(exposure, scene.input.tone_curve),
+        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
+        settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels);
 }
 
 // Renders one view. Without `exposure`, one is chosen for this picture.
-PreviewPicture lit_picture(const CloudPreviewInput& input, const CloudMedium& medium,
-                           const Lighting& lighting, const Leaps& leaps,
-                           const CloudViewSettings& settings, std::optional<double> exposure,
-                           int threads, Progress* progress) {
-    const CloudView view = render_samples(medium, lighting, settings, threads, progress);
-    const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
-    if (!exposure) exposure = kExposureShare * exposure_for(shown, input.tone_curve);
+PreviewPicture lit_picture(LitScene& scene, const CloudViewSettings& settings,
+                           std::optional<double> exposure, int threads, Progress* progress) {
+    const CloudView view = scene.renderer.render(frame_of(settings), threads, progress);
+    const Image2<float> shown = scene.lighting.tables.screen.shown(view.radiance);
+    const ToneCurve curve = scene.input.tone_curve;
+    if (!exposure) exposure = cloud_exposure_for(shown, curve);
     const double elevation = settings.sun.elevation_degrees;
     PreviewPicture picture;
-    picture.name = fmt::format("{}_lit_{}", input.volume->entry.name, sun_stem(elevation));
+    picture.name = fmt::format("{}_lit_{}", scene.input.volume->entry.name, sun_stem(elevation));
     picture.title = fmt::format("Lit, {}", sun_text(elevation));
-    picture.caption = lit_caption(input, settings, lighting, leaps, view.fetches, *exposure);
-    picture.picture = tone_mapped(shown, *exposure, input.tone_curve);
+    picture.caption = lit_caption(scene, settings, view, *exposure);
+    picture.picture = tone_mapped(shown, *exposure, curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
+    picture.group = "lit";
+    picture.tab = sun_text(elevation);
     return picture;
 }
 
@@ -183,8 +102,17 @@ void number_picture(const std::string& asset, std::size_t index, std::size_t cou
     picture.caption = fmt::format("Picture {} of {}. {}", index + 1, count, picture.caption);
 }
 
-void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
-                      const Lighting& lighting, const Leaps& leaps, int threads,
+// Returns the layer that is in all views.
+SceneLayer layer_of(const CloudMedium& medium, const std::vector<CloudViewSettings>& views) {
+    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0, false};
+    for (const CloudViewSettings& view : views) {
+        layer.reach_m = std::max(layer.reach_m, view.reach_m);
+    }
+    return layer;
+}
+
+void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud,
+                      const Lighting& lighting, int threads,
                       std::vector<PreviewPicture>& pictures) {
     const std::size_t count = static_cast<std::size_t>(std::max(input.turntable, 1));
     const double share = 1.0 / static_cast<double>(input.suns.size() * count);
@@ -193,11 +121,13 @@ void add_lit_pictures(const CloudPreviewInput& input, const CloudMedium& medium,
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
         std::optional<double> exposure;
         if (input.exposure_stops) exposure = std::exp2(*input.exposure_stops);
-        const std::vector<CloudViewSettings> views = views_of(input, medium, sun);
+        const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
+        LitScene scene = {
+            input, lighting, cloud.leaps_name,
+            SceneRenderer({layer_of(cloud.medium, views)}, lighting.atmosphere(), sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
-            PreviewPicture picture =
-                lit_picture(input, medium, lighting, leaps, views[i], exposure, threads, &part);
+            PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);
             done += share;
             exposure = picture.exposure;  // one for all pictures of a turntable
             if (input.turntable > 0) {
@@ -223,21 +153,6 @@ void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
     }
 }
 
-bool holds_voxels(const PreviewAsset& asset) {
-    const ManifestAsset& entry = asset.entry;
-    if (!entry.is_volume() || entry.size.size() != 3 || entry.channels.empty()) return false;
-    return asset.voxels.size() ==
-           occupancy::count_of({entry.size[0], entry.size[1], entry.size[2]}) *
-               entry.channels.size();
-}
-
-// Returns the cloud with the extent of its volume.
-std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
-    if (input.cloud == nullptr) return std::nullopt;
-    if (input.volume_bake == nullptr) return *input.cloud;
-    return config::stretched(*input.cloud, *input.volume_bake);
-}
-
 }  // namespace
 
 std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads) {
@@ -248,19 +163,16 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
         return grid_pictures(*input.occupancy, input.occupancy_bake, cloud ? &*cloud : nullptr,
                              input.draft);
     }
-    const ManifestAsset& entry = input.volume->entry;
-    CloudMedium medium = cloud_medium(
-        *cloud, input.volume->voxels.data(), {entry.size[0], entry.size[1], entry.size[2]},
-        static_cast<int>(entry.channels.size()), threads, !input.single);
+    const std::string& name = input.volume->entry.name;
+    const LeapingMedium lit = leaping_medium(input, *cloud, !input.single, threads);
+    const CloudMedium& medium = lit.medium;
     std::vector<PreviewPicture> pictures;
     if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
-        Leaps leaps = leaps_of(input, medium, threads);
-        medium.leaps = std::move(leaps.grid);
-        add_lit_pictures(input, medium, *lighting, leaps, threads, pictures);
+        add_lit_pictures(input, lit, *lighting, threads, pictures);
         if (is_cancelled(input.progress)) return pictures;
     }
     const Image2<float> depth = column_optical_depth(medium, threads);
-    pictures.push_back(optical_depth_picture(medium, entry.name, depth));
+    pictures.push_back(optical_depth_picture(medium, name, depth));
     const std::array<int, 3> slices = slice_voxel(medium, depth);
     for (const int axis : {1, 0, 2}) {
         pictures.push_back(

@@ -19,8 +19,9 @@
 
 namespace skybake {
 
-// Pictures of at most this many pixels get four samples per pixel: in small pictures the grain of
-// one sample is as large as the details, and four samples take little time.
+// Pictures of at most this many pixels get four samples in each pixel and not only in thin parts: in
+// small pictures the grain of one sample is as large as the details, and four samples take little
+// time.
 inline constexpr int kSmallPixels = 640 * 400;
 
 // The recipe of the light for clouds without an atmosphere of their own.

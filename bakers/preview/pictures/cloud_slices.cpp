@@ -66,7 +66,7 @@ ColourScale scale_of(const Image2<float>& field, std::string title) {
     const auto [least, most] = std::minmax_element(field.texels.begin(), field.texels.end());
     const double low = std::min(0.0, double{*least});
     const double high = double{*most} > low ? double{*most} : low + 1;
-    return {low, high, false, false, std::move(title)};
+    return {low, high, false, false, std::move(title), true};
 }
 
 // Returns what stored values mean, for the colour bar.
@@ -170,7 +170,7 @@ PreviewPicture grid_picture(const PreviewAsset& grid, const GridChannel& channel
     picture.caption =
         fmt::format("The picture shows the grid's channel `{}`{}, one square per cell.",
                     channel.name, channel.is_leap ? ", leap distances in cells" : "");
-    picture.kind = PictureKind::plot;
+    picture.titled = true;
     picture.picture =
         false_colour_chart(field, scale_of(field, channel.name), picture.title, across, up);
     return picture;
@@ -222,8 +222,8 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
     Image2<float> shown = optical_depth;
     // The scale spans three decades, because values below a thousandth of the greatest are
     // invisible beside it.
-    ColourScale scale{greatest / 1000, greatest, true, false, "optical depth"};
-    if (greatest == 0) scale = {0, 1, false, false, "optical depth"};
+    ColourScale scale{greatest / 1000, greatest, true, false, "optical depth", true};
+    if (greatest == 0) scale = {0, 1, false, false, "optical depth", true};
     for (float& depth : shown.texels) {
         if (depth == 0) ++clear;
         depth = std::max(depth, static_cast<float>(scale.low));
@@ -231,7 +231,7 @@ PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::strin
     PreviewPicture picture;
     picture.name = name + "_optical_depth";
     picture.title = "Optical depth from above";
-    picture.kind = PictureKind::plot;
+    picture.titled = true;
     picture.caption = fmt::format(
         "The picture shows extinction integrated over each column, on a logarithmic scale from "
         "{:.3g} to the maximum, {:.3g}; {:.0f} % of the columns are empty.",
@@ -251,7 +251,9 @@ PreviewPicture slice_picture(const CloudMedium& medium, const PreviewAsset& volu
     picture.name =
         fmt::format("{}_slice_{}", volume.entry.name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Slice at {}", place_of(medium, axis, at));
-    picture.kind = PictureKind::plot;
+    picture.group = "slices";
+    picture.tab = place_of(medium, axis, at);
+    picture.titled = true;
     picture.caption = fmt::format("The picture shows {} as the file stores it, in channel {}.",
                                   medium.optics.has_edge ? "Value before its threshold" : "Density",
                                   volume.entry.channels.front());
@@ -293,6 +295,9 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
     picture.name =
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);
     picture.title = fmt::format("Cells at {}", place_of(medium, axis, at));
+    picture.titled = true;
+    picture.group = "cells";
+    picture.tab = place_of(medium, axis, at);
     picture.caption = fmt::format(
         "Cells of {} voxels per edge lie over the {} (grey). Occupied cells, {:.1f} % of all, are "
         "framed; the bluer an empty cell is, the farther a ray may leap from it, up to {:.0f} "

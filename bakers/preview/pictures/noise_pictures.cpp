@@ -106,7 +106,7 @@ class NoisePictures {
         const bool over_decades = entry_.mapping == "phase_functions";
         add("curves", "curves", fmt::format("These are the file's texels: {}.", entry_.content),
             line_chart(lines, entry_.name, "u", "value", false, over_decades));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     void add_tiles() {
@@ -138,7 +138,7 @@ class NoisePictures {
             "the share of voxels." +
                 without_spectrum(),
             line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     // Returns a line with one step per bin, which goes down to 0 at both ends.
@@ -217,7 +217,7 @@ class NoisePictures {
                         spectrum_slices(volume_.size), constant_words()),
             line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
                        "variance per cycle", true, true));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     const ManifestAsset& entry_;

@@ -212,6 +212,8 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.name = "sky_" + sun_stem(sun_elevation_degrees);
     result.title = fmt::format("Sky, {}", sun_text(sun_elevation_degrees));
     result.exposure = exposure;
+    result.group = "domes";
+    result.tab = sun_text(sun_elevation_degrees);
     result.caption = fmt::format(
         "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
         how_shown(scene), tone_text(exposure, scene.options.tone_curve));

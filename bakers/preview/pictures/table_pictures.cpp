@@ -262,7 +262,9 @@ class TablePictures {
                         scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
             false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
                                altitude_axis(), drawn_width));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back().titled = true;
+        pictures_.back().group = "channels";
+        pictures_.back().tab = name.title;
     }
 
     // Leaves out values below the scale of the false colours, which would otherwise fill the chart.
@@ -305,7 +307,7 @@ class TablePictures {
         add("ground_profile", title, "The curves show bilinear lookups at the ground, altitude 0.",
             line_chart(lines, title, quantity_.angle, quantity_.axis, false,
                        quantity_.logarithmic));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     void add_profile_over_altitude() {
@@ -320,7 +322,7 @@ class TablePictures {
             "The curves show bilinear lookups at a zenith angle of 90 degrees.",
             line_chart(lines, title, "altitude (km)", quantity_.axis, false,
                        quantity_.logarithmic));
-        pictures_.back().kind = PictureKind::plot;
+        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     void add_texels() {

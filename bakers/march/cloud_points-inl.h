@@ -1,0 +1,209 @@
+// The points of a march at which light is looked up: how they are chosen, and the light that they add to
+// their rays.
+//
+// The file is included once per target (see Highway's foreach_target.h), so it has no ordinary
+// include guard.
+#if defined(SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_
+#undef SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_
+#else
+#define SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bakers/air/particles/phase_function-inl.h"
+#include "bakers/march/cloud_path-inl.h"
+#include "bakers/march/cloud_rays.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace skybake {
+namespace HWY_NAMESPACE {
+
+// The points where light is looked up. They are collected while rays are marched and evaluated
+// together.
+struct LightPoints {
+    std::vector<float> x, y, z;         // in voxels, within the copy of the volume
+    std::vector<float> tile_x, tile_y;  // where that begins
+    std::vector<float> weight;          // the share of its light that reaches the eye
+    std::vector<float> jitter;          // of samples towards the sun
+    std::vector<float> tau;             // optical depth towards the sun
+    std::vector<std::uint32_t> ray;
+
+    std::size_t size() const { return x.size(); }
+};
+
+constexpr float kPi = 3.14159265F;
+
+// The values b^n p_n of the octaves of sun_scattering, for the angle of each lane.
+struct OctaveLanes {
+    FloatLanes value[kOctaves];
+};
+
+HWY_INLINE FloatLanes henyey_greenstein(double g, FloatLanes offset) {
+    return FloatLanes(static_cast<float>((1 - g) * (1 + g) / 4)) /
+           (FloatLanes(kPi) * henyey_greenstein_denominator(static_cast<float>(g), offset,
+                                                            FloatLanes(2.0F) - offset));
+}
+
+HWY_INLINE OctaveLanes octaves_at(const CloudMarch& march, FloatLanes offset) {
+    OctaveLanes lanes;
+    const FloatLanes u = FloatLanes(1.0F) - offset;
+    for (std::size_t n = 0; n < kOctaves; ++n) {
+        const DropletPhase& phase = march.octaves[n].phase;
+        const double brightness = march.octaves[n].brightness;
+        const double g = phase.draine_g;
+        const double alpha = phase.draine_alpha;
+        const double draine_scale =
+            brightness * phase.draine_share / (1 + alpha * (1 + 2 * g * g) / 3);
+        const FloatLanes draine =
+            henyey_greenstein(g, offset) *
+            (FloatLanes(1.0F) + FloatLanes(static_cast<float>(alpha)) * u * u) *
+            FloatLanes(static_cast<float>(draine_scale));
+        const FloatLanes forward =
+            henyey_greenstein(phase.hg_g, offset) *
+            FloatLanes(static_cast<float>(brightness * (1 - phase.draine_share)));
+        lanes.value[n] = draine + forward;
+    }
+    return lanes;
+}
+
+// Calculates exp(-tau / 2^n) for the last octave; squaring it repeatedly gives the octaves before.
+HWY_INLINE FloatLanes scattered_sunlight(const OctaveLanes& octaves, FloatLanes tau) {
+    static_assert(kOctaveHalving == 0.5);
+    FloatLanes through =
+        exponential_of_negative(tau * FloatLanes(-1.0F / static_cast<float>(1 << (kOctaves - 1))));
+    FloatLanes sum(0.0F);
+    for (std::size_t n = kOctaves; n-- > 0;) {
+        sum = sum + octaves.value[n] * through;
+        through = through * through;
+    }
+    return sum;
+}
+
+// Looks up a share of diffuse light at places in the volume.
+HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVolume& shares,
+                               FloatLanes x, FloatLanes y, FloatLanes z) {
+    const auto scaled = [&](FloatLanes value, std::size_t axis) HWY_ATTR {
+        const double scale = static_cast<double>(shares.size[axis]) / voxels[axis];
+        return minimum(value * FloatLanes(static_cast<float>(scale)),
+                       FloatLanes(static_cast<float>(shares.size[axis])));
+    };
+    return lookup(shares, scaled(x, 0), scaled(y, 1), scaled(z, 2));
+}
+
+// Adds the light of each point to its ray, in the order of points.
+class Lighting {
+  public:
+    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
+        for (std::size_t i = 0; i < RayBlock::kCount; i += FloatLanes::kCount) {
+            const OctaveLanes octaves = octaves_at(march, FloatLanes::load(&rays.sun_offset[i]));
+            for (std::size_t n = 0; n < kOctaves; ++n) octaves.value[n].store(&octaves_[n][i]);
+        }
+    }
+
+    void add(const LightPoints& points, RayResults& results) const {
+        for (std::size_t first = 0; first < points.size(); first += FloatLanes::kCount) {
+            add_packet(points, first, results);
+        }
+    }
+
+  private:
+    void add_packet(const LightPoints& points, std::size_t first, RayResults& results) const {
+        alignas(64) float x[FloatLanes::kCount] = {};
+        alignas(64) float y[FloatLanes::kCount] = {};
+        alignas(64) float z[FloatLanes::kCount] = {};
+        alignas(64) float tau[FloatLanes::kCount] = {};
+        alignas(64) float octaves[kOctaves][FloatLanes::kCount] = {};
+        const std::size_t count = std::min(FloatLanes::kCount, points.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            x[i] = points.x[first + i];
+            y[i] = points.y[first + i];
+            z[i] = points.z[first + i];
+            tau[i] = points.tau[first + i];
+            for (std::size_t n = 0; n < kOctaves; ++n) {
+                octaves[n][i] = octaves_[n][points.ray[first + i]];
+            }
+        }
+        OctaveLanes lanes;
+        for (std::size_t n = 0; n < kOctaves; ++n) lanes.value[n] = FloatLanes::load(octaves[n]);
+        const std::array<int, 3>& voxels = march_.medium->volume.size;
+        const FloatLanes at_x = FloatLanes::load(x);
+        const FloatLanes at_y = FloatLanes::load(y);
+        const FloatLanes at_z = FloatLanes::load(z);
+        const FloatLanes sunlight = scattered_sunlight(lanes, FloatLanes::load(tau));
+        const FloatLanes height = at_z * FloatLanes(1.0F / static_cast<float>(voxels[2]));
+        const FloatLanes high = sunlight * height;
+        (sunlight - high).store(x);
+        high.store(y);
+        share_at(voxels, march_.diffuse->from_sky, at_x, at_y, at_z).store(z);
+        share_at(voxels, march_.diffuse->from_ground, at_x, at_y, at_z).store(tau);
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::size_t ray = points.ray[first + i];
+            const float weight = points.weight[first + i];
+            results.sun_at_base[ray] += weight * x[i];
+            results.sun_at_top[ray] += weight * y[i];
+            results.from_sky[ray] += 0.5F * weight * z[i];
+            results.from_ground[ray] += 0.5F * weight * tau[i];
+        }
+    }
+
+    const CloudMarch& march_;
+    alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
+};
+
+// Chooses the samples of a packet of rays at which light is evaluated. If samples k and k + 1 are
+// both in cloud and k is even, sample k + 1 uses the light of sample k.
+class PointCollector {
+  public:
+    PointCollector(const RayBlock& rays, LightPoints& points, std::size_t first_ray)
+        : rays_(rays), points_(points), first_ray_(first_ray) {
+        for (float& k : last_k_) k = -2;  // no sample follows it
+    }
+
+    void add(const Place& at, FloatLanes k, FloatLanes weight, FloatMask lit) {
+        alignas(64) float values[5][FloatLanes::kCount];
+        alignas(64) float tiles[2][FloatLanes::kCount];
+        at.tile_x.store(tiles[0]);
+        at.tile_y.store(tiles[1]);
+        at.x.store(values[0]);
+        at.y.store(values[1]);
+        at.z.store(values[2]);
+        zero_unless(lit, weight).store(values[3]);
+        k.store(values[4]);
+        for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
+            if (values[3][lane] == 0) continue;
+            const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
+            if (odd && last_k_[lane] + 1 == values[4][lane]) {
+                points_.weight[last_point_[lane]] += values[3][lane];
+                continue;
+            }
+            last_k_[lane] = values[4][lane];
+            last_point_[lane] = points_.size();
+            points_.x.push_back(values[0][lane]);
+            points_.y.push_back(values[1][lane]);
+            points_.z.push_back(values[2][lane]);
+            points_.tile_x.push_back(tiles[0][lane]);
+            points_.tile_y.push_back(tiles[1][lane]);
+            points_.weight.push_back(values[3][lane]);
+            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
+            points_.jitter.push_back(rays_.light_jitter[first_ray_ + lane]);
+        }
+    }
+
+  private:
+    const RayBlock& rays_;
+    LightPoints& points_;
+    std::size_t first_ray_;
+    float last_k_[FloatLanes::kCount];
+    std::size_t last_point_[FloatLanes::kCount] = {};
+};
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#endif  // SKYBAKE_BAKERS_MARCH_CLOUD_POINTS_INL_H_

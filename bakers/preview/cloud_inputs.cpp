@@ -1,0 +1,122 @@
+#include "bakers/preview/cloud_inputs.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
+
+namespace skybake {
+
+namespace {
+
+using config::CloudVolumeBake;
+using config::OccupancyBake;
+
+template <class Section>
+const Section* section_named(const config::Parameters& parameters, const std::string& name) {
+    for (const config::Bake& bake : parameters.bakes) {
+        if (bake.name == name) return bake.find<Section>();
+    }
+    return nullptr;
+}
+
+const config::Cloud* cloud_of(const config::Parameters& parameters, const CloudVolumeBake* bake) {
+    const auto cloud =
+        std::find_if(parameters.clouds.begin(), parameters.clouds.end(),
+                     [&](const config::Cloud& one) { return bake && one.name == bake->cloud; });
+    return cloud == parameters.clouds.end() ? nullptr : &*cloud;
+}
+
+void add_occupancy(const PreviewAssets& assets, CloudPreviewInput& input) {
+    const config::Parameters& parameters = assets.recipe->parameters;
+    for (const PreviewAsset& asset : assets.assets) {
+        const auto* bake = section_named<OccupancyBake>(parameters, asset.entry.name);
+        if (bake == nullptr || bake->of != input.volume->entry.name || asset.voxels.empty())
+            continue;
+        input.occupancy = &asset;
+        input.occupancy_bake = bake;
+        return;
+    }
+}
+
+void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
+    input.transmittance = assets.of_kind("transmittance");
+    input.multiple_scattering = assets.of_kind("multiple_scattering");
+    input.atmosphere = &assets.recipe->parameters.atmosphere;
+}
+
+void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
+    const double azimuth = options.sun_azimuth_deg.value_or(input.suns.front().azimuth_degrees);
+    std::vector<double> elevations = options.sun_elevations_deg;
+    if (elevations.empty()) elevations = {input.suns.front().elevation_degrees};
+    input.suns.clear();
+    for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
+    input.exposure_stops = options.exposure_stops;
+    input.tone_curve = options.tone_curve.value_or(ToneCurve::exponential);
+}
+
+// Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its
+// longer edge; the draft then has half of it.
+void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
+    constexpr int longest_of_draft = 768;
+    if (options.camera) input.camera = *options.camera;
+    if (options.picture_size) {
+        input.width = (*options.picture_size)[0];
+        input.height = (*options.picture_size)[1];
+    }
+    input.single = options.single || options.turntable > 0;
+    input.turntable = options.turntable;
+    input.progress = options.progress;
+    input.draft = options.draft;
+    const int longest = std::max(input.width, input.height);
+    if (!options.draft || longest <= longest_of_draft) return;
+    input.width = std::max(input.width * longest_of_draft / longest, 1);
+    input.height = std::max(input.height * longest_of_draft / longest, 1);
+}
+
+}  // namespace
+
+CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& asset,
+                              const PreviewOptions& options) {
+    CloudPreviewInput input;
+    if (!assets.recipe || asset.voxels.empty()) return input;
+    const config::Parameters& parameters = assets.recipe->parameters;
+    const std::string& name = asset.entry.name;
+    if (const auto* grid = section_named<OccupancyBake>(parameters, name)) {
+        input.volume_bake = section_named<CloudVolumeBake>(parameters, grid->of);
+        input.cloud = cloud_of(parameters, input.volume_bake);
+        input.occupancy = &asset;
+        input.occupancy_bake = grid;
+    } else if (const auto* volume = section_named<CloudVolumeBake>(parameters, name)) {
+        input.volume_bake = volume;
+        input.cloud = cloud_of(parameters, volume);
+        input.volume = &asset;
+        add_occupancy(assets, input);
+        add_sky(assets, input);
+    }
+    choose_light(options, input);
+    choose_frame(options, input);
+    return input;
+}
+
+std::vector<CloudPreviewInput> scene_input(const PreviewAssets& assets,
+                                           const PreviewOptions& options) {
+    std::vector<CloudPreviewInput> layers;
+    for (const PreviewAsset& asset : assets.assets) {
+        CloudPreviewInput input = cloud_input(assets, asset, options);
+        if (input.volume == nullptr || input.cloud == nullptr) continue;
+        const auto same = std::find_if(layers.begin(), layers.end(), [&](const auto& other) {
+            return other.cloud->name == input.cloud->name;
+        });
+        if (same == layers.end()) {
+            layers.push_back(std::move(input));
+        } else if (input.volume->voxels.size() > same->volume->voxels.size()) {
+            *same = std::move(input);
+        }
+    }
+    return layers;
+}
+
+}  // namespace skybake

@@ -1,0 +1,103 @@
+#include "bakers/preview/pictures/cloud_lighting.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/preview/bake_assets.h"
+#include "bakers/preview/occupancy_leaps.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+
+namespace {
+
+std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
+                                    const PreviewAsset& transmittance,
+                                    const PreviewAsset& multiple_scattering, std::string name) {
+    auto tables = make_sky_tables(transmittance, multiple_scattering);
+    if (!tables.value) return std::nullopt;
+    return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
+}
+
+std::optional<Lighting> earth_lighting(int threads) {
+    const auto recipe = config::parse_recipe(kEarthLight, "earth");
+    if (!recipe.value) return std::nullopt;
+    BakeOptions options;
+    options.threads = threads;
+    options.certification = Certification::off;
+    const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
+    if (!baked.value) return std::nullopt;
+    return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
+                       *baked.value->of_kind("multiple_scattering"), "the preset earth");
+}
+
+}  // namespace
+
+std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
+    if (input.atmosphere == nullptr || input.transmittance == nullptr ||
+        input.multiple_scattering == nullptr) {
+        return earth_lighting(threads);
+    }
+    return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
+                       "the recipe's atmosphere");
+}
+
+bool holds_voxels(const PreviewAsset& asset) {
+    const ManifestAsset& entry = asset.entry;
+    if (!entry.is_volume() || entry.size.size() != 3 || entry.channels.empty()) return false;
+    return asset.voxels.size() ==
+           occupancy::count_of({entry.size[0], entry.size[1], entry.size[2]}) *
+               entry.channels.size();
+}
+
+std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
+    if (input.cloud == nullptr) return std::nullopt;
+    if (input.volume_bake == nullptr) return *input.cloud;
+    return config::stretched(*input.cloud, *input.volume_bake);
+}
+
+LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud& cloud,
+                             bool repeats, int threads) {
+    const ManifestAsset& entry = input.volume->entry;
+    LeapingMedium result = {cloud_medium(cloud, input.volume->voxels.data(),
+                                         {entry.size[0], entry.size[1], entry.size[2]},
+                                         static_cast<int>(entry.channels.size()), threads, repeats),
+                            "cells made from the volume"};
+    if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
+        auto grid = leap_grid_of(*input.volume, *input.occupancy, *input.occupancy_bake,
+                                 filtered_threshold(*input.cloud));
+        if (grid) {
+            result.medium.leaps = std::move(*grid);
+            result.leaps_name = input.occupancy->entry.name;
+            return result;
+        }
+    }
+    result.medium.leaps = leaps_of_voxels(result.medium, 4, threads);
+    return result;
+}
+
+Refinement refinement_of(int width, int height) {
+    return std::int64_t{width} * height <= kSmallPixels ? Refinement::all : Refinement::thin;
+}
+
+std::string samples_text(const SceneFrame& frame, int refined_pixels) {
+    if (frame.refinement == Refinement::all) return fmt::format("{} samples per pixel", kSamples);
+    const double pixels = static_cast<double>(frame.width) * frame.height;
+    return fmt::format(
+        "one sample per pixel, and {} in the {:.0f} % of pixels where clouds are thin", kSamples,
+        100 * refined_pixels / pixels);
+}
+
+// Azimuths grow from +x towards +y, which is to the left.
+std::string beside_view(const SunDirection& sun, const CloudCamera& camera) {
+    const double turn = std::remainder(sun.azimuth_degrees - camera.azimuth_degrees, 360.0);
+    if (turn == 0) return "straight ahead";
+    return fmt::format("{:.4g} degrees to the {} of the view", std::fabs(turn),
+                       turn > 0 ? "left" : "right");
+}
+
+}  // namespace skybake

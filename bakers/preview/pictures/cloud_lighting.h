@@ -1,0 +1,48 @@
+// What lit pictures of clouds share: the light, the medium with its leaps, and words of captions.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bakers/preview/pictures/cloud_pictures.h"
+#include "bakers/render/scene_view.h"
+
+namespace skybake {
+
+// An atmosphere and its tables.
+struct Lighting {
+    SkyMedium medium;
+    SkyTables tables;
+    std::string name;  // as captions say it
+
+    Atmosphere atmosphere() const { return {medium, tables}; }
+};
+
+// Returns the light of the input's atmosphere or, if that is not complete, of the preset "earth".
+// Returns nothing if make_sky_tables (sky_tables.h) refuses the tables.
+std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads);
+
+// Returns whether the asset holds as many voxels as it says.
+bool holds_voxels(const PreviewAsset& asset);
+
+// Returns the cloud with the extent of its volume.
+std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input);
+
+// A medium with its leaps, and where they come from.
+struct LeapingMedium {
+    CloudMedium medium;
+    std::string leaps_name;  // as captions say it
+};
+LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud& cloud,
+                             bool repeats, int threads);
+
+// Returns which pixels of a picture get more samples.
+Refinement refinement_of(int width, int height);
+
+// Returns how many samples pixels have, as part of a caption.
+std::string samples_text(const SceneFrame& frame, int refined_pixels);
+
+// Says where the sun is for somebody who looks along the camera's heading.
+std::string beside_view(const SunDirection& sun, const CloudCamera& camera);
+
+}  // namespace skybake

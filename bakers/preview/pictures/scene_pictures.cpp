@@ -1,0 +1,134 @@
+#include "bakers/preview/pictures/scene_pictures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "bakers/preview/pictures/asset_pictures.h"
+#include "bakers/preview/pictures/cloud_lighting.h"
+#include "bakers/render/stage_progress.h"
+#include "bakers/render/tone_curve.h"
+
+namespace skybake {
+namespace {
+
+// A layer in memory.
+struct NamedLayer {
+    std::string name;
+    LeapingMedium cloud;
+};
+
+std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& inputs,
+                                         int threads) {
+    std::vector<NamedLayer> layers;
+    for (const CloudPreviewInput& input : inputs) {
+        const std::optional<config::Cloud> cloud = cloud_as_baked(input);
+        if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
+        layers.push_back({input.volume->entry.name, leaping_medium(input, *cloud, true, threads)});
+        CloudMedium& medium = layers.back().cloud.medium;
+        medium.variation = varied_tiles(medium);
+    }
+    return layers;
+}
+
+// "cumulus from 1.2 to 1.95 km".
+std::string layer_text(const NamedLayer& layer) {
+    const CloudMedium& medium = layer.cloud.medium;
+    return fmt::format("{} from {:.4g} to {:.4g} km", layer.name, medium.base_m / 1000,
+                       (medium.base_m + medium.extent_m[2]) / 1000);
+}
+
+std::string layers_text(const std::vector<NamedLayer>& layers) {
+    std::vector<const NamedLayer*> rising;
+    for (const NamedLayer& layer : layers) rising.push_back(&layer);
+    std::stable_sort(rising.begin(), rising.end(), [](const NamedLayer* a, const NamedLayer* b) {
+        return a->cloud.medium.base_m < b->cloud.medium.base_m;
+    });
+    std::string text;
+    for (std::size_t i = 0; i < rising.size(); ++i) {
+        if (i > 0) text += i + 1 == rising.size() ? " and " : ", ";
+        text += layer_text(*rising[i]);
+    }
+    return text;
+}
+
+FramedScene framed(const CloudPreviewInput& input, const std::vector<NamedLayer>& layers,
+                   const SunDirection& sun) {
+    std::vector<const CloudMedium*> media;
+    for (const NamedLayer& layer : layers) media.push_back(&layer.cloud.medium);
+    FramedScene scene = framed_scene(media, sun, input.width, input.height, input.camera);
+    if (!input.draft) return scene;
+    for (SceneLayer& layer : scene.layers) {
+        layer.step_m *= 2;
+        layer.light_step_m *= 2;
+    }
+    return scene;
+}
+
+std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighting,
+                          const std::vector<NamedLayer>& layers, const SunDirection& sun,
+                          const SceneFrame& frame, const CloudView& view, double exposure) {
+    return fmt::format(
+        "The picture shows {} in one sky, with the air before them and their shadows on the "
+        "ground. "
+        "The {}, {}, in the light of {}; {}. The camera is `{}`. There are {}. Each copy of a tile "
+        "begins at another voxel and runs into its neighbours over an eighth of its edge, so that "
+        "no "
+        "pattern repeats; far layers fade out about 1.5 degrees above the horizon. Layers are "
+        "flat, "
+        "and clouds do not shade the air.",
+        layers_text(layers), sun_text(sun.elevation_degrees), beside_view(sun, frame.camera),
+        lighting.name, tone_text(exposure, input.tone_curve), camera_text(frame.camera),
+        samples_text(frame, view.refined_pixels));
+}
+
+PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lighting,
+                             const std::vector<NamedLayer>& layers, const SunDirection& sun,
+                             int threads, Progress* progress) {
+    const FramedScene scene = framed(input, layers, sun);
+    const int reduction = input.draft ? 2 : 1;
+    const int width = std::max(input.width / reduction, 1);
+    const int height = std::max(input.height / reduction, 1);
+    const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true};
+    SceneRenderer renderer(scene.layers, lighting.atmosphere(), sun, threads);
+    const CloudView view = renderer.render(frame, threads, progress);
+    const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
+    const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
+                                                 : cloud_exposure_for(shown, input.tone_curve);
+    PreviewPicture picture;
+    picture.name = "scene_" + sun_stem(sun.elevation_degrees);
+    picture.title = fmt::format("One sky, {}", sun_text(sun.elevation_degrees));
+    picture.caption = scene_caption(input, lighting, layers, sun, frame, view, exposure);
+    picture.picture = tone_mapped(shown, exposure, input.tone_curve);
+    picture.exposure = exposure;
+    picture.kind = PictureKind::scene;
+    picture.group = "scene";
+    picture.tab = sun_text(sun.elevation_degrees);
+    return picture;
+}
+
+}  // namespace
+
+std::vector<PreviewPicture> scene_pictures(const std::vector<CloudPreviewInput>& inputs,
+                                           int threads) {
+    std::vector<PreviewPicture> pictures;
+    if (inputs.empty()) return pictures;
+    const CloudPreviewInput& first = inputs.front();
+    const std::vector<NamedLayer> layers = layers_in_memory(inputs, threads);
+    const std::optional<Lighting> lighting = lighting_of(first, threads);
+    if (layers.empty() || !lighting) return pictures;
+    const double share = 1.0 / static_cast<double>(first.suns.size());
+    for (const SunDirection& sun : first.suns) {
+        if (is_cancelled(first.progress)) return pictures;
+        ProgressPart part(first.progress, fmt::format("sun {:g} deg", sun.elevation_degrees),
+                          share * static_cast<double>(pictures.size()), share);
+        pictures.push_back(scene_picture(first, *lighting, layers, sun, threads, &part));
+    }
+    return pictures;
+}
+
+}  // namespace skybake

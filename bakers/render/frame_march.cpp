@@ -1,0 +1,122 @@
+#include "bakers/render/frame_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// The places of a pixel's samples, in pixels from its middle: there, and on a triangle about it.
+struct Offset {
+    double x;
+    double y;
+};
+constexpr std::array<Offset, kSamples> kOffsets = {
+    {{0, 0}, {0.35, 0}, {-0.175, 0.303}, {-0.175, -0.303}}};
+
+float jitter_of(const PixelSample& sample, int pattern) {
+    const float moved =
+        gradient_noise(sample.x, sample.y, pattern) + static_cast<float>(sample.sample) / kSamples;
+    return moved > 1 ? moved - 1 : moved;
+}
+
+}  // namespace
+
+FrameMarch::FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection& sun,
+                       std::vector<CloudMarch> marches, const SceneFrame& frame)
+    : layers_(layers),
+      marches_(std::move(marches)),
+      frame_(frame),
+      rays_(frame.camera, frame.width, frame.height),
+      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)) {
+    for (std::size_t l = 0; l < layers_.size(); ++l) {
+        const CloudMedium& medium = *layers_[l].medium;
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double origin = frame.camera.position_m[a] - (a == 2 ? medium.base_m : 0);
+            marches_[l].origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
+        }
+        farthest_m_ = std::max(farthest_m_, layers_[l].reach_m);
+    }
+}
+
+FetchCounts FrameMarch::march(std::span<const PixelSample> samples, float weight,
+                              Image2<float>& image) const {
+    std::vector<RayBlock> blocks(layers_.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].x >= 0) set_ray(blocks, i, samples[i]);
+    }
+    std::vector<RayResults> results(layers_.size());
+    FetchCounts counts;
+    march_cloud_rays(marches_, blocks, results, counts);
+    const std::vector<float> ground = sunlight_on_ground(samples, counts);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].x < 0) continue;
+        float* out = image.texel(samples[i].x, samples[i].y);
+        for (const RayResults& seen : results) {
+            for (const float value : {seen.sun_at_base[i], seen.sun_at_top[i], seen.from_sky[i],
+                                      seen.from_ground[i], seen.opacity[i], seen.distance_m[i]}) {
+                *out++ += weight * value;
+            }
+        }
+        *out++ += weight * results.front().transmittance[i];
+        *out += weight * ground[i];
+    }
+    return counts;
+}
+
+glm::dvec3 FrameMarch::direction_through(const PixelSample& sample) const {
+    const Offset& offset = kOffsets[static_cast<std::size_t>(sample.sample)];
+    return rays_.through(sample.x + offset.x, sample.y + offset.y);
+}
+
+void FrameMarch::set_ray(std::vector<RayBlock>& blocks, std::size_t i,
+                         const PixelSample& sample) const {
+    const glm::dvec3 direction = direction_through(sample);
+    for (std::size_t l = 0; l < layers_.size(); ++l) {
+        const SceneLayer& layer = layers_[l];
+        RayBlock& block = blocks[l];
+        const RaySpan span = span_in_layer(*layer.medium, frame_.camera.position_m, direction, layer.reach_m);
+        for (std::size_t a = 0; a < 3; ++a) {
+            block.direction[a][i] =
+                static_cast<float>(direction[a] / layer.medium->meters_per_voxel(a));
+        }
+        block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
+        block.jitter[i] = jitter_of(sample, 0);
+        block.light_jitter[i] = jitter_of(sample, 1);
+        if (span.first_m > span.last_m) continue;  // first = end = 0: no samples
+        // One sample is added on each side; the march checks whether samples are inside.
+        block.first[i] =
+            static_cast<float>(std::max(std::floor(span.first_m / layer.step_m) - 1, 0.0));
+        block.end[i] = static_cast<float>(std::ceil(span.last_m / layer.step_m) + 1);
+    }
+}
+
+std::vector<float> FrameMarch::sunlight_on_ground(std::span<const PixelSample> samples,
+                                                  FetchCounts& counts) const {
+    std::vector<float> shares(samples.size(), 1.0F);
+    if (!frame_.ground) return shares;
+    std::vector<SunlitPoint> points;
+    std::vector<std::size_t> rays;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        if (samples[i].x < 0) continue;
+        const glm::dvec3 direction = direction_through(samples[i]);
+        const glm::dvec3& eye = frame_.camera.position_m;
+        if (!(direction.z < 0) || eye.z > -direction.z * farthest_m_) continue;
+        const glm::dvec3 at = eye - eye.z / direction.z * direction;
+        points.push_back(
+            {static_cast<float>(at.x), static_cast<float>(at.y), 0, jitter_of(samples[i], 1)});
+        rays.push_back(i);
+    }
+    const std::vector<float> depths = depths_towards_sun(marches_, points, counts);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        shares[rays[i]] = static_cast<float>(exponential(-double{depths[i]}));
+    }
+    return shares;
+}
+
+}  // namespace skybake

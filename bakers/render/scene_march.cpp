@@ -1,0 +1,209 @@
+#include "bakers/render/scene_march.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+#include "bakers/render/frame_march.h"
+#include "bakers/march/sun_leaps.h"
+
+namespace skybake {
+
+namespace {
+
+// A block of rays is a square of pixels, ordered in groups of four by four, so that the rays of one
+// vector have similar directions.
+constexpr int kTile = 16;
+static_assert(kTile * kTile == RayBlock::kCount);
+
+PixelSample tile_pixel(int i) {
+    return {(i & 3) | ((i >> 2) & 12), ((i >> 2) & 3) | ((i >> 4) & 12), 0};
+}
+
+// The share of the reach from which on a layer fades.
+constexpr double kFadeFrom = 0.67;
+// Points per edge of a tile for the mean of its direct light.
+constexpr int kDirectPoints = 32;
+
+CloudMarch march_of(const SceneLayer& layer, const DiffuseShare& diffuse, const SunDirection& sun,
+                    bool sunlit, bool leaping, int threads) {
+    const CloudMedium& medium = *layer.medium;
+    CloudMarch march;
+    march.medium = &medium;
+    march.diffuse = &diffuse;
+    const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
+    for (std::size_t a = 0; a < 3; ++a) {
+        march.light_direction[a] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
+    }
+    march.step_m = static_cast<float>(layer.step_m);
+    march.light_step_m = static_cast<float>(layer.light_step_m);
+    if (sunlit) {
+        march.light_samples =
+            static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / layer.light_step_m));
+    }
+    if (layer.fades) {
+        march.fade_from_m = static_cast<float>(kFadeFrom * layer.reach_m);
+        march.fade_to_m = static_cast<float>(layer.reach_m);
+    }
+    march.leaping = leaping;
+    if (leaping && !medium.variation.varies()) {
+        const auto& along = march.light_direction;
+        const glm::dvec3 step =
+            double{march.light_step_m} * glm::dvec3(along[0], along[1], along[2]);
+        march.sun_leaps = sun_leaps(medium.leaps, medium.volume.size, step,
+                                    static_cast<int>(march.light_samples), threads);
+    }
+    return march;
+}
+
+std::vector<PixelSample> all_pixels(const Image2<float>& image) {
+    std::vector<PixelSample> pixels;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) pixels.push_back({x, y, 0});
+    }
+    return pixels;
+}
+
+// What the need for more samples follows from: the transmittance, and the light of the sun, whose grain
+// shows where a cloud is dense.
+struct PixelState {
+    float transmittance = 1;
+    float sunlight = 0;
+};
+PixelState state_of(const float* texel, int channels) {
+    PixelState state;
+    for (int c = 0; c + 2 < channels; c += MarchedScene::kLayerChannels) {
+        state.sunlight += texel[c] + texel[c + 1];
+    }
+    state.transmittance = texel[channels - 2];
+    return state;
+}
+
+bool differ(const PixelState& a, const PixelState& b) {
+    constexpr float kEdge = 1.0F / 16;   // of transmittance
+    constexpr float kGrain = 1.0F / 16;  // of sunlight
+    return std::fabs(a.transmittance - b.transmittance) > kEdge ||
+           std::fabs(a.sunlight - b.sunlight) > kGrain * std::max(a.sunlight, b.sunlight);
+}
+
+// Returns the pixels in which clouds are thin or end: light of the sky comes through, or the pixel
+// differs from a neighbour.
+std::vector<PixelSample> thin_pixels(const Image2<float>& image) {
+    constexpr float kThin = 1.0F / 64;
+    const auto state = [&](int x, int y) {
+        return state_of(
+            image.texel(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)),
+            image.channels);
+    };
+    std::vector<PixelSample> pixels;
+    for (int y = 0; y < image.height; ++y) {
+        for (int x = 0; x < image.width; ++x) {
+            const PixelState here = state(x, y);
+            const float through = here.transmittance;
+            if ((through > kThin && through < 1 - kThin) || differ(here, state(x - 1, y)) ||
+                differ(here, state(x + 1, y)) || differ(here, state(x, y - 1)) ||
+                differ(here, state(x, y + 1))) {
+                pixels.push_back({x, y, 0});
+            }
+        }
+    }
+    return pixels;
+}
+
+void add(const std::vector<FetchCounts>& counts, FetchCounts& sum) {
+    for (const FetchCounts& count : counts) {
+        sum.samples += count.samples;
+        sum.light_samples += count.light_samples;
+        sum.cells += count.cells;
+    }
+}
+
+// Takes the other samples of the pixels that need them.
+void refine(const FrameMarch& march, Refinement refinement, int threads, MarchedScene& scene) {
+    const std::vector<PixelSample> pixels =
+        refinement == Refinement::all ? all_pixels(scene.results) : thin_pixels(scene.results);
+    constexpr std::size_t others = kSamples - 1;
+    constexpr std::size_t in_block = RayBlock::kCount / others;
+    constexpr float weight = 1.0F / kSamples;
+    for (const PixelSample& pixel : pixels) {
+        float* texel = scene.results.texel(pixel.x, pixel.y);
+        for (int c = 0; c < scene.results.channels; ++c) texel[c] *= weight;
+    }
+    const std::size_t blocks = (pixels.size() + in_block - 1) / in_block;
+    std::vector<FetchCounts> counts(blocks);
+    parallel_for(static_cast<int>(blocks), threads, [&](int index) {
+        const auto block = static_cast<std::size_t>(index);
+        std::vector<PixelSample> samples;
+        for (std::size_t i = block * in_block; i < std::min((block + 1) * in_block, pixels.size());
+             ++i) {
+            for (int sample = 1; sample < kSamples; ++sample) {
+                samples.push_back({pixels[i].x, pixels[i].y, sample});
+            }
+        }
+        counts[block] = march.march(samples, weight, scene.results);
+    });
+    add(counts, scene.fetches);
+    scene.refined_pixels = static_cast<int>(pixels.size());
+}
+
+}  // namespace
+
+SceneMarch::SceneMarch(const std::vector<SceneLayer>& layers, const SunDirection& sun, bool sunlit,
+                       bool leaping, int threads)
+    : layers_(layers), sun_(sun) {
+    diffuse_.reserve(layers.size());  // marches point to them
+    for (const SceneLayer& layer : layers_) {
+        diffuse_.push_back(diffuse_share(*layer.medium, 4, threads));
+        marches_.push_back(march_of(layer, diffuse_.back(), sun, sunlit, leaping, threads));
+    }
+    for (std::size_t l = 0; l < layers_.size(); ++l) direct_.push_back(mean_direct(l));
+}
+
+double SceneMarch::mean_direct(std::size_t layer) const {
+    const CloudMedium& medium = *layers_[layer].medium;
+    std::vector<SunlitPoint> points;
+    for (int y = 0; y < kDirectPoints; ++y) {
+        for (int x = 0; x < kDirectPoints; ++x) {
+            points.push_back({static_cast<float>((x + 0.5) / kDirectPoints * medium.extent_m[0]),
+                              static_cast<float>((y + 0.5) / kDirectPoints * medium.extent_m[1]),
+                              static_cast<float>(medium.base_m), 0.5F});
+        }
+    }
+    FetchCounts counts;
+    double sum = 0;
+    for (const float depth : depths_towards_sun({&marches_[layer], 1}, points, counts)) {
+        sum += exponential(-double{depth});
+    }
+    return sum / static_cast<double>(points.size());
+}
+
+MarchedScene SceneMarch::march(const SceneFrame& frame, int threads, Progress* progress) const {
+    const FrameMarch march(layers_, sun_, marches_, frame);
+    MarchedScene scene;
+    scene.results = Image2<float>(frame.width, frame.height, march.channels());
+    const int across = (frame.width + kTile - 1) / kTile;
+    const int down = (frame.height + kTile - 1) / kTile;
+    std::vector<FetchCounts> counts(static_cast<std::size_t>(across * down));
+    const BakeOptions options{threads, Certification::off, progress};
+    for_each_tile(across * down, options, "marching", [&](int tile) {
+        std::array<PixelSample, RayBlock::kCount> samples;
+        for (int i = 0; i < RayBlock::kCount; ++i) {
+            PixelSample pixel = tile_pixel(i);
+            pixel.x += tile % across * kTile;
+            pixel.y += tile / across * kTile;
+            const bool inside = pixel.x < frame.width && pixel.y < frame.height;
+            samples[static_cast<std::size_t>(i)] = inside ? pixel : PixelSample();
+        }
+        counts[static_cast<std::size_t>(tile)] = march.march(samples, 1, scene.results);
+    });
+    add(counts, scene.fetches);
+    if (frame.refinement != Refinement::none && !is_cancelled(progress)) {
+        refine(march, frame.refinement, threads, scene);
+    }
+    return scene;
+}
+
+}  // namespace skybake

@@ -1,0 +1,82 @@
+// Marches the rays of a picture through cloud layers at their altitudes, in the order of depth. The
+// results do not depend on the colours of light.
+//
+// A layer may hold several tiles' worth of samples, and layers may overlap in altitude. The samples of
+// a ray are `step_m` apart in each layer, shifted for each pixel sample by interleaved gradient noise
+// (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014), which
+// turns bands into fine grain. Samples towards the sun are shifted by another noise. Where clouds are
+// thin or end, the grain of one sample per pixel shows; there, a refined picture takes kSamples samples,
+// whose shifts are evenly apart.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bakers/field/image.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/render/cloud_camera.h"
+#include "bakers/march/cloud_light.h"
+#include "bakers/march/cloud_rays.h"
+
+namespace skybake {
+
+// A layer of a scene.
+struct SceneLayer {
+    const CloudMedium* medium = nullptr;  // repeats, if the scene has other layers
+    double step_m = 1;                    // along rays
+    double light_step_m = 1;              // towards the sun
+    double reach_m = 1;                   // of rays from the camera
+    // The layer fades to nothing over the last third of the reach, and does not end at it.
+    bool fades = false;
+};
+
+// Which pixels have kSamples samples and not one: those where clouds are thin or end, or all.
+enum class Refinement { none, thin, all };
+
+// What a picture shows, and how carefully.
+struct SceneFrame {
+    int width = 0;
+    int height = 0;
+    CloudCamera camera;
+    Refinement refinement = Refinement::none;
+    bool ground = false;  // with the shadows of clouds on the ground
+};
+
+inline constexpr int kSamples = 4;
+
+// One texel per pixel, row 0 at the top. Each layer has kLayerChannels channels, the members of
+// RayResults without the transmittance. Two channels follow: the transmittance of all clouds, and the
+// share of sunlight that reaches the ground behind (1 where there is none).
+struct MarchedScene {
+    static constexpr int kLayerChannels = 6;
+    Image2<float> results;
+    FetchCounts fetches;
+    int refined_pixels = 0;
+};
+
+class SceneMarch {
+  public:
+    // `sunlit` false: no marches towards the sun. `leaping` uses the leaps of media and changes no bit.
+    SceneMarch(const std::vector<SceneLayer>& layers, const SunDirection& sun, bool sunlit,
+               bool leaping, int threads);
+
+    // The bits are the same for any number of threads and any instruction set.
+    MarchedScene march(const SceneFrame& frame, int threads, Progress* progress) const;
+
+    std::size_t layers() const { return layers_.size(); }
+    // The share of diffuse light that passes a layer, and the mean share of sunlight that passes it
+    // without being scattered.
+    double through(std::size_t layer) const { return diffuse_[layer].through; }
+    double direct(std::size_t layer) const { return direct_[layer]; }
+
+  private:
+    double mean_direct(std::size_t layer) const;
+
+    std::vector<SceneLayer> layers_;
+    SunDirection sun_;
+    std::vector<DiffuseShare> diffuse_;
+    std::vector<CloudMarch> marches_;  // without origins
+    std::vector<double> direct_;
+};
+
+}  // namespace skybake

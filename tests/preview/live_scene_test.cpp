@@ -1,0 +1,160 @@
+#include "bakers/preview/live/live_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "bakers/math/half_conversion.h"
+#include "bakers/preview/live/live_textures.h"
+#include "bakers/render/tone_curve.h"
+#include "tests/support/atmospheres.h"
+
+namespace skybake {
+namespace {
+
+using nlohmann::json;
+
+const std::string kSky =
+    "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
+    "[bake.multiple_scattering]\nsize = [16, 16]\n";
+const std::string kCloud =
+    "[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 3\n"
+    "octaves = 1\n[clouds.c]\nnoise = \"n\"\nextent = [\"3 km\", \"2 km\", \"0.7 km\"]\n"
+    "base_altitude = \"1 km\"\ncoverage = 0.6\nextinction_scale = \"40 /km\"\n"
+    "[bake.volume]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 12, 8]\n";
+
+PreviewAssets baked(const std::string& text) {
+    const auto recipe = test::recipe_of(text, {});
+    auto assets =
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
+    for (const auto& diagnostic : assets.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return assets.value ? std::move(*assets.value) : PreviewAssets();
+}
+
+json scene_of(const std::string& text, const PreviewOptions& options = {}) {
+    const auto scene = live_scene(baked(text), options);
+    EXPECT_TRUE(scene.value);
+    return scene.value ? json::parse(*scene.value) : json();
+}
+
+std::vector<std::string> texture_names(const json& scene) {
+    std::vector<std::string> names;
+    for (const json& texture : scene["textures"]) names.push_back(texture["name"]);
+    return names;
+}
+
+TEST(LiveScene, HoldsTheTablesOfASky) {
+    const json scene = scene_of(kSky);
+    EXPECT_EQ(texture_names(scene),
+              (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table"}));
+    EXPECT_EQ(scene["textures"][0]["size"], json({64, 16}));
+    EXPECT_EQ(scene["textures"][0]["type"], "float");
+    EXPECT_TRUE(scene["cloud"].is_null());
+    EXPECT_EQ(scene["light"], "the recipe's atmosphere");
+}
+
+TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
+    const json scene = scene_of(kCloud);
+    EXPECT_EQ(texture_names(scene),
+              (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table",
+                                        "cloud_table", "cells_table"}));
+    EXPECT_EQ(scene["cloud"]["name"], "volume");
+    EXPECT_EQ(scene["cloud"]["tile"], json({3000.0, 2000.0, 700.0}));
+    EXPECT_EQ(scene["cloud"]["base"], 1000.0);
+    EXPECT_DOUBLE_EQ(scene["cloud"]["extinction"], 0.04);
+    EXPECT_EQ(scene["textures"][3]["size"], json({16, 12, 8}));
+    EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
+}
+
+// The page's rule is that of the pictures: a grey picture gets the same exposure.
+TEST(LiveScene, HasThePicturesRuleOfExposure) {
+    for (const auto& [text, rule] :
+         {std::pair{kSky, kSkyPicture}, std::pair{kSky + kCloud, kCloudPicture}}) {
+        const json exposure = scene_of(text)["exposure"];
+        EXPECT_EQ(exposure["quantile"], rule.quantile);
+        EXPECT_EQ(exposure["lit_pixels"], rule.lit_pixels);
+        EXPECT_EQ(exposure["bright_quantile"], rule.bright_quantile);
+        EXPECT_EQ(exposure["bright_light"].is_null(), rule.bright_quantile == 0);
+        EXPECT_NEAR(exposure["light"]["exponential"], -rule.factor * std::log(1 - rule.share),
+                    1e-9);
+        Image2<float> grey(1, 1, 1);
+        grey.texels[0] = 0.5F;
+        for (const auto& [name, curve] :
+             {std::pair{"aces", ToneCurve::aces}, std::pair{"agx", ToneCurve::agx}}) {
+            EXPECT_NEAR(exposure["light"][name], 0.5 * exposure_by(rule, grey, curve), 1e-6);
+        }
+    }
+}
+
+TEST(LiveScene, TakesTheViewFromTheOptions) {
+    PreviewOptions options;
+    options.sun_elevations_deg = {7};
+    options.sun_azimuth_deg = 30;
+    options.exposure_stops = 2;
+    options.tone_curve = ToneCurve::agx;
+    options.camera = CameraRequest{{{100, 200, 300}}, 10, 20, 40};
+    for (const std::string& text : {kSky, kSky + kCloud}) {
+        const json view = scene_of(text, options)["view"];
+        EXPECT_EQ(view["position"], json({100.0, 200.0, 300.0}));
+        EXPECT_EQ(view["heading"], 10);
+        EXPECT_EQ(view["pitch"], 20);
+        EXPECT_EQ(view["fov"], 40);
+        EXPECT_EQ(view["sun_elevation"], 7);
+        EXPECT_EQ(view["sun_azimuth"], 30);
+        EXPECT_EQ(view["exposure"], 2);
+        EXPECT_EQ(view["tone_curve"], "agx");
+    }
+}
+
+TEST(LiveScene, IsRefusedWithoutARecipe) {
+    PreviewAssets assets = baked(kSky);
+    assets.recipe.reset();
+    const auto scene = live_scene(assets, {});
+    EXPECT_FALSE(scene.value);
+    ASSERT_EQ(scene.diagnostics.size(), 1U);
+    EXPECT_EQ(scene.diagnostics[0].code, "E0001");
+}
+
+PreviewAsset volume_of(const std::vector<float>& voxels, int channels) {
+    PreviewAsset asset;
+    for (int c = 0; c < channels; ++c)
+        asset.entry.channels.push_back(std::string(1, char('R' + c)));
+    asset.voxels = voxels;
+    return asset;
+}
+
+TEST(LiveTextures, HoldBytesWhereTheVolumeHasThem) {
+    const PackedVolume bytes = packed_volume(volume_of({0, 1.0F / 255, 128.0F / 255, 1}, 1));
+    EXPECT_STREQ(bytes.type, "unorm8");
+    EXPECT_EQ(bytes.texels, std::string("\x00\x01\x80\xff", 4));
+    EXPECT_LT(bytes.greatest_error, 0x1p-24);  // that of the float 128 / 255
+}
+
+TEST(LiveTextures, HoldTheFirstChannelAsHalves) {
+    const PackedVolume halves = packed_volume(volume_of({0.1F, 9, -2, 9, 70, 9}, 2));
+    EXPECT_STREQ(halves.type, "half");
+    ASSERT_EQ(halves.texels.size(), 6U);
+    EXPECT_GT(halves.greatest_error, 0);
+    EXPECT_LT(halves.greatest_error, 0.1 * 0x1p-11);
+    const auto at = [&](std::size_t i) {
+        const auto byte = [&](std::size_t b) {
+            return static_cast<unsigned char>(halves.texels[b]);
+        };
+        return float_of_half(static_cast<std::uint16_t>(byte(2 * i) | byte(2 * i + 1) << 8));
+    };
+    EXPECT_EQ(at(1), -2);
+    EXPECT_EQ(at(2), 70);
+}
+
+TEST(LiveTextures, CountLeapsInCells) {
+    LeapGrid grid;
+    grid.cell = 4;
+    grid.reach = {-1, 0, 4, 11, 1e9F};
+    EXPECT_EQ(leap_bytes(grid), std::string("\x00\x01\x02\x03\xff", 5));
+}
+
+}  // namespace
+}  // namespace skybake
