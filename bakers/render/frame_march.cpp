@@ -80,7 +80,8 @@ void FrameMarch::set_ray(std::vector<RayBlock>& blocks, std::size_t i,
     for (std::size_t l = 0; l < layers_.size(); ++l) {
         const SceneLayer& layer = layers_[l];
         RayBlock& block = blocks[l];
-        const RaySpan span = span_in_layer(*layer.medium, frame_.camera.position_m, direction, layer.reach_m);
+        const RaySpan span =
+            span_in_layer(*layer.medium, frame_.camera.position_m, direction, layer.reach_m);
         for (std::size_t a = 0; a < 3; ++a) {
             block.direction[a][i] =
                 static_cast<float>(direction[a] / layer.medium->meters_per_voxel(a));

@@ -137,9 +137,8 @@ const std::vector<Fault> faults = {
      "[volumes.smoke]\nfile = \"smoke.vdb\"\n[clouds.c]\nvolume = \"smok\"\n"
      "extent = [\"1 km\", \"1 km\", \"1 km\"]",
      4, 10, 6, "did you mean `smoke`?"},
-    {"E0172",
-     vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4, 17, 5,
-     "give `mips`, for instance 6"},
+    {"E0172", vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4,
+     17, 5, "give `mips`, for instance 6"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 
@@ -181,9 +180,9 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name :
-         {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134", "E0150", "E0171",
-          "E0174", "E0175", "W0203", "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
+                             "E0134", "E0150", "E0171", "E0174", "E0175", "W0203", "W0204",
+                             "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

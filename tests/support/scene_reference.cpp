@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/render/cloud_camera.h"
 #include "bakers/march/cloud_light.h"
+#include "bakers/render/cloud_camera.h"
 
 namespace skybake {
 
@@ -128,7 +128,8 @@ ReferenceScene reference_scene(const std::vector<SceneLayer>& layers, const SunD
     double last = 0;
     std::vector<DiffuseShare> diffuse;
     for (const SceneLayer& layer : layers) {
-        const RaySpan span = span_in_layer(*layer.medium, camera.position_m, direction, layer.reach_m);
+        const RaySpan span =
+            span_in_layer(*layer.medium, camera.position_m, direction, layer.reach_m);
         diffuse.push_back(diffuse_share(*layer.medium, 4, 1));
         if (span.first_m >= span.last_m) continue;
         first = std::min(first, span.first_m);
