@@ -142,16 +142,18 @@ Claim claim_of_sky_view(RandomCase& random) {
     const SkyCase at(random, 64);
     auto bake = at.bake<config::SkyViewBake>();
     bake.sun_elevations = {at.sun_elevation};
-    return at.claim(value_of(bake_sky_view(at.sky.light(), bake, kClaimOptions, empty_table())),
-                    sky_view_model, random);
+    return at.claim(
+        value_of(bake_sky_view(at.sky.light(), bake, kClaimOptions, empty_table())),
+        [](const auto&... of) { return sky_view_model(of...); }, random);
 }
 
 Claim claim_of_environment(RandomCase& random) {
     const SkyCase at(random, 32);
     auto bake = at.bake<config::EnvironmentBake>();
     bake.sun_elevation = at.sun_elevation;
-    return at.claim(value_of(bake_environment(at.sky.light(), bake, kClaimOptions, empty_table())),
-                    environment_model, random);
+    return at.claim(
+        value_of(bake_environment(at.sky.light(), bake, kClaimOptions, empty_table())),
+        [](const auto&... of) { return environment_model(of...); }, random);
 }
 
 Claim claim_of_irradiance(RandomCase& random) {

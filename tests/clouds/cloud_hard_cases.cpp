@@ -185,7 +185,8 @@ config::Outcome<Baked> baked(const CloudCase& any, config::PixelType type) {
     bake.pixel_type = type;
     Baked volume;
     volume.name = "c";
-    return bake_cloud_volume(any.cloud, bake, {&any.base, any.detail_noise(), any.maps}, {},
+    return bake_cloud_volume(any.cloud, bake,
+                             {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps}, {},
                              std::move(volume));
 }
 

@@ -63,7 +63,7 @@ std::string content_of(const CloudDistanceBake& bake) {
         bake.cell, fmt::join(grid_names(bake.contents), ", "), scale);
 }
 
-std::vector<AxisMapping> axes_of(const Baked& of, const CellGrid& grid) {
+std::vector<AxisMapping> axes_of_distances(const Baked& of, const CellGrid& grid) {
     std::vector<AxisMapping> axes = of.axes;
     const std::array<int, 3> texels = grid.size();
     for (std::size_t i = 0; i < 3; ++i) {
@@ -189,7 +189,7 @@ class DistanceBake {
         volume.kind = "cloud_distance";
         volume.content = content_of(bake_);
         volume.mapping = of_.volume.mapping;
-        volume.axes = axes_of(of_.volume, grid_.grid);
+        volume.axes = axes_of_distances(of_.volume, grid_.grid);
         volume.channel_names = distance_channels(bake_.contents.size());
         volume.grid_names = grid_names(bake_.contents);
         set_files(bake_, volume);

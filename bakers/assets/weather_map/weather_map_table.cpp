@@ -28,7 +28,7 @@ using config::NoisePacking;
 using config::Outcome;
 using config::WeatherContent;
 using config::WeatherMapBake;
-using Plane = Image2<float>;  // of one channel
+using ChannelPlane = Image2<float>;  // of one channel
 
 std::vector<std::string> channel_names(const Noise& noise) {
     if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
@@ -56,7 +56,7 @@ class WeatherModel {
     // Makes the texels, channels interleaved, and fits the ramps to them. Adds a diagnostic if a
     // share cannot be reached. Incomplete after an interruption.
     Image2<float> make(const BakeOptions& options, std::vector<Diagnostic>& problems) {
-        std::vector<Plane> planes = noise_planes();
+        std::vector<ChannelPlane> planes = noise_planes();
         if (gives_amounts()) {
             for (std::size_t c = 0; c < planes.size(); ++c) {
                 planes[c] = streaked(planes[c], streaks_[c], options);
@@ -101,12 +101,12 @@ class WeatherModel {
     // The plane's place along z, as in a volume of one slice.
     double middle() const { return noise_.sampling == config::NoiseSampling::centers ? 0.5 : 0.0; }
 
-    std::vector<Plane> noise_planes() const {
+    std::vector<ChannelPlane> noise_planes() const {
         const std::array<int, 3> size = {bake_.size[0], bake_.size[1], 1};
         const noise::NoiseField field(noise::make_noise_plan(noise_, size));
-        std::vector<Plane> planes(names_.size(), Plane(size[0], size[1], 1));
+        std::vector<ChannelPlane> planes(names_.size(), ChannelPlane(size[0], size[1], 1));
         std::vector<float*> targets;
-        for (Plane& plane : planes) targets.push_back(plane.texels.data());
+        for (ChannelPlane& plane : planes) targets.push_back(plane.texels.data());
         field.fill({{}, size}, targets);
         return planes;
     }
@@ -129,7 +129,8 @@ class WeatherModel {
     }
 
     // Replaces a plane of noise by amounts.
-    void cover(std::size_t channel, std::vector<Plane>& planes, std::vector<Diagnostic>& problems) {
+    void cover(std::size_t channel, std::vector<ChannelPlane>& planes,
+               std::vector<Diagnostic>& problems) {
         std::vector<float>& texels = planes[channel].texels;
         if (const auto other = yielded_to(channel)) {
             const std::vector<float>& taken = planes[*other].texels;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "config/recipe/recipe.h"

@@ -11,7 +11,6 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
