@@ -9,9 +9,8 @@
 
 #include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_distance/cloud_distance.h"
-#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/field/block_voxels.h"
+#include "bakers/assets/source_volume.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
@@ -29,20 +28,14 @@ using config::CloudDistanceBake;
 using config::CloudVolumeBake;
 using occupancy::CellGrid;
 
-const CloudVolumeBake& volume_of(const Parameters& parameters, const CloudDistanceBake& asset) {
-    return bake_named(parameters, asset.of).as<CloudVolumeBake>();
-}
-
 Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
-    if (!inputs.value) return {{}, inputs.diagnostics};
-    Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
-    if (options.cancelled()) return {};
-    code_levels(voxels);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    if (!held.value) return {{}, held.diagnostics};
+    const Baked& voxels = *held.value;
     volume.bake_seconds = voxels.bake_seconds;
     const double wisp_height = cloud.detail.empty() ? kUsualWispHeight : cloud.wisp_height;
     return bake_cloud_distance({voxels, filtered_threshold(cloud)}, asset, wisp_height, options,
@@ -51,13 +44,13 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset
 
 std::vector<Need> needs(const Parameters& parameters, const CloudDistanceBake& asset,
                         Certification) {
-    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
 }
 
 Estimate estimate(const Parameters& parameters, const CloudDistanceBake& asset) {
     constexpr double kSecondsPerVoxel = 2e-9;
     constexpr double kSecondsPerTexel = 1e-8;
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const std::array<int, 3> texels = CellGrid{of.size, asset.cell}.size();
     Estimate result = estimate_volume(asset, texels, asset.contents.size(), kSecondsPerTexel);
     const Estimate voxels = estimate_cloud_volume(parameters, of);
@@ -83,8 +76,8 @@ Uvw spanned_m(const CloudVolumeBake& of, const CloudDistanceBake& asset, const C
 
 AssetPlaces places(const Parameters& parameters, const CloudDistanceBake& asset,
                    const StoredTexels&) {
-    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
-    return cloud_places(cloud, spanned_m(volume_of(parameters, asset), asset, cloud));
+    const Cloud cloud = spanned_cloud(parameters, source_volume(parameters, asset.of));
+    return cloud_places(cloud, spanned_m(source_volume(parameters, asset.of), asset, cloud));
 }
 
 GlslFunction distance_function(const std::string& ends, const std::string& box) {
@@ -118,7 +111,7 @@ GlslFunction trace_function(const std::string& ends, const std::string& box) {
 
 AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
                    const StoredTexels& stored) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
     const Uvw spanned = spanned_m(of, asset, cloud);
     const std::string corner = glsl_vector({0, 0, cloud.base_altitude.meters});
@@ -150,7 +143,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
 void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const CloudDistanceBake& asset) {
-    return cloud_volume_inputs(parameters, volume_of(parameters, asset));
+    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
 }
 
 }  // namespace

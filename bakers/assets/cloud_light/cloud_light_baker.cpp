@@ -10,10 +10,9 @@
 #include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
-#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/field/block_voxels.h"
+#include "bakers/assets/source_volume.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/sections/parameters.h"
@@ -30,22 +29,15 @@ using config::CloudLightBake;
 using config::CloudLightContents;
 using config::CloudVolumeBake;
 
-const CloudVolumeBake& volume_of(const Parameters& parameters, const CloudLightBake& asset) {
-    return bake_named(parameters, asset.of).as<CloudVolumeBake>();
-}
-
 bool is_map(const CloudLightBake& asset) { return asset.contents == CloudLightContents::shadow; }
 
 Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
-    if (!inputs.value) return {{}, inputs.diagnostics};
-    Baked voxels =
-        hold_cloud_volume(cloud_named(parameters, of.cloud), of, *inputs.value, options, {});
-    if (options.cancelled()) return {};
-    code_levels(voxels);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    if (!held.value) return {{}, held.diagnostics};
+    const Baked& voxels = *held.value;
     const cloud_light::CloudLayer layer = cloud_light::make_layer(
         voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
     if (options.cancelled()) return {};
@@ -54,7 +46,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
-    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
 }
 
 // The time of a ray grows with the planes that it passes. The layer is held twice.
@@ -63,7 +55,7 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     constexpr double kRaysPerChannel = 8;
     constexpr double kDirections =
         150;  // of harmonics, those near the horizon counted several times
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const double directions = config::is_per_sun(asset.contents) ? 2.0 : kDirections;
     Estimate result =
         estimate_volume(asset, cloud_light_size(of.size, asset), config::channels_of(asset),
@@ -75,7 +67,7 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
 }
 
 AssetPlaces places(const Parameters& parameters, const CloudLightBake& asset, const StoredTexels&) {
-    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
+    const Cloud cloud = spanned_cloud(parameters, source_volume(parameters, asset.of));
     if (!is_map(asset)) return cloud_places(cloud, extent_m_of(cloud));
     return single_lookup(
         {"x_m", "y_m", "altitude_m"}, [extent_m = extent_m_of(cloud)](const Place& at) {
@@ -118,7 +110,7 @@ GlslFunction harmonics_function(const CloudLightBake& asset, const std::string& 
 
 AssetLookup lookup(const Parameters& parameters, const CloudLightBake& asset,
                    const StoredTexels& stored) {
-    const Cloud cloud = spanned_cloud(parameters, volume_of(parameters, asset));
+    const Cloud cloud = spanned_cloud(parameters, source_volume(parameters, asset.of));
     const std::string box = cloud_box_glsl(cloud);
     AssetLookup lookup = {"cloud_light",
                           {with_channels(stored.channels, 4, texels_function(asset, box))}};
@@ -131,7 +123,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudLightBake& asset,
 void draft(CloudLightBake& asset, int) { asset.mips = 1; }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const CloudLightBake& asset) {
-    return cloud_volume_inputs(parameters, volume_of(parameters, asset));
+    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
 }
 
 }  // namespace

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "bakers/assets/baker.h"
-#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/field/block_voxels.h"
+#include "bakers/assets/source_volume.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"
@@ -29,30 +28,24 @@ using config::Cloud;
 using config::CloudVolumeBake;
 using config::OccupancyBake;
 
-const CloudVolumeBake& volume_of(const Parameters& parameters, const OccupancyBake& asset) {
-    return bake_named(parameters, asset.of).as<CloudVolumeBake>();
-}
-
 Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, volume.details);
-    if (!inputs.value) return {{}, inputs.diagnostics};
-    Baked voxels = hold_cloud_volume(cloud, of, *inputs.value, options, {});
-    if (options.cancelled()) return {};
-    code_levels(voxels);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    if (!held.value) return {{}, held.diagnostics};
+    const Baked& voxels = *held.value;
     volume.bake_seconds = voxels.bake_seconds;
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
 }
 
 std::vector<Need> needs(const Parameters& parameters, const OccupancyBake& asset, Certification) {
-    return {need_of_voxels(parameters, volume_of(parameters, asset))};
+    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
 }
 
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     std::array<int, 3> cells{};
     for (std::size_t i = 0; i < 3; ++i) cells[i] = (of.size[i] + asset.cell - 1) / asset.cell;
     Estimate result = estimate_volume(asset, cells, asset.contents.size(), 1e-8);
@@ -65,7 +58,7 @@ Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
 
 // The cells of a level may go on beyond the volume that they are of.
 AssetPlaces places(const Parameters& parameters, const OccupancyBake& asset, const StoredTexels&) {
-    const CloudVolumeBake of = volume_of(parameters, asset);
+    const CloudVolumeBake of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
     AssetPlaces places = cloud_places(cloud, extent_m_of(cloud));
     places.lookups = [cloud, of, cell = asset.cell](const Probe& probe, int level) {
@@ -139,7 +132,7 @@ GlslFunction march_function(const std::string& cell, const std::string& full,
 
 AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
                    const StoredTexels& stored) {
-    const CloudVolumeBake& of = volume_of(parameters, asset);
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
     const std::string box = cloud_box_glsl(cloud);
     const std::string cell = glsl_number(cell_of_level(asset, of, stored.size));
@@ -168,7 +161,7 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
 void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const OccupancyBake& asset) {
-    return cloud_volume_inputs(parameters, volume_of(parameters, asset));
+    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
 }
 
 }  // namespace
