@@ -358,10 +358,12 @@ void check_frame_names(const OpenBake& whole, const std::vector<OpenBake>& parts
     }
 }
 
-// Returns the number of frames that a bake is to be divided into, or 0.
+// Returns the number of frames that a bake is to be divided into, or 0. An asset that holds all its
+// frames has no key `frame`.
 int frames_to_divide(const OpenBake& bake) {
     const DecodedField* frames = find_decoded(bake.section, "frames");
-    if (!frames || !frames->value || bake.section.at("frame").source) return 0;
+    const DecodedField* frame = find_decoded(bake.section, "frame");
+    if (!frames || !frames->value || !frame || frame->source) return 0;
     return static_cast<int>(std::get<double>(*frames->value));
 }
 

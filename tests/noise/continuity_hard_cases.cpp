@@ -112,7 +112,7 @@ Jumps jumps_of(const config::NoiseChannel& channel_of_axis_0, double voxel_error
 
 TEST(NoiseHardCase, NoiseIsTwiceContinuous) {
     const Jumps jumps =
-        jumps_of(test::perlin({{1, 1, 1}}), test::gradient_octave_error(kCells, false));
+        jumps_of(test::perlin({{1, 1, 1}}), test::gradient_octave_error(kCells, false, false));
     const char* names[] = {"value", "first derivative", "second derivative"};
     for (std::size_t k = 0; k < 3; ++k) {
         hold(fmt::format("noise C2 at planes, {}", names[k]),
@@ -125,7 +125,7 @@ TEST(NoiseHardCase, NoiseIsTwiceContinuous) {
 
 TEST(NoiseHardCase, CurlIsOnceContinuous) {
     config::NoiseChannel channel = test::curl({{1, 1, 1}}, config::CurlComponent::y);
-    const Jumps jumps = jumps_of(channel, 2 * test::gradient_octave_error(kCells, true));
+    const Jumps jumps = jumps_of(channel, 2 * test::gradient_octave_error(kCells, true, false));
     hold("curl C1 at planes, value",
          fmt::format("equal from both sides; rounding explains {:.1g}", jumps.explained[0]),
          jumps.jump[0], jumps.explained[0]);
