@@ -260,8 +260,9 @@ TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
             formats.insert(fs::path(path).extension().string());
         }
     }
-    EXPECT_EQ(formats, (std::set<std::string>{".bin", ".dds", ".exr", ".json", ".ktx2", ".npy",
-                                              ".nvdb", ".png", ".tga", ".usda", ".vdb", ".vol"}));
+    EXPECT_EQ(formats,
+              (std::set<std::string>{".bin", ".dds", ".exr", ".f32", ".json", ".ktx2", ".npy",
+                                     ".nvdb", ".png", ".tga", ".tif", ".usda", ".vdb", ".vol"}));
 }
 
 // The lines `key = value` of a baker's own sections, by their keys, of all recipes.
