@@ -48,9 +48,11 @@ struct LitScene {
     SceneRenderer renderer;
 };
 
+// The ground lies in full light, as runtimes without shadows show it; that of the whole scene has
+// shadows (scene_pictures.cpp).
 SceneFrame frame_of(const CloudViewSettings& settings) {
     return {settings.width, settings.height, settings.camera,
-            refinement_of(settings.width, settings.height), true};
+            refinement_of(settings.width, settings.height), false};
 }
 
 std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,

@@ -50,7 +50,7 @@ class TreeReader {
         constexpr int most = 1 << 30;
         Coord corner;
         corner.read(in_);
-        for (int i = 0; i < 3; ++i) {
+        for (std::size_t i = 0; i < 3; ++i) {
             expect(corner[i] > -most && corner[i] < most, "a node is not in its place");
         }
         expect((corner & (vdb_upper_node_edge - 1)) == Coord(0), "a node is not in its place");
