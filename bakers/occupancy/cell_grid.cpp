@@ -3,6 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "config/assets/occupancy.h"
+
 namespace skybake::occupancy {
 
 namespace {

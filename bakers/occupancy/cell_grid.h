@@ -6,7 +6,9 @@
 #include <array>
 #include <cstddef>
 
-#include "config/assets/occupancy.h"
+namespace skybake::config {
+enum class OccupancyFilter;
+}
 
 namespace skybake::occupancy {
 

@@ -30,7 +30,6 @@
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/occupancy.h"
 #include "config/sections/files.h"
 
 namespace skybake::occupancy {

@@ -10,6 +10,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 
