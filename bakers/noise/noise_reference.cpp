@@ -139,7 +139,7 @@ glm::dvec3 displaced(const config::Noise& noise, const NoiseChannel& channel,
                       const Lattice lattice = lattice_of(noise, channel, kPurposes[axis], octave);
                       return improved_noise(lattice, place).value;
                   });
-        result[static_cast<int>(axis)] += channel.warp_strength * by / noise.repeats[axis];
+        result[axis] += channel.warp_strength * by / noise.repeats[axis];
     }
     return result;
 }
@@ -192,10 +192,9 @@ double shaped(const NoiseChannel& channel, double value) {
 std::vector<double> noise_reference(const config::Noise& noise,
                                     const std::array<double, 3>& place) {
     glm::dvec3 at = {place[0], place[1], place[2]};
-    for (int axis = 0; axis < 3 && noise.period > 0; ++axis) {
-        const auto i = static_cast<std::size_t>(axis);
+    for (std::size_t i = 0; i < 3 && noise.period > 0; ++i) {
         const double loops = static_cast<double>(frame_of(noise)) / noise.period;
-        at[axis] -= loops * noise.drift[i] / noise.repeats[i];
+        at[i] -= loops * noise.drift[i] / noise.repeats[i];
     }
     std::vector<double> values;
     for (const NoiseChannel& channel : noise.channels) {

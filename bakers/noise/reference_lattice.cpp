@@ -1,6 +1,7 @@
 #include "bakers/noise/reference_lattice.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec4.hpp>
@@ -77,16 +78,16 @@ Dual improved_noise_4(const Lattice& lattice, const glm::dvec3& place) {
         const double ramp = glm::dot(gradient, t - side);
         glm::dvec4 weight;
         glm::dvec4 weight_slope;
-        for (int axis = 0; axis < 4; ++axis) {
+        for (std::size_t axis = 0; axis < 4; ++axis) {
             const bool far = side[axis] != 0;
             weight[axis] = far ? quintic(t[axis]) : 1 - quintic(t[axis]);
             weight_slope[axis] = far ? fade_slope(t[axis]) : -fade_slope(t[axis]);
         }
         const double product = weight.x * weight.y * weight.z * weight.w;
         result.value += ramp * product;
-        for (int axis = 0; axis < 3; ++axis) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
             double others = 1;
-            for (int other = 0; other < 4; ++other) {
+            for (std::size_t other = 0; other < 4; ++other) {
                 if (other != axis) others *= weight[other];
             }
             result.slope[axis] += gradient[axis] * product + ramp * others * weight_slope[axis];

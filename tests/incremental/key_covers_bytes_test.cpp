@@ -182,9 +182,8 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(
-        kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "clouds", "shape", "bake.mask.mips",
-                  "bake.distance.mips"});
+    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "clouds",
+                                 "shape", "bake.mask.mips", "bake.distance.mips"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {

@@ -41,6 +41,7 @@ sun_elevations = ["20 deg"]
 asset = "environment"
 orders = "single"
 size = [4, 4]
+mips = 2
 sun_elevation = "20 deg"
 [bake.spheres]
 asset = "phase"

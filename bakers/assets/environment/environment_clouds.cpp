@@ -119,7 +119,9 @@ CloudsAround::CloudsAround(const CloudMedium& medium, const EnvironmentBake& bak
       march_(medium, position_of(bake), sun_direction_of(bake), steps_, options.threads),
       finer_(medium, position_of(bake), sun_direction_of(bake),
              march_steps_of(medium, bake, sunlit, 2), options.threads) {
-    const auto [columns, rows] = layout.part_size();
+    const auto size = layout.part_size();  // Clang captures no structured bindings
+    const int columns = size[0];
+    const int rows = size[1];
     seen_ = Image2<float>(columns, rows * layout.parts(), kChannelsSeen);
     const int at_a_time = std::max(RayBlock::kCount / (samples_ * samples_), 1);
     for_each_tile(seen_.height, options, "marching", [&](int line) {

@@ -152,7 +152,9 @@ double EnvironmentLayout::density(double x, double y) const {
 }
 
 double EnvironmentLayout::solid_angle(int, int column, int row) const {
-    const auto [columns, rows] = part_size();
+    const auto size = part_size();  // Clang captures no structured bindings
+    const int columns = size[0];
+    const int rows = size[1];
     if (mapping_ == EnvironmentMapping::octahedral) {
         return solid_angle_on_octahedron(columns, column, row);
     }

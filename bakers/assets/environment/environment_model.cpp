@@ -171,7 +171,9 @@ TableModel EnvironmentModels::cloudy_packet(const SkyLight& light, int part) con
     TableModel model = empty_model(channels, 0);
     model.row = [this, part, &sky, channels](int, double y, const std::vector<double>& x,
                                              double* values) {
-        const auto [columns, rows] = layout_.part_size();
+        const auto size = layout_.part_size();  // Clang captures no structured bindings
+        const int columns = size[0];
+        const int rows = size[1];
         const int row = std::min(static_cast<int>(y * rows), rows - 1);
         fill_places(x, y, channels, values, [&](double at_x, double at_y, double* texel) {
             const int column = std::min(static_cast<int>(at_x * columns), columns - 1);

@@ -151,7 +151,9 @@ void MapPyramid::add_from(std::size_t level, const glm::dvec3& direction, double
 Image2<double> prefiltered(const MapPyramid& pyramid, const EnvironmentLayout& layout,
                            double roughness, const BakeOptions& options) {
     const std::vector<LobeSample> lobe = ggx_lobe(roughness);
-    const auto [columns, rows] = layout.part_size();
+    const auto size = layout.part_size();  // Clang captures no structured bindings
+    const int columns = size[0];
+    const int rows = size[1];
     Image2<double> level(columns, rows * layout.parts(), pyramid.channels());
     for_each_tile(level.height, options, "roughness", [&](int line) {
         const int part = line / rows;
