@@ -40,7 +40,7 @@ sun_elevations = ["20 deg"]
 [bake.around]
 asset = "environment"
 orders = "single"
-size = [4, 4]
+size = [8, 8]
 mips = 2
 sun_elevation = "20 deg"
 [bake.spheres]
