@@ -103,25 +103,32 @@ async function open(browser, file, options = {}) {
     return page;
 }
 
-// A view as the page draws it, with four samples for each pixel as the renderer has: their mean light, in bytes by the
-// exponential curve. The page's own bytes of the samples must be those of their light, but for the dither.
-const drawn = (page, view) => page.evaluate(([view, width, height]) => {
-    const light = window.skybakeLive.render(view, 2 * width, 2 * height);
+// The places of the renderer's four samples in a pixel, from its middle, in pixels to the right and down. Each further
+// sample shifts the noise by a quarter.
+const places = [[0, 0], [0.35, 0], [-0.175, 0.303], [-0.175, -0.303]];
+const samples = places.map(([x, y], i) => ({offset: [x, -y], rank: i / 4 / 0.618034}));
+
+// A view as the page draws it, with the renderer's samples: their mean light, in bytes by the exponential curve. The
+// page's own bytes of the samples must be those of their light, but for the dither.
+const drawn = (page, view) => page.evaluate(([view, width, height, samples]) => {
     const byte = (linear) => {
         const shown = 1 - Math.exp(-Math.max(linear, 0) * 2 ** view.exposure);
         return 255 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055);
     };
-    const bytes = window.reduced(document.getElementById('picture'), 1), means = new Array(4 * width * height).fill(0);
+    const means = new Array(4 * width * height).fill(0);
     let farthest = 0;
-    for (let y = 0; y < 2 * height; ++y) {
-        for (let x = 0; x < 8 * width; ++x) {
-            const value = light[8 * width * (2 * height - 1 - y) + x];  // their row 0 is at the bottom
-            if ((x & 3) < 3) farthest = Math.max(farthest, Math.abs(byte(value) - bytes[8 * width * y + x]));
-            means[4 * ((y >> 1) * width + (x >> 3)) + (x & 3)] += value / 4;
+    for (const sample of samples) {
+        const light = window.skybakeLive.render(view, width, height, sample);
+        const bytes = window.reduced(document.getElementById('picture'), 1);
+        for (let i = 0; i < means.length; ++i) {
+            const row = Math.floor(i / (4 * width));
+            const value = light[4 * width * (height - 1 - row) + i % (4 * width)];  // their row 0 is at the bottom
+            if ((i & 3) < 3) farthest = Math.max(farthest, Math.abs(byte(value) - bytes[i]));
+            means[i] += value / samples.length;
         }
     }
     return {bytes: means.map(byte), farthest};
-}, [view, ...size]);
+}, [view, ...size, samples]);
 
 function rms(a, b) {
     let sum = 0;

@@ -248,11 +248,11 @@
     page.replace = replace;
 
     // For tests: one sample of each pixel, drawn at once. The page's own frames stop.
-    page.render = (view, width, height) => {
+    page.render = (view, width, height, sample) => {
         page.halted = true;
         const whole = {...page.first, ...view};
         page.renderer.restart();
-        while (!page.renderer.draw_fine(whole, width, height, 1000));
+        while (!page.renderer.draw_fine(whole, width, height, 1000, sample));
         page.renderer.show(whole, width, height);
         return page.renderer.pixels(page.renderer.targets.get('fine0'));
     };

@@ -230,15 +230,16 @@ class LiveRenderer {
         return rough;
     }
 
-    // Draws some more rows of the fine picture; returns whether a pass ended.
-    draw_fine(view, width, height, budget) {
+    // Draws some more rows of the fine picture; returns whether a pass ended. `sample` is another place and noise than
+    // those of the pass.
+    draw_fine(view, width, height, budget, sample) {
         this.prepare(view);
         const to = this.target(`fine${this.passes % 2}`, width, height), before = this.target(`fine${(this.passes + 1) % 2}`, width, height);
         const rows = Math.min(height - this.rows, Math.max(1, Math.round(this.speed * budget / width)));
         const n = this.passes, rank_share = (step) => n === 0 ? 0 : (0.5 + n * step) % 1 - 0.5;
         const start = performance.now();
         this.run(this.programs.picture, to, {...this.values_of(view, width, height, 1), before, rank: n,
-            weight: 1 / (n + 1), offset: [rank_share(0.7548776662), rank_share(0.5698402910)]},
+            weight: 1 / (n + 1), offset: [rank_share(0.7548776662), rank_share(0.5698402910)], ...sample},
         height - this.rows - rows, rows);
         this.finish(to);
         this.measure(rows * width, start);
