@@ -182,8 +182,14 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "clouds",
-                                 "shape", "bake.mask.mips", "bake.distance.mips"});
+    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape",
+                                 "bake.mask.mips", "bake.distance.mips"});
+}
+
+// Minutes: whatever does not change an environment has it made anew.
+TEST(SlowKeyCoversBytes, WhateverChangesOfCloudySkies) {
+    change_every_value(
+        kCloudySky, {"format", "profile", "asset", "cloud", "clouds", "channels", "noise", "pack"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {

@@ -159,11 +159,29 @@ cell = 2
 range = ["-64 m", "1024 m"]
 core = "100 m"
 contents = ["distance", "profile", "detail_type", "density_scale"]
+)";
+
+// Apart from other clouds, since whatever does not change an environment has it made anew.
+inline constexpr const char* kCloudySky = R"(
+preset = "earth_hillaire"
+[noise.n.channels.Y]
+type = "worley"
+frequency = 2
+[clouds.c]
+noise = "n"
+extent = ["400 m", "400 m", "200 m"]
+base_altitude = "500 m"
+extinction_scale = "20 /km"
+[bake.cloud]
+asset = "cloud_volume"
+cloud = "c"
+size = [4, 4, 4]
 [bake.cloudy]
 asset = "environment"
 orders = "single"
 clouds = "cloud"
-size = [4, 4]
+size = [8, 8]
+mips = 2
 sun_elevation = "20 deg"
 )";
 

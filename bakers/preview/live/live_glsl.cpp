@@ -19,7 +19,7 @@ namespace {
 std::string light_of(const Spectrum& value, int channels) {
     std::string text = "Light(";
     for (int c = 0; c < channels; ++c) {
-        text += (c > 0 ? ", " : "") + glsl_number(value[c]);
+        text += (c > 0 ? ", " : "") + glsl_number(value[static_cast<std::size_t>(c)]);
     }
     return text + ")";
 }
@@ -178,7 +178,7 @@ Image2<float> live_phases(const SkyMedium& medium) {
             const Spectrum values =
                 phase_values(medium.layers[layer].phase, one_minus, 2 - one_minus);
             float* to = image.texel(i, static_cast<int>(layer));
-            for (int c = 0; c < 4; ++c) to[c] = static_cast<float>(values[c]);
+            for (std::size_t c = 0; c < 4; ++c) to[c] = static_cast<float>(values[c]);
         }
     }
     return image;
