@@ -173,12 +173,12 @@ TEST(PlaneParallel, FinerSolver) {
 }
 
 TEST(SlowPlaneParallel, FinerSolverInThickAir) {
-    for (const FinerCase& of : {FinerCase{"2c", 1e-3, 4e-3}, FinerCase{"2d", 1e-3, 8e-3}}) {
+    for (const FinerCase& of : {FinerCase{"2c", 1e-3, 3e-3, 3}, FinerCase{"2d", 1e-3, 6e-3, 3}}) {
         expect_finer_solver(of);
     }
 }
 
-TEST(SlowPlaneParallel, FinerSolverInThickestAir) { expect_finer_solver({"1e", 2e-3, 1.2e-2}); }
+TEST(SlowPlaneParallel, FinerSolverInThickestAir) { expect_finer_solver({"1e", 1e-3, 5e-3, 3}); }
 
 TEST(SlowPlaneParallel, FinerSolverOfPeakedScattering) {
     expect_finer_solver({"3a", 1e-3, 1e-3, 2, 24, 16, 96, 24});

@@ -80,7 +80,7 @@ inline const std::vector<Slab>& slabs() {
                                            {1.93321, 1.02732, 0.797199},
                                            {0.0116385, 0.0187805, 0.0271316},
                                            1e-4,
-                                           3e-2},
+                                           2e-2},
                                           {"2a",
                                            kRayleigh,
                                            rayleigh,
