@@ -1,12 +1,13 @@
-// Paths of light and the solver against the radiance of Haze L by Garcia & Siewert 1985, which is
-// problem 4a of DISORT: a slab of depth 1 that absorbs nothing, over black ground, under a sun at the zenith of
-// irradiance pi.
+// Doubling, paths of light and the solver against the radiance of Haze L by Garcia & Siewert 1985,
+// which is problem 4a of DISORT: a slab of depth 1 that absorbs nothing, over black ground, under a
+// sun at the zenith of irradiance pi.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <numbers>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/path_tracer/path_media.h"
+#include "tests/published/doubled_slab.h"
 #include "tests/published/slab.h"
 
 namespace skybake::test {
@@ -87,6 +89,20 @@ TEST(HazeL, PathsFindThePublishedRadiance) {
                         1e-3 * expected + kFourDeviations * error)
                 << value.cosine << (is_up ? " up" : " down");
         }
+    }
+}
+
+TEST(HazeL, DoublingFindsThePublishedRadiance) {
+    std::vector<double> moments = {1};
+    for (const double term : kHazeL) {
+        moments.push_back(term / (2 * static_cast<double>(moments.size()) + 1));
+    }
+    std::vector<double> cosines;
+    for (const Value& value : kValues) cosines.push_back(value.cosine);
+    const DoubledSlab exact(1, 1, moments, 1, std::numbers::pi, cosines);
+    for (std::size_t i = 0; i < cosines.size(); ++i) {
+        EXPECT_NEAR(exact.leaving(i, true, 1), kValues[i].up, 1.1e-4 * kValues[i].up);
+        EXPECT_NEAR(exact.leaving(i, false, 1), kValues[i].down, 1e-4 * kValues[i].down);
     }
 }
 
