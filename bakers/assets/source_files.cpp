@@ -21,4 +21,8 @@ const ManifestFile* first_file(const ManifestAsset& asset) {
     return found != asset.files.end() ? &*found : nullptr;
 }
 
+std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset) {
+    return config::parse_recipe(asset.parameters, asset.name).value;
+}
+
 }  // namespace skybake

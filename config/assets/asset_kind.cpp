@@ -341,20 +341,20 @@ std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
     return parts;
 }
 
-// Reports bakes that have the name of another bake's frame.
-void check_frame_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
-                       std::span<const Entry* const> entries, Decoder& decoder) {
+// Reports bakes that have the name of a part of another bake. `part_name` is what a part is
+// called, and `which` says which there are.
+void check_part_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
+                      std::span<const Entry* const> entries, std::string_view code,
+                      std::string_view part_name, const std::string& which, Decoder& decoder) {
     for (const Entry* entry : entries) {
         const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
             return part.name == entry->key;
         });
         if (!is_taken) continue;
-        decoder.diagnostics.error(
-            "E0174", entry->key_place,
-            fmt::format("[bake.{}] has the name of a frame of [bake.{}], "
-                        "whose frames are {} to {}",
-                        entry->key, whole.name, parts.front().name, parts.back().name),
-            "choose another name");
+        decoder.diagnostics.error(std::string(code), entry->key_place,
+                                  fmt::format("[bake.{}] has the name of a {} of [bake.{}], {}",
+                                              entry->key, part_name, whole.name, which),
+                                  "choose another name");
     }
 }
 
@@ -367,23 +367,6 @@ int frames_to_divide(const OpenBake& bake) {
     return static_cast<int>(std::get<double>(*frames->value));
 }
 
-// Reports bakes that have the name of another bake's packet.
-void check_packet_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
-                        std::span<const Entry* const> entries, Decoder& decoder) {
-    for (const Entry* entry : entries) {
-        const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
-            return part.name == entry->key;
-        });
-        if (!is_taken) continue;
-        decoder.diagnostics.error(
-            "E0147", entry->key_place,
-            fmt::format("[bake.{0}] has the name of a packet of [bake.{1}], whose wavelengths are "
-                        "held by {1}_1 to {1}_{2}",
-                        entry->key, whole.name, parts.size()),
-            "choose another name");
-    }
-}
-
 // Replaces bakes by those of their packets, where a texture has too few channels, or of their frames.
 std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Parameters& recipe,
                                            std::span<const Entry* const> entries,
@@ -394,7 +377,10 @@ std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Par
         if (packet && packet->value) check_packet(bake, recipe, decoder);
         if (const int frames = frames_to_divide(bake); frames > 0) {
             std::vector<OpenBake> parts = divided_in_time(bake, frames);
-            check_frame_names(bake, parts, entries, decoder);
+            check_part_names(
+                bake, parts, entries, "E0174", "frame",
+                fmt::format("whose frames are {} to {}", parts.front().name, parts.back().name),
+                decoder);
             std::move(parts.begin(), parts.end(), std::back_inserter(result));
             continue;
         }
@@ -405,7 +391,10 @@ std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Par
             continue;
         }
         std::vector<OpenBake> parts = divided(bake, recipe);
-        check_packet_names(bake, parts, entries, decoder);
+        check_part_names(bake, parts, entries, "E0147", "packet",
+                         fmt::format("whose wavelengths are held by {} to {}", parts.front().name,
+                                     parts.back().name),
+                         decoder);
         std::move(parts.begin(), parts.end(), std::back_inserter(result));
     }
     return result;

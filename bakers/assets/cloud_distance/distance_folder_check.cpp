@@ -19,7 +19,6 @@
 #include "bakers/occupancy/nearest_voxel.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
-#include "config/recipe/recipe.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
@@ -43,15 +42,10 @@ struct Distances {
 
 // None where the entry is not what a bake writes.
 std::optional<Distances> distances_of(const ManifestAsset& asset) {
-    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
-    if (!recipe.value) return std::nullopt;
-    const config::Parameters& parameters = recipe.value->parameters;
-    const auto own =
-        std::find_if(parameters.bakes.begin(), parameters.bakes.end(),
-                     [&](const config::Bake& bake) { return bake.name == asset.name; });
-    if (own == parameters.bakes.end()) return std::nullopt;
-    const auto* bake = own->find<CloudDistanceBake>();
-    if (bake == nullptr || bake->contents.size() != asset.channels.size()) return std::nullopt;
+    const auto recipe = recorded_recipe(asset);
+    const auto* bake = recipe ? recorded_bake<CloudDistanceBake>(*recipe, asset) : nullptr;
+    if (bake == nullptr) return std::nullopt;
+    const config::Parameters& parameters = recipe->parameters;
     // A recipe that was read names a cloud volume of a cloud that is there.
     const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
     const config::Cloud& cloud = cloud_named(parameters, of.cloud);
@@ -134,25 +128,11 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
 
 std::vector<VerifyFailure> check_folder(const Manifest& manifest,
                                         const std::filesystem::path& folder, int& checks) {
-    std::vector<VerifyFailure> failures;
-    for (const ManifestAsset& asset : manifest.assets) {
-        if (asset.kind != "cloud_distance" || asset.files.empty()) continue;
-        const auto fail = [&](std::string message) {
-            failures.push_back({asset.files.front().path, "distance", std::move(message)});
-        };
-        const std::optional<Distances> distances = distances_of(asset);
-        if (!distances) {
-            ++checks;
-            fail("its parameters cannot be read as a recipe");
-            continue;
-        }
-        const ManifestAsset* volume = asset_named(manifest, distances->bake.of);
-        if (volume == nullptr || !volume->is_volume()) continue;  // baked elsewhere
-        ++checks;
-        std::string fault = fault_of(folder, asset, *volume, *distances);
-        if (!fault.empty()) fail(std::move(fault));
-    }
-    return failures;
+    return check_against_volumes(
+        manifest, "cloud_distance", "distance", checks, distances_of,
+        [&](const ManifestAsset& asset, const ManifestAsset& volume, const Distances& wanted) {
+            return fault_of(folder, asset, volume, wanted);
+        });
 }
 
 }  // namespace

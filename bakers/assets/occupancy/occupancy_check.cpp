@@ -16,7 +16,6 @@
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
-#include "config/recipe/recipe.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::occupancy {
@@ -135,15 +134,10 @@ struct Grid {
 
 // None where the entry is not what a bake writes.
 std::optional<Grid> grid_of(const ManifestAsset& asset) {
-    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
-    if (!recipe.value) return std::nullopt;
-    const config::Parameters& parameters = recipe.value->parameters;
-    const auto own =
-        std::find_if(parameters.bakes.begin(), parameters.bakes.end(),
-                     [&](const config::Bake& bake) { return bake.name == asset.name; });
-    if (own == parameters.bakes.end()) return std::nullopt;
-    const auto* bake = own->find<OccupancyBake>();
-    if (bake == nullptr || bake->contents.size() != asset.channels.size()) return std::nullopt;
+    const auto recipe = recorded_recipe(asset);
+    const auto* bake = recipe ? recorded_bake<OccupancyBake>(*recipe, asset) : nullptr;
+    if (bake == nullptr) return std::nullopt;
+    const config::Parameters& parameters = recipe->parameters;
     // A recipe that was read names a cloud volume of a cloud that is there.
     const auto& of = bake_named(parameters, bake->of).as<config::CloudVolumeBake>();
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
@@ -228,25 +222,11 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
 
 std::vector<VerifyFailure> check_skipping(const Manifest& manifest,
                                           const std::filesystem::path& folder, int& checks) {
-    std::vector<VerifyFailure> failures;
-    for (const ManifestAsset& asset : manifest.assets) {
-        if (asset.kind != "occupancy" || asset.files.empty()) continue;
-        const auto fail = [&](std::string message) {
-            failures.push_back({asset.files.front().path, "skipping", std::move(message)});
-        };
-        const std::optional<Grid> grid = grid_of(asset);
-        if (!grid) {
-            ++checks;
-            fail("its parameters cannot be read as a recipe");
-            continue;
-        }
-        const ManifestAsset* volume = asset_named(manifest, grid->bake.of);
-        if (volume == nullptr || !volume->is_volume()) continue;  // baked elsewhere
-        ++checks;
-        std::string loss = loss_of(folder, asset, *volume, *grid);
-        if (!loss.empty()) fail(std::move(loss));
-    }
-    return failures;
+    return check_against_volumes(
+        manifest, "occupancy", "skipping", checks, grid_of,
+        [&](const ManifestAsset& asset, const ManifestAsset& volume, const Grid& wanted) {
+            return loss_of(folder, asset, volume, wanted);
+        });
 }
 
 }  // namespace
