@@ -17,6 +17,7 @@
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/texture.h"
 #include "tests/fuzz/properties.h"
 #include "tests/support/volumes.h"
 
@@ -60,8 +61,7 @@ struct Sample {
     std::string bytes;
 };
 
-Sample sample_of(FileFormat format, PixelType type, int channels, int levels, bool is_compressed) {
-    Baked volume = testing::plain_volume({9, 6, 10}, channels, type);
+Sample sample_of(FileFormat format, Baked volume, int levels, bool is_compressed) {
     volume.voxel_size_m = {1, 1, 1};
     volume.ktx2_compression =
         is_compressed ? config::Ktx2Compression::zstd : config::Ktx2Compression::none;
@@ -77,8 +77,21 @@ Sample sample_of(FileFormat format, PixelType type, int channels, int levels, bo
     require(written.value == true, "samples can be written");
     const std::array<int, 3>& size = volume.levels[0].size;
     return {format,
-            {size, volume.channel_names.size(), type, sheet_grid(size, volume), levels},
+            {size, volume.channel_names.size(), volume.pixel_type, sheet_grid(size, volume), levels,
+             texture_parts(volume)},
             file.bytes()};
+}
+
+Sample sample_of(FileFormat format, PixelType type, int channels, int levels, bool is_compressed) {
+    return sample_of(format, testing::plain_volume({9, 6, 10}, channels, type), levels,
+                     is_compressed);
+}
+
+Sample cube_of(FileFormat format, bool is_compressed) {
+    Baked cube = testing::plain_volume({4, 24, 1}, 3, PixelType::half);
+    cube.axes.resize(2);
+    cube.mapping = "cube";
+    return sample_of(format, std::move(cube), 3, is_compressed);
 }
 
 const std::vector<Sample>& samples() {
@@ -100,7 +113,10 @@ const std::vector<Sample>& samples() {
         sample_of(FileFormat::tga, PixelType::unorm8, 4, 1, false),
         sample_of(FileFormat::tga, PixelType::unorm8, 1, 1, false),
         sample_of(FileFormat::tif, PixelType::float32, 3, 1, false),
-        sample_of(FileFormat::f32, PixelType::float32, 3, 1, false)};
+        sample_of(FileFormat::f32, PixelType::float32, 3, 1, false),
+        cube_of(FileFormat::dds, false),
+        cube_of(FileFormat::ktx2, false),
+        cube_of(FileFormat::ktx2, true)};
     return all;
 }
 

@@ -17,6 +17,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "tests/support/exr_image.h"
@@ -243,8 +244,12 @@ inline SheetGrid grid_of(const std::array<int, 3>& size, config::SheetLayout lay
 // What a reader must know of a file of the asset.
 inline FileShape shape_of(const Baked& baked) {
     const std::array<int, 3>& size = baked.levels[0].size;
-    return {size, baked.channel_names.size(), baked.pixel_type, sheet_grid(size, baked),
-            static_cast<int>(baked.levels.size())};
+    return {size,
+            baked.channel_names.size(),
+            baked.pixel_type,
+            sheet_grid(size, baked),
+            static_cast<int>(baked.levels.size()),
+            texture_parts(baked)};
 }
 
 inline std::string first_code(const std::vector<config::Diagnostic>& diagnostics) {

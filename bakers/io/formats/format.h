@@ -32,6 +32,10 @@ struct FileContent {
     Progress* progress = nullptr;
 };
 
+// What the rows of an image are to a texture. The faces of a cube lie below each other, in the order
+// +x, -x, +y, -y, +z, -z and the orientation that GPUs have.
+enum class TextureParts { none, cube };
+
 // What the manifest says about a file that is to be read.
 struct FileShape {
     std::array<int, 3> size{};  // of level 0
@@ -39,6 +43,7 @@ struct FileShape {
     config::PixelType pixel_type = config::PixelType::float32;
     SheetGrid grid;  // of images
     int levels = 1;  // number of levels in this file
+    TextureParts parts = TextureParts::none;
 };
 
 // What a file says of itself. A member is empty if files of the format do not say it.

@@ -19,6 +19,7 @@ using config::PixelType;
 
 constexpr std::array<std::size_t, 3> channels_of_codes = {1, 2, 4};
 constexpr int texture_block_edge = 4;
+constexpr std::uint32_t faces_of_cube = 6;
 
 int blocks_along(int texels) { return (texels - 1) / texture_block_edge + 1; }
 
@@ -136,12 +137,50 @@ std::optional<std::string> texture_obstacle(const Baked& baked, const char* form
     if (config::is_block_coded(baked.pixel_type) && baked.levels.front().uncoded == nullptr) {
         return "the voxels have not been coded";
     }
+    const auto levels = static_cast<int>(baked.levels.size());
+    if (!has_square_faces(baked.levels.front().size, levels, texture_parts(baked))) {
+        return "the faces of a cube are squares";
+    }
     for (std::size_t i = 1; i < baked.levels.size(); ++i) {
         if (baked.levels[i].size == next_mip_size(baked.levels[i - 1].size)) continue;
         return fmt::format(
             "each level of a {} file has half the size of the one before, rounded down", format);
     }
     return std::nullopt;
+}
+
+TextureParts texture_parts(const Baked& baked) {
+    return baked.mapping == to_string(TextureParts::cube) ? TextureParts::cube : TextureParts::none;
+}
+
+std::string_view to_string(TextureParts parts) {
+    return parts == TextureParts::cube ? "cube" : "none";
+}
+
+std::optional<TextureParts> texture_parts_of(std::string_view word) {
+    for (const TextureParts parts : {TextureParts::none, TextureParts::cube}) {
+        if (to_string(parts) == word) return parts;
+    }
+    return std::nullopt;
+}
+
+bool has_square_faces(std::array<int, 3> size, int levels, TextureParts parts) {
+    if (parts != TextureParts::cube) return true;
+    for (int i = 0; i < levels; ++i, size = next_mip_size(size)) {
+        if (size[1] != static_cast<int>(faces_of_cube) * size[0]) return false;
+    }
+    return true;
+}
+
+TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, TextureParts parts) {
+    TextureExtent extent = {static_cast<std::uint32_t>(size[0]),
+                            static_cast<std::uint32_t>(size[1]),
+                            is_volume ? static_cast<std::uint32_t>(size[2]) : 0};
+    if (parts == TextureParts::cube) {
+        extent.faces = faces_of_cube;
+        extent.height /= faces_of_cube;
+    }
+    return extent;
 }
 
 std::size_t texel_bytes(PixelType type, std::size_t channels) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/format.h"
@@ -37,6 +38,25 @@ std::optional<TexelKind> texel_kind(std::span<const TexelCodes> rows, std::uint3
 // Returns what textures cannot hold of the asset, in words, or nothing. `format` names them in the
 // words: "DDS".
 std::optional<std::string> texture_obstacle(const Baked& baked, const char* format);
+
+// The size of a texture as containers state it.
+struct TextureExtent {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint32_t depth = 0;  // 0: the texture is no volume
+    std::uint32_t faces = 1;  // 6: it is a cube, whose faces have the width and the height
+    bool operator==(const TextureExtent&) const = default;
+};
+
+TextureParts texture_parts(const Baked& baked);
+std::string_view to_string(TextureParts parts);  // "none", "cube"
+std::optional<TextureParts> texture_parts_of(std::string_view word);
+
+// Whether each level of a cube is six squares. Other textures have no faces.
+bool has_square_faces(std::array<int, 3> size, int levels, TextureParts parts);
+
+// Returns the size of a texture whose faces are squares.
+TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, TextureParts parts);
 
 // Returns the bytes of a texel, or of a block.
 std::size_t texel_bytes(config::PixelType type, std::size_t channels);

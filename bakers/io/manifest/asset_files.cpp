@@ -8,6 +8,7 @@
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/stopwatch.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/io/targets/sidecar.h"
 
@@ -22,7 +23,10 @@ ManifestFile make_file(const Baked& baked, const Format& format, int level) {
     file.pixel_type = baked.pixel_type;
     file.level = level;
     file.compression = format.compression ? format.compression(baked) : "none";
-    if (facts.has_all_levels) file.levels = static_cast<int>(baked.levels.size());
+    if (facts.has_all_levels) {
+        file.levels = static_cast<int>(baked.levels.size());
+        file.texture = texture_parts(baked);
+    }
     if (format.grids) file.grids = format.grids(baked);
     if (facts.is_image) {
         file.layout = sheet_grid(baked.levels[static_cast<std::size_t>(level)].size, baked);
@@ -130,8 +134,11 @@ config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const M
                                       const ManifestFile& file, int level,
                                       const VoxelVisitor& visit) {
     const FileShape shape = {asset.levels[static_cast<std::size_t>(file.level)].size,
-                             asset.channels.size(), file.pixel_type,
-                             file.layout.value_or(SheetGrid{}), file.levels};
+                             asset.channels.size(),
+                             file.pixel_type,
+                             file.layout.value_or(SheetGrid{}),
+                             file.levels,
+                             file.texture};
     const Format& format = *find_format(file.format);
     if (format.read != nullptr) return format.read(path, shape, level, visit);
     return {{},

@@ -27,12 +27,13 @@ struct ManifestFile {
     std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" or "sidecar" for texts
     config::PixelType pixel_type = config::PixelType::float32;
     std::uint64_t bytes = 0;
-    std::string xxh3;                      // xxh3_hex of the file
-    int level = 0;                         // level of detail; 0 is the asset itself
-    int levels = 1;                        // how many levels the file holds, from `level` on
-    std::string compression = {};          // "none", "zip", "blosc", ...
-    std::optional<SheetGrid> layout = {};  // for images: where the slices lie
-    std::vector<std::string> grids = {};   // for vdb: the grid of each channel
+    std::string xxh3;                           // xxh3_hex of the file
+    int level = 0;                              // level of detail; 0 is the asset itself
+    int levels = 1;                             // how many levels the file holds, from `level` on
+    std::string compression = {};               // "none", "zip", "blosc", ...
+    std::optional<SheetGrid> layout = {};       // for images: where the slices lie
+    std::vector<std::string> grids = {};        // for vdb: the grid of each channel
+    TextureParts texture = TextureParts::none;  // for dds and ktx2
 };
 
 // An input file of an asset besides the recipe.

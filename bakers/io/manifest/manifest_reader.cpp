@@ -10,6 +10,7 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/io/targets/sidecar.h"
@@ -138,6 +139,12 @@ SheetGrid read_layout(const Node& node) {
             node.has("flipped") && node["flipped"].flag()};
 }
 
+TextureParts read_texture_parts(const Node& node) {
+    const auto parts = texture_parts_of(node.text());
+    if (!parts || *parts == TextureParts::none) node.fail("there is no such texture");
+    return *parts;
+}
+
 ManifestFile read_file_entry(const Node& node) {
     ManifestFile file;
     file.path = path_within_folder(node["path"]);
@@ -156,6 +163,7 @@ ManifestFile read_file_entry(const Node& node) {
     if (format == nullptr) return file;
     if (config::facts_of(format->format).is_image) file.layout = read_layout(node["layout"]);
     if (format->grids != nullptr) file.grids = texts(node["grids"]);
+    if (node.has("texture")) file.texture = read_texture_parts(node["texture"]);
     return file;
 }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
@@ -28,6 +29,7 @@ Json to_json(const ManifestFile& file) {
         if (file.layout->flipped) json["layout"]["flipped"] = true;
     }
     if (!file.grids.empty()) json["grids"] = file.grids;
+    if (file.texture != TextureParts::none) json["texture"] = to_string(file.texture);
     return json;
 }
 

@@ -135,6 +135,8 @@ FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
         lines.emplace_back("layout", sheet_line(level.size, *file.layout));
     } else if (file.layout && file.layout->flipped) {
         lines.emplace_back("layout", "upside down: row 0 last");
+    } else if (file.texture == TextureParts::cube) {
+        lines.emplace_back("layout", "cube of six faces: +x, -x, +y, -y, +z, -z");
     }
     for (std::size_t i = 0; i < asset.axes.size(); ++i) {
         lines.emplace_back(fmt::format("mapping_{}", "uvw"[i]), axis_line(asset.axes[i]));

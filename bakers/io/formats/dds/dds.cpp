@@ -8,6 +8,8 @@
 #include <cstring>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
@@ -62,6 +64,8 @@ constexpr std::uint32_t is_texture = 0x1000;
 constexpr std::uint32_t is_complex = 0x8;
 constexpr std::uint32_t is_mip_map = 0x400000;
 constexpr std::uint32_t is_volume = 0x200000;
+constexpr std::uint32_t is_cube_of_six_faces = 0xFE00;
+constexpr std::uint32_t is_texture_cube = 0x4;  // of `miscellaneous`
 constexpr std::uint32_t texture_2d = 3;
 constexpr std::uint32_t texture_3d = 4;
 constexpr std::uint32_t alpha_is_opaque = 3;
@@ -79,31 +83,93 @@ constexpr std::array<TexelCodes, 7> dxgi = {{
 }};
 
 Header header_of(const Baked& baked) {
-    const std::array<int, 3>& size = baked.levels.front().size;
-    const bool flat = baked.is_table();
+    const TextureExtent extent =
+        texture_extent(baked.levels.front().size, !baked.is_table(), texture_parts(baked));
     const std::size_t channels = baked.channel_names.size();
     Header header;
     const bool is_coded = config::is_block_coded(baked.pixel_type);
     header.flags =
         has_caps_height_width_format | (is_coded ? has_slice_bytes : has_pitch) | has_mip_count;
-    header.width = static_cast<std::uint32_t>(size[0]);
-    header.height = static_cast<std::uint32_t>(size[1]);
+    header.width = extent.width;
+    header.height = extent.height;
+    const int rows = is_coded ? static_cast<int>(extent.height) : 1;
     header.pitch = static_cast<std::uint32_t>(
-        texture_bytes({size[0], is_coded ? size[1] : 1, 1}, baked.pixel_type, channels));
+        texture_bytes({static_cast<int>(extent.width), rows, 1}, baked.pixel_type, channels));
     header.levels = static_cast<std::uint32_t>(baked.levels.size());
     header.format_flags = has_four_characters;
     header.capabilities = is_texture;
     if (header.levels > 1) header.capabilities |= is_complex | is_mip_map;
-    if (!flat) {
+    if (extent.depth > 0) {
         header.flags |= has_depth;
-        header.depth = static_cast<std::uint32_t>(size[2]);
+        header.depth = extent.depth;
         header.capabilities |= is_complex;
         header.capabilities_2 = is_volume;
     }
+    if (extent.faces > 1) {
+        header.capabilities |= is_complex;
+        header.capabilities_2 = is_cube_of_six_faces;
+        header.miscellaneous = is_texture_cube;
+    }
     header.dxgi_format = texel_code(dxgi, baked.pixel_type, channels);
-    header.dimension = flat ? texture_2d : texture_3d;
+    header.dimension = extent.depth == 0 ? texture_2d : texture_3d;
     header.alpha_mode = channels == 4 ? alpha_is_custom : alpha_is_opaque;
     return header;
+}
+
+// Where a level lies: a part of it in each face, whose levels lie one after the other.
+struct FacePlaces {
+    std::uint64_t first = 0;       // of the level's part in the first face
+    std::uint64_t part = 0;        // bytes of the level in a face
+    std::uint64_t face = 0;        // bytes of all levels in a face
+    std::array<int, 3> size = {};  // texels of the level, of all faces
+
+    // Returns where byte `at` of the level lies, and how many bytes lie there one after the other.
+    std::pair<std::uint64_t, std::uint64_t> place(std::uint64_t at) const {
+        return {first + at / part * face + at % part, part - at % part};
+    }
+};
+
+// Returns the places of all levels. `size` is that of the first one, of all faces.
+std::vector<FacePlaces> face_places(std::array<int, 3> size, std::size_t levels, PixelType type,
+                                    std::size_t channels, std::uint32_t faces) {
+    std::vector<FacePlaces> places;
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < levels; ++i, size = next_mip_size(size)) {
+        const std::uint64_t part = texture_bytes(size, type, channels) / faces;
+        places.push_back({header_bytes + bytes, part, 0, size});
+        bytes += part;
+    }
+    for (FacePlaces& level : places) level.face = bytes;
+    return places;
+}
+
+TexelSink face_sink(FileOutput& output, const FacePlaces& places) {
+    return [&output, places, at = std::uint64_t{0}](std::string_view bytes) mutable {
+        while (!bytes.empty()) {
+            const auto [place, most] = places.place(at);
+            const std::string_view piece = bytes.substr(0, most);
+            if (output.position() != place) output.seek(place);
+            output.write(piece);
+            at += piece.size();
+            bytes.remove_prefix(piece.size());
+        }
+        return output.error() == 0;
+    };
+}
+
+TexelInput face_input(FileInput& file, const FacePlaces& places) {
+    return [&file, places, at = std::uint64_t{0}](
+               char* bytes, std::size_t count) mutable -> std::optional<config::Diagnostic> {
+        while (count > 0) {
+            const auto [place, most] = places.place(at);
+            const std::size_t piece = std::min<std::uint64_t>(count, most);
+            if (auto problem = texel_input(file, place)(bytes, piece)) return problem;
+            at += piece;
+            bytes += piece;
+            count -= piece;
+        }
+        return std::nullopt;
+    };
 }
 
 Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
@@ -113,10 +179,14 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
     FileOutput output(path);
     const Header header = header_of(content.baked);
     output.write({reinterpret_cast<const char*>(&header), header_bytes});
+    const Baked& baked = content.baked;
+    const std::vector<FacePlaces> places = face_places(
+        baked.levels.front().size, baked.levels.size(), baked.pixel_type,
+        baked.channel_names.size(), header.capabilities_2 == is_cube_of_six_faces ? 6 : 1);
     bool complete = true;
-    for (int level = 0; complete && level < static_cast<int>(content.baked.levels.size());
-         ++level) {
-        complete = write_texture(content, level, texel_sink(output));
+    for (std::size_t level = 0; complete && level < places.size(); ++level) {
+        complete =
+            write_texture(content, static_cast<int>(level), face_sink(output, places[level]));
     }
     if (!output.finish()) return {{}, {output.diagnostic()}};
     return {complete, {}};
@@ -136,6 +206,10 @@ std::optional<std::string> strange(const Header& header) {
                          header.four_characters == plain.four_characters;
     if (!is_dx10) return "it does not have the header of DX10";
     if (header.array_size != 1) return "it is an array of textures";
+    const bool is_cube = (header.miscellaneous & is_texture_cube) != 0;
+    if (is_cube != (header.capabilities_2 == is_cube_of_six_faces)) {
+        return "its headers disagree on whether it is a cube of six faces";
+    }
     return std::nullopt;
 }
 
@@ -165,13 +239,17 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     return {std::move(facts), {}};
 }
 
+TextureExtent extent_of(const Header& header) {
+    return {header.width, header.height, header.dimension == texture_3d ? header.depth : 0,
+            header.miscellaneous == is_texture_cube ? 6U : 1U};
+}
+
 // Whether the header is that of a file of this shape.
 bool fits(const Header& header, const FileShape& shape) {
-    const bool is_flat = header.dimension == texture_2d;
-    const std::uint32_t depth = is_flat ? 1 : header.depth;
-    return header.width == static_cast<std::uint32_t>(shape.size[0]) &&
-           header.height == static_cast<std::uint32_t>(shape.size[1]) &&
-           depth == static_cast<std::uint32_t>(shape.size[2]) &&
+    const bool has_depth_of_one = header.dimension == texture_3d;
+    const TextureExtent extent =
+        texture_extent(shape.size, has_depth_of_one || shape.size[2] != 1, shape.parts);
+    return has_square_faces(shape.size, shape.levels, shape.parts) && extent_of(header) == extent &&
            header.levels == static_cast<std::uint32_t>(shape.levels) &&
            header.dxgi_format == texel_code(dxgi, shape.pixel_type, shape.channels);
 }
@@ -183,19 +261,13 @@ Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int le
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
-    std::uint64_t offset = header_bytes;
-    std::uint64_t wanted = 0;
-    std::array<int, 3> size = shape.size;
-    std::array<int, 3> wanted_size{};
-    for (int i = 0; i < shape.levels; ++i, size = next_mip_size(size)) {
-        if (i == level) {
-            wanted = offset;
-            wanted_size = size;
-        }
-        offset += texture_bytes(size, shape.pixel_type, shape.channels);
-    }
-    if (file.value->size() != offset) return {{}, {other_size(path)}};
-    return read_texture(texel_input(*file.value, wanted), wanted_size, shape.pixel_type,
+    const std::vector<FacePlaces> places =
+        face_places(shape.size, static_cast<std::size_t>(shape.levels), shape.pixel_type,
+                    shape.channels, extent_of(*header.value).faces);
+    const FacePlaces& wanted = places[static_cast<std::size_t>(level)];
+    const std::uint64_t bytes = wanted.face * extent_of(*header.value).faces;
+    if (file.value->size() != header_bytes + bytes) return {{}, {other_size(path)}};
+    return read_texture(face_input(*file.value, wanted), wanted.size, shape.pixel_type,
                         shape.channels, visit);
 }
 
