@@ -1,6 +1,7 @@
 'use strict';
 // Every texture that @takram/three-clouds loads, from skybake, through the package's own loaders in Chromium without a
-// GPU: at the places of the probes they have the values that the manifest says, and nothing else is loaded.
+// GPU: at the places of the probes they have the values that the manifest says. The package draws its clouds with them,
+// none without weather, as bright ones as with its own textures, and others where a texture is wrong.
 //   node takram_clouds.js PROGRAM FOLDER
 const {browser_with_a_page} = require('./page_of.js');
 const {execFileSync} = require('node:child_process');
@@ -55,6 +56,55 @@ function faults_of_files(asset) {
         [`${asset.name}: ${JSON.stringify(found)}, not ${JSON.stringify(wanted)}`];
 }
 
+const size = [48, 32];
+const own = '/modules/@takram/three-clouds/assets/';  // which has all but stbn
+const names = ['local_weather', 'shape', 'shape_detail', 'turbulence', 'stbn'];
+const wrong = [['local_weather', 'nothing'], ...names.flatMap((name) => [[name, 'zeros'], [name, 'reversed']]), ['stbn', 'nothing']];
+
+function draw(page, folder_of, changes) {
+    const folders = Object.fromEntries(names.map((name) => [name, folder_of(name)]));
+    return page.evaluate((options) => window.draw_clouds(options),
+        {folders, atmosphere: '/modules/@takram/three-atmosphere/assets', size, wrong: changes});
+}
+
+const mean_of = (picture, channel) => {
+    let sum = 0;
+    for (let i = channel; i < picture.length; i += 4) sum += picture[i];
+    return sum / (picture.length / 4);
+};
+
+// The mean difference of how much the clouds of two pictures cover.
+function difference_of(one, other) {
+    return mean_of(one.map((value, i) => Math.abs(value - other[i])), 3);
+}
+
+// What is wrong with the pictures: nothing stands for a texture that was loaded once more.
+function faults_of_pictures([right, ...pictures]) {
+    return pictures.flatMap((picture, i) => {
+        const [name, change] = wrong[i];
+        const difference = difference_of(picture, right);
+        const is_empty = picture.every((value) => value === 0);
+        const must_be_empty = name === 'local_weather' && change === 'zeros';
+        const is_right = change === 'nothing' ? difference < 1e-4 : difference > 1e-3 && is_empty === must_be_empty;
+        console.log(`${name}, ${change}: ${difference.toFixed(5)} of the picture`);
+        return is_right ? [] : [`${name}, ${change}: the picture differs by ${difference}${is_empty ? ' and is empty' : ''}`];
+    });
+}
+
+// How bright what is covered is, over that with the package's own textures.
+function faults_of_look(picture, its_own) {
+    const cover = mean_of(picture, 3);
+    const light = mean_of(picture, 1) / cover / (mean_of(its_own, 1) / mean_of(its_own, 3));
+    console.log(`${cover.toFixed(3)} of the sky is cloud, ${light.toFixed(3)} as bright as with the package's own textures`);
+    return cover > 0.05 && cover < 0.95 && light > 0.8 && light < 1.25 ? [] : [`cover ${cover}, light ${light}`];
+}
+
+async function faults_of_clouds(page) {
+    const pictures = await draw(page, () => '/baked/', wrong);
+    const [its_own] = await draw(page, (name) => name === 'stbn' ? '/baked/' : own, []);
+    return [...faults_of_pictures(pictures), ...faults_of_look(pictures[0], its_own)];
+}
+
 async function main() {
     execFileSync(program, ['bake', recipe, '-o', path.join(work, 'baked'), '-q', '--certify=off'], {stdio: 'inherit'});
     const {assets} = JSON.parse(fs.readFileSync(path.join(work, 'baked', 'manifest.json'), 'utf8'));
@@ -78,7 +128,7 @@ async function main() {
         if (faults_of(asset, await look_up(true)).length === 0) faults.push(`${name}: upside down, it passes`);
         probes += asset.probes.length;
     }
-    faults.push(...await page.evaluate(() => window.faults_of_effect('/baked/')));
+    faults.push(...await faults_of_clouds(page));
     faults.push(...page.complaints);
     await browser.close();
     console.log(faults.length > 0 ? faults.join('\n') : `${probes} probes of five textures`);
