@@ -27,7 +27,7 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     if [[ "$1" == --all ]]; then
         packages+=(
             blender buildah dpkg-dev ffmpeg fish groff libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
-            munge nginx-light openimageio-tools python3-numpy python3-openvdb slurm-wlm zsh
+            munge nginx-light openimageio-tools python3-numpy python3-openvdb python3-yaml slurm-wlm zsh
         )
     fi
 fi

@@ -180,14 +180,6 @@ struct EnvironmentResolver {
                     decoder);
     }
 
-    void check_target() const {
-        if (squares() == 0 || !bake.at("target").value) return;
-        refuse("mapping",
-               fmt::format("`{}`: a target loads the mapping longitude_latitude alone",
-                           join_path(bake.path, "mapping")),
-               "leave out `target`, or `mapping`");
-    }
-
     // Faces and octahedra halve evenly, down to four texels along an edge.
     void check_halving() const {
         const auto* mips = given_value<double>(bake.at("mips"));
@@ -233,7 +225,6 @@ struct EnvironmentResolver {
 void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const EnvironmentResolver resolver{bake, recipe, decoder};
     resolver.resolve_size();
-    resolver.check_target();
     resolver.check_levels();
     const std::string* clouds = text_of(bake.at("clouds"));
     if (!clouds || clouds->empty()) return;

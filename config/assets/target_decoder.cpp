@@ -13,6 +13,16 @@
 namespace skybake::config {
 namespace {
 
+// Returns the word for the value of a flag or of a choice.
+std::string_view word_of(const DecodedField& decoded) {
+    if (const bool* flag = std::get_if<bool>(&*decoded.value)) return *flag ? "true" : "false";
+    return decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index].name;
+}
+
+void append(const std::vector<std::string_view>& words, std::vector<std::string_view>& all) {
+    all.insert(all.end(), words.begin(), words.end());
+}
+
 // Fills in the keys of one bake for one target.
 class TargetKeys {
   public:
@@ -24,6 +34,7 @@ class TargetKeys {
         resolve_formats();
         resolve_pixel_type();
         for (const TargetKey& key : use_.keys) resolve_key(key);
+        if (!use_.mappings.empty()) resolve_mapping();
     }
 
   private:
@@ -100,16 +111,24 @@ class TargetKeys {
                fmt::format("it loads {}", key.word));
     }
 
+    void resolve_mapping() {
+        DecodedField& decoded = bake_.at("mapping");
+        derive(decoded, FieldValue(choice_named(*decoded.field, use_.mappings.front())));
+        if (!decoded.value) return;
+        std::vector<std::string_view> loaded;
+        for (const TargetUse& use : target_.uses) {
+            if (use.assets == use_.assets) append(use.mappings, loaded);
+        }
+        const std::string_view word = word_of(decoded);
+        if (std::find(loaded.begin(), loaded.end(), word) != loaded.end()) return;
+        refuse(decoded, fmt::format("\"{}\"", word),
+               fmt::format("it loads {}", fmt::join(loaded, " and ")));
+    }
+
     static ChoiceIndex choice_named(const Field& field, std::string_view word) {
         std::size_t index = 0;
         while (field.choices[index].name != word) ++index;
         return {index};
-    }
-
-    // Returns the word for the value of a flag or of a choice.
-    static std::string_view word_of(const DecodedField& decoded) {
-        if (const bool* flag = std::get_if<bool>(&*decoded.value)) return *flag ? "true" : "false";
-        return decoded.field->choices[std::get<ChoiceIndex>(*decoded.value).index].name;
     }
 
     DecodedSection& bake_;
@@ -122,9 +141,23 @@ class TargetKeys {
 std::vector<std::string_view> assets_of(const TargetFacts& target) {
     std::vector<std::string_view> assets;
     for (const TargetUse& use : target.uses) {
-        assets.insert(assets.end(), use.assets.begin(), use.assets.end());
+        for (const std::string_view asset : use.assets) {
+            if (std::find(assets.begin(), assets.end(), asset) == assets.end()) {
+                assets.push_back(asset);
+            }
+        }
     }
     return assets;
+}
+
+// Returns the use of the mapping that the section gives, or null if the target does not load the asset.
+const TargetUse* use_of(const DecodedSection& bake, std::string_view asset,
+                        const TargetFacts& target) {
+    const TargetUse* first = find_use(target, asset);
+    if (first == nullptr || first->mappings.empty()) return first;
+    const DecodedField& decoded = bake.at("mapping");
+    if (!decoded.source || !decoded.value) return first;
+    return find_use(target, asset, word_of(decoded));
 }
 
 // Whether each file of an asset has so many channels of light, or the wavelengths are not known.
@@ -144,7 +177,7 @@ void resolve_target(DecodedSection& bake, std::string_view asset, const Paramete
     if (!choice) return;
     const TargetFacts& target = facts_of(*choice);
     const Place& place = decoded.source ? decoded.source->place : bake.place;
-    const TargetUse* use = find_use(target, asset);
+    const TargetUse* use = use_of(bake, asset, target);
     if (use == nullptr) {
         decoder.diagnostics.error(
             "E0160", place,

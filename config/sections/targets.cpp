@@ -14,6 +14,10 @@ Words all_of(std::initializer_list<Words> groups) {
     return all;
 }
 
+bool has_word(const Words& words, std::string_view word) {
+    return std::find(words.begin(), words.end(), word) != words.end();
+}
+
 constexpr PixelTypes filtered_types(PixelType::half, PixelType::float32, PixelType::unorm8);
 constexpr PixelTypes volume_types(PixelType::half, PixelType::unorm8, PixelType::bc4);
 constexpr PixelTypes only_half(PixelType::half);
@@ -27,6 +31,8 @@ std::vector<TargetFacts> make_targets() {
     const Words tables = {"transmittance", "multiple_scattering", "sky_view", "irradiance",
                           "phase",         "weather_map"};
     const Words environments = {"environment"};
+    constexpr std::string_view panorama = "longitude_latitude";
+    constexpr std::string_view cube = "cube";
     const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume",
                             "cloud_light"};
     const Words clouds = {"cloud_volume"};
@@ -50,15 +56,28 @@ std::vector<TargetFacts> make_targets() {
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.three.js"},
-           .keys = {{"flip", "false"}}}}},
+           .keys = {{"flip", "false"}},
+           .mappings = {panorama}},
+          {.assets = environments,
+           .formats = {FileFormat::ktx2},
+           .pixel_types = floating_types,
+           .pixel_type = PixelType::half,
+           .sidecars = {"*.three.js"},
+           .mappings = {cube}}}},
         {Target::babylon,
          "babylon",
          "Babylon.js: bare texels, each with a module that makes a texture of them",
-         {{.assets = all_of({most, environments}),
+         {{.assets = most,
            .formats = {FileFormat::bin},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
-           .sidecars = {"*.babylon.js"}}}},
+           .sidecars = {"*.babylon.js"}},
+          {.assets = environments,
+           .formats = {FileFormat::bin},
+           .pixel_types = filtered_types,
+           .pixel_type = PixelType::half,
+           .sidecars = {"*.babylon.js"},
+           .mappings = {panorama, cube}}}},
         {Target::takram,
          "takram",
          "@takram/three-atmosphere and three-clouds: bare texels and pictures, with modules",
@@ -101,15 +120,23 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::dds},
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
-           .sidecars = {"*.tres"}}}},
+           .sidecars = {"*.tres"},
+           .mappings = {panorama, cube}}},
+         true},
         {Target::unity,
          "unity",
          "Unity: bare texels, with editor scripts that make textures of them",
-         {{.assets = all_of({most, environments}),
+         {{.assets = most,
            .formats = {FileFormat::bin},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
-           .sidecars = {"*.unity.cs"}}}},
+           .sidecars = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"}},
+          {.assets = environments,
+           .formats = {FileFormat::bin},
+           .pixel_types = filtered_types,
+           .pixel_type = PixelType::half,
+           .sidecars = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"},
+           .mappings = {panorama, cube}}}},
         {Target::unreal,
          "unreal",
          "Unreal 5.3 and later: DDS textures and VDB volumes, with Python scripts that import them",
@@ -140,7 +167,14 @@ std::vector<TargetFacts> make_targets() {
            .keys = {{"content", "phase"},
                     {"spacing", "cosine_from_back"},
                     {"ktx2_compression", "none", false}},
-           .light_channels = 3}}},
+           .light_channels = 3},
+          {.assets = environments,
+           .formats = {FileFormat::ktx2},
+           .pixel_types = floating_types,
+           .pixel_type = PixelType::half,
+           .sidecars = {"*.bevy.rs"},
+           .keys = {{"ktx2_compression", "none", false}},
+           .mappings = {cube}}}},
         {Target::blender,
          "blender",
          "Blender: VDB volumes and EXR environments, with scripts that build volumes and worlds",
@@ -152,7 +186,8 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.blender.py"},
-           .keys = {{"flip", "false"}}}}},
+           .keys = {{"flip", "false"}},
+           .mappings = {panorama}}}},
         {Target::houdini,
          "houdini",
          "Houdini: VDB volumes and EXR environments, with Python scripts that build nodes",
@@ -164,7 +199,8 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.houdini.py"},
-           .keys = {{"flip", "false"}}}}},
+           .keys = {{"flip", "false"}},
+           .mappings = {panorama}}}},
         {Target::omniverse,
          "omniverse",
          "Omniverse and other USD programs: VDB volumes and EXR environments, with USD stages",
@@ -176,7 +212,8 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.usda"},
-           .keys = {{"flip", "false"}}}}},
+           .keys = {{"flip", "false"}},
+           .mappings = {panorama}}}},
         {Target::mitsuba,
          "mitsuba",
          "Mitsuba 3: vol grids and EXR environments, with parts of scenes",
@@ -188,7 +225,8 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.mitsuba.xml"},
-           .keys = {{"flip", "false"}}}}},
+           .keys = {{"flip", "false"}},
+           .mappings = {panorama}}}},
         {Target::pbrt,
          "pbrt",
          "pbrt-v4: NanoVDB grids, with parts of scenes",
@@ -242,11 +280,15 @@ const TargetFacts& facts_of(Target target) {
     return *found;
 }
 
-const TargetUse* find_use(const TargetFacts& target, std::string_view asset) {
+const TargetUse* find_use(const TargetFacts& target, std::string_view asset,
+                          std::string_view mapping) {
+    const TargetUse* first = nullptr;
     for (const TargetUse& use : target.uses) {
-        if (std::find(use.assets.begin(), use.assets.end(), asset) != use.assets.end()) return &use;
+        if (!has_word(use.assets, asset)) continue;
+        if (has_word(use.mappings, mapping)) return &use;
+        if (first == nullptr) first = &use;
     }
-    return nullptr;
+    return first;
 }
 
 std::span<const Choice> target_choices() {

@@ -33,6 +33,8 @@ struct TargetUse {
     std::size_t written = 1;  // how many of the formats, the first ones, are written by default
     std::vector<TargetKey> keys = {};
     std::size_t light_channels = 0;  // that light has in each file; 0: any number
+    // The mappings that the assets may have, the one to choose first; empty: any.
+    std::vector<std::string_view> mappings = {};
 };
 
 struct TargetFacts {
@@ -40,6 +42,7 @@ struct TargetFacts {
     std::string_view name;
     std::string_view documentation;
     std::vector<TargetUse> uses;
+    bool needs_every_level = false;  // it loads textures of one level, or of all down to one texel
 };
 
 // Returns all targets, in the order in which the documentation shows them.
@@ -47,8 +50,10 @@ std::span<const TargetFacts> targets();
 
 const TargetFacts& facts_of(Target target);
 
-// Returns how the program loads an asset, or null if it does not.
-const TargetUse* find_use(const TargetFacts& target, std::string_view asset);
+// Returns how the program loads an asset of a mapping, or null if it loads the asset in none. It is the
+// first use of the asset if none names the mapping. All uses of an asset have the same sidecars.
+const TargetUse* find_use(const TargetFacts& target, std::string_view asset,
+                          std::string_view mapping = {});
 
 // Returns the words of `target`.
 std::span<const Choice> target_choices();

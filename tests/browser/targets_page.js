@@ -1,14 +1,15 @@
 // Loads what the targets three, takram and babylon wrote, by their own modules, and reads the textures at the places of
 // probes. Runs in the page of targets.js.
 
-// A shader that writes to pixel `i` what the table has at the place in texel `i` of `places`.
+// A shader that writes to pixel `i` what the table has at the place in texel `i` of `places`; of a cube, at the
+// direction and in the level.
 const fragment = (dim, head, color) => `
     uniform highp sampler2D places;
-    uniform highp sampler${dim}D table;
+    uniform highp sampler${dim === 'Cube' ? 'Cube' : `${dim}D`} table;
     ${head}
     void main() {
         vec4 at = texelFetch(places, ivec2(int(gl_FragCoord.x), 0), 0);
-        ${color} = textureLod(table, ${dim === 3 ? 'at.xyz' : 'at.xy'}, 0.0);
+        ${color} = textureLod(table, ${dim === 2 ? 'at.xy' : 'at.xyz'}, at.w);
     }`;
 
 // The values, four of each place, that three.js finds in the textures of the module.
@@ -36,7 +37,27 @@ async function look_up_in_three(url, dim, places) {
     return Array.from(values);
 }
 
-// The same in Babylon.js.
+// The four values that three.js draws as its background in the middle of each view, in float and without tone mapping.
+async function look_at_sky_in_three(url, views) {
+    const THREE = await import('three');
+    const renderer = new THREE.WebGLRenderer();
+    const scene = new THREE.Scene();
+    scene.background = await (await import(url)).load(renderer);
+    const camera = new THREE.PerspectiveCamera(0.01);
+    const target = new THREE.WebGLRenderTarget(1, 1, {type: THREE.FloatType});
+    renderer.setRenderTarget(target);
+    const values = views.flatMap((view) => {
+        camera.lookAt(...view);
+        renderer.render(scene, camera);
+        const value = new Float32Array(4);
+        renderer.readRenderTargetPixels(target, 0, 0, 1, 1, value);
+        return Array.from(value);
+    });
+    renderer.dispose();
+    return values;
+}
+
+// The same as look_up_in_three in Babylon.js.
 async function look_up_in_babylon(url, dim, places) {
     const engine = new BABYLON.Engine(document.createElement('canvas'));
     const scene = new BABYLON.Scene(engine);
@@ -64,3 +85,4 @@ async function look_up_in_babylon(url, dim, places) {
 }
 
 window.look_up = {three: look_up_in_three, takram: look_up_in_three, babylon: look_up_in_babylon};
+window.look_at_sky = {three: look_at_sky_in_three};

@@ -54,9 +54,27 @@ TEST(EnvironmentDecoder, LevelsHalveWholeSquares) {
     EXPECT_EQ(faults(around + "level_content = 'ggx'\nmips = 6"), Codes{});
 }
 
-TEST(EnvironmentDecoder, TargetsLoadLongitudeAndLatitude) {
+// Renderers load longitude and latitude, some engines cubes too, and Bevy nothing but cubes.
+TEST(EnvironmentDecoder, TargetsLoadTheirMappings) {
     EXPECT_EQ(faults(around + "target = 'blender'"), Codes{});
-    EXPECT_EQ(faults(around + "target = 'blender'\nmapping = 'octahedral'"), Codes{"E0172 5:11"});
+    EXPECT_EQ(faults(around + "target = 'blender'\nmapping = 'cube'"), Codes{"E0160 5:11"});
+    const EnvironmentBake three = environment_of(around + "target = 'three'");
+    EXPECT_EQ(three.mapping, EnvironmentMapping::longitude_latitude);
+    EXPECT_EQ(three.formats, std::vector{FileFormat::exr});
+    const EnvironmentBake cube = environment_of(around + "target = 'three'\nmapping = 'cube'");
+    EXPECT_EQ(cube.formats, std::vector{FileFormat::ktx2});
+    EXPECT_EQ(cube.pixel_type, PixelType::half);
+    const EnvironmentBake bevy = environment_of(around + "target = 'bevy'");
+    EXPECT_EQ(bevy.mapping, EnvironmentMapping::cube);
+    EXPECT_EQ(bevy.size, (Size{256, 1536}));
+    const auto refused = parse(around + "target = 'three'\nmapping = 'octahedral'").diagnostics;
+    ASSERT_EQ(codes_and_places(refused), Codes{"E0160 5:11"});
+    EXPECT_EQ(refused[0].label, "it loads longitude_latitude and cube");
+}
+
+TEST(EnvironmentDecoder, TargetsOfCubesRefuseOtherMappings) {
+    EXPECT_EQ(faults(around + "target = 'bevy'\nmapping = 'longitude_latitude'"),
+              Codes{"E0160 5:11"});
 }
 
 TEST(EnvironmentDecoder, CloudsAreAVolumeOfTheRecipe) {

@@ -168,6 +168,41 @@ TEST(Targets, RefuseGivenKeysThatTheyDoNotLoad) {
     EXPECT_EQ(convention[0].label, "it loads takram");
 }
 
+// Godot takes the number of levels for that of the size.
+TEST(Targets, RefuseLevelsThatEndEarlyWhereTheProgramDoes) {
+    const std::string keys = "size = [16, 16, 16]\nmips = ";
+    const auto errors = [&](const std::string& levels, const std::string& target) {
+        return parse(recipe_of("noise_volume", keys + levels + "\ntarget = '" + target + "'\n"))
+            .diagnostics;
+    };
+    EXPECT_EQ(codes_and_places(errors("1", "godot")), Codes{});
+    EXPECT_EQ(codes_and_places(errors("5", "godot")), Codes{});
+    EXPECT_EQ(codes_and_places(errors("'all'", "godot")), Codes{});
+    EXPECT_EQ(codes_and_places(errors("3", "three")), Codes{});
+    const auto refused = errors("3", "godot");
+    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 15:8"}));
+    EXPECT_EQ(refused[0].label, "it loads 1 level, or all 5");
+}
+
+// What is beside the files follows from the asset, whatever its mapping.
+TEST(Targets, HaveTheSameSidecarsInAllUsesOfAnAsset) {
+    for (const TargetFacts& target : targets()) {
+        for (const TargetUse& use : target.uses) {
+            for (const std::string_view asset : use.assets) {
+                const TargetUse* first = find_use(target, asset);
+                ASSERT_NE(first, nullptr);
+                if (use.mappings.empty()) {
+                    EXPECT_EQ(first, &use) << asset;
+                }
+                EXPECT_EQ(first->sidecars, use.sidecars) << target.name << ' ' << asset;
+                for (const std::string_view mapping : use.mappings) {
+                    EXPECT_EQ(find_use(target, asset, mapping), &use) << target.name;
+                }
+            }
+        }
+    }
+}
+
 TEST(Targets, RefuseAssetsWithWhatTheyLoadInstead) {
     const auto refused = parse(recipe_of("transmittance", "target = 'pbrt'\n")).diagnostics;
     ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 14:10"}));

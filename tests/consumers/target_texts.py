@@ -12,16 +12,21 @@ import xml.etree.ElementTree as xml
 from pathlib import Path
 
 import consumer
+import yaml
 
 LOW, HIGH = (0, 0, 100), (600, 400, 300)
 ONLY_CLOUDS = ("bevy", "pbrt", "unreal")  # targets that do not load the sky as well
+CUBES = ("babylon", "bevy", "godot", "three", "unity")  # targets that load it as a cube
 
 
-def baked(target):
+def baked(target, is_cube=False):
     """The texts of a target's sidecars, by name, and the files beside them."""
     *command, output = sys.argv[1:]
-    only = target in ONLY_CLOUDS
-    settings = ["--set", f'bake.cloud.target="{target}"', "--only", "cloud"] if only else ["--set", f'target="{target}"']
+    settings = ["--set", f'target="{target}"']
+    if is_cube:
+        settings += ["--set", 'bake.sky.mapping="cube"', "--set", "bake.sky.size=[8, 48]"]
+    elif target in ONLY_CLOUDS:
+        settings = ["--set", f'bake.cloud.target="{target}"', "--only", "cloud"]
     with tempfile.TemporaryDirectory() as folder:
         consumer.output_of(*command, *settings, output, folder)
         files = [file for asset in json.loads((Path(folder) / "manifest.json").read_text())["assets"]
@@ -65,6 +70,24 @@ def check_godot_place(failures, text):
         failures.expect([found[0], -found[2], found[1]], [float(w) for w in wanted], "a corner of Godot's fog")
 
 
+# Unity's manual, "Text-based scene files": a file's identifier is 32 digits, and its importer is the only other part.
+UNITY_IMPORTERS = {".cs": "MonoImporter", ".bin": "DefaultImporter"}
+
+
+def check_unity(failures, texts, files):
+    """Every file has a .meta with an identifier of its own and the importer of its ending."""
+    metas = {name: yaml.safe_load(text) for name, text in texts.items() if name.endswith(".meta")}
+    wanted = {file + ".meta" for file in files if file.endswith((".cs", ".bin"))}
+    failures.expect(set(metas), wanted, "the set of Unity's .meta files")
+    for name, meta in metas.items():
+        importer = UNITY_IMPORTERS[Path(name[:-len(".meta")]).suffix]
+        failures.expect(set(meta), {"fileFormatVersion", "guid", importer}, f"the set of keys of {name}")
+        failures.expect(meta["fileFormatVersion"], 2, f"the version of {name}")
+        failures.expect(re.fullmatch("[0-9a-f]{32}", str(meta["guid"])) is not None, True, f"whether {name} has a guid")
+        failures.expect(isinstance(meta[importer]["externalObjects"], dict), True, f"whether {name} has its importer's keys")
+    failures.expect(len({meta["guid"] for meta in metas.values()}), len(metas), "the number of Unity's identifiers")
+
+
 def check_mitsuba(failures, name, text, files):
     scene = xml.fromstring(text)
     for string in scene.iter("string"):
@@ -95,9 +118,11 @@ def check_pbrt(failures, text, files):
 def main():
     failures = consumer.Failures()
     targets = ("babylon", "bevy", "blender", "godot", "houdini", "mitsuba", "omniverse", "pbrt", "three", "unity", "unreal")
-    for target in targets:
-        texts, files = baked(target)
+    for target, is_cube in [(target, False) for target in targets] + [(target, True) for target in CUBES]:
+        texts, files = baked(target, is_cube)
         failures.expect(len(texts) >= 1, True, f"whether {target} has files of its own")
+        if target == "unity":
+            check_unity(failures, texts, files)
         for name, text in texts.items():
             if name.endswith(".xml"):
                 check_mitsuba(failures, name, text, files)
@@ -105,7 +130,7 @@ def main():
                 compile(text, name, "exec")
             elif name.endswith((".tscn", ".tres")):
                 check_godot(failures, name, text, files)
-            elif not name.endswith(".js"):  # browsers run those
+            elif not name.endswith((".js", ".meta")):  # browsers run those
                 check_brackets(failures, name, text)
             if name.endswith(".tscn"):
                 check_godot_place(failures, text)

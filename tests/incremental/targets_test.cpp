@@ -72,9 +72,15 @@ config::Recipe loaded_by(const config::TargetFacts& target) {
                      "preset = \"earth\"\nwavelengths = \"best 4\"\n[color]\nspace = \"none\"\n");
     }
     for (const config::Bake& bake : recipe.parameters.bakes) {
-        if (!config::find_use(target, config::kind_of(bake).facts.name)) continue;
+        const config::TargetUse* use = config::find_use(target, config::kind_of(bake).facts.name);
+        if (use == nullptr) continue;
         const std::size_t begin = skies.find("[bake." + bake.name);
-        text += skies.substr(begin, skies.find("[bake.", begin + 1) - begin);
+        std::string section = skies.substr(begin, skies.find("[bake.", begin + 1) - begin);
+        const std::string size = "size = [8, 4]";
+        if (use->mappings == std::vector<std::string_view>{"cube"}) {
+            section.replace(section.find(size), size.size(), "size = [4, 24]");
+        }
+        text += section;
     }
     return recipe_of(text, {}, {"target=\"" + std::string(target.name) + "\""});
 }
@@ -134,6 +140,25 @@ TEST(TargetFiles, AreRetiredWithTheirTarget) {
     EXPECT_FALSE(std::filesystem::exists(folder / "out/cloud.mitsuba.xml"));
     EXPECT_FALSE(std::filesystem::exists(folder / "out/cloud.vol"));
     EXPECT_TRUE(std::filesystem::exists(folder / "out/cloud.blender.py"));
+}
+
+// Unity finds files by identifiers, which follow from the names of the files alone.
+TEST(TargetFiles, OfUnityHaveIdentifiersThatStay) {
+    const TemporaryFolder folder;
+    static const std::regex guid("\nguid: [0-9a-f]{32}\n");
+    TestBake first(loaded_by(config::facts_of(config::Target::unity)), folder / "one");
+    ASSERT_TRUE(first.run().value);
+    TestBake second(recipe_of(skies, {}, {"target=\"unity\"", "bake.cloud.size=[8, 8, 4]"}),
+                    folder / "two");
+    ASSERT_TRUE(second.run().value);
+    for (const char* name : {"cloud.bin.meta", "cloud.unity.cs.meta"}) {
+        const std::string text = read_bytes(folder / "one" / name);
+        EXPECT_TRUE(std::regex_search(text, guid)) << text;
+        EXPECT_EQ(text, read_bytes(folder / "two" / name));
+    }
+    EXPECT_NE(read_bytes(folder / "one/cloud.bin"), read_bytes(folder / "two/cloud.bin"));
+    EXPECT_NE(read_bytes(folder / "one/cloud.bin.meta").substr(0, 60),
+              read_bytes(folder / "one/shape.bin.meta").substr(0, 60));
 }
 
 // The place of the cloud and the number that makes extinction of its density, in another program's words.

@@ -1,6 +1,8 @@
 // Makes a texture of Babylon.js of the texels in $FILE$, with the wrapping and the filter that its
 // lookups need: put both files beside each other and call `await load(BABYLON, scene)`.
-// `skybake info --lookup $FILE$` prints the GLSL that reads the texture, and --language wgsl the WGSL.
+$if PARTS=cube$// Straight ahead is +z, up +y and right +x, as in Babylon.js: use the texture as the reflection of a material, with
+$if PARTS=cube$// coordinatesMode CUBIC_MODE, or SKYBOX_MODE on a box around the camera.
+$if PARTS=none$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture, and --language wgsl the WGSL.
 const size = [$WIDTH$, $HEIGHT$, $DEPTH$];
 const channels = $CHANNELS$;
 const type = '$TYPE$';
@@ -14,7 +16,8 @@ function padded(texels) {
     return wide;
 }
 
-// Returns a texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels.
+$if PARTS=none$// Returns a texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels.
+$if PARTS=cube$// Returns a cube texture with faces of $WIDTH$ x $WIDTH$ texels.
 export async function load(BABYLON, scene) {
     const response = await fetch(new URL('./$FILE$', import.meta.url));
     if (!response.ok) throw new Error(`$FILE$: ${response.status}`);
@@ -27,11 +30,14 @@ export async function load(BABYLON, scene) {
                      unorm8: Constants.TEXTURETYPE_UNSIGNED_BYTE }[type];
 $if FILTER=linear$    const sampling = Texture.BILINEAR_SAMPLINGMODE;
 $if FILTER=nearest$    const sampling = Texture.NEAREST_SAMPLINGMODE;
-$if DIM=2$    const texture = new BABYLON.RawTexture(texels, size[0], size[1], format, scene, false, false, sampling, number);
+$if PARTS=cube$    const count = texels.length / 6;
+$if PARTS=cube$    const faces = [0, 1, 2, 3, 4, 5].map((i) => texels.slice(i * count, (i + 1) * count));
+$if PARTS=cube$    const texture = new BABYLON.RawCubeTexture(scene, faces, size[0], format, number, false, false, sampling);
+$if PARTS=none$$if DIM=2$    const texture = new BABYLON.RawTexture(texels, size[0], size[1], format, scene, false, false, sampling, number);
 $if DIM=3$    const texture = new BABYLON.RawTexture3D(texels, ...size, format, scene, false, false, sampling, number);
-    const wraps = { repeat: Texture.WRAP_ADDRESSMODE, clamp: Texture.CLAMP_ADDRESSMODE };
-    texture.wrapU = wraps.$WRAP_U$;
-    texture.wrapV = wraps.$WRAP_V$;
+$if PARTS=none$    const wraps = { repeat: Texture.WRAP_ADDRESSMODE, clamp: Texture.CLAMP_ADDRESSMODE };
+$if PARTS=none$    texture.wrapU = wraps.$WRAP_U$;
+$if PARTS=none$    texture.wrapV = wraps.$WRAP_V$;
 $if DIM=3$    texture.wrapR = wraps.$WRAP_W$;
     texture.gammaSpace = false;
     texture.anisotropicFilteringLevel = 1;  // lookups that jump between pixels would be blurred

@@ -3,7 +3,8 @@
 use bevy::image::{ImageAddressMode, ImageFilterMode, ImageLoaderSettings, ImageSampler, ImageSamplerDescriptor};
 use bevy::prelude::*;
 
-/// A texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels of type $TYPE$.
+$if PARTS=none$/// A texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels of type $TYPE$.
+$if PARTS=cube$/// A cube texture of type $TYPE$ with faces of $WIDTH$ x $WIDTH$ texels.
 pub fn load(assets: &AssetServer) -> Handle<Image> {
     assets.load_with_settings("$FILE$", |settings: &mut ImageLoaderSettings| {
         settings.is_srgb = false;
@@ -41,3 +42,9 @@ $if KIND=cloud_volume$        .with_rotation(Quat::from_rotation_x(-std::f32::co
 $if KIND=cloud_volume$        .with_scale(Vec3::new($EXTENT_X$ as f32, $EXTENT_Y$ as f32, $EXTENT_Z$ as f32));
 $if KIND=cloud_volume$    (volume, place)
 $if KIND=cloud_volume$}
+$if PARTS=cube$
+$if PARTS=cube$/// The sky for a `Camera3d`: straight ahead is -z, up +y and right +x. `illuminance` is that of a surface that faces
+$if PARTS=cube$/// the sun outside of the air, in lux: the texels are radiances for a solar irradiance of 1.
+$if PARTS=cube$pub fn skybox(assets: &AssetServer, illuminance: f32) -> bevy::core_pipeline::Skybox {
+$if PARTS=cube$    bevy::core_pipeline::Skybox { image: load(assets), brightness: illuminance, ..default() }
+$if PARTS=cube$}

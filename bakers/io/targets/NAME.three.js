@@ -1,29 +1,62 @@
 // Loads $FILE$ into three.js with the wrapping and the filters that its lookups need: put both files
 // beside each other and call `await load(renderer)`.
-$if KIND=environment$// The texture is an equirectangular map of radiance: `scene.background = scene.environment = texture`.
-$if KIND=environment$// The sun stands over +x.
-$if FORMAT=ktx2$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture.
+$if KIND=environment$$if FORMAT=exr$// The texture is an equirectangular map of radiance: `scene.background = scene.environment = texture`.
+$if KIND=environment$$if FORMAT=exr$// The sun stands over +x.
+$if KIND=environment$$if FORMAT=ktx2$// The texture is a cube map of radiance: `scene.background = scene.environment = texture`. Straight ahead
+$if KIND=environment$$if FORMAT=ktx2$// is +z and right is -x. A samplerCube of your own is read at (right, up, ahead).
+$if PARTS=none$$if FORMAT=ktx2$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture.
 import * as THREE from 'three';
-$if FORMAT=ktx2$import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+$if PARTS=none$$if FORMAT=ktx2$import { KTX2Loader } from 'three/addons/loaders/KTX2Loader.js';
+$if PARTS=cube$$if FORMAT=ktx2$import { read } from 'three/addons/libs/ktx-parse.module.js';
+$if PARTS=cube$$if FORMAT=ktx2$import { ZSTDDecoder } from 'three/addons/libs/zstddec.module.js';
 $if FORMAT=exr$import { EXRLoader } from 'three/addons/loaders/EXRLoader.js';
 
-const wraps = { repeat: THREE.RepeatWrapping, clamp: THREE.ClampToEdgeWrapping };
-
-// Returns a $WIDTH$ x $HEIGHT$ x $DEPTH$ texture of type $TYPE$.
-$if FORMAT=ktx2$export async function load(renderer) {
-$if FORMAT=ktx2$    const loader = new KTX2Loader().detectSupport(renderer);
+$if PARTS=none$const wraps = { repeat: THREE.RepeatWrapping, clamp: THREE.ClampToEdgeWrapping };
+$if PARTS=none$
+$if PARTS=cube$// KTX2Loader of three.js 0.180 makes no cubes of numbers. Returns the cube of one level.
+$if PARTS=cube$function cube_of(bytes, edge) {
+$if PARTS=cube$$if TYPE=half$    const texels = new Uint16Array(bytes.buffer), type = THREE.HalfFloatType;
+$if PARTS=cube$$if TYPE=float$    const texels = new Float32Array(bytes.buffer), type = THREE.FloatType;
+$if PARTS=cube$    const channels = texels.length / (6 * edge * edge);
+$if PARTS=cube$    const format = channels === 1 ? THREE.RedFormat : THREE.RGBAFormat;
+$if PARTS=cube$    const count = edge * edge * channels;
+$if PARTS=cube$    const face = (i) => new THREE.DataTexture(texels.subarray(i * count, (i + 1) * count), edge, edge, format, type);
+$if PARTS=cube$    const texture = new THREE.CubeTexture([0, 1, 2, 3, 4, 5].map(face));
+$if PARTS=cube$    texture.format = format;
+$if PARTS=cube$    texture.type = type;
+$if PARTS=cube$    return texture;
+$if PARTS=cube$}
+$if PARTS=cube$
+$if PARTS=none$// Returns a $WIDTH$ x $HEIGHT$ x $DEPTH$ texture of type $TYPE$.
+$if PARTS=cube$// Returns a cube texture of type $TYPE$ with faces of $WIDTH$ x $WIDTH$ texels.
+$if PARTS=none$$if FORMAT=ktx2$export async function load(renderer) {
+$if PARTS=none$$if FORMAT=ktx2$    const loader = new KTX2Loader().detectSupport(renderer);
+$if PARTS=cube$$if FORMAT=ktx2$export async function load() {
 $if FORMAT=exr$export async function load() {
 $if FORMAT=exr$    const loader = new EXRLoader().setDataType(THREE.HalfFloatType);
-    const texture = await loader.loadAsync(new URL('./$FILE$', import.meta.url).href);
-$if FORMAT=ktx2$    loader.dispose();
-$if KIND=environment$    texture.mapping = THREE.EquirectangularReflectionMapping;
+$if PARTS=none$    const texture = await loader.loadAsync(new URL('./$FILE$', import.meta.url).href);
+$if PARTS=none$$if FORMAT=ktx2$    loader.dispose();
+$if PARTS=cube$    const response = await fetch(new URL('./$FILE$', import.meta.url));
+$if PARTS=cube$    if (!response.ok) throw new Error(`$FILE$: ${response.status}`);
+$if PARTS=cube$    const container = read(new Uint8Array(await response.arrayBuffer()));
+$if PARTS=cube$    const zstd = new ZSTDDecoder();
+$if PARTS=cube$    await zstd.init();
+$if PARTS=cube$    const cubes = container.levels.map(({ levelData, uncompressedByteLength }, level) => {
+$if PARTS=cube$        const is_bare = container.supercompressionScheme === 0;
+$if PARTS=cube$        const bytes = is_bare ? levelData.slice() : zstd.decode(levelData, uncompressedByteLength).slice();
+$if PARTS=cube$        return cube_of(bytes, $WIDTH$ >> level);
+$if PARTS=cube$    });
+$if PARTS=cube$    const texture = cubes[0];
+$if PARTS=cube$    texture.mipmaps = cubes.slice(1);
+$if KIND=environment$$if FORMAT=exr$    texture.mapping = THREE.EquirectangularReflectionMapping;
     texture.colorSpace = THREE.NoColorSpace;
-    texture.wrapS = wraps.$WRAP_U$;
-    texture.wrapT = wraps.$WRAP_V$;
+$if PARTS=none$    texture.wrapS = wraps.$WRAP_U$;
+$if PARTS=none$    texture.wrapT = wraps.$WRAP_V$;
 $if DIM=3$    texture.wrapR = wraps.$WRAP_W$;
 $if FILTER=linear$    texture.magFilter = texture.minFilter = THREE.LinearFilter;
 $if FILTER=nearest$    texture.magFilter = texture.minFilter = THREE.NearestFilter;
-    if (texture.mipmaps.length > 1) texture.minFilter = THREE.LinearMipmapLinearFilter;
+$if PARTS=none$    if (texture.mipmaps.length > 1) texture.minFilter = THREE.LinearMipmapLinearFilter;
+$if PARTS=cube$    if (texture.mipmaps.length > 0) texture.minFilter = THREE.LinearMipmapLinearFilter;
     texture.generateMipmaps = false;
     texture.needsUpdate = true;
     return texture;

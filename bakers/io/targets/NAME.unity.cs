@@ -1,6 +1,9 @@
-// Makes $NAME$.asset, a texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels, of $FILE$ whenever that file changes: copy
-// both into one folder of Assets, and use $NAME$.asset. Texel (0, 0, 0) is at the lowest coordinates, as in the
-// lookup that `skybake info --lookup $FILE$ --language hlsl` prints.
+$if PARTS=none$// Makes $NAME$.asset, a texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels, of $FILE$ whenever that file changes: copy
+$if PARTS=cube$// Makes $NAME$.asset, a Cubemap with faces of $WIDTH$ x $WIDTH$ texels, of $FILE$ whenever that file changes: copy
+// all files of this name into one folder of Assets, and use $NAME$.asset.
+$if PARTS=cube$// Straight ahead is +z, up +y and right +x, as in Unity.
+$if PARTS=none$// Texel (0, 0, 0) is at the lowest coordinates, as in the lookup that
+$if PARTS=none$// `skybake info --lookup $FILE$ --language hlsl` prints.
 #if UNITY_EDITOR
 using System.IO;
 using UnityEditor;
@@ -48,9 +51,14 @@ $if TYPE=unorm8$    static readonly byte[] full = { 0xff };
 
     static void Make(string path) {
         TextureFormat format = channels == 1 ? one : channels == 2 ? two : four;
-$if DIM=2$        var texture = new Texture2D($WIDTH$, $HEIGHT$, format, false, true);
+$if PARTS=cube$        var texture = new Cubemap($WIDTH$, format, false);
+$if PARTS=none$$if DIM=2$        var texture = new Texture2D($WIDTH$, $HEIGHT$, format, false, true);
 $if DIM=3$        var texture = new Texture3D($WIDTH$, $HEIGHT$, $DEPTH$, format, false);
-        texture.SetPixelData(Padded(File.ReadAllBytes(path)), 0);
+        byte[] texels = Padded(File.ReadAllBytes(path));
+$if PARTS=none$        texture.SetPixelData(texels, 0);
+$if PARTS=cube$        for (int face = 0; face < 6; ++face) {
+$if PARTS=cube$            texture.SetPixelData(texels, 0, (CubemapFace)face, face * (texels.Length / 6));
+$if PARTS=cube$        }
 $if WRAP_U=repeat$        texture.wrapModeU = TextureWrapMode.Repeat;
 $if WRAP_U=clamp$        texture.wrapModeU = TextureWrapMode.Clamp;
 $if WRAP_V=repeat$        texture.wrapModeV = TextureWrapMode.Repeat;

@@ -8,7 +8,9 @@
 #include <map>
 
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
 #include "config/sections/targets.h"
 
@@ -72,6 +74,7 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
         {"FORMAT", asset.files.front().format},
         {"KIND", baked.kind},
         {"MAPPING", baked.mapping},
+        {"PARTS", std::string(to_string(texture_parts(baked)))},
         {"TYPE", std::string(to_string(baked.pixel_type))},
         {"DIM", baked.is_table() ? "2" : "3"},
         {"FLAT", size[2] == 1 ? "yes" : "no"},
@@ -87,6 +90,12 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
     add_sun(baked, values);
     add_place(baked, values);
     return values;
+}
+
+// Returns the identifier of the file beside which a sidecar NAME.meta stands. It follows from the
+// file's name, so that a new bake keeps what refers to the file.
+std::string guid_of(const std::string& name) {
+    return xxh3_hex("skybake/" + name.substr(0, name.rfind('.')));
 }
 
 // Returns the text between the mark at `from` and the next one, and the place behind that.
@@ -156,7 +165,9 @@ std::vector<std::string> sidecars_of(const Baked& baked) {
 
 std::string sidecar_text(const Baked& baked, const ManifestAsset& asset, const std::string& name) {
     const std::string text = "NAME" + name.substr(baked.name.size());
-    return filled_in(sidecar_template(text), values_of(baked, asset));
+    Values values = values_of(baked, asset);
+    values["GUID"] = guid_of(name);
+    return filled_in(sidecar_template(text), values);
 }
 
 }  // namespace skybake
