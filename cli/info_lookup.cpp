@@ -91,6 +91,10 @@ std::string layout_line(const ManifestAsset& asset, const ManifestFile& file) {
         return fmt::format("voxel (i, j, k) of {} is texel (i, j, k), and 0 where it is not active",
                            fmt::join(file.grids, ", "));
     }
+    if (file.texture == TextureParts::cube) {
+        return "the faces of a cube texture, which texture(cube, environment_view(dir, up, ahead)) "
+               "reads; the functions below read the faces below each other";
+    }
     return file.format == "bin" ? "x fastest, then y, then z" : "a texture as it is";
 }
 

@@ -170,7 +170,7 @@ TEST(Targets, RefuseGivenKeysThatTheyDoNotLoad) {
 
 // Godot takes the number of levels for that of the size.
 TEST(Targets, RefuseLevelsThatEndEarlyWhereTheProgramDoes) {
-    const std::string keys = "size = [16, 16, 16]\nmips = ";
+    const std::string keys = "mips = ";
     const auto errors = [&](const std::string& levels, const std::string& target) {
         return parse(recipe_of("noise_volume", keys + levels + "\ntarget = '" + target + "'\n"))
             .diagnostics;
@@ -180,7 +180,7 @@ TEST(Targets, RefuseLevelsThatEndEarlyWhereTheProgramDoes) {
     EXPECT_EQ(codes_and_places(errors("'all'", "godot")), Codes{});
     EXPECT_EQ(codes_and_places(errors("3", "three")), Codes{});
     const auto refused = errors("3", "godot");
-    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 15:8"}));
+    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 14:8"}));
     EXPECT_EQ(refused[0].label, "it loads 1 level, or all 5");
 }
 
