@@ -54,7 +54,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
-    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
+    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 // The time of a ray grows with the planes that it passes. The layer is held twice.
