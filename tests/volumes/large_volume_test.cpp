@@ -18,7 +18,6 @@ using testing::FloatGrid;
 using testing::TemporaryFolder;
 
 constexpr int edge = 1024;
-constexpr int leaf_edge = 8;
 
 // Balls of leaves in which no two voxels are alike. Returns the share of voxels that are active.
 double write_balls(const std::filesystem::path& path) {
@@ -36,8 +35,8 @@ double write_balls(const std::filesystem::path& path) {
         for (int i = 0; i < 8 * radius * radius * radius; ++i) {
             const Coord offset(i % (2 * radius) - radius, i / (2 * radius) % (2 * radius) - radius,
                                i / (4 * radius * radius) - radius);
-            if (offset.lengthSq() > radius * radius) continue;
-            const Coord at = (middle + offset) * leaf_edge;
+            if (offset.asVec3i().lengthSqr() > radius * radius) continue;
+            const Coord at = (middle + offset) << 3;  // leaves have 8 voxels along an edge
             auto* leaf = grid->tree().touchLeaf(at);
             leaf->setValuesOn();
             float* values = leaf->buffer().data();
