@@ -21,6 +21,13 @@ const ManifestFile* first_file(const ManifestAsset& asset) {
     return found != asset.files.end() ? &*found : nullptr;
 }
 
+std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name) {
+    if (name.empty()) return 0;
+    const auto found = std::find(volume.channels.begin(), volume.channels.end(), name);
+    if (found == volume.channels.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - volume.channels.begin());
+}
+
 std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset) {
     return config::parse_recipe(asset.parameters, asset.name).value;
 }

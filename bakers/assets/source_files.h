@@ -19,6 +19,10 @@ const ManifestAsset* asset_named(const Manifest& manifest, const std::string& na
 // Returns the first file that holds the volume itself and can be read back, or null.
 const ManifestFile* first_file(const ManifestAsset& asset);
 
+// Returns the index of a volume's channel of this name, or of its first one where the name is empty.
+// None: it has no such channel.
+std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name);
+
 // Returns the recipe in an asset's entry. None: it cannot be read.
 std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset);
 

@@ -17,7 +17,8 @@ config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
                                           const std::string& of, const BakeOptions& options,
                                           Facts& details) {
     const config::CloudVolumeBake& bake = source_volume(parameters, of);
-    const config::Outcome<CloudInputs> inputs = cloud_inputs(parameters, bake, details);
+    const config::Outcome<CloudInputs> inputs =
+        cloud_inputs(parameters, bake, details, options.intermediates);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});

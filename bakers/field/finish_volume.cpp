@@ -34,11 +34,9 @@ SearchCounts search_counts(const VolumeFinish& finish, Certification certificati
 }
 
 void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volume) {
-    constexpr int kExpensivePoints = 64;
-    constexpr int kQuickPoints = 1024;
     constexpr int kFullPoints = 16384;
     const Level& level = volume.levels.front();
-    const int quick_points = finish.expensive ? kExpensivePoints : kQuickPoints;
+    const int quick_points = quick_lookup_points(finish.expensive);
     const int points = options.certification == Certification::full ? kFullPoints : quick_points;
     const auto voxels =
         static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
@@ -110,6 +108,8 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
 }
 
 }  // namespace
+
+int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
 
 config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
                                      const BakeOptions& options) {

@@ -40,6 +40,9 @@ struct VolumeFinish {
     std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
 };
 
+// The number of points at which --certify=quick measures lookups of a volume that repeats.
+int quick_lookup_points(bool is_expensive);
+
 // Surveys all levels, makes their probes, and measures level 0 against the reference unless
 // options.certification is off. E0401 or E0402 if the pixel type cannot hold a voxel; E0407 if the
 // probes cannot detect a wrong file. After an interruption there is neither a value nor a

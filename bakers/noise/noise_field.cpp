@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "bakers/math/scratch_floats.h"
+#include "bakers/noise/bump_kernel.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/combine_kernel.h"
 #include "bakers/noise/narrow_cell_kernel.h"
@@ -94,6 +95,10 @@ class BoxFiller {
         if (!fields_[index].empty()) return;
         fields_[index].reserve(layout_.floats);
         const CellField& field = plan_.fields[index];
+        if (has_shared_bumps(field)) {
+            lattices_[index] = make_bump_planes(field, box_, kChunkDepth);
+            return;
+        }
         const bool shared = !is_scattered(field) && is_resolved(plan_.axes, field.frequency);
         if (layout_.pointwise || !shared) return;
         lattices_[index] = make_cell_planes(field, box_, kChunkDepth);
@@ -106,8 +111,14 @@ class BoxFiller {
         stacks_[index].emplace(channel.gradient, plan_.axes, box_, layout_, channel.warp >= 0);
     }
 
-    static bool is_scattered(const CellField& field) {
-        return field.kind == CellKind::alligator || field.warp >= 0;
+    // Narrow bumps are made voxel by voxel.
+    bool has_shared_bumps(const CellField& field) const {
+        return field.kind == CellKind::alligator && field.warp < 0 && !layout_.pointwise &&
+               has_wide_bumps(field);
+    }
+
+    bool is_scattered(const CellField& field) const {
+        return field.warp >= 0 || (field.kind == CellKind::alligator && !has_shared_bumps(field));
     }
 
     // The displacements of the chunk at hand; null pointers for no warp.
@@ -127,7 +138,9 @@ class BoxFiller {
             return;
         }
         const CellTarget target = cell_target(index, chunk);
-        if (has_wide_cells(field)) {
+        if (field.kind == CellKind::alligator) {
+            fill_bumps(field, chunk, *lattices_[index], bumps_, target);
+        } else if (has_wide_cells(field)) {
             fill_wide_cells(field, chunk, *lattices_[index], *candidates_, target);
         } else {
             fill_narrow_cells(field, chunk, *lattices_[index], narrow_, target);
@@ -249,6 +262,7 @@ class BoxFiller {
     std::vector<std::optional<LatticePlanes>> lattices_;  // none: pointwise
     std::unique_ptr<CellCandidates> candidates_;
     NarrowCellScratch narrow_;
+    BumpScratch bumps_;
     std::vector<const float*> rows_;  // of the fields, the row at hand
     ScratchFloats combined_;          // a row of each channel
 };

@@ -40,6 +40,7 @@ class CellRow {
             std::fill_n(squares, axis.points(), 0.0F);
             return;
         }
+        if (axis.points() == count_) return write_at_voxels(axis, squares);
         find_neighbours();
         for (int point = 0; point < axis.points(); ++point) {
             const int at = axis.centre(point);
@@ -51,6 +52,43 @@ class CellRow {
     }
 
   private:
+    // Point p is the middle of voxel p, between the cells p - 1 and p. So between two cells a and b of
+    // the row, with none between them, distances rise from 0 at point a + 1 and fall to 0 at point b,
+    // by a voxel from point to point.
+    void write_at_voxels(const EnvelopeAxis& axis, float* squares) {
+        if (rising_.empty()) {
+            for (int i = 0; i <= count_ / 2; ++i) rising_.push_back(axis.of(2 * i));
+        }
+        const int first = first_of_all(false);
+        const int last = first_of_all(true);
+        std::fill(squares + first, squares + last + 1, 0.0F);
+        for (int clear = next(first, false); clear < last;) {
+            const int set = next(clear, true);
+            float* from = squares + clear;
+            const int points = set - clear + 1;
+            std::copy_n(rising_.data(), (points + 1) / 2, from);
+            std::reverse_copy(rising_.data(), rising_.data() + points / 2, from + (points + 1) / 2);
+            clear = next(set, false);
+        }
+        // The last cells lie before the first ones of the next tile.
+        const int points = first + count_ - last;
+        for (int i = 0; i < points; ++i) {
+            const int point = last + 1 + i;
+            squares[point < count_ ? point : point - count_] =
+                rising_[static_cast<std::size_t>(std::min(i, points - 1 - i))];
+        }
+    }
+
+    // Returns the first cell at or after `k` that is set or clear, or the end of the words.
+    int next(int k, bool is_set) const {
+        for (std::size_t w = static_cast<std::size_t>(k / kWordBits); w < words_.size(); ++w) {
+            std::uint64_t cells = is_set ? words_[w] : ~words_[w];
+            if (static_cast<int>(w) == k / kWordBits) cells &= ~std::uint64_t{0} << (k % kWordBits);
+            if (cells != 0) return first_in(w, cells);
+        }
+        return static_cast<int>(words_.size()) * kWordBits;
+    }
+
     bool is_full() const {
         const std::uint64_t ends =
             count_ % kWordBits == 0 ? 0 : ~std::uint64_t{0} << (count_ % kWordBits);
@@ -104,18 +142,20 @@ class CellRow {
     std::vector<std::uint64_t> words_;
     std::vector<int> before_;
     std::vector<int> after_;
+    std::vector<float> rising_;  // squares of 0, 1, 2 ... voxels
 };
 
 class Transform {
   public:
-    Transform(const VoxelBits& bits, const DistanceGrid& grid, CellKind kind)
+    Transform(const VoxelBits& bits, const DistanceGrid& grid, CellKind kind, ScratchFloats& planes)
         : bits_(bits),
           kind_(kind),
           x_(grid.grid.voxels[0], grid.grid.cell, grid.voxel_m[0], true),
           y_(grid.grid.voxels[1], grid.grid.cell, grid.voxel_m[1], true),
           z_(grid.grid.voxels[2], grid.grid.cell, grid.voxel_m[2], false),
           width_((static_cast<std::size_t>(x_.points()) + kColumns - 1) / kColumns * kColumns),
-          layers_(static_cast<std::size_t>(z_.cells())) {
+          layers_(static_cast<std::size_t>(z_.cells())),
+          planes_(planes) {
         planes_.reserve(width_ * layers_ * static_cast<std::size_t>(y_.points()));
     }
 
@@ -178,15 +218,16 @@ class Transform {
     EnvelopeAxis z_;
     std::size_t width_;  // of a row of texels, in whole groups of columns
     std::size_t layers_;
-    ScratchFloats planes_;  // of each row of texels, all layers
+    ScratchFloats& planes_;  // of each row of texels, all layers
 };
 
 }  // namespace
 
 void distance_squares(const VoxelBits& bits, const DistanceGrid& grid, CellKind kind,
-                      const BakeOptions& options, const TexelSquares& take) {
+                      const BakeOptions& options, ScratchFloats& scratch,
+                      const TexelSquares& take) {
     assert(grid.grid.voxels[0] % grid.grid.cell == 0 && grid.grid.voxels[1] % grid.grid.cell == 0);
-    Transform transform(bits, grid, kind);
+    Transform transform(bits, grid, kind, scratch);
     for_each_tile(transform.layers(), options, "distances", [&](int z) { transform.run_layer(z); });
     for_each_tile(transform.rows(), options, "distances",
                   [&](int y) { transform.run_row(y, take); });

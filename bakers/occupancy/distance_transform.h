@@ -20,6 +20,7 @@
 #include <functional>
 
 #include "bakers/math/bake_options.h"
+#include "bakers/math/scratch_floats.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cloud_bits.h"
 
@@ -40,8 +41,9 @@ using TexelSquares = std::function<void(int x, int y, int z, int count, const fl
 // where these are, and off by 2^-20 of themselves at most otherwise. Holed cells lie beyond the base
 // and the top of the volume, too, so that their distance is finite. The result does not depend on
 // the number of threads or on the width of vectors; it is incomplete once options.progress is
-// cancelled. Memory: a float for each texel of a plane times each voxel along z.
+// cancelled. Memory, which `scratch` keeps for another call: a float for each texel of a plane times
+// each voxel along z.
 void distance_squares(const VoxelBits& bits, const DistanceGrid& grid, CellKind kind,
-                      const BakeOptions& options, const TexelSquares& take);
+                      const BakeOptions& options, ScratchFloats& scratch, const TexelSquares& take);
 
 }  // namespace skybake::occupancy

@@ -56,13 +56,14 @@ DistanceSource::DistanceSource(const VoxelBits& bits, const DistanceGrid& grid,
       fields_(std::move(fields)),
       distance_(count_of(size_), code.surface()) {
     if (has(contents_, DistanceContent::profile)) depth_.resize(distance_.size());
-    distance_squares(bits, grid, CellKind::touched, options,
+    ScratchFloats scratch;
+    distance_squares(bits, grid, CellKind::touched, options, scratch,
                      [&](int x, int y, int z, int count, const float* squares) {
                          float* out = &distance_[index_of(size_, x, y, z)];
-                         for (int i = 0; i < count; ++i) out[i] = code.outside(squares[i]);
+                         code.outside(squares, static_cast<std::size_t>(count), out);
                      });
     if (options.cancelled()) return;
-    distance_squares(bits, grid, CellKind::holed, options,
+    distance_squares(bits, grid, CellKind::holed, options, scratch,
                      [&](int x, int y, int z, int count, const float* squares) {
                          const std::size_t first = index_of(size_, x, y, z);
                          for (int i = 0; i < count; ++i) {

@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/occupancy/code_kernel.h"
 #include "bakers/occupancy/occupied_cells.h"
 
 namespace skybake::occupancy {
-
-namespace {
-
-constexpr double kArithmetic = 0x1p-20;
-// Half a texel's diagonal times this is how far a place 1/256 texel off along each axis is away.
-constexpr double kPlace = 1.0 / 128;
-
-}  // namespace
 
 DistanceCode::DistanceCode(const std::array<double, 2>& range_m,
                            const std::array<double, 3>& texel_m, config::PixelType type)
@@ -24,7 +17,7 @@ DistanceCode::DistanceCode(const std::array<double, 2>& range_m,
           std::sqrt(texel_m[0] * texel_m[0] + texel_m[1] * texel_m[1] + texel_m[2] * texel_m[2]) /
           2),
       curvature_m2_(half_diagonal_m_ * half_diagonal_m_ + texel_m[2] * texel_m[2] / 8),
-      arithmetic_m_(kArithmetic * std::max(-range_m[0], range_m[1])) {
+      arithmetic_m_(kCodeArithmetic * std::max(-range_m[0], range_m[1])) {
     if (!is_unorm()) ends_m_ = {0, 1};
     surface_ = outside(0);
 }
@@ -35,13 +28,13 @@ bool DistanceCode::is_unorm() const {
 
 // What is left of a distance when all is taken off that a lookup may add.
 double DistanceCode::shortened(float square) const {
-    const double distance = std::sqrt(double{square}) * (1 - kArithmetic);
+    const double distance = std::sqrt(double{square}) * (1 - kCodeArithmetic);
     const double half = half_diagonal_m_;
     double taken = 2 * half;
-    if (distance >= 3 * half * (1 + 4 * kArithmetic)) {
+    if (distance >= 3 * half * (1 + 4 * kCodeArithmetic)) {
         taken = std::min(half, curvature_m2_ / (2 * (distance - 2 * half)));
     }
-    return std::max(0.0, distance - taken - kPlace * half - arithmetic_m_);
+    return std::max(0.0, distance - taken - kCodePlace * half - arithmetic_m_);
 }
 
 float DistanceCode::outside(float square) const {
@@ -49,6 +42,16 @@ float DistanceCode::outside(float square) const {
     if (!is_unorm()) return stored_down(static_cast<float>(distance), type_);
     const double code = (distance - range_m_[0]) * steps() / (range_m_[1] - range_m_[0]);
     return static_cast<float>(std::floor(code) / steps());
+}
+
+void DistanceCode::outside(const float* squares, std::size_t count, float* out) const {
+    if (is_unorm()) {
+        code_outside(
+            {half_diagonal_m_, curvature_m2_, arithmetic_m_, range_m_[0], range_m_[1], steps()},
+            squares, count, out);
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) out[i] = outside(squares[i]);
 }
 
 float DistanceCode::inside(float square) const {
@@ -67,8 +70,8 @@ double DistanceCode::most_lost() const {
     double step = 0;
     if (is_unorm()) step = (range_m_[1] - range_m_[0]) / steps();
     if (type_ == config::PixelType::half) step = kHalfStep * std::max(-range_m_[0], range_m_[1]);
-    return half_diagonal_m_ * (2 + kPlace) + 2 * arithmetic_m_ + step +
-           kArithmetic * std::max(-range_m_[0], range_m_[1]);
+    return half_diagonal_m_ * (2 + kCodePlace) + 2 * arithmetic_m_ + step +
+           kCodeArithmetic * std::max(-range_m_[0], range_m_[1]);
 }
 
 }  // namespace skybake::occupancy

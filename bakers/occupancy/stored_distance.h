@@ -29,6 +29,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "config/sections/files.h"
 
@@ -44,6 +45,7 @@ class DistanceCode {
     // Return what a texel at this squared distance in m^2 from touched cells, or within touched
     // cells and at this one from holed cells, holds.
     float outside(float square) const;
+    void outside(const float* squares, std::size_t count, float* out) const;
     float inside(float square) const;
     float surface() const { return surface_; }
 

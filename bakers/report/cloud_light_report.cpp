@@ -65,7 +65,7 @@ void add_texels(const CloudLayer& layer, const CloudLightBake& bake, const Cloud
         sweep, is_fitted ? "fitted" : "at centres", fmt::format("{} voxels a texel", bake.cell),
         std::move(texels), cloud_light_size(layer.size, bake), bake.pixel_type);
     variant.seconds = seconds[0];
-    variant.of_recipe = is_fitted && bake.cell == asked.cell;
+    variant.of_recipe = is_fitted && !asked.max_error && bake.cell == asked.cell;
     if (!is_fitted) variant.baseline = "values at the centres of texels";
 }
 

@@ -25,7 +25,7 @@ namespace {
 
 using CloudLightField = Row<CloudLightBake>;
 
-constexpr Range light_cell_range{1, 64};
+constexpr Range light_cell_range{1, most_cloud_light_cell};
 constexpr Range degree_range{0, 3};
 constexpr Range part_range{1, 4};
 constexpr double degree_in_radians = std::numbers::pi / 180;
@@ -101,8 +101,17 @@ const std::array cloud_light_table = {
                      .fallback = "4",
                      .documentation = "voxels along each edge of a texel: 4 gives 1/64 as many "
                                       "texels as the volume has voxels",
-                     .hint = "2 to 8"},
+                     .hint = "2 to 8",
+                     .exclusive_group = "size"},
                     &CloudLightBake::cell},
+    CloudLightField{{.key = "max_error",
+                     .kind = Kind::fraction,
+                     .range = lookup_error_range,
+                     .documentation = "in place of cell, asks for the fewest texels of which the "
+                                      "RMS error of lookups is within this share of the range",
+                     .hint = "\"2 %\"",
+                     .exclusive_group = "size"},
+                    &CloudLightBake::max_error},
 };
 
 // This is one section while it is resolved.
@@ -196,6 +205,11 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);
     const DecodedField& cell = bake.at("cell");
+    if (bake.at("max_error").value) {
+        check_chosen_files(bake, "cell", decoder);
+        check_channels(bake, channels, decoder);
+        return;
+    }
     if (!cell.value || !contents || volume->size[0] == 0) return;
     const VoxelCounts texels = texels_of(*volume, static_cast<int>(std::get<double>(*cell.value)),
                                          *contents == CloudLightContents::shadow);

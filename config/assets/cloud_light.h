@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,11 @@ struct CloudLightBake : AssetFiles {
     int degree = 1;                     // of the harmonics
     int part = 1;                       // which four of the coefficients, counted from 1
     int cell = 4;                       // voxels along each edge of a texel
+    std::optional<double> max_error;    // instead of cell: bound on the RMS error of lookups
 };
+
+// The largest cell, which is also the largest that `max_error` may choose.
+inline constexpr int most_cloud_light_cell = 64;
 
 constexpr bool is_per_sun(CloudLightContents contents) {
     return contents <= CloudLightContents::shadow;

@@ -366,12 +366,19 @@ void resolve_table_files(DecodedSection& bake, Decoder& decoder) {
         resolve_files(bake, *size, Halving::down, decoder);
         return;
     }
-    const DecodedField& mips = bake.at("mips");
-    const auto* levels = value_of<double>(mips);
-    if (!levels || *levels == 1) return;
-    decoder.diagnostics.error(
-        "E0110", mips.source->place, fmt::format("`{}` needs `size`", join_path(bake.path, "mips")),
-        "how many levels there are follows from the size, and `max_error` chooses that later");
+    check_chosen_files(bake, "size", decoder);
+}
+
+void check_chosen_files(DecodedSection& bake, std::string_view size_key, Decoder& decoder) {
+    for (const std::string_view key : {"mips", "columns"}) {
+        const DecodedField& field = bake.at(key);
+        const auto* value = value_of<double>(field);
+        if (!field.source || !value || *value == 1) continue;
+        decoder.diagnostics.error(
+            "E0110", field.source->place,
+            fmt::format("`{}` needs `{}`", join_path(bake.path, key), size_key),
+            fmt::format("it follows from the size, and `max_error` chooses that later"));
+    }
 }
 
 }  // namespace skybake::config

@@ -33,6 +33,9 @@ enum class Halving { down, up };
 void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halving,
                    Decoder& decoder);
 
+// Reports `mips` and `columns` beside `max_error` (E0110), which chooses what `size_key` would say.
+void check_chosen_files(DecodedSection& bake, std::string_view size_key, Decoder& decoder);
+
 // Does all that a volume of this many axes needs once its size is known: it fills in the texels
 // along each axis and runs the checks above and below. It reports a size that the volume cannot
 // have (E0142).

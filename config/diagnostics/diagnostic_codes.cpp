@@ -521,9 +521,10 @@ constexpr std::array codes = {
                    "`clamp`, or bake content = \"transmittance\" in place of an optical depth.",
                    "pixel_type = \"half\"", "pixel_type = \"float\"", failed_check},
     DiagnosticCode{"E0403", "max_error cannot be reached",
-                   "No table up to the largest size keeps the lookup error within `max_error`; the "
-                   "message names the error that it reached. Choose a larger `max_error`, or a "
-                   "mapping or pixel type that suits the asset better. Nothing is written.",
+                   "No table up to the largest size, and no `cell` of a cloud_light, keeps the "
+                   "lookup error within `max_error`; the message names the error that it reached. "
+                   "Choose a larger `max_error`, or a mapping or pixel type that suits the asset "
+                   "better. Nothing is written.",
                    "max_error = 1e-7\npixel_type = \"half\"", "max_error = 0.01", failed_check},
     DiagnosticCode{
         "E0404", "max_texel_error cannot be reached",

@@ -106,7 +106,9 @@ struct VolumeDecoder {
         check_pair("crop_corner", "crop_extent");
         check_positive("voxel_size", volume.voxel_size);
         check_positive("crop_extent", volume.crop_extent);
-        const bool says_size = volume.format == VolumeFormat::vdb || gives("voxel_size");
+        const bool is_grid =
+            volume.format == VolumeFormat::vdb || volume.format == VolumeFormat::nvdb;
+        const bool says_size = is_grid || gives("voxel_size");
         if (says_size || !decoder.complete) return;
         decoder.diagnostics.error(
             "E0105", section.place,

@@ -12,7 +12,7 @@
 
 namespace skybake::config {
 
-enum class VolumeFormat { vdb, raw, slices };
+enum class VolumeFormat { vdb, nvdb, raw, slices };
 enum class ByteOrder { little, big };
 enum class VolumeUp { z, y };
 enum class VolumeWrap { empty, repeat };
@@ -35,7 +35,7 @@ struct VolumeFile {
     std::string file;                          // as the recipe spells it
     std::vector<std::filesystem::path> paths;  // the file, or the slices in their order
     VolumeFormat format = VolumeFormat::vdb;
-    std::string grid = "density";         // vdb
+    std::string grid = "density";         // vdb and nvdb
     std::string channel;                  // slices; empty: the first channel
     std::array<int, 3> size{};            // raw
     PixelType type = PixelType::float32;  // raw

@@ -16,6 +16,7 @@ constexpr Range volume_border_range{0, 4096};
 
 constexpr std::array volume_format_choices = {
     Choice{VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of floats"},
+    Choice{VolumeFormat::nvdb, "nvdb", "a NanoVDB file with a grid of type Float, Fp8 or Fp16"},
     Choice{VolumeFormat::raw, "raw", "numbers alone, whose layout the section gives"},
     Choice{VolumeFormat::slices, "slices", "numbered EXR, PNG or TIFF pictures, one per slice"},
 };
@@ -47,7 +48,7 @@ constexpr std::array volume_wrap_choices = {
     Choice{VolumeWrap::repeat, "repeat", "along x and y the volume again; above and below, empty"},
 };
 
-constexpr std::string_view of_vdb[] = {"vdb"};
+constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
 constexpr std::string_view of_raw[] = {"raw"};
 constexpr std::string_view of_slices[] = {"slices"};
 
@@ -71,7 +72,7 @@ const std::array volume_table = {
                  .documentation = "name of the grid",
                  .hint = "Blender and Houdini call it density",
                  .selector = "format",
-                 .selected_by = of_vdb},
+                 .selected_by = of_grids},
                 &VolumeFile::grid},
     VolumeField{{.key = "channel",
                  .kind = Kind::text,
@@ -137,12 +138,13 @@ const std::array volume_table = {
                  .selector = "format",
                  .selected_by = of_slices},
                 &VolumeFile::slices},
-    VolumeField{{.key = "voxel_size",
-                 .kind = Kind::lengths,
-                 .range = volume_edge_range,
-                 .documentation = "edges of a voxel along the file's x, y and z; an OpenVDB file "
-                                  "says them itself, in metres, unless this key replaces them"},
-                &VolumeFile::voxel_size},
+    VolumeField{
+        {.key = "voxel_size",
+         .kind = Kind::lengths,
+         .range = volume_edge_range,
+         .documentation = "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB "
+                          "file says them itself, in metres, unless this key replaces them"},
+        &VolumeFile::voxel_size},
     VolumeField{{.key = "crop_first",
                  .kind = Kind::voxels,
                  .range = volume_index_range,

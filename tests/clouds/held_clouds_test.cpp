@@ -47,7 +47,7 @@ Intermediates::Expected expect(Intermediates& shared, const test::CloudCase& any
     if (any.detail) parameters.noises.push_back(*any.detail);
     config::CloudVolumeBake bake = bake_of(any);
     bake.cloud = any.cloud.name;
-    return shared.expect({need_of_voxels(parameters, bake)});
+    return shared.expect(needs_of_voxels(parameters, bake));
 }
 
 std::shared_ptr<const VoxelSource> held(Intermediates& shared, const test::CloudCase& any) {

@@ -57,6 +57,20 @@ TEST(CloudLightDecoder, ReadsEveryKey) {
     EXPECT_EQ(sky.part, 3);
 }
 
+TEST(CloudLightDecoder, ReadsMaxErrorInPlaceOfCell) {
+    EXPECT_FALSE(light("sun_elevations = '30 deg'").max_error);
+    EXPECT_EQ(light("sun_elevations = '30 deg'\nmax_error = '2 %'").max_error, 0.02);
+    EXPECT_EQ(fault("sun_elevations = '30 deg'\nmax_error = '2 %'\ncell = 4").code, "E0109");
+    const Diagnostic mips = fault("sun_elevations = '30 deg'\nmax_error = '2 %'\nmips = 'all'");
+    EXPECT_EQ(mips.code, "E0110");
+    EXPECT_EQ(mips.message, "`bake.l.mips` needs `cell`");
+    EXPECT_EQ(fault("sun_elevations = '30 deg'\nmax_error = 0").code, "E0110");
+    EXPECT_EQ(fault("contents = 'sky_visibility'\nmax_error = '2 %'\npixel_type = 'bc4'\n"
+                    "formats = ['dds']")
+                  .code,
+              "E0131");
+}
+
 TEST(CloudLightDecoder, PartsHoldFourCoefficients) {
     const auto channels = [](int degree, int part) {
         return channels_of(light(fmt::format(

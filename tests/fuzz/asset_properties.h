@@ -93,7 +93,12 @@ inline void check_asset(const CloudLightBake& asset, const Parameters& parameter
     std::array<int, 3> texels = of->as<CloudVolumeBake>().size;
     for (int& edge : texels) edge = (edge + asset.cell - 1) / asset.cell;
     if (asset.contents == CloudLightContents::shadow) texels[2] = 1;
-    check_files(asset, texels);
+    if (asset.max_error) {
+        require(within(*asset.max_error, 1e-7, 1), "max_error in range");
+        require(asset.mips == 1, "the number of levels is not known");
+    } else {
+        check_files(asset, texels);
+    }
     const std::size_t channels = channels_of(asset);
     require(channels == 1 || channels == 3 || channels == 4, "channels make a picture");
     for (const Angle& sun : asset.sun_elevations) {

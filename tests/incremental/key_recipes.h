@@ -152,6 +152,11 @@ asset = "cloud_light"
 of = "cloud"
 contents = "sky_visibility"
 degree = 2
+[bake.near_light]
+asset = "cloud_light"
+of = "cloud"
+sun_elevations = ["40 deg"]
+max_error = "20 %"
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"

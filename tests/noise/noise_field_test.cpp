@@ -214,5 +214,31 @@ TEST(NoiseField, CurlOfVoxelsHasNoDivergence) {
     EXPECT_LT(std::sqrt(divergence / slopes), 0.01);
 }
 
+// Where cells have four voxels or more, the voxels of a block share points (bump_kernel.h). Boxes begin
+// and end anywhere; a cell may be the whole tile, and points may move.
+TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {
+    struct Case {
+        std::array<int, 3> size;
+        std::array<int, 3> frequency;
+        VoxelBox box;
+    };
+    for (const Case& any :
+         {Case{{40, 33, 35}, {4, 4, 4}, {{}, {40, 33, 35}}},
+          Case{{40, 33, 35}, {4, 3, 2}, {{7, 5, 3}, {29, 13, 11}}},
+          Case{{32, 32, 32}, {8, 8, 8}, {{}, {32, 32, 32}}},          // 4 voxels
+          Case{{67, 25, 18}, {11, 5, 4}, {{1, 2, 3}, {66, 23, 15}}},  // 4.5 to 6.1 voxels
+          Case{{24, 16, 16}, {1, 1, 1}, {{}, {24, 16, 16}}},
+          Case{{64, 8, 16}, {2, 1, 3}, {{63, 7, 0}, {1, 1, 16}}},
+          Case{{31, 32, 32}, {8, 8, 8}, {{}, {31, 32, 32}}}}) {  // 3.9 voxels: not shared
+        NoisePlan plan =
+            make_noise_plan(test::noise_of({test::alligator({any.frequency})}), any.size);
+        for (const std::uint32_t shift : {0U, 12345678U}) {
+            plan.fields[0].shift = shift;
+            const test::Mismatches mismatches = test::unlike_specification(plan, any.box);
+            EXPECT_EQ(mismatches.count, 0) << mismatches.first;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace skybake::noise

@@ -32,7 +32,8 @@ std::vector<float> squares_of(const VoxelBits& bits, const DistanceGrid& grid, C
                               int threads = 1) {
     const std::array<int, 3> size = grid.grid.size();
     std::vector<float> squares(count_of(size), -1);
-    distance_squares(bits, grid, kind, {.threads = threads},
+    ScratchFloats scratch;
+    distance_squares(bits, grid, kind, {.threads = threads}, scratch,
                      [&](int x, int y, int z, int count, const float* found) {
                          std::copy_n(found, count, &squares[index_of(size, x, y, z)]);
                      });

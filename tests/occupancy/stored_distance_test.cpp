@@ -3,10 +3,13 @@
 #include "bakers/occupancy/stored_distance.h"
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "bakers/assets/cloud_distance/distance_check.h"
@@ -39,6 +42,29 @@ Trial any_trial() {
                  *rc::gen::element(PixelType::unorm8, PixelType::unorm16, PixelType::half,
                                    PixelType::float32),
                  *rc::gen::element(0.0F, 0.3F));
+}
+
+// Rows are coded by vectors, of any length and on every instruction set.
+TEST(DistanceCode, OfARowIsThatOfEachDistance) {
+    std::vector<float> squares = {0, std::numeric_limits<float>::infinity(), 1e-30F, 1e30F};
+    for (int i = 0; i < 2000; ++i) squares.push_back(static_cast<float>(i * i) * 0.37F);
+    for (const PixelType type :
+         {PixelType::unorm8, PixelType::unorm16, PixelType::half, PixelType::float32}) {
+        const DistanceCode code({-200, 700}, {11, 9.7, 4.1}, type);
+        std::vector<float> wanted;
+        for (const float square : squares) wanted.push_back(code.outside(square));
+        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
+            hwy::SetSupportedTargetsForTest(target);
+            for (const std::size_t count : {squares.size(), std::size_t{1}, std::size_t{13}}) {
+                std::vector<float> found(squares.size(), -1);
+                code.outside(squares.data(), count, found.data());
+                std::vector<float> expected(squares.size(), -1);
+                std::copy_n(wanted.begin(), count, expected.begin());
+                EXPECT_EQ(found, expected) << hwy::TargetName(target);
+            }
+        }
+        hwy::SetSupportedTargetsForTest(0);
+    }
 }
 
 // The filtered volume itself is the judge here: along a step in any direction there is nothing, and

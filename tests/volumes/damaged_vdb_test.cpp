@@ -1,4 +1,4 @@
-// Damaged VDB files are errors, or volumes with other numbers: nothing crashes, hangs or takes memory
+// Damaged VDB and NanoVDB files are errors, or volumes with other numbers: nothing crashes, hangs or takes memory
 // that the file does not fill.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -6,9 +6,12 @@
 #include <ctime>
 
 #include "bakers/clouds/resampled_volume.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/volumes/volume_reader.h"
 #include "tests/io/vdb_samples.h"
+#include "tests/support/volumes.h"
 #include "tests/volumes/damaged_files.h"
 #include "tests/volumes/vdb_files.h"
 
@@ -20,10 +23,35 @@ using testing::TemporaryFolder;
 
 namespace io = openvdb::io;
 
+struct Original {
+    config::VolumeFormat format = config::VolumeFormat::vdb;
+    std::string bytes;
+};
+
+// Dense and sparse files of our own, of all types of leaves.
+std::vector<Original> nvdb_originals(const TemporaryFolder& folder) {
+    std::vector<Original> all;
+    for (const auto type :
+         {config::PixelType::float32, config::PixelType::fp8, config::PixelType::fp16}) {
+        Baked volume = testing::plain_volume({20, 17, 9}, 1, type);
+        volume.voxel_size_m = {1, 2, 3};
+        volume.sparse = type == config::PixelType::fp8;
+        code_levels(volume);
+        testing::write_bytes(folder / "own.nvdb", "");
+        EXPECT_TRUE(format_of(config::FileFormat::nvdb)
+                        .write({volume, 0, "{}", 1, nullptr}, folder / "own.nvdb")
+                        .value);
+        all.push_back({config::VolumeFormat::nvdb, testing::read_bytes(folder / "own.nvdb")});
+    }
+    return all;
+}
+
 // Files of OpenVDB's writer in all compressions, as float and half, and a sparse file of our own.
-std::vector<std::string> originals(const TemporaryFolder& folder) {
-    std::vector<std::string> all;
-    const auto add = [&] { all.push_back(testing::read_bytes(folder / "v.vdb")); };
+std::vector<Original> vdb_originals(const TemporaryFolder& folder) {
+    std::vector<Original> all;
+    const auto add = [&] {
+        all.push_back({config::VolumeFormat::vdb, testing::read_bytes(folder / "v.vdb")});
+    };
     for (const bool half : {false, true}) {
         const auto grid = testing::any_grid();
         grid->setSaveFloatAsHalf(half);
@@ -39,7 +67,7 @@ std::vector<std::string> originals(const TemporaryFolder& folder) {
         testing::vdb_sample({20, 17, 9}, 1, config::PixelType::half, config::VdbCompression::blosc);
     own.sparse = true;
     EXPECT_TRUE(testing::write_sample(own, folder / "own.vdb").value);
-    all.push_back(testing::read_bytes(folder / "own.vdb"));
+    all.push_back({config::VolumeFormat::vdb, testing::read_bytes(folder / "own.vdb")});
     return all;
 }
 
@@ -69,16 +97,33 @@ void use(const SourceVoxels& source) {
     for (const float value : values) EXPECT_LE(value, source.largest * 1.0001F);
 }
 
-Tally read_damaged(std::uint64_t first_seed, int count) {
-    const TemporaryFolder folder;
-    const std::vector<std::string> files = originals(folder);
+// The readers of own files are held to the same.
+void read_as_own(const Original& original, const std::filesystem::path& path) {
+    if (original.format == config::VolumeFormat::vdb) {
+        static_cast<void>(read_vdb_voxels(path, [](const VdbSlab&) { return true; }));
+        return;
+    }
+    const Format& format = format_of(config::FileFormat::nvdb);
+    static_cast<void>(format.inspect(path));
+    for (const auto type :
+         {config::PixelType::float32, config::PixelType::fp8, config::PixelType::fp16}) {
+        static_cast<void>(
+            format.read(path, {{20, 17, 9}, 1, type, {}, 1}, 0,
+                        [](std::int64_t, std::int64_t, const float*) { return true; }));
+    }
+}
+
+Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& files,
+                   std::uint64_t first_seed, int count) {
     config::VolumeFile volume;
     volume.paths = {folder / "damaged.vdb"};
     const long before = peak_kib();
     Tally tally;
     for (int i = 0; i < count; ++i) {
         const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
-        testing::write_bytes(volume.paths[0], damaged(files[seed % files.size()], seed));
+        const Original& original = files[seed % files.size()];
+        volume.format = original.format;
+        testing::write_bytes(volume.paths[0], damaged(original.bytes, seed));
         const double begin = processor_seconds();
         const auto source = open_volume(volume);
         if (source.value) {
@@ -89,25 +134,41 @@ Tally read_damaged(std::uint64_t first_seed, int count) {
             const std::string& code = source.diagnostics.at(0).code;
             EXPECT_TRUE(code == "E0304" || code == "E0110") << code << ", seed " << seed;
         }
-        // The reader of own files is held to the same.
-        static_cast<void>(read_vdb_voxels(volume.paths[0], [](const VdbSlab&) { return true; }));
+        read_as_own(original, volume.paths[0]);
         tally.longest = std::max(tally.longest, processor_seconds() - begin);
     }
     tally.grown_kib = peak_kib() - before;
     return tally;
 }
 
-void expect_harmless(const Tally& tally) {
+// Some damage goes unseen: that of voxels, and of places that hold nothing.
+void expect_harmless(const Tally& tally, double least_refused) {
     std::printf("%d refused, %d opened, longest %.3f s, peak memory grew by %ld KiB\n",
                 tally.refused, tally.opened, tally.longest, tally.grown_kib);
-    EXPECT_GT(tally.refused, tally.opened) << "most damage is seen";
+    EXPECT_GT(tally.refused, least_refused * (tally.refused + tally.opened));
     EXPECT_LT(tally.longest, 10) << "no file hangs";
     EXPECT_LT(tally.grown_kib, 300 << 10);
 }
 
-TEST(DamagedVdb, DoesNoHarm) { expect_harmless(read_damaged(1, 200)); }
+TEST(DamagedVdb, DoesNoHarm) {
+    const TemporaryFolder folder;
+    expect_harmless(read_damaged(folder, vdb_originals(folder), 1, 200), 0.5);
+}
 
-TEST(ManyDamagedVdbs, DoNoHarm) { expect_harmless(read_damaged(1000, 2000)); }
+TEST(DamagedNvdb, DoesNoHarm) {
+    const TemporaryFolder folder;
+    expect_harmless(read_damaged(folder, nvdb_originals(folder), 1, 200), 0.4);
+}
+
+TEST(ManyDamagedVdbs, DoNoHarm) {
+    const TemporaryFolder folder;
+    expect_harmless(read_damaged(folder, vdb_originals(folder), 1000, 2000), 0.5);
+}
+
+TEST(ManyDamagedNvdbs, DoNoHarm) {
+    const TemporaryFolder folder;
+    expect_harmless(read_damaged(folder, nvdb_originals(folder), 1000, 2000), 0.4);
+}
 
 // The damage is the same everywhere, and it is damage.
 TEST(DamagedVdb, DiffersFromTheFile) {
@@ -125,7 +186,8 @@ TEST(DamagedVdb, IsRefusedWhereverItEnds) {
     const TemporaryFolder folder;
     config::VolumeFile volume;
     volume.paths = {folder / "cut.vdb"};
-    for (const std::string& bytes : originals(folder)) {
+    for (const Original& original : vdb_originals(folder)) {
+        const std::string& bytes = original.bytes;
         for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
             testing::write_bytes(volume.paths[0], bytes.substr(0, size));
             const auto source = open_volume(volume);

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/assets/asset_label.h"
 #include "bakers/assets/cloud_distance/distance_check.h"
+#include "bakers/assets/voxel_blocks.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/distance_volume.h"
@@ -31,12 +33,6 @@ using occupancy::ChannelSource;
 using occupancy::DistanceCheckResult;
 using occupancy::DistanceCode;
 using occupancy::DistanceSource;
-
-std::vector<std::string> distance_channels(std::size_t count) {
-    static constexpr std::array<const char*, 4> kColours = {"R", "G", "B", "A"};
-    if (count == 1) return {"Y"};
-    return {kColours.begin(), kColours.begin() + count};
-}
 
 std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_distance");
@@ -61,24 +57,6 @@ std::string content_of(const CloudDistanceBake& bake) {
     return fmt::format(
         "texels of {} voxels: {} (distance: metres to cloud, negative within it, never too far{})",
         bake.cell, fmt::join(grid_names(bake.contents), ", "), scale);
-}
-
-std::vector<AxisMapping> axes_of_distances(const Baked& of, const CellGrid& grid) {
-    std::vector<AxisMapping> axes = of.axes;
-    const std::array<int, 3> texels = grid.size();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double edge = of.voxel_size_m[i] * grid.cell;
-        axes[i].last = axes[i].first + edge * texels[i];
-        axes[i].formula = fmt::format("{} = ({} - {}) / {}", "uvw"[i], axes[i].quantity,
-                                      axes[i].first, axes[i].last - axes[i].first);
-        axes[i].convention =
-            fmt::format("{}; texel i is at (i + 1/2) / size", i < 2 ? "repeats" : "clamped");
-        axes[i].constants = {{"first_m", axes[i].first},
-                             {"extent_m", axes[i].last - axes[i].first},
-                             {"texel_m", edge},
-                             {"texel_voxels", static_cast<double>(grid.cell)}};
-    }
-    return axes;
 }
 
 ProbePlace place_of(const std::vector<AxisMapping>& axes, const std::array<double, 3>& uvw) {
@@ -188,17 +166,10 @@ class DistanceBake {
     void describe(Baked& volume) const {
         volume.kind = "cloud_distance";
         volume.content = content_of(bake_);
-        volume.mapping = of_.volume.mapping;
-        volume.axes = axes_of_distances(of_.volume, grid_.grid);
-        volume.channel_names = distance_channels(bake_.contents.size());
+        place_blocks(of_.volume, grid_.grid, {"texel", "texel i is at (i + 1/2) / size"}, volume);
+        volume.channel_names = names_of_channels(bake_.contents.size());
         volume.grid_names = grid_names(bake_.contents);
         set_files(bake_, volume);
-        for (std::size_t i = 0; i < 3; ++i) {
-            volume.voxel_size_m[i] = of_.volume.voxel_size_m[i] * bake_.cell;
-        }
-        volume.minimum_m = of_.volume.minimum_m;
-        volume.up_axis = of_.volume.up_axis;
-        volume.conventions = of_.volume.conventions;
         const auto add = [&](const char* key, FactValue value) {
             volume.details.emplace_back(key, std::move(value));
         };

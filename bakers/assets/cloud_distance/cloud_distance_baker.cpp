@@ -44,7 +44,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset
 
 std::vector<Need> needs(const Parameters& parameters, const CloudDistanceBake& asset,
                         Certification) {
-    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
+    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 Estimate estimate(const Parameters& parameters, const CloudDistanceBake& asset) {

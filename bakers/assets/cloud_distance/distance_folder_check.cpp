@@ -96,21 +96,15 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
     const ManifestFile* file = first_file(asset);
     const ManifestFile* voxels_file = first_file(volume);
     if (file == nullptr || voxels_file == nullptr) return "";
-    const std::string& name = wanted.bake.channel;
-    const auto channel = std::find(volume.channels.begin(), volume.channels.end(), name);
-    if (!name.empty() && channel == volume.channels.end()) {
-        return fmt::format("{} has no channel {}", volume.name, name);
-    }
+    const std::optional<std::size_t> channel = channel_in(volume, wanted.bake.channel);
+    if (!channel) return fmt::format("{} has no channel {}", volume.name, wanted.bake.channel);
     const std::array<int, 3> texels = occupancy::CellGrid{wanted.voxels, wanted.bake.cell}.size();
     if (volume.levels.front().size != wanted.voxels || asset.levels.front().size != texels) {
         return fmt::format("its texels do not cover {} at {} voxels per texel", volume.name,
                            wanted.bake.cell);
     }
     const auto distances = stored_distances(folder, asset, *file);
-    const auto bits =
-        stored_bits(folder, volume, *voxels_file,
-                    name.empty() ? 0 : static_cast<std::size_t>(channel - volume.channels.begin()),
-                    wanted.threshold);
+    const auto bits = stored_bits(folder, volume, *voxels_file, *channel, wanted.threshold);
     if (!distances || !bits) return "";
     const occupancy::DistanceCheckResult found = check_distances(
         {texels, distances->data(), wanted.bake.cell}, distance_code(wanted.bake, wanted.voxel_m),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bakers/assets/baker.h"
+#include "bakers/assets/cloud_light/cell_search.h"
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -42,11 +43,18 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
         voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
     if (options.cancelled()) return {};
     volume.bake_seconds = voxels.bake_seconds;
-    return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
+    if (!asset.max_error) {
+        return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
+    }
+    const Outcome<int> cell = largest_cell(layer, asset, volume.name, options);
+    if (!cell.value) return {{}, cell.diagnostics};
+    CloudLightBake chosen = asset;
+    chosen.cell = *cell.value;
+    return bake_cloud_light(voxels, layer, chosen, options, std::move(volume));
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
-    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
+    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 // The time of a ray grows with the planes that it passes. The layer is held twice.
@@ -56,10 +64,13 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     constexpr double kDirections =
         150;  // of harmonics, those near the horizon counted several times
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
-    const double directions = config::is_per_sun(asset.contents) ? 2.0 : kDirections;
+    // Larger cells that do not meet max_error cost twice as much as the one that does, all together.
+    const double trials = asset.max_error ? 3 : 1;
+    const double directions = trials * (config::is_per_sun(asset.contents) ? 2.0 : kDirections);
     Estimate result =
         estimate_volume(asset, cloud_light_size(of.size, asset), config::channels_of(asset),
                         kRaysPerChannel * kSecondsPerPlane * of.size[2] * directions);
+    if (asset.max_error) result.size = {0, 0, 0};
     const Estimate voxels = estimate_cloud_volume(parameters, of);
     result.seconds += voxels.seconds / 2;
     result.memory_mib += voxels.memory_mib + 2 * voxels_of(of.size, 1) * sizeof(float) / kMebibyte;
@@ -120,7 +131,10 @@ AssetLookup lookup(const Parameters& parameters, const CloudLightBake& asset,
     return lookup;
 }
 
-void draft(CloudLightBake& asset, int) { asset.mips = 1; }
+void draft(CloudLightBake& asset, int) {
+    asset.mips = 1;
+    asset.max_error.reset();
+}
 
 std::vector<InputFile> inputs(const Parameters& parameters, const CloudLightBake& asset) {
     return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));

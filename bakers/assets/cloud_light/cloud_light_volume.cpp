@@ -205,20 +205,34 @@ std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const Clou
 
 int cloud_light_spacing(const CloudLightBake& bake) { return std::max(1, bake.cell / 2); }
 
+SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& bake, int spacing,
+                                const BakeOptions& options) {
+    SpacedValues values;
+    values.places =
+        cloud_light::place_grid(layer.size, spacing, bake.contents == CloudLightContents::shadow);
+    values.channels =
+        cloud_light::light_values(layer, values.places, cloud_light::light_channels(bake), options);
+    return values;
+}
+
+std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
+                                                 const std::array<int, 3>& size,
+                                                 const CloudLightBake& bake, int threads) {
+    const LightChannels channels = cloud_light::light_channels(bake);
+    std::vector<std::vector<float>> texels;
+    for (std::size_t c = 0; c < values.channels.size(); ++c) {
+        texels.push_back(cloud_light::fit_texels(values.channels[c], values.places.count, size,
+                                                 channels.bounds(c), threads));
+    }
+    return std::make_shared<const FittedTexels>(size, std::move(texels));
+}
+
 std::shared_ptr<const VoxelSource> cloud_light_texels(const CloudLayer& layer,
                                                       const CloudLightBake& bake, int spacing,
                                                       const BakeOptions& options) {
-    const std::array<int, 3> size = cloud_light_size(layer.size, bake);
-    const cloud_light::PlaceGrid places =
-        cloud_light::place_grid(layer.size, spacing, bake.contents == CloudLightContents::shadow);
-    const LightChannels channels = cloud_light::light_channels(bake);
-    auto values = cloud_light::light_values(layer, places, channels, options);
+    const SpacedValues values = cloud_light_values(layer, bake, spacing, options);
     if (options.cancelled()) return nullptr;
-    for (std::size_t c = 0; c < values.size(); ++c) {
-        values[c] = cloud_light::fit_texels(values[c], places.count, size, channels.bounds(c),
-                                            options.threads);
-    }
-    return std::make_shared<const FittedTexels>(size, std::move(values));
+    return fitted_texels(values, cloud_light_size(layer.size, bake), bake, options.threads);
 }
 
 CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake& bake,

@@ -4,8 +4,10 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/math/bake_options.h"
@@ -27,6 +29,23 @@ std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels,
 
 // Returns how many voxels apart the places are, at most, from which texels are fitted.
 int cloud_light_spacing(const config::CloudLightBake& bake);
+
+// The channels' values at places that are evenly spaced.
+struct SpacedValues {
+    cloud_light::PlaceGrid places;
+    std::vector<std::vector<float>> channels;
+};
+
+// Returns the values at places that are at most `spacing` voxels apart. They do not depend on the
+// cell; they are incomplete after an interruption.
+SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer,
+                                const config::CloudLightBake& bake, int spacing,
+                                const BakeOptions& options);
+
+// Returns the texels whose lookups are nearest to the values.
+std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
+                                                 const std::array<int, 3>& size,
+                                                 const config::CloudLightBake& bake, int threads);
 
 // Returns the texels, fitted to places that are at most `spacing` voxels apart; the cell is a multiple
 // of it or more than it. With the cell itself each texel is the value at its centre. Null after an

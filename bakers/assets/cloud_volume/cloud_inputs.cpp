@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <memory>
 #include <optional>
+#include <utility>
 
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/volume_reader.h"
@@ -31,32 +33,41 @@ std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, F
 
 // Adds what a reader of the files needs to know of where the voxels come from. None after an error.
 std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& details,
+                                              Intermediates* shared,
                                               std::vector<Diagnostic>& diagnostics) {
-    Outcome<SourceVoxels> source = open_volume(file);
-    for (Diagnostic& diagnostic : source.diagnostics) diagnostics.push_back(std::move(diagnostic));
-    if (!source.value) return std::nullopt;
-    const auto& [x, y, z] = source.value->size;
-    const auto& edges = source.value->voxel_size_m;
+    const auto source = shared_or_made<SourceVoxels>(
+        shared, NeedKey(file), [&]() -> std::shared_ptr<const SourceVoxels> {
+            Outcome<SourceVoxels> opened = open_volume(file);
+            for (Diagnostic& problem : opened.diagnostics) {
+                diagnostics.push_back(std::move(problem));
+            }
+            if (!opened.value) return nullptr;
+            return std::make_shared<const SourceVoxels>(std::move(*opened.value));
+        });
+    if (!source) return std::nullopt;
+    const auto& [x, y, z] = source->size;
+    const auto& edges = source->voxel_size_m;
     details.emplace_back("volume_voxels", fmt::format("{} x {} x {}", x, y, z));
     details.emplace_back("volume_voxel_size",
                          fmt::format("{} x {} x {} m", edges[0], edges[1], edges[2]));
     const bool repeats = file.wrap == config::VolumeWrap::repeat;
     details.emplace_back("volume_wrap", repeats ? "repeat" : "empty");
     details.emplace_back("volume_border", static_cast<double>(file.border));
-    return cloud::CloudVolume{std::move(*source.value), file.wrap};
+    return cloud::CloudVolume{*source, file.wrap};
 }
 
 }  // namespace
 
 Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
-                                  const config::CloudVolumeBake& bake, Facts& details) {
+                                  const config::CloudVolumeBake& bake, Facts& details,
+                                  Intermediates* shared) {
     Outcome<CloudInputs> outcome;
     const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
     inputs.base = noise_of(parameters, cloud);
     if (inputs.base == nullptr) {
         inputs.file = &volume_named(parameters, cloud.volume);
-        inputs.volume = read_volume(*inputs.file, details, outcome.diagnostics);
+        inputs.volume = read_volume(*inputs.file, details, shared, outcome.diagnostics);
     }
     if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     inputs.maps.coverage =

@@ -3,6 +3,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
+#include "bakers/math/intermediates.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
@@ -11,9 +12,10 @@ namespace skybake {
 
 // Reads the maps of the cloud that `bake` names and opens its volume. Adds to `details` the content
 // hashes of maps, since files state only their names, and what the volume is like. Returns E0300 or
-// E0304 if a file cannot be read.
+// E0304 if a file cannot be read. The volume is opened once for all assets that share intermediates.
 config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
-                                          const config::CloudVolumeBake& bake, Facts& details);
+                                          const config::CloudVolumeBake& bake, Facts& details,
+                                          Intermediates* shared = nullptr);
 
 // Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
 // and E0304 at the recipe's line.

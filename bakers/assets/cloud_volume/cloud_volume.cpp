@@ -212,7 +212,8 @@ Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const C
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
 }
 
-Need need_of_voxels(const config::Parameters& parameters, const CloudVolumeBake& asset) {
+std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
+                                  const CloudVolumeBake& asset) {
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
     const config::Noise* base = noise_of(parameters, cloud);
     const config::VolumeFile* volume =
@@ -220,9 +221,20 @@ Need need_of_voxels(const config::Parameters& parameters, const CloudVolumeBake&
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
     const auto channels = config::cloud_channel_names(base, cloud.channels).size();
-    return {key_of_voxels(cloud, asset, base, volume, detail), "voxels of " + cloud.name,
-            estimate_cloud_volume(parameters, asset).seconds,
-            voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte};
+    std::vector<Need> needs = {
+        {key_of_voxels(cloud, asset, base, volume, detail), "voxels of " + cloud.name,
+         estimate_cloud_volume(parameters, asset).seconds,
+         voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte}};
+    if (volume != nullptr) {
+        // Every voxel is read when a file is opened. What is kept of a tree is 24 bytes for each leaf
+        // of 512 voxels; the file may have more of them than the bake has voxels.
+        constexpr double kSecondsPerVoxel = 1e-9;
+        constexpr double kBytesPerVoxel = 24.0 / 512;
+        const double voxels = voxels_of(asset.size, 1);
+        needs.push_back({NeedKey(*volume), "opened volume " + volume->name,
+                         kSecondsPerVoxel * voxels, kBytesPerVoxel * voxels / kMebibyte});
+    }
+    return needs;
 }
 
 Baked hold_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,

@@ -43,8 +43,10 @@ float filtered_threshold(const config::Cloud& cloud);
 Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, Baked volume);
 
-// The voxels of a volume, which it shares with the grids that are made of it.
-Need need_of_voxels(const config::Parameters& parameters, const config::CloudVolumeBake& asset);
+// The voxels of a volume, and the opened file that they come from, if they do. The volume shares both
+// with the assets that are made of it.
+std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
+                                  const config::CloudVolumeBake& asset);
 
 // Returns the same with voxels that the first pass over them holds in memory, as far as
 // options.held_voxel_bytes allows it.

@@ -22,14 +22,15 @@ namespace {
 Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details);
+    const Outcome<CloudInputs> inputs =
+        cloud_inputs(parameters, asset, volume.details, options.intermediates);
     if (!inputs.value) return {{}, inputs.diagnostics};
     return bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value, options,
                              std::move(volume));
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudVolumeBake& asset, Certification) {
-    return {need_of_voxels(parameters, asset)};
+    return needs_of_voxels(parameters, asset);
 }
 
 AssetPlaces places(const Parameters& parameters, const CloudVolumeBake& asset,

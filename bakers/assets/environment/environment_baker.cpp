@@ -53,7 +53,9 @@ const CloudVolumeBake& clouds_of(const Parameters& parameters, const Environment
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
     std::vector<Need> needs = light_needs(parameters, asset.orders, true);
     if (asset.has_clouds()) {
-        needs.push_back(need_of_voxels(parameters, clouds_of(parameters, asset)));
+        for (Need& need : needs_of_voxels(parameters, clouds_of(parameters, asset))) {
+            needs.push_back(std::move(need));
+        }
     }
     return needs;
 }

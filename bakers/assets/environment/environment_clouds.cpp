@@ -96,7 +96,8 @@ Outcome<CloudMedium> clouds_of_environment(const config::Parameters& parameters,
                                            const EnvironmentBake& bake, const BakeOptions& options,
                                            Facts& details) {
     const auto& of = bake_named(parameters, bake.clouds).as<config::CloudVolumeBake>();
-    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, details);
+    const Outcome<CloudInputs> inputs =
+        cloud_inputs(parameters, of, details, options.intermediates);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked volume =
         hold_cloud_volume(cloud_named(parameters, of.cloud), of, *inputs.value, options, {});

@@ -41,7 +41,7 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const OccupancyBake& asset, Certification) {
-    return {need_of_voxels(parameters, source_volume(parameters, asset.of))};
+    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {

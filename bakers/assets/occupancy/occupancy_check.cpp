@@ -197,14 +197,10 @@ std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& as
         return fmt::format("{} cells do not cover {} at {} voxels per cell", occupied.value->size(),
                            volume.name, grid.bake.cell);
     }
-    const auto named = std::find(volume.channels.begin(), volume.channels.end(), grid.bake.channel);
-    if (!grid.bake.channel.empty() && named == volume.channels.end()) {
-        return fmt::format("{} has no channel {}", volume.name, grid.bake.channel);
-    }
-    const auto channel =
-        grid.bake.channel.empty() ? 0 : static_cast<int>(named - volume.channels.begin());
-    OccupancyCheck check(cells, *occupied.value, grid.bake.filter, grid.threshold, channel,
-                         static_cast<int>(volume.channels.size()));
+    const std::optional<std::size_t> channel = channel_in(volume, grid.bake.channel);
+    if (!channel) return fmt::format("{} has no channel {}", volume.name, grid.bake.channel);
+    OccupancyCheck check(cells, *occupied.value, grid.bake.filter, grid.threshold,
+                         static_cast<int>(*channel), static_cast<int>(volume.channels.size()));
     const Outcome<bool> read =
         read_asset_file(folder / voxels_file->path, volume, *voxels_file, 0,
                         [&](std::int64_t first, std::int64_t count, const float* values) {

@@ -12,7 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/assets/asset_label.h"
 #include "bakers/assets/occupancy/occupancy_proof.h"
+#include "bakers/assets/voxel_blocks.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
@@ -42,12 +44,6 @@ std::string word_of(std::string_view key, Choice choice) {
     return std::string(words[static_cast<std::size_t>(choice)]);
 }
 
-std::vector<std::string> channel_names(std::size_t count) {
-    static constexpr std::array<const char*, 4> kColours = {"R", "G", "B", "A"};
-    if (count == 1) return {"Y"};
-    return {kColours.begin(), kColours.begin() + count};
-}
-
 std::vector<std::string> grid_names(const std::vector<OccupancyContent>& contents) {
     std::vector<std::string> names;
     for (const OccupancyContent content : contents) names.push_back(word_of("contents", content));
@@ -64,26 +60,6 @@ std::string content_of(const OccupancyBake& bake) {
         "cells of {} voxels: {} (occupied: 1 or 0; leap: Chebyshev distance in cells to the "
         "nearest occupied one{}; minimum, maximum: of lookups within the cell)",
         bake.cell, fmt::join(grid_names(bake.contents), ", "), is_unorm(bake) ? ", over 255" : "");
-}
-
-std::vector<AxisMapping> axes_of(const Baked& of, const CellGrid& grid) {
-    std::vector<AxisMapping> axes = of.axes;
-    const std::array<int, 3> cells = grid.size();
-    for (std::size_t i = 0; i < 3; ++i) {
-        const double edge = of.voxel_size_m[i] * grid.cell;
-        axes[i].last = axes[i].first + edge * cells[i];
-        axes[i].formula = fmt::format("{} = ({} - {}) / {}", "uvw"[i], axes[i].quantity,
-                                      axes[i].first, axes[i].last - axes[i].first);
-        axes[i].convention =
-            fmt::format("{}; cell k has voxels {} k to {} k + {}, look up nearest",
-                        i < 2 ? "repeats" : "clamped", grid.cell, grid.cell, grid.cell - 1);
-        axes[i].filter = AxisFilter::nearest;
-        axes[i].constants = {{"first_m", axes[i].first},
-                             {"extent_m", axes[i].last - axes[i].first},
-                             {"cell_m", edge},
-                             {"cell_voxels", static_cast<double>(grid.cell)}};
-    }
-    return axes;
 }
 
 // The nearest place to texture coordinates that is a quarter of a cell from its middle along each
@@ -195,17 +171,15 @@ Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bak
     const CellGrid grid{of.volume.levels.front().size, bake.cell};
     volume.kind = "occupancy";
     volume.content = content_of(bake);
-    volume.mapping = of.volume.mapping;
-    volume.axes = axes_of(of.volume, grid);
-    volume.channel_names = channel_names(bake.contents.size());
+    place_blocks(of.volume, grid,
+                 {"cell",
+                  fmt::format("cell k has voxels {} k to {} k + {}, look up nearest", bake.cell,
+                              bake.cell, bake.cell - 1),
+                  AxisFilter::nearest},
+                 volume);
+    volume.channel_names = names_of_channels(bake.contents.size());
     volume.grid_names = grid_names(bake.contents);
     set_files(bake, volume);
-    for (std::size_t i = 0; i < 3; ++i) {
-        volume.voxel_size_m[i] = of.volume.voxel_size_m[i] * bake.cell;
-    }
-    volume.minimum_m = of.volume.minimum_m;
-    volume.up_axis = of.volume.up_axis;
-    volume.conventions = of.volume.conventions;
     const auto add = [&](const char* key, FactValue value) {
         volume.details.emplace_back(key, std::move(value));
     };

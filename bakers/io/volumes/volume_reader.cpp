@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/nvdb/nvdb_source.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/volumes/file_voxels.h"
 #include "bakers/io/volumes/raw_volume.h"
@@ -32,6 +33,7 @@ Outcome<FileVoxels> open_file(const VolumeFile& volume, VolumePart part) {
     }
     const std::filesystem::path& path = volume.paths.at(0);
     if (volume.format == VolumeFormat::vdb) return open_vdb_grid(path, volume.grid, part);
+    if (volume.format == VolumeFormat::nvdb) return open_nvdb_grid(path, volume.grid, part);
     RawLayout layout{volume.size, volume.type, volume.byte_order, volume.axis_order, 0};
     layout.offset = static_cast<std::uint64_t>(volume.offset);
     return open_raw_volume(path, layout, part);

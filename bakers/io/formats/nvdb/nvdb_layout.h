@@ -60,6 +60,14 @@ inline constexpr std::size_t nvdb_tree_at = sizeof(nanovdb::GridData);
 inline constexpr std::size_t nvdb_root_at = nvdb_tree_at + sizeof(nanovdb::TreeData<3>);
 inline constexpr std::size_t nvdb_tiles_at = nvdb_root_at + sizeof(NvdbRoot);
 
+// The number of the root's tiles lies behind its bounds.
+inline constexpr std::size_t nvdb_root_tiles = sizeof(nanovdb::CoordBBox);
+
+// Memory for nodes, aligned as they are.
+struct alignas(32) NvdbUnit {
+    std::array<char, 32> bytes;
+};
+
 constexpr std::uint64_t nvdb_aligned(std::uint64_t bytes) { return (bytes + 31) / 32 * 32; }
 
 // Returns the bytes of a leaf of a grid type, or 0 if skybake does not use the type.

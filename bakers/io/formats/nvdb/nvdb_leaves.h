@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/field/baked.h"
+#include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/math/memory.h"
 #include "config/sections/files.h"
 
@@ -33,10 +34,6 @@ struct NvdbLowerNode {
     NvdbActive active;
     std::uint64_t first_leaf = 0;  // of the grid
     std::uint32_t leaves = 0;
-};
-
-struct alignas(32) NvdbUnit {
-    std::array<char, 32> bytes;
 };
 
 struct NvdbSlot {

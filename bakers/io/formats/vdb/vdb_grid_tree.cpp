@@ -35,12 +35,21 @@ class TreeReader {
         for (openvdb::Index i = 0; i < children; ++i) read_upper();
         find_leaves();
         io::setGridBackgroundValuePtr(in_, nullptr);
+        if (grid_.grid->getGridClass() == openvdb::GRID_LEVEL_SET) find_half_width();
         return std::move(tree_);
     }
 
   private:
+    // The half width of the band is known from the tiles inside of the surface. Where there are none,
+    // it is that outside, which is the background.
+    void find_half_width() {
+        tree_.density = DensityRamp(tree_.least_tile < 0 ? -tree_.least_tile : tree_.background);
+        expect(tree_.density.is_valid(), "its level set has no half width");
+    }
+
     void take_tile(float value) {
         tree_.finite_tiles = tree_.finite_tiles && std::isfinite(value);
+        tree_.least_tile = std::min(tree_.least_tile, value);
         tree_.largest_tile = std::max(tree_.largest_tile, value);
     }
 
@@ -152,14 +161,14 @@ GridTree::Place GridTree::find(const Coord& index) const {
     if (node == root_children.end()) {
         const auto tile = root_tiles.find(key);
         const float value = tile == root_tiles.end() ? background : tile->second;
-        return {nullptr, value, vdb_upper_node_edge};
+        return {nullptr, density(value), vdb_upper_node_edge};
     }
     const NodePlaces<UpperNode>& of_root = upper[node->second];
     const std::size_t place = UpperNode::coordToOffset(index);
-    if (!of_root.has_child(place)) return {nullptr, of_root.tile(place), vdb_node_edge};
+    if (!of_root.has_child(place)) return {nullptr, density(of_root.tile(place)), vdb_node_edge};
     const NodePlaces<LowerNode>& of_upper = lower[of_root.child(place)];
     const std::size_t below = LowerNode::coordToOffset(index);
-    if (!of_upper.has_child(below)) return {nullptr, of_upper.tile(below), vdb_leaf_edge};
+    if (!of_upper.has_child(below)) return {nullptr, density(of_upper.tile(below)), vdb_leaf_edge};
     return {&leaves[of_upper.child(below)], 0, vdb_leaf_edge};
 }
 

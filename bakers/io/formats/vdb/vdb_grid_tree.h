@@ -12,6 +12,7 @@
 
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
+#include "bakers/io/volumes/density_ramp.h"
 
 namespace skybake::vdb {
 
@@ -87,9 +88,12 @@ struct IndexBounds {
 };
 
 struct GridTree {
-    float background = 0;
-    float largest_tile = 0;  // of values beside voxels, background included
+    float background = 0;  // as the file has it
+    // Of numbers beside voxels, background included.
+    float least_tile = 0;
+    float largest_tile = 0;
     bool finite_tiles = true;
+    DensityRamp density;                                      // what numbers mean
     std::map<std::array<int, 3>, float> root_tiles;           // by corner
     std::map<std::array<int, 3>, std::size_t> root_children;  // by corner: number of the node
     std::vector<NodePlaces<UpperNode>> upper;
@@ -100,7 +104,7 @@ struct GridTree {
     // What holds an index: a leaf, or a tile of one value.
     struct Place {
         const LeafRecord* leaf = nullptr;  // null: a tile
-        float value = 0;                   // of the tile
+        float value = 0;                   // density of the tile
         int edge = 0;                      // voxels along it: 8, 128 or 4096
     };
     Place find(const openvdb::Coord& index) const;

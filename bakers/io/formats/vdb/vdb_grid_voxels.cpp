@@ -14,6 +14,7 @@
 #include "bakers/io/formats/vdb/vdb_grid_tree.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
+#include "bakers/io/volumes/leaf_cubes.h"
 
 namespace skybake::vdb {
 namespace {
@@ -25,44 +26,7 @@ using Coord = openvdb::Coord;
 // The values of a leaf, in OpenVDB's order: z fastest.
 using LeafValues = std::array<float, Leaf::NUM_VALUES>;
 
-// Calls visit(part) with the part of a box in each cube of `edge` voxels that it reaches, until it
-// returns false. Cubes begin at multiples of their edge, a power of two.
-template <class Visit>
-void for_cubes(const VoxelBox& box, int edge, const Visit& visit) {
-    std::array<std::vector<std::array<int, 2>>, 3> runs;  // first voxel and number of voxels
-    for (std::size_t i = 0; i < 3; ++i) {
-        const int end = box.origin[i] + box.size[i];
-        for (int at = box.origin[i]; at < end;) {
-            const int next = std::min((at & ~(edge - 1)) + edge, end);
-            runs[i].push_back({at, next - at});
-            at = next;
-        }
-    }
-    for (const auto& z : runs[2]) {
-        for (const auto& y : runs[1]) {
-            for (const auto& x : runs[0]) {
-                if (!visit(VoxelBox{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}})) return;
-            }
-        }
-    }
-}
-
 Coord corner_of(const VoxelBox& box) { return {box.origin[0], box.origin[1], box.origin[2]}; }
-
-// Copies the part of a leaf to its place in a box. `value_at` returns the value at an offset.
-template <class ValueAt>
-void copy_part(const VoxelBox& part, const VoxelBox& box, const ValueAt& value_at, float* out) {
-    for (int z = part.origin[2]; z < part.origin[2] + part.size[2]; ++z) {
-        for (int y = part.origin[1]; y < part.origin[1] + part.size[1]; ++y) {
-            const std::int64_t row =
-                std::int64_t{z - box.origin[2]} * box.size[1] + (y - box.origin[1]);
-            float* to = out + row * box.size[0] + (part.origin[0] - box.origin[0]);
-            for (int x = part.origin[0]; x < part.origin[0] + part.size[0]; ++x) {
-                *to++ = value_at(Leaf::coordToOffset({x, y, z}));
-            }
-        }
-    }
-}
 
 class GridVoxels : public VoxelSource {
   public:
@@ -81,14 +45,16 @@ class GridVoxels : public VoxelSource {
 
     // Decodes every leaf once. Returns the largest value of the grid.
     float survey() {
-        float largest = tree_.largest_tile;
+        float largest =
+            std::max(tree_.density(tree_.least_tile), tree_.density(tree_.largest_tile));
         expect(tree_.finite_tiles, "a tile of it is not finite");
         Decoder decoder(*this);
         for (LeafRecord& leaf : tree_.leaves) {
-            const LeafValues& values = decoder.decode(leaf);
+            LeafValues& values = decoder.decode(leaf);
             const auto is_finite = [](float value) { return std::isfinite(value); };
             expect(std::all_of(values.begin(), values.end(), is_finite),
                    "a voxel of it is not finite");
+            to_densities(values);
             largest = std::max(largest, *std::max_element(values.begin(), values.end()));
             leaf.is_zero =
                 std::all_of(values.begin(), values.end(), [](float value) { return value == 0; });
@@ -101,11 +67,12 @@ class GridVoxels : public VoxelSource {
         for_cubes(box, vdb_leaf_edge, [&](const VoxelBox& part) {
             const GridTree::Place place = tree_.find(corner_of(part));
             if (place.leaf == nullptr || place.leaf->is_zero) {
-                copy_part(
+                copy_leaf(
                     part, box, [&](auto) { return place.value; }, channels[0]);
             } else {
-                const LeafValues& values = decoder.decode(*place.leaf);
-                copy_part(
+                LeafValues& values = decoder.decode(*place.leaf);
+                to_densities(values);
+                copy_leaf(
                     part, box, [&](auto at) { return values[at]; }, channels[0]);
             }
             return true;
@@ -117,6 +84,11 @@ class GridVoxels : public VoxelSource {
     }
 
   private:
+    void to_densities(LeafValues& values) const {
+        if (!tree_.density.changes()) return;
+        for (float& value : values) value = tree_.density(value);
+    }
+
     // Looks at cubes of an edge, and at smaller ones where a cube has children.
     bool is_empty_by(const VoxelBox& box, int edge) const {
         bool empty = true;
@@ -140,7 +112,8 @@ class GridVoxels : public VoxelSource {
             in_.copyfmt(voxels.settings_);
         }
 
-        const LeafValues& decode(const LeafRecord& leaf) {
+        // Returns the numbers as the file has them.
+        LeafValues& decode(const LeafRecord& leaf) {
             bytes_.resize(leaf.bytes);
             voxels_.read(leaf.begin, bytes_);
             in_.clear();
@@ -189,12 +162,6 @@ const Grid& find_grid(const std::vector<Grid>& grids, const std::string& name) {
         if (!grid.grid->isType<openvdb::FloatGrid>()) {
             throw Damaged(fmt::format("its grid `{}` holds {}, and only grids of floats are read",
                                       name, grid.grid->valueType()));
-        }
-        if (grid.grid->getGridClass() == openvdb::GRID_LEVEL_SET) {
-            throw Damaged(
-                fmt::format("its grid `{}` is a level set, which holds distances: convert "
-                            "it to a fog volume",
-                            name));
         }
         expect(!grid.descriptor.isInstance(), "grids share a tree");
         return grid;
@@ -256,7 +223,7 @@ Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::stri
         read_transform(*grid.grid, voxels);
         GridTree tree = read_grid_tree(input, grid);
         read_bounds(*grid.grid, tree, voxels);
-        voxels.background = tree.background;
+        voxels.background = tree.density(tree.background);
         if (part == VolumePart::shape) return voxels;
         auto source = std::make_shared<GridVoxels>(path, grid, std::move(tree), input);
         voxels.largest = source->survey();

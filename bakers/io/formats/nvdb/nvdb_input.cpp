@@ -1,0 +1,137 @@
+#include "bakers/io/formats/nvdb/nvdb_input.h"
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "bakers/field/leaf_codes.h"
+#include "bakers/io/formats/format.h"
+
+namespace skybake {
+namespace {
+
+constexpr std::uint16_t most_grids = 64;
+constexpr std::uint32_t most_name = 4096;             // bytes
+constexpr std::uint64_t most_description = 64 << 20;  // bytes
+
+}  // namespace
+
+NvdbInput::NvdbInput(FileInput file) : file_(std::move(file)) { read_heads(); }
+
+void NvdbInput::read(std::uint64_t offset, void* bytes, std::size_t count) {
+    const auto done = file_.read(offset, static_cast<char*>(bytes), count);
+    expect_nvdb(done && *done == count, "it ends early");
+}
+
+void NvdbInput::read_heads() {
+    std::uint64_t offset = 0;
+    do {
+        offset = read_segment(offset);
+    } while (offset < file_.size());
+}
+
+// Returns the offset behind its grids.
+std::uint64_t NvdbInput::read_segment(std::uint64_t offset) {
+    const auto segment = read<NvdbSegment>(offset);
+    if (segment.magic != NANOVDB_MAGIC_NUMBER) {
+        throw NvdbDamage{offset == 0 ? "it does not begin with `NanoVDB0`"
+                                     : "there is more behind its grids"};
+    }
+    if (segment.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER) {
+        throw NvdbDamage{fmt::format("its version is {}.{}", segment.version.getMajor(),
+                                     segment.version.getMinor())};
+    }
+    expect_nvdb(segment.codec == 0, "it is compressed");
+    const std::size_t first = grids_.size();
+    if (segment.grids == 0 || first + segment.grids > most_grids) {
+        throw NvdbDamage{fmt::format("it has {} grids", first + segment.grids)};
+    }
+    offset += sizeof segment;
+    for (int i = 0; i < segment.grids; ++i) offset = read_head(offset);
+    for (std::size_t i = first; i < grids_.size(); ++i) {
+        grids_[i].begin = offset;
+        const std::uint64_t bytes = grids_[i].head.grid_size;
+        expect_nvdb(bytes <= file_.size() - offset, "it ends within a grid");
+        offset += bytes;
+    }
+    return offset;
+}
+
+// Returns the offset behind it.
+std::uint64_t NvdbInput::read_head(std::uint64_t offset) {
+    NvdbGrid grid;
+    read(offset, static_cast<void*>(&grid.head), sizeof grid.head);
+    expect_nvdb(grid.head.name_size > 0 && grid.head.name_size <= most_name, "a grid has no name");
+    grid.name.resize(grid.head.name_size - 1);
+    offset += sizeof grid.head;
+    read(offset, grid.name.data(), grid.name.size());
+    offset += grid.head.name_size;
+    expect_nvdb(offset <= file_.size(), "it ends early");
+    grids_.push_back(std::move(grid));
+    return offset;
+}
+
+nanovdb::GridData NvdbInput::grid_data(const NvdbGrid& grid) {
+    if (nvdb_leaf_bytes(grid.head.type) == 0) {
+        throw NvdbDamage{
+            fmt::format("its grids are of type {}", static_cast<std::uint32_t>(grid.head.type))};
+    }
+    const auto data = read<nanovdb::GridData>(grid.begin);
+    expect_nvdb(data.mMagic == NANOVDB_MAGIC_NUMBER && data.mGridType == grid.head.type &&
+                    data.mGridSize == grid.head.grid_size,
+                "a grid contradicts its head");
+    return data;
+}
+
+std::uint64_t NvdbInput::root_of(const NvdbGrid& grid) {
+    const auto tree = read<nanovdb::TreeData<3>>(grid.begin + nvdb_tree_at);
+    const std::uint64_t root = checked_nvdb_offset(
+        grid, nvdb_tree_at, static_cast<std::int64_t>(tree.mNodeOffset[3]), sizeof(NvdbRoot));
+    const auto tiles = read<std::uint32_t>(grid.begin + root + nvdb_root_tiles);
+    checked_nvdb_offset(grid, root, sizeof(NvdbRoot),
+                        std::uint64_t{tiles} * sizeof(NvdbRoot::Tile));
+    return root;
+}
+
+std::string NvdbInput::description() {
+    const NvdbGrid& grid = grids_.front();
+    const auto data = read<nanovdb::GridData>(grid.begin);
+    if (data.mBlindMetadataCount == 0) return "";
+    const auto at = static_cast<std::uint64_t>(data.mBlindMetadataOffset);
+    expect_nvdb(at <= grid.head.grid_size, "its description lies beyond its grid");
+    const auto blind = read<nanovdb::GridBlindMetaData>(grid.begin + at);
+    if (std::strncmp(blind.mName, metadata_name, sizeof blind.mName) != 0) return "";
+    const auto text_at = static_cast<std::uint64_t>(blind.mByteOffset);
+    expect_nvdb(blind.mElementCount <= std::min(most_description, grid.head.grid_size) &&
+                    text_at <= grid.head.grid_size,
+                "its description lies beyond its grid");
+    std::string text(blind.mElementCount, '\0');
+    read(grid.begin + at + text_at, text.data(), text.size());
+    return text;
+}
+
+std::uint64_t checked_nvdb_offset(const NvdbGrid& grid, std::uint64_t from, std::int64_t step,
+                                  std::uint64_t bytes) {
+    const std::uint64_t offset = from + static_cast<std::uint64_t>(step);
+    const std::uint64_t size = grid.head.grid_size;
+    expect_nvdb(offset >= nvdb_root_at && offset <= size && bytes <= size - offset,
+                "a node lies beyond its grid");
+    return offset;
+}
+
+void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offset,
+                    std::vector<NvdbUnit>& memory, NvdbLeafValues& values) {
+    memory.resize(nvdb_aligned(nvdb_leaf_bytes(type)) / sizeof(NvdbUnit));
+    file.read(offset, memory.data(), nvdb_leaf_bytes(type));
+    const auto decode = [&]<class Build>(Build) {
+        const auto& leaf = *reinterpret_cast<const NvdbLeaf<Build>*>(memory.data());
+        const LeafCodes scale{leaf.mMinimum, leaf.mQuantum};
+        for (std::size_t i = 0; i < nvdb_leaf_voxels; ++i) values[i] = scale.value(leaf.mCode[i]);
+    };
+    if (type == nanovdb::GridType::Fp8) return decode(nanovdb::Fp8{});
+    if (type == nanovdb::GridType::Fp16) return decode(nanovdb::Fp16{});
+    std::memcpy(values.data(), reinterpret_cast<const NvdbLeaf<float>*>(memory.data())->mValues,
+                sizeof values);
+}
+
+}  // namespace skybake

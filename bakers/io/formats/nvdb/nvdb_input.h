@@ -1,0 +1,107 @@
+// Reads what a NanoVDB file says of itself, its inner nodes and its leaves, and guards against files
+// that are damaged or hostile: a node must lie within its grid.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/nvdb/nvdb_layout.h"
+#include "config/diagnostics/diagnostic.h"
+
+namespace skybake {
+
+// Thrown where a file is damaged or holds what is not read, with the reason.
+struct NvdbDamage {
+    std::string reason;
+};
+
+inline void expect_nvdb(bool condition, const char* reason) {
+    if (!condition) throw NvdbDamage{reason};
+}
+
+struct NvdbGrid {
+    std::string name;
+    NvdbGridHead head;
+    std::uint64_t begin = 0;  // in the file
+};
+
+using NvdbLeafValues = std::array<float, nvdb_leaf_voxels>;  // z fastest, then y, then x
+
+// A file that has been opened, with the heads of its grids, of one or several segments.
+class NvdbInput {
+  public:
+    explicit NvdbInput(FileInput file);
+
+    const std::vector<NvdbGrid>& grids() const { return grids_; }
+
+    void read(std::uint64_t offset, void* bytes, std::size_t count);
+    template <class T>
+    T read(std::uint64_t offset) {
+        T value;
+        read(offset, static_cast<void*>(&value), sizeof value);
+        return value;
+    }
+    template <class Node>
+    void read_node(std::uint64_t offset, std::vector<NvdbUnit>& memory) {
+        memory.resize((sizeof(Node) + sizeof(NvdbUnit) - 1) / sizeof(NvdbUnit));
+        read(offset, memory.data(), sizeof(Node));
+    }
+
+    // Returns what a grid says of itself, which must agree with its head. Its leaves must be of a
+    // type that skybake uses.
+    nanovdb::GridData grid_data(const NvdbGrid& grid);
+    // Returns where the root is in the grid, of which the tiles lie behind it.
+    std::uint64_t root_of(const NvdbGrid& grid);
+    // Returns the text that the first grid carries, or "".
+    std::string description();
+
+  private:
+    void read_heads();
+    std::uint64_t read_segment(std::uint64_t offset);
+    std::uint64_t read_head(std::uint64_t offset);
+
+    FileInput file_;
+    std::vector<NvdbGrid> grids_;
+};
+
+// Returns `from + step`, where a record of `bytes` bytes must lie in the grid.
+std::uint64_t checked_nvdb_offset(const NvdbGrid& grid, std::uint64_t from, std::int64_t step,
+                                  std::uint64_t bytes);
+
+// The place in a node of entry i of its table, in units of children.
+constexpr std::array<int, 3> nvdb_place(std::uint32_t i, int log2_edge) {
+    const auto entry = static_cast<int>(i);
+    const int mask = (1 << log2_edge) - 1;
+    return {entry >> 2 * log2_edge, entry >> log2_edge & mask, entry & mask};
+}
+
+// Reads the values of a leaf, whether they are active or not. `memory` keeps the leaf.
+void read_nvdb_leaf(NvdbInput& file, nanovdb::GridType type, std::uint64_t offset,
+                    std::vector<NvdbUnit>& memory, NvdbLeafValues& values);
+
+// Returns what `work` returns of the file's NvdbInput, E0300 if the file cannot be read, or E0304 with
+// the reason of an NvdbDamage.
+template <class T, class Work>
+config::Outcome<T> with_nvdb_file(const std::filesystem::path& path, const Work& work) {
+    config::Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    try {
+        NvdbInput opened(std::move(*file.value));
+        return work(opened);
+    } catch (const NvdbDamage& damage) {
+        const std::string name = path.string();
+        return {{},
+                {file_error("E0304", name,
+                            fmt::format("`{}` is no NanoVDB file that skybake reads: {}", name,
+                                        damage.reason))}};
+    }
+}
+
+}  // namespace skybake

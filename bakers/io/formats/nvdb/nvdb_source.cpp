@@ -1,0 +1,192 @@
+#include "bakers/io/formats/nvdb/nvdb_source.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "bakers/io/formats/nvdb/nvdb_input.h"
+#include "bakers/io/formats/nvdb/nvdb_tree.h"
+#include "bakers/io/volumes/density_ramp.h"
+#include "bakers/io/volumes/leaf_cubes.h"
+
+namespace skybake {
+namespace {
+
+using config::Outcome;
+
+constexpr std::int64_t most_voxels = 16384;  // along an axis
+
+// The tree's corner that a part of a box lies in.
+std::array<int, 3> leaf_of(const VoxelBox& part) {
+    std::array<int, 3> corner = part.origin;
+    for (int& i : corner) i &= ~(nvdb_leaf_edge - 1);
+    return corner;
+}
+
+class NvdbVoxels : public VoxelSource {
+  public:
+    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree, DensityRamp density)
+        : file_(std::move(file)), type_(type), tree_(std::move(tree)), density_(density) {}
+
+    // Decodes every leaf once, and makes those tiles that hold only the background. Returns the
+    // largest value of the grid.
+    float survey() {
+        expect_nvdb(tree_.has_finite_tiles(), "a tile of it is not finite");
+        float largest = std::max(density_(tree_.least_tile()), density_(tree_.largest_tile()));
+        std::vector<NvdbUnit> memory;
+        NvdbLeafValues values;
+        for (NvdbCube& cube : tree_.leaf_cubes()) {
+            if (cube.leaf == 0) continue;
+            read_nvdb_leaf(file_, type_, cube.leaf, memory, values);
+            const auto is_finite = [](float value) { return std::isfinite(value); };
+            expect_nvdb(std::all_of(values.begin(), values.end(), is_finite),
+                        "a voxel of it is not finite");
+            expect_in_bounds(cube, memory);
+            for (float& value : values) value = density_(value);
+            largest = std::max(largest, *std::max_element(values.begin(), values.end()));
+            if (std::all_of(values.begin(), values.end(), [](float v) { return v == 0; })) {
+                cube = {cube.corner, 0, 0};
+            }
+        }
+        return largest;
+    }
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        std::vector<NvdbUnit> memory;
+        NvdbLeafValues values;
+        for_cubes(box, nvdb_leaf_edge, [&](const VoxelBox& part) {
+            const NvdbCube* cube = tree_.find(leaf_of(part));
+            if (cube == nullptr || cube->leaf == 0) {
+                const float value = tile_density(cube);
+                copy_leaf(
+                    part, box, [&](auto) { return value; }, channels[0]);
+            } else {
+                read(*cube, memory, values);
+                copy_leaf(
+                    part, box, [&](auto at) { return density_(values[at]); }, channels[0]);
+            }
+            return true;
+        });
+    }
+
+    bool is_empty(const VoxelBox& box) const override {
+        bool empty = true;
+        for_cubes(box, nvdb_leaf_edge, [&](const VoxelBox& part) {
+            const NvdbCube* cube = tree_.find(leaf_of(part));
+            empty = (cube == nullptr || cube->leaf == 0) && tile_density(cube) == 0;
+            return empty;
+        });
+        return empty;
+    }
+
+  private:
+    float tile_density(const NvdbCube* cube) const {
+        return density_(cube == nullptr ? tree_.background() : cube->value);
+    }
+
+    // A leaf with active voxels reaches into the bounds that the root states.
+    void expect_in_bounds(const NvdbCube& cube, const std::vector<NvdbUnit>& memory) const {
+        const auto& leaf = *reinterpret_cast<const NvdbLeaf<float>*>(memory.data());
+        if (leaf.mValueMask.isOff()) return;
+        for (std::size_t a = 0; a < 3; ++a) {
+            expect_nvdb(cube.corner[a] <= tree_.last()[a] &&
+                            cube.corner[a] + nvdb_leaf_edge > tree_.first()[a],
+                        "it has active voxels beyond its bounds");
+        }
+    }
+
+    void read(const NvdbCube& cube, std::vector<NvdbUnit>& memory, NvdbLeafValues& values) const {
+        const std::lock_guard lock(mutex_);
+        try {
+            read_nvdb_leaf(file_, type_, cube.leaf, memory, values);
+        } catch (const NvdbDamage&) {
+            throw std::runtime_error("a volume's file has changed while it was read");
+        }
+    }
+
+    mutable std::mutex mutex_;  // guards the file
+    mutable NvdbInput file_;
+    const nanovdb::GridType type_;
+    NvdbTree tree_;
+    const DensityRamp density_;
+};
+
+const NvdbGrid& find_grid(const NvdbInput& file, const std::string& name) {
+    std::vector<std::string> names;
+    for (const NvdbGrid& grid : file.grids()) {
+        if (grid.name == name) return grid;
+        names.push_back(grid.name);
+    }
+    throw NvdbDamage{fmt::format("it has no grid `{}`, only `{}`", name, fmt::join(names, "`, `"))};
+}
+
+// Fills in the edges of a voxel and the corner of voxel (0, 0, 0). Indices are of voxels' centres.
+void read_map(const nanovdb::Map& map, FileVoxels& voxels) {
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge = map.mMatD[4 * i];
+        for (std::size_t j = 0; j < 3; ++j) {
+            expect_nvdb(i == j || std::fabs(map.mMatD[3 * i + j]) <= rounding * std::fabs(edge),
+                        "its transform turns or shears the axes");
+        }
+        expect_nvdb(std::isfinite(edge) && std::isfinite(map.mVecD[i]),
+                    "its transform is not finite");
+        expect_nvdb(edge > 0, "its transform mirrors an axis");
+        voxels.voxel_size[i] = edge;
+        voxels.index_origin[i] = map.mVecD[i] - edge / 2;
+    }
+}
+
+void read_bounds(const NvdbTree& tree, FileVoxels& voxels) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        const std::int64_t size = std::int64_t{tree.last()[i]} - tree.first()[i] + 1;
+        expect_nvdb(size > 0, "it has no active voxels");
+        if (size > most_voxels) {
+            throw NvdbDamage{
+                fmt::format("its active voxels span {} voxels along {}, and at most "
+                            "{} are read",
+                            size, "xyz"[i], most_voxels)};
+        }
+        voxels.first[i] = tree.first()[i];
+        voxels.size[i] = static_cast<int>(size);
+    }
+}
+
+// The half width of a level set's band (vdb_grid_tree.cpp).
+DensityRamp ramp_of(const NvdbTree& tree, nanovdb::GridClass grid_class) {
+    if (grid_class != nanovdb::GridClass::LevelSet) return {};
+    const DensityRamp ramp(tree.least_tile() < 0 ? -tree.least_tile() : tree.background());
+    expect_nvdb(ramp.is_valid(), "its level set has no half width");
+    return ramp;
+}
+
+}  // namespace
+
+Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std::string& name,
+                                   VolumePart part) {
+    return with_nvdb_file<FileVoxels>(path, [&](NvdbInput& file) -> Outcome<FileVoxels> {
+        const NvdbGrid grid = find_grid(file, name);
+        const nanovdb::GridData data = file.grid_data(grid);
+        FileVoxels voxels;
+        read_map(data.mMap, voxels);
+        NvdbTree tree(file, grid);
+        read_bounds(tree, voxels);
+        const DensityRamp density = ramp_of(tree, data.mGridClass);
+        voxels.background = density(tree.background());
+        if (part == VolumePart::shape) return {std::move(voxels), {}};
+        auto source =
+            std::make_shared<NvdbVoxels>(std::move(file), grid.head.type, std::move(tree), density);
+        voxels.largest = source->survey();
+        voxels.voxels = std::move(source);
+        return {std::move(voxels), {}};
+    });
+}
+
+}  // namespace skybake

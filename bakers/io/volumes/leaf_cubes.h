@@ -1,0 +1,55 @@
+// Boxes of voxels as the leaves and nodes of OpenVDB's and NanoVDB's trees divide them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "bakers/field/baked.h"
+
+namespace skybake {
+
+// Calls visit(part) with the part of a box in each cube of `edge` voxels that it reaches, until it
+// returns false. Cubes begin at multiples of their edge, a power of two.
+template <class Visit>
+void for_cubes(const VoxelBox& box, int edge, const Visit& visit) {
+    std::array<std::vector<std::array<int, 2>>, 3> runs;  // first voxel and number of voxels
+    for (std::size_t i = 0; i < 3; ++i) {
+        const int end = box.origin[i] + box.size[i];
+        for (int at = box.origin[i]; at < end;) {
+            const int next = std::min((at & ~(edge - 1)) + edge, end);
+            runs[i].push_back({at, next - at});
+            at = next;
+        }
+    }
+    for (const auto& z : runs[2]) {
+        for (const auto& y : runs[1]) {
+            for (const auto& x : runs[0]) {
+                if (!visit(VoxelBox{{x[0], y[0], z[0]}, {x[1], y[1], z[1]}})) return;
+            }
+        }
+    }
+}
+
+// Copies the part of a leaf to its place in a box. `value_at` returns the value at an offset, at which
+// z runs fastest, then y, then x.
+template <class ValueAt>
+void copy_leaf(const VoxelBox& part, const VoxelBox& box, const ValueAt& value_at, float* out) {
+    const auto offset = [](int x, int y, int z) {
+        return static_cast<std::size_t>((x & 7) << 6 | (y & 7) << 3 | (z & 7));
+    };
+    for (int z = part.origin[2]; z < part.origin[2] + part.size[2]; ++z) {
+        for (int y = part.origin[1]; y < part.origin[1] + part.size[1]; ++y) {
+            const std::int64_t row =
+                std::int64_t{z - box.origin[2]} * box.size[1] + (y - box.origin[1]);
+            float* to = out + row * box.size[0] + (part.origin[0] - box.origin[0]);
+            for (int x = part.origin[0]; x < part.origin[0] + part.size[0]; ++x) {
+                *to++ = value_at(offset(x, y, z));
+            }
+        }
+    }
+}
+
+}  // namespace skybake

@@ -1,0 +1,273 @@
+// NanoVDB grids as volumes, against NanoVDB's own converter, writer and accessors.
+#include <gtest/gtest.h>
+#include <nanovdb/util/IO.h>
+#include <nanovdb/util/OpenToNanoVDB.h>
+#include <openvdb/tools/LevelSetSphere.h>
+
+#include <limits>
+
+#include "bakers/field/block_voxels.h"
+#include "bakers/io/formats/format.h"
+#include "bakers/io/formats/nvdb/nvdb_source.h"
+#include "bakers/io/volumes/volume_reader.h"
+#include "tests/support/volumes.h"
+#include "tests/volumes/vdb_files.h"
+
+namespace skybake {
+namespace {
+
+using testing::any_grid;
+using testing::Coord;
+using testing::FloatGrid;
+using testing::TemporaryFolder;
+
+using Handle = nanovdb::GridHandle<>;
+
+template <class Build>
+Handle converted(const FloatGrid& grid) {
+    nanovdb::OpenToNanoVDB<float, Build> convert;
+    return convert(grid, nanovdb::StatsMode::All, nanovdb::ChecksumMode::Full, 0);
+}
+
+FileVoxels opened(const std::filesystem::path& path, const std::string& grid = "density") {
+    const auto voxels = open_nvdb_grid(path, grid, VolumePart::voxels);
+    for (const auto& diagnostic : voxels.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return voxels.value.value_or(FileVoxels{});
+}
+
+// Expects that voxels of a box are those that NanoVDB's accessor finds.
+template <class Build>
+void expect_accessors_voxels(const Handle& handle, const FileVoxels& file, const VoxelBox& box) {
+    const auto accessor = handle.grid<Build>()->getAccessor();
+    const auto planes = testing::planes_of(*file.voxels, box, 1);
+    std::size_t i = 0;
+    int wrong = 0;
+    for (int z = 0; z < box.size[2]; ++z) {
+        for (int y = 0; y < box.size[1]; ++y) {
+            for (int x = 0; x < box.size[0]; ++x, ++i) {
+                const nanovdb::Coord at(box.origin[0] + x, box.origin[1] + y, box.origin[2] + z);
+                wrong += planes[0][i] != accessor.getValue(at);
+            }
+        }
+    }
+    EXPECT_EQ(wrong, 0) << "of " << i;
+}
+
+template <class Build>
+void expect_grid(const FloatGrid& grid, float background) {
+    const TemporaryFolder folder;
+    const Handle handle = converted<Build>(grid);
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    const FileVoxels file = opened(folder / "v.nvdb");
+    EXPECT_EQ(file.background, background);
+    const openvdb::CoordBBox active = grid.evalActiveVoxelBoundingBox();
+    for (int i = 0; i < 3; ++i) {
+        const auto axis = static_cast<std::size_t>(i);
+        EXPECT_EQ(file.first[axis], active.min()[i]);
+        EXPECT_EQ(file.size[axis], active.dim()[i]);
+    }
+    expect_accessors_voxels<Build>(handle, file, {file.first, file.size});
+    expect_accessors_voxels<Build>(handle, file, {{-40, -30, -9}, {90, 80, 60}});
+    expect_accessors_voxels<Build>(handle, file, {{-3, 2, 5}, {4, 1, 11}});
+}
+
+std::string problem_of(const std::filesystem::path& path, const std::string& grid = "density") {
+    const auto voxels = open_nvdb_grid(path, grid, VolumePart::voxels);
+    if (voxels.value) return "";
+    EXPECT_EQ(voxels.diagnostics.at(0).code, "E0304");
+    const std::string& message = voxels.diagnostics.at(0).message;
+    const std::string words = "that skybake reads: ";
+    return message.substr(message.find(words) + words.size());
+}
+
+TEST(NvdbGrid, HasTheVoxelsOfNanoVdb) {
+    for (const float background : {0.0F, 0.125F, -1.0F}) {
+        const FloatGrid::Ptr grid = any_grid(background);
+        expect_grid<float>(*grid, background);
+        expect_grid<nanovdb::Fp8>(*grid, background);
+        expect_grid<nanovdb::Fp16>(*grid, background);
+    }
+}
+
+TEST(NvdbGrid, HasTilesOfEverySize) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = FloatGrid::create(0);
+    grid->setName("density");
+    grid->tree().addTile(2, Coord(128, 0, 0), 0.25F, true);   // 128^3
+    grid->tree().addTile(3, Coord(-4096, 0, 0), 0.5F, true);  // 4096^3
+    grid->tree().addTile(1, Coord(0, 0, 0), 0.75F, true);     // 8^3
+    const Handle handle = converted<float>(*grid);
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    const FileVoxels file = opened(folder / "v.nvdb");
+    EXPECT_EQ(file.size, (std::array<int, 3>{4096 + 256, 4096, 4096}));
+    EXPECT_EQ(file.largest, 0.75F);
+    for (const int x : {-4097, -4096, -1, 0, 7, 8, 127, 128, 255, 256}) {
+        expect_accessors_voxels<float>(handle, file, {{x, 0, 0}, {1, 9, 9}});
+        expect_accessors_voxels<float>(handle, file, {{x, 120, 127}, {1, 9, 2}});
+    }
+    EXPECT_TRUE(file.voxels->is_empty({{8, 0, 0}, {120, 8, 8}}));
+    EXPECT_FALSE(file.voxels->is_empty({{7, 0, 0}, {1, 1, 1}}));
+    EXPECT_FALSE(file.voxels->is_empty({{-4100, 0, 0}, {5, 1, 1}}));
+}
+
+TEST(NvdbGrid, TakesTheTransform) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr grid = any_grid();
+    const auto transform =
+        openvdb::math::Transform::createLinearTransform(openvdb::math::Mat4d::identity());
+    transform->preScale(openvdb::Vec3d(2, 3, 4));
+    transform->postTranslate(openvdb::Vec3d(10, 20, 30));
+    grid->setTransform(transform);
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*grid));
+    const FileVoxels file = opened(folder / "v.nvdb");
+    EXPECT_EQ(file.voxel_size, (std::array<double, 3>{2, 3, 4}));
+    EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
+}
+
+// The same grid as VDB and as NanoVDB gives the same densities.
+TEST(NvdbGrid, MakesFogOfALevelSetAsVdbDoes) {
+    const TemporaryFolder folder;
+    openvdb::initialize();
+    const FloatGrid::Ptr ball =
+        openvdb::tools::createLevelSetSphere<FloatGrid>(20, {1.5F, 2, -3}, 0.5F);
+    ball->setName("density");
+    testing::write_grid(ball, folder / "v.vdb");
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*ball));
+    const FileVoxels wanted = testing::opened(folder / "v.vdb");
+    const FileVoxels file = opened(folder / "v.nvdb");
+    EXPECT_EQ(file.largest, 1);
+    EXPECT_EQ(file.size, wanted.size);
+    const VoxelBox box{{-45, -45, -50}, {90, 95, 93}};
+    EXPECT_EQ(testing::planes_of(*file.voxels, box, 1), testing::planes_of(*wanted.voxels, box, 1));
+}
+
+// Files of several grids, in one segment or in one each.
+TEST(NvdbGrid, IsFoundByItsName) {
+    const TemporaryFolder folder;
+    const FloatGrid::Ptr first = any_grid();
+    const FloatGrid::Ptr second = any_grid(0.5F);
+    first->setName("heat");
+    std::vector<Handle> handles;
+    handles.push_back(converted<float>(*first));
+    handles.push_back(converted<nanovdb::Fp8>(*second));
+    nanovdb::io::writeGrids((folder / "one.nvdb").string(), handles);
+    nanovdb::io::writeGrid((folder / "a.nvdb").string(), handles[0]);
+    nanovdb::io::writeGrid((folder / "b.nvdb").string(), handles[1]);
+    testing::write_bytes(folder / "two.nvdb", testing::read_bytes(folder / "a.nvdb") +
+                                                  testing::read_bytes(folder / "b.nvdb"));
+    for (const char* name : {"one.nvdb", "two.nvdb"}) {
+        EXPECT_EQ(opened(folder / name, "heat").background, 0);
+        EXPECT_EQ(opened(folder / name, "density").background, 0.5F);
+        EXPECT_EQ(problem_of(folder / name, "Density"),
+                  "it has no grid `Density`, only `heat`, `density`");
+    }
+}
+
+// What a bake writes comes back as a volume.
+TEST(NvdbGrid, IsWhatABakeWrites) {
+    const TemporaryFolder folder;
+    for (const auto type :
+         {config::PixelType::float32, config::PixelType::half, config::PixelType::fp8}) {
+        Baked volume = testing::plain_volume({21, 17, 30}, 1, type);
+        volume.voxel_size_m = {10, 20, 5};
+        code_levels(volume);
+        testing::write_bytes(folder / "v.nvdb", "");
+        ASSERT_TRUE(format_of(config::FileFormat::nvdb)
+                        .write({volume, 0, "{}", 1, nullptr}, folder / "v.nvdb")
+                        .value);
+        config::VolumeFile asked;
+        asked.format = config::VolumeFormat::nvdb;
+        asked.paths = {folder / "v.nvdb"};
+        const auto source = open_volume(asked);
+        ASSERT_TRUE(source.value);
+        EXPECT_EQ(source.value->size, volume.levels[0].size);
+        EXPECT_EQ(source.value->voxel_size_m, volume.voxel_size_m);
+        std::vector<float> wanted = testing::voxels_of(volume, 0);
+        round_values(wanted.data(), wanted.size(), type);
+        const VoxelBox box{{}, source.value->size};
+        EXPECT_EQ(testing::planes_of(*source.value->voxels, box, 1)[0], wanted);
+    }
+}
+
+TEST(NvdbGridRefused, InWordsThatSayWhatItIs) {
+    const TemporaryFolder folder;
+    openvdb::initialize();
+    const auto vectors = openvdb::Vec3SGrid::create(openvdb::Vec3f(0));
+    vectors->setName("density");
+    vectors->tree().setValue(Coord(1, 2, 3), openvdb::Vec3f(1));
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), nanovdb::openToNanoVDB(*vectors));
+    EXPECT_EQ(problem_of(folder / "v.nvdb"), "its grids are of type 6");
+    const FloatGrid::Ptr empty = FloatGrid::create(0);
+    empty->setName("density");
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*empty));
+    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it has no active voxels");
+    testing::write_grid(any_grid(), folder / "v.nvdb");
+    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it does not begin with `NanoVDB0`");
+    for (const float value :
+         {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
+        const FloatGrid::Ptr voxel = any_grid();
+        voxel->tree().setValue(Coord(3, 4, 5), value);
+        nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*voxel));
+        EXPECT_EQ(problem_of(folder / "v.nvdb"), "a voxel of it is not finite");
+        const FloatGrid::Ptr tile = any_grid();
+        tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
+        nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*tile));
+        EXPECT_EQ(problem_of(folder / "v.nvdb"), "a tile of it is not finite");
+    }
+    const FloatGrid::Ptr large = any_grid();
+    large->tree().setValue(Coord(0, 20000, 0), 1);
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*large));
+    EXPECT_NE(problem_of(folder / "v.nvdb").find("voxels along y, and at most 16384 are read"),
+              std::string::npos);
+}
+
+TEST(NvdbGridRefused, WhereItsTransformIsNoBoxAlongTheAxes) {
+    const TemporaryFolder folder;
+    const auto with = [&](auto&& change) {
+        const FloatGrid::Ptr grid = any_grid();
+        const auto transform = openvdb::math::Transform::createLinearTransform(0.5);
+        change(*transform);
+        grid->setTransform(transform);
+        nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*grid));
+        return problem_of(folder / "v.nvdb");
+    };
+    EXPECT_EQ(with([](auto&) {}), "");
+    EXPECT_EQ(with([](auto& t) { t.postRotate(0.1, openvdb::math::Z_AXIS); }),
+              "its transform turns or shears the axes");
+    EXPECT_EQ(with([](auto& t) { t.preScale(openvdb::Vec3d(1, -1, 1)); }),
+              "its transform mirrors an axis");
+}
+
+// A file in which a node is listed twice could take memory that the file does not fill.
+TEST(NvdbGridRefused, WhereANodeIsListedTwice) {
+    const TemporaryFolder folder;
+    Handle handle = converted<float>(*any_grid());
+    auto* root = handle.grid<float>()->tree().root().data();
+    ASSERT_GT(root->mTableSize, 1U);
+    root->tile(1)->key = root->tile(0)->key;
+    root->tile(1)->child = root->tile(0)->child;
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    EXPECT_EQ(problem_of(folder / "v.nvdb"), "nodes are listed twice");
+}
+
+TEST(NvdbGridRefused, WhereItsBoundsLeaveOutVoxels) {
+    const TemporaryFolder folder;
+    Handle handle = converted<float>(*any_grid());
+    auto* root = handle.grid<float>()->tree().root().data();
+    root->mBBox.max()[0] = 3;
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), handle);
+    EXPECT_EQ(problem_of(folder / "v.nvdb"), "it has active voxels beyond its bounds");
+}
+
+TEST(NvdbGridRefused, WhereverItEnds) {
+    const TemporaryFolder folder;
+    nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*any_grid()));
+    const std::string bytes = testing::read_bytes(folder / "v.nvdb");
+    for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
+        testing::write_bytes(folder / "v.nvdb", bytes.substr(0, size));
+        EXPECT_NE(problem_of(folder / "v.nvdb"), "") << size << " of " << bytes.size();
+    }
+}
+
+}  // namespace
+}  // namespace skybake
