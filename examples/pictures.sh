@@ -62,7 +62,7 @@ RECIPE
     --vary preset=earth,earth_clear_mountain,earth_maritime,earth_urban_haze,earth_desert_dust,mars
 "$skybake" preview "$folder/presets" -o "$folder/presets_page" --sun-elevation 8 -q >/dev/null
 
-mkdir -p pictures
+./cloud_pictures.sh "$skybake"
 for picture in clouds/cumulus_lit_sun_20 clouds/cumulus_occupancy_cells_z phase/cloud_phase sky/sky_panoramas sky/sky_sun_10; do
     cp "$folder/$picture.png" pictures/
 done

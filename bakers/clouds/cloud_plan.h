@@ -5,7 +5,7 @@
 // At a voxel, n is the base noise or, in a cloud of a volume, the volume's density, for which P is 1; d the detail noise clamped to [0, 1], and h the height in [0,
 // 1]:
 //
-//   b = n (P(h) + T + S) + (c - 1)         profile, Gaussian towers, domes, coverage; Olajos 2016
+//   b = n max(0, P(h) + T + S) + (c - 1)   profile, Gaussian towers, domes, coverage; Olajos 2016
 //                                          where S = 0 and c = 1
 //
 //   e = s(h) (d + w(h) (1 - 2 d))          wisps where w = 0, billows where w = 1
@@ -136,8 +136,8 @@ std::array<double, 3> classic_profiles(double h);
 // stratocumulus and 1 cumulus.
 std::array<double, 3> type_weights(double cloud_type);
 
-// Returns the profile at h in [0, 1], at least 0, for profiles that do not depend on a map; a
-// blended profile uses its own cloud_type.
+// Returns the profile at h in [0, 1] for profiles that do not depend on a map; a blended profile uses
+// its own cloud_type. Only a table can make it negative.
 //
 //   thesis   (1 - exp(-b h)) exp(-f h), at most 0.751882 for b = 50, f = 4 (Olajos 2016)
 double height_profile(const config::HeightProfile& profile, double h);

@@ -174,7 +174,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
         dome_reference(domes_, {extent[0].meters, extent[1].meters},
                        {x * extent[0].meters, y * extent[1].meters, h * extent[2].meters});
     const double towers = tower_reference(towers_, {x, y}) + domes;
-    const double base = base_noise * (profile + towers) - (1 - coverage);
+    const double base = base_noise * std::fmax(profile + towers, 0) - (1 - coverage);
     const bool in_file = cloud_.threshold_at == config::ThresholdAt::bake;
     if (base <= (in_file ? cloud_.threshold : 0)) return 0;
     double value = base;

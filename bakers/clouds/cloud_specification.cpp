@@ -52,7 +52,7 @@ float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& colu
         const float third = column.third_type[0] * (slice.profile[2] - slice.profile[1]);
         profile = (profile + second) + third;
     }
-    const float base = noise * (profile + towers) + column.offset[0];
+    const float base = noise * std::max(profile + towers, 0.0f) + column.offset[0];
     if (!(base > plan.level())) return 0;
     float value = base;
     if (plan.detail) {

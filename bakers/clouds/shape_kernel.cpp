@@ -58,11 +58,12 @@ HWY_INLINE FloatVector profile(const SliceShape& slice, const ColumnRow& columns
 
 bool ShapeBase(const SliceShape& slice, const ColumnRow& columns, float level, std::size_t count,
                float* values) {
+    const FloatVector zero = hn::Zero(kFloats);
     FloatVector greatest = constant(level);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const std::size_t left = count - i;
-        const FloatVector height =
-            hn::Add(profile(slice, columns, i, left), load(columns.towers + i, left));
+        const FloatVector height = hn::Max(
+            hn::Add(profile(slice, columns, i, left), load(columns.towers + i, left)), zero);
         const FloatVector base =
             hn::Add(hn::Mul(load(values + i, left), height), load(columns.offset + i, left));
         greatest = hn::Max(greatest, base);

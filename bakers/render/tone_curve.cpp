@@ -96,8 +96,37 @@ Rgb agx_of(const Rgb& light) {
 // Beyond this, every curve shows white, and their products stay finite.
 constexpr float kBrightest = 1e6F;
 
+// A channel's distance from the greatest one, as a share of that, is 0 in grey and above 1 where no
+// screen can show the colour. Distances up to `threshold` stay as they are, and `limit` becomes 1.
+struct GamutBorder {
+    float threshold, limit;
+};
+// Red, green and blue: the borders towards cyan, magenta and yellow.
+constexpr std::array<GamutBorder, 3> kBorders = {
+    {{0.815F, 1.147F}, {0.803F, 1.264F}, {0.880F, 1.312F}}};
+constexpr float kBorderPower = 1.2F;
+
+float compressed(float distance, const GamutBorder& border) {
+    if (distance <= border.threshold) return distance;
+    const float reach = border.limit - border.threshold;
+    const float left = std::pow((1 - border.threshold) / reach, -kBorderPower) - 1;
+    const float scale = reach / std::pow(left, 1 / kBorderPower);
+    const float x = (distance - border.threshold) / scale;
+    return border.threshold + scale * x / std::pow(1 + std::pow(x, kBorderPower), 1 / kBorderPower);
+}
+
+Rgb in_gamut(const Rgb& light) {
+    const float greatest = std::max({light.r, light.g, light.b});
+    if (greatest <= 0) return light;
+    const Rgb distance = (greatest - light) / greatest;
+    return greatest *
+           (1.0F - Rgb(compressed(distance.r, kBorders[0]), compressed(distance.g, kBorders[1]),
+                       compressed(distance.b, kBorders[2])));
+}
+
 Rgb shown_by(ToneCurve curve, const Rgb& exposed) {
-    const Rgb light = glm::clamp(exposed, 0.0F, kBrightest);
+    const Rgb within = in_gamut(glm::clamp(exposed, -kBrightest, kBrightest));
+    const Rgb light = glm::max(within, 0.0F);
     switch (curve) {
         case ToneCurve::exponential:
             return exponential_of(light);

@@ -44,7 +44,7 @@ const Preset* find_cloud_preset(std::string_view name) {
 
 CloudNoisePreset noise_of_cloud_preset(std::string_view cloud, std::string_view noise) {
     if (const Preset* own = find_noise_preset(cloud)) return {own, "none"};
-    if (noise == "billows") return {find_noise_preset(noise), "none"};
+    if (const Preset* named = find_noise_preset(noise)) return {named, "none"};
     if (noise == "shape" && is_layer(cloud)) return {find_noise_preset("nubis_layer"), "shape"};
     return {find_noise_preset("nubis_" + std::string(noise)),
             noise == "detail" ? "detail" : "shape"};

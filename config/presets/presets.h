@@ -40,7 +40,7 @@ const Preset* find_noise_preset(std::string_view name);
 const Preset* find_cloud_preset(std::string_view name);
 
 // This is the noise preset that goes with a cloud preset's noise of a given name. It is the noise
-// preset of the cloud's own name, or billows for a noise of this name, or nubis_layer for the shape
+// preset of the cloud's own name, or of the noise's name, or nubis_layer for the shape
 // of a cloud that is a layer, or else nubis_NAME. `pack` says how its channels are merged into the
 // one of a cloud that holds a density. `preset` is null if there is none.
 struct CloudNoisePreset {

@@ -9,6 +9,7 @@ constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would div
 constexpr Range extent_range{1e-3, 1e8};
 constexpr Range base_altitude_range{-1e8, 1e8};
 constexpr Range density_range{0, 1e6};
+constexpr Range profile_range{-1e6, 1e6};
 constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
 constexpr Range sharpness_range{0, 1e6};
@@ -253,9 +254,10 @@ const std::array height_profile_table = {
     HeightProfileField{
         {.key = "table",
          .kind = Kind::height_table,
-         .range = density_range,
+         .range = profile_range,
          .required = true,
-         .documentation = "pairs [height, value] with increasing heights within [0, 1]",
+         .documentation = "pairs [height, value] with increasing heights within [0, 1]; values "
+                          "below 0 take from the towers, which fray there",
          .selector = "type",
          .selected_by = tabulated_height},
         &HeightProfile::table},

@@ -155,7 +155,8 @@ TEST(InitCommand, NamesThePresetsThatAreMeant) {
     for (const char* kind : {"clouds"}) {
         EXPECT_TRUE(contains(error(kind), "clouds: altocumulus, cirrus, ")) << kind;
     }
-    EXPECT_TRUE(contains(error("noises"), "noises: billows, nubis_detail, ")) << error("noises");
+    EXPECT_TRUE(contains(error("noises"), "noises: billows, fibres, nubis_detail, "))
+        << error("noises");
     const std::string piece = error("cumulus");
     EXPECT_TRUE(contains(piece, "did you mean clouds.altocumulus or clouds.cumulus_congestus"))
         << piece;

@@ -140,7 +140,7 @@ inline config::HeightProfile any_profile() {
     profile.bottom_sharpness = *rc::gen::element(1e-9, 0.1, 50.0, 1e4);
     profile.top_falloff = *rc::gen::element(0.0, 4.0, 100.0);
     profile.cloud_type = any_number(0, 1);
-    profile.table = {{0.1, 0}, {0.3, 1.2}, {0.8, 0.4}, {1, 0}};
+    profile.table = {{0, -0.8}, {0.1, 0}, {0.3, 1.2}, {0.8, 0.4}, {1, -0.2}};
     return profile;
 }
 

@@ -100,7 +100,7 @@ TEST(CloudDecoder, ValuesHaveRanges) {
                              "height_profile = { type = 'thesis', top_falloff = -1 }",
                              "height_profile = { type = 'blended', cloud_type = 2 }",
                              "height_profile = { type = 'tabulated', table = [[1.5, 1]] }",
-                             "height_profile = { type = 'tabulated', table = [[0.5, -1]] }",
+                             "height_profile = { type = 'tabulated', table = [[0.5, -2e6]] }",
                              "scatter.count = -1",
                              "scatter.count = 100001",
                              "scatter.sigma = [0, 1]",

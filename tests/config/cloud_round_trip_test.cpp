@@ -75,7 +75,7 @@ std::string any_height_profile() {
     if (type == "blended" && coin()) text += fmt::format("cloud_type = {}\n", any_number(0, 1));
     if (type == "tabulated") {
         text += fmt::format("table = [[{}, {}], [{}, {}], [1, 0]]\n", any_number(0, 0.4),
-                            any_number(0, 5), any_number(0.5, 0.9), any_number(0, 5));
+                            any_number(-5, 5), any_number(0.5, 0.9), any_number(0, 5));
     }
     return text + (type == "blended" && coin() ? any_map("type_map") : "");
 }

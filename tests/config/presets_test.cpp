@@ -81,10 +81,9 @@ TEST(Presets, AreValidRecipesWithATitleAndBakes) {
 }
 
 TEST(Presets, OfNoisesAreThoseOfTheIssue) {
-    EXPECT_EQ(noise_preset_names(),
-              (std::vector<std::string_view>{"billows", "nubis_detail", "nubis_layer",
-                                             "nubis_shape", "takram_detail", "takram_shape",
-                                             "thesis"}));
+    EXPECT_EQ(noise_preset_names(), (std::vector<std::string_view>{
+                                        "billows", "fibres", "nubis_detail", "nubis_layer",
+                                        "nubis_shape", "takram_detail", "takram_shape", "thesis"}));
     for (const Preset& entry : noise_presets()) {
         EXPECT_EQ(find_preset(entry.name), nullptr) << entry.name;
         EXPECT_TRUE(entry.text.starts_with("# ")) << entry.name;

@@ -57,10 +57,11 @@ TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
     EXPECT_EQ(slip.code, "E0115");
     EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
     EXPECT_EQ(slip.where.line, 2);
-    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-              "choose one of billows, nubis_detail, nubis_layer, nubis_shape, takram_detail, "
-              "takram_shape, "
-              "thesis");
+    EXPECT_EQ(
+        only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
+        "choose one of billows, fibres, nubis_detail, nubis_layer, nubis_shape, takram_detail, "
+        "takram_shape, "
+        "thesis");
     EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
 }
 

@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace skybake {
@@ -54,13 +55,15 @@ TEST(ToneMapped, IsTheCurveThenSrgbOnAverage) {
         const double exposure = *rc::gen::inRange(1, 1000) / 10.0;
         const auto radiance = static_cast<float>(exposed / exposure);
         const double exact = 255 * srgb_of(1 - std::exp(-exposed));
-        const Picture picture = field({radiance, 0, radiance}, exposure);
+        const double half = 255 * srgb_of(1 - std::exp(-exposed / 2));
+        const Picture picture = field({radiance, radiance / 2, radiance}, exposure);
         for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
             RC_ASSERT(std::abs(picture.rgb[i] - exact) < 1.006);
-            RC_ASSERT(picture.rgb[i + 1] == 0);
+            RC_ASSERT(std::abs(picture.rgb[i + 1] - half) < 1.006);
             RC_ASSERT(picture.rgb[i + 2] == picture.rgb[i]);
         }
         RC_ASSERT(std::abs(mean_of(picture, 0) - exact) < 0.02);
+        RC_ASSERT(std::abs(mean_of(picture, 1) - half) < 0.02);
     }));
 }
 
@@ -117,10 +120,44 @@ TEST(ToneMapped, BrightensWithLightAndKeepsGreyGrey) {
     }
 }
 
+// The channels of light that the exponential shows.
+std::array<double, 3> light_shown(const std::vector<float>& light) {
+    const Picture picture = field(light, 1);
+    std::array<double, 3> channels;
+    for (std::size_t c = 0; c < 3; ++c)
+        channels[c] = -std::log(1 - linear_of(mean_of(picture, c) / 255));
+    return channels;
+}
+
+// The Reference Gamut Compression keeps what is well within the gamut, and its limits, 1.147, 1.264 and
+// 1.312 of the greatest channel from it, fall on the gamut's border.
+TEST(ToneMapped, DrawsColorsIntoTheGamut) {
+    const std::array<double, 3> kept = light_shown({0.2F, 0.21F, 1});
+    EXPECT_NEAR(kept[0], 0.2, 2e-3);
+    EXPECT_NEAR(kept[1], 0.21, 2e-3);
+    EXPECT_NEAR(kept[2], 1, 2e-3);
+    constexpr std::array limits = {1.147, 1.264, 1.312};
+    for (std::size_t c = 0; c < 3; ++c) {
+        std::vector<float> light = {0.5F, 0.5F, 0.5F};
+        light[(c + 1) % 3] = 1;
+        light[c] = static_cast<float>(1 - limits[c] + 0.02);
+        EXPECT_GT(light_shown(light)[c], 5e-4) << c;
+        light[c] = static_cast<float>(1 - limits[c] - 0.02);
+        EXPECT_EQ(light_shown(light)[c], 0) << c;
+    }
+}
+
+// A setting sun of (1, 0.08, -0.03) that is a thousand times too bright is no yellow without blue.
+TEST(ToneMapped, ShowsTheSettingSunNoMoreYellowThanTheSkyAroundIt) {
+    const Picture sun = field({1000, 80, -30}, 1);
+    const Picture sky = field({2.5F, 1.5F, 0.5F}, 1);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_GE(mean_of(sun, c), mean_of(sky, c)) << c;
+}
+
 // A saturated blue that is far too bright turns to white by the film-like curves, and not by the
 // exponential.
 TEST(ToneMapped, DesaturatesBrightColorsByFilmLikeCurves) {
-    const std::vector<float> blue = {0.2F, 2, 20};
+    const std::vector<float> blue = {0.2F, 0.4F, 1};
     const auto spread = [&](ToneCurve curve) {
         const Picture picture = field(blue, 4, curve);
         return mean_of(picture, 2) - mean_of(picture, 0);

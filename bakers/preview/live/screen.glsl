@@ -33,8 +33,20 @@ vec3 agx(vec3 light) {
                         -0.0990297441, -0.0989611768, 1.15107367) * y, 0.0), vec3(2.2));
 }
 
+// Colours near the border of what a screen shows, and beyond it, are drawn within it.
+vec3 in_gamut(vec3 light) {
+    float greatest = max(max(light.r, light.g), light.b);
+    if (greatest <= 0.0) return light;
+    const vec3 THRESHOLD = vec3(0.815, 0.803, 0.880), LIMIT = vec3(1.147, 1.264, 1.312), POWER = vec3(1.2);
+    vec3 apart = (greatest - light) / greatest, reach = LIMIT - THRESHOLD;
+    vec3 scale = reach / pow(pow((1.0 - THRESHOLD) / reach, -POWER) - 1.0, 1.0 / POWER);
+    vec3 x = max(apart - THRESHOLD, 0.0) / scale;
+    vec3 bent = THRESHOLD + scale * x / pow(1.0 + pow(x, POWER), 1.0 / POWER);
+    return greatest * (1.0 - mix(bent, apart, lessThanEqual(apart, THRESHOLD)));
+}
+
 void main() {
-    vec3 light = clamp(exposure * light_of(gl_FragCoord.xy), 0.0, 1e6);
+    vec3 light = max(in_gamut(clamp(exposure * light_of(gl_FragCoord.xy), -1e6, 1e6)), 0.0);
     vec3 shown = curve == 0 ? 1.0 - exp(-light) : curve == 1 ? aces(light) : agx(light);
     shown = clamp(shown, 0.0, 1.0);
     vec3 bytes = 255.0 * mix(1.055 * pow(shown, vec3(1.0 / 2.4)) - 0.055, 12.92 * shown, lessThanEqual(shown, vec3(0.0031308)));
