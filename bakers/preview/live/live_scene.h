@@ -19,8 +19,8 @@ namespace skybake {
 inline constexpr std::size_t kMostHalfBytes = std::size_t{8} << 20;
 
 // Returns the scene as JSON. Where an atmosphere lacks a table that the page needs, the table is
-// baked; clouds without an atmosphere are lit by the preset `earth`. Of several clouds, the first
-// is shown. A cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if
+// baked; clouds without an atmosphere are lit by the preset `earth`. All clouds are shown in one sky
+// (live_clouds.h). A cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if
 // there is no recipe to read numbers from, or the air has other than three or four channels.
 config::Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options);
 
