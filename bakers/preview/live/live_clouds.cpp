@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/march/cloud_light.h"
+#include "bakers/preview/cloud_inputs.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 
 namespace skybake {
@@ -39,7 +40,7 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
     const CloudMedium& medium = cloud.medium;
     const CloudOptics& optics = medium.optics;
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
-    return {{"name", cloud.input.volume->entry.name},
+    return {{"name", cloud.volume->entry.name},
             {"leaps", cloud.leaps_name},
             {"greatest_error", greatest_error},
             {"tile", medium.extent_m},
@@ -66,22 +67,22 @@ std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOpt
         const std::optional<config::Cloud> cloud = cloud_as_baked(input);
         LeapingMedium made = leaping_medium(input, *cloud, !options.single, options.threads);
         if (inputs.size() > 1) made.medium.variation = varied_tiles(made.medium);
-        clouds.push_back({input, std::move(made.medium), std::move(made.leaps_name)});
+        clouds.push_back({input.volume, std::move(made.medium), std::move(made.leaps_name),
+                          input.suns.front(), input.camera});
     }
     return clouds;
 }
 
 FramedScene framed_clouds(const std::vector<LiveCloud>& clouds, int width, int height) {
-    const CloudPreviewInput& first = clouds.front().input;
+    const LiveCloud& first = clouds.front();
     if (clouds.size() == 1) {
-        const CloudMedium& medium = clouds.front().medium;
-        const CloudViewSettings view =
-            framed_view(medium, first.suns.front(), width, height, first.camera);
+        const CloudMedium& medium = first.medium;
+        const CloudViewSettings view = framed_view(medium, first.sun, width, height, first.camera);
         return {{{&medium, view.step_m, view.light_step_m, view.reach_m, false}}, view.camera};
     }
     std::vector<const CloudMedium*> media;
     for (const LiveCloud& cloud : clouds) media.push_back(&cloud.medium);
-    return framed_scene(media, first.suns.front(), width, height, first.camera);
+    return framed_scene(media, first.sun, width, height, first.camera);
 }
 
 LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& scene,
@@ -89,7 +90,7 @@ LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& sc
     LiveJson json = LiveJson::array();
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         const LiveCloud& cloud = clouds[i];
-        const PreviewAsset& volume = *cloud.input.volume;
+        const PreviewAsset& volume = *cloud.volume;
         const PackedVolume packed = packed_volume(volume);
         const LeapGrid& leaps = cloud.medium.leaps;
         json.push_back(cloud_json(cloud, scene.layers[i], packed.greatest_error));

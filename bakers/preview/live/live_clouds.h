@@ -5,17 +5,21 @@
 #include <vector>
 
 #include "bakers/march/cloud_medium.h"
-#include "bakers/preview/cloud_inputs.h"
+#include "bakers/preview/bake_assets.h"
 #include "bakers/preview/live/live_textures.h"
 #include "bakers/render/cloud_framing.h"
 
 namespace skybake {
 
+struct PreviewOptions;
+
 // A cloud with all that a march through it needs.
 struct LiveCloud {
-    CloudPreviewInput input;
+    const PreviewAsset* volume = nullptr;
     CloudMedium medium;
     std::string leaps_name;
+    SunDirection sun;
+    CameraRequest camera;
 };
 
 // Returns the clouds that a page shows: those of the picture of one sky, whose tiles vary, or the only
