@@ -1,7 +1,6 @@
 #include "cli/preview.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <atomic>
 #include <chrono>
@@ -9,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -25,13 +23,6 @@
 
 namespace skybake::cli {
 namespace {
-
-std::string sign_of(const std::filesystem::path& path) {
-    struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) return "missing";
-    return fmt::format("{} {} {}.{}", status.st_ino, status.st_size, status.st_mtim.tv_sec,
-                       status.st_mtim.tv_nsec);
-}
 
 namespace fs = std::filesystem;
 using config::Diagnostic;
@@ -91,9 +82,14 @@ class Watch {
     }
 
   private:
+    using Clock = std::chrono::steady_clock;
+    static double seconds_since(Clock::time_point start) {
+        return std::chrono::duration<double>(Clock::now() - start).count();
+    }
+
     // Runs one round, from the recipe to the page or to the diagnostics on the page.
     ExitCode look_again() {
-        const auto start = std::chrono::steady_clock::now();
+        const Clock::time_point start = Clock::now();
         Outcome<PreviewPage> page = draft_page();
         if (interrupted()) return ExitCode::interrupted;
         const ExitCode code = console_.report(page.diagnostics);
@@ -101,39 +97,61 @@ class Watch {
         // A recipe that has been wrong since the start gets a page without pictures.
         if (!page.value && state_.revision == 0) page.value.emplace().title = title();
         if (page.value && !write(*page.value)) return exit_code_;
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
+        const double seconds = seconds_since(start);
         if (page.value) {
-            state_.seconds = elapsed.count();
+            state_.seconds = seconds;
             state_.full = false;
         }
         tell();
-        if (code == ExitCode::done) note_made("a draft", elapsed.count());
+        if (code == ExitCode::done) note_made("a draft", seconds);
         return code;
     }
 
     // Makes the same page at full quality. It gives up if a file is saved before it is done.
     void refine() {
         if (!selection_ || exit_code_ != ExitCode::done) return;
-        const auto start = std::chrono::steady_clock::now();
+        const Clock::time_point start = Clock::now();
         bool given_up = false;
         Outcome<PreviewPage> page = [&] {
             UntilSaved progress(console_, files_);
+            request_.options.lit_clouds = [&](const PreviewPage& clouds) {
+                if (!progress.cancelled()) show_clouds(clouds, start);
+            };
             auto made = page_of(*selection_, selection_->recipe, false, full_, progress);
+            request_.options.lit_clouds = nullptr;
             given_up = progress.cancelled();
             return made;
         }();
-        if (given_up) return;
+        if (given_up || exit_code_ != ExitCode::done) return;
         if (!page.value) {
             console_.report(page.diagnostics);
             state_.diagnostics = std::move(page.diagnostics);
             return tell();
         }
-        const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
         state_.full = true;
-        state_.seconds = elapsed.count();
+        state_.seconds = seconds_since(start);
         if (!write(*page.value)) return;
         tell();
-        note_made("full quality", elapsed.count());
+        note_made("full quality", state_.seconds);
+    }
+
+    // Puts pictures of clouds at full quality into the page of the draft.
+    void show_clouds(const PreviewPage& clouds, Clock::time_point start) {
+        PreviewPage page = shown_;
+        for (PageScene& scene : page.scenes) {
+            for (const PageScene& better : clouds.scenes) {
+                if (better.title == scene.title) scene = better;
+            }
+        }
+        for (PageAsset& asset : page.assets) {
+            for (const PageAsset& better : clouds.assets) {
+                if (better.entry.name == asset.entry.name && !better.pictures.empty())
+                    asset = better;
+            }
+        }
+        if (!write(page)) return;
+        tell();
+        note_made("clouds at full quality", seconds_since(start));
     }
 
     void note_made(const char* what, double seconds) {
@@ -225,6 +243,7 @@ class Watch {
                                 : paths.back() + "\n");
         }
         state_.revision = page.watch_revision;
+        shown_ = page;
         request_.force = true;  // from now on the files are from this run
         return true;
     }
@@ -249,39 +268,11 @@ class Watch {
     RoundMemo draft_;
     RoundMemo full_;
     PageState state_;
+    PreviewPage shown_;
     ExitCode exit_code_ = ExitCode::done;  // of writing; a failure ends the watch
 };
 
 }  // namespace
-
-void WatchedFiles::follow(const std::vector<std::filesystem::path>& paths) {
-    Signs signs;
-    for (const std::filesystem::path& path : paths) {
-        const auto known = seen_.find(path);
-        signs[path] = known != seen_.end() ? known->second : sign_of(path);
-    }
-    seen_ = std::move(signs);
-}
-
-bool WatchedFiles::wait() {
-    Signs last = seen_;
-    while (!interrupted()) {
-        std::this_thread::sleep_for(look_every);
-        Signs now = look();
-        const bool at_rest = now == last;
-        last = now;
-        if (now == seen_ || !at_rest) continue;
-        seen_ = std::move(now);
-        return true;
-    }
-    return false;
-}
-
-WatchedFiles::Signs WatchedFiles::look() const {
-    Signs signs;
-    for (const auto& [path, seen] : seen_) signs[path] = sign_of(path);
-    return signs;
-}
 
 ExitCode watch_preview(const Invocation& invocation, const PreviewRequest& request,
                        Console& console) {

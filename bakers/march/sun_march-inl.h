@@ -108,8 +108,7 @@ class SunMarches {
         lanes_.y[lane] = (tile_y + points_.y[point]) * frame_.scale[1];
         lanes_.z[lane] = points_.z[point] * frame_.scale[2] + frame_.offset_z;
         lanes_.jitter[lane] = points_.jitter[point];
-        const float first =
-            frame_.enters ? first_within(lanes_.z[lane], lanes_.jitter[lane]) : 0.0F;
+        const float first = frame_.enters ? first_within(lane) : 0.0F;
         if (first < 0) return;
         lanes_.point[lane] = point;
         lanes_.tau[lane] = 0;
@@ -118,18 +117,30 @@ class SunMarches {
         lanes_.was_empty[lane] = frame_.enters ? 1.0F : 0.0F;
     }
 
-    // Returns the first sample at a height within the layer, or -1 if there is none.
-    float first_within(float z, float jitter) const {
+    // Returns the first sample at a height within the layer and, if that does not repeat, within its
+    // tile, or -1 if there is none. If the march passes by the tile, the sample is outside of it.
+    float first_within(std::size_t lane) const {
+        const float jitter = lanes_.jitter[lane];
+        const float up = first_within(2, lanes_.z[lane], jitter);
+        if (march_.medium->repeats || up < 0) return up;
+        const float along_x = first_within(0, lanes_.x[lane], jitter);
+        const float along_y = first_within(1, lanes_.y[lane], jitter);
+        return along_x < 0 || along_y < 0 ? -1 : std::max({up, along_x, along_y});
+    }
+
+    // Returns the first sample between the volume's two faces along one axis, or -1 if there is none.
+    float first_within(std::size_t axis, float from, float jitter) const {
         constexpr float kFarthest = 0x1p22F;  // whole numbers and halves beyond it are not exact
-        const float top = static_cast<float>(march_.medium->volume.size[2]);
-        if (z >= 0 && z <= top) return 0;
-        const float climb = march_.light_direction[2] * march_.light_step_m;
-        const float way = z < 0 ? 0 - z : top - z;
+        const float last = static_cast<float>(march_.medium->volume.size[axis]);
+        if (from >= 0 && from <= last) return 0;
+        const float climb = march_.light_direction[axis] * march_.light_step_m;
+        const float way = from < 0 ? 0 - from : last - from;
         if (!(way * climb > 0) || way / climb > kFarthest) return -1;
         float k = std::max(std::ceil(way / climb - jitter), 0.0F);
         const auto outside = [&] {
-            const float at = z + (k + jitter) * march_.light_step_m * march_.light_direction[2];
-            return z < 0 ? at < 0 : at > top;
+            const float at =
+                from + (k + jitter) * march_.light_step_m * march_.light_direction[axis];
+            return from < 0 ? at < 0 : at > last;
         };
         while (outside()) ++k;
         return k;

@@ -82,14 +82,20 @@ class PreviewBake {
                 stages_.progress->begin_stage(++stage_, stages_.count, bake.name);
             }
             const bool made = add(bake);
-            if (options_.cancelled()) return {};
+            if (options_.cancelled()) return interrupted();
             if (!made) return {{}, std::move(diagnostics_)};
         }
-        if (memory_ != nullptr) *memory_ = std::move(fresh_memory_);
+        if (memory_ != nullptr) *memory_ = {std::move(fresh_memory_), {}};
         return {std::move(shown_), std::move(diagnostics_)};
     }
 
   private:
+    // What is done stays for the next bake.
+    Outcome<PreviewAssets> interrupted() {
+        if (memory_ != nullptr) memory_->unfinished = std::move(fresh_memory_);
+        return {};
+    }
+
     bool add(const config::Bake& bake) {
         const std::string key = key_of(bake);
         if (const PreviewAsset* known = remembered(key)) {
@@ -97,7 +103,7 @@ class PreviewBake {
         } else if (!add_baked(bake)) {
             return false;
         }
-        if (!key.empty()) fresh_memory_.assets[key] = shown_.assets.back();
+        if (!key.empty()) fresh_memory_[key] = shown_.assets.back();
         return true;
     }
 
@@ -111,8 +117,10 @@ class PreviewBake {
 
     const PreviewAsset* remembered(const std::string& key) const {
         if (key.empty()) return nullptr;
-        const auto known = memory_->assets.find(key);
-        return known == memory_->assets.end() ? nullptr : &known->second;
+        for (const auto* assets : {&memory_->assets, &memory_->unfinished}) {
+            if (const auto known = assets->find(key); known != assets->end()) return &known->second;
+        }
+        return nullptr;
     }
 
     bool add_baked(const config::Bake& bake) {
@@ -132,7 +140,7 @@ class PreviewBake {
     const BakeStages& stages_;
     Intermediates own_intermediates_;
     int stage_ = 0;
-    AssetMemo fresh_memory_;
+    std::map<std::string, PreviewAsset> fresh_memory_;
     PreviewAssets shown_;
     std::vector<config::Diagnostic> diagnostics_;
 };

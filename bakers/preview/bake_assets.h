@@ -47,6 +47,7 @@ std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> le
 // memo must be reduced in the same way or not at all.
 struct AssetMemo {
     std::map<std::string, PreviewAsset> assets;
+    std::map<std::string, PreviewAsset> unfinished;  // of the last bake, if that was interrupted
 };
 
 // The progress that each asset is reported to, as one stage of `count`.

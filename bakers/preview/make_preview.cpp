@@ -49,21 +49,40 @@ class Preview {
         page_.title = assets_.title;
         page_.notes = assets_.notes;
         if (!options_.note.empty()) page_.notes.push_back(options_.note);
-        add_scene();
-        if (is_cancelled(options_.progress)) return {};
-        add_sky();
-        for (const PreviewAsset& asset : assets_.assets) {
-            if (is_cancelled(options_.progress)) return {};
-            begin_stage(asset.entry.name);
-            add(asset);
+        if (!add_all()) {
+            encoder_.give_up();
+            return {};
         }
-        if (is_cancelled(options_.progress)) return {};
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
         return {std::move(page_), {}};
     }
 
   private:
+    // Makes all pictures, those of lit clouds first. Returns false if the user interrupts.
+    bool add_all() {
+        for (const PreviewAsset& asset : assets_.assets) {
+            page_.assets.push_back(without_pictures(asset));
+        }
+        add_scene();
+        if (!add_assets(true)) return false;
+        if (options_.lit_clouds && lit_pictures_of(assets_).clouds) options_.lit_clouds(page_);
+        add_sky();
+        return add_assets(false);
+    }
+
+    // Makes the pictures of the cloud volumes, or of all other assets.
+    bool add_assets(bool volumes) {
+        for (std::size_t i = 0; i < assets_.assets.size(); ++i) {
+            if (is_cancelled(options_.progress)) return false;
+            const PreviewAsset& asset = assets_.assets[i];
+            if ((cloud_input(assets_, asset, options_).volume != nullptr) != volumes) continue;
+            begin_stage(asset.entry.name);
+            page_.assets[i].pictures = pictures_of(asset);
+        }
+        return !is_cancelled(options_.progress);
+    }
+
     void begin_stage(const std::string& what) {
         if (options_.progress == nullptr) return;
         const int count = picture_stages(assets_.assets.size(), lit_pictures_of(assets_), options_);
@@ -94,7 +113,8 @@ class Preview {
         std::string key = "scene\n";
         for (const CloudPreviewInput& layer : layers) key += cloud_key(layer);
         page_.scenes.push_back(
-            {"One sky", "All clouds of the recipe at their altitudes, in its atmosphere.",
+            {"One sky",
+             "The picture shows all clouds of the recipe at their altitudes, in its atmosphere.",
              encoder_.encode(key, [&] { return scene_pictures(layers, options_.threads); }), true});
     }
 
@@ -116,17 +136,16 @@ class Preview {
             return sky_pictures(assets_.recipe->parameters.atmosphere, *transmittance, *scattering,
                                 sky_options(), options_.threads);
         });
-        page_.scenes.push_back(
-            {"Sky",
-             "The sky as a runtime renders it: it marches rays, and takes sunlight and light "
-             "scattered more than once from the baked tables.",
-             std::move(pictures)});
+        page_.scenes.push_back({"Sky",
+                                "The pictures show the sky as a runtime renders it: it marches "
+                                "rays, and takes sunlight and light "
+                                "scattered more than once from the baked tables.",
+                                std::move(pictures)});
     }
 
-    void add(const PreviewAsset& asset) {
+    PageAsset without_pictures(const PreviewAsset& asset) const {
         const auto plot = assets_.plots.find(asset.entry.name);
-        page_.assets.push_back(
-            {asset.entry, pictures_of(asset), plot == assets_.plots.end() ? "" : plot->second});
+        return {asset.entry, {}, plot == assets_.plots.end() ? "" : plot->second};
     }
 
     std::vector<PagePicture> pictures_of(const PreviewAsset& asset) {
@@ -187,6 +206,7 @@ Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const Previe
         PreviewOptions stills = options;
         stills.draft = true;
         stills.memory = nullptr;
+        stills.lit_clouds = nullptr;
         page = Preview(assets, stills).make();
         if (!page.value) return page;
         for (PageAsset& asset : page.value->assets) {

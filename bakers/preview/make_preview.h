@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,8 +48,11 @@ struct PreviewOptions {
     bool live = false;    // a page that renders the assets (live/live_scene.h)
     int threads = 0;      // 0: as many as the machine has
     StageProgress* progress = nullptr;
-    int stages_before = 0;                   // stages already reported, of the same preview
-    PictureMemo* memory = nullptr;           // of earlier previews with the same options
+    int stages_before = 0;          // stages already reported, of the same preview
+    PictureMemo* memory = nullptr;  // of earlier previews with the same options
+    // Is called with the page as soon as it has the pictures of lit clouds, if there are any, and no
+    // others; null: not called.
+    std::function<void(const PreviewPage&)> lit_clouds = nullptr;
     Intermediates* intermediates = nullptr;  // of the assets' bake; null: none
 };
 

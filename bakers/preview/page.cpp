@@ -2,32 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
+#include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 
 namespace skybake {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string_view kind_name(PictureKind kind) {
-    switch (kind) {
-        case PictureKind::scene:
-            return "scene";
-        case PictureKind::plot:
-            return "plot";
-        case PictureKind::image:
-            break;
-    }
-    return "image";
-}
 
 // Describes a picture for the scripts. The image itself is in the HTML; scripts find it by the file
 // name.
@@ -49,29 +36,6 @@ Json to_json(const std::vector<PagePicture>& pictures) {
     Json json = Json::array();
     for (const PagePicture& picture : pictures) json.push_back(to_json(picture));
     return json;
-}
-
-// Returns the width or height that a drawing of `report` states.
-int svg_extent(std::string_view svg, std::string_view attribute) {
-    const std::size_t at = svg.find(fmt::format(" {}=\"", attribute), svg.find("<svg"));
-    if (at == std::string_view::npos) return 0;
-    int value = 0;
-    for (const char c : svg.substr(at + attribute.size() + 3)) {
-        if (c < '0' || c > '9' || value > 100000) break;
-        value = 10 * value + (c - '0');
-    }
-    return value;
-}
-
-PagePicture report_plot(const PageAsset& asset) {
-    return {asset.entry.name + "_report",
-            "Speed against error",
-            "The plot shows what accuracy costs: the time of the bake against its error, for many "
-            "variants.",
-            svg_extent(asset.plot_svg, "width"),
-            svg_extent(asset.plot_svg, "height"),
-            "",
-            PictureKind::plot};
 }
 
 Json plot_json(const PageAsset& asset) {
@@ -194,9 +158,11 @@ std::string script_text(const Json& json) {
     return safe_in_script(json.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 
-Json retired_json(const std::vector<std::string>& names) {
+// Lists the files beside the page that are not its pictures, so that a later preview knows them.
+Json other_files_json(const PreviewPage& page) {
     Json json = Json::array();
-    for (const std::string& name : names) json.push_back({{"file", name}});
+    for (const std::string& name : page.retired) json.push_back({{"file", name}});
+    if (page.watch_revision > 0) json.push_back({{"file", page_swap_name}});
     return json;
 }
 
@@ -207,73 +173,15 @@ std::string page_data(const PreviewPage& page) {
                         {"sweep", page.sweep ? to_json(*page.sweep) : Json(nullptr)},
                         {"scenes", array_of(page.scenes)},
                         {"assets", array_of(page.assets)},
-                        {"retired", retired_json(page.retired)}});
-}
-
-std::string figure_html(const PagePicture& picture, const std::string& file,
-                        const std::string& source) {
-    return fmt::format(
-        "<figure><img class=\"{}\" data-file=\"{}\" alt=\"{}\" width=\"{}\" height=\"{}\" "
-        "src=\"{}\"><figcaption><b>{}</b> {}</figcaption></figure>\n",
-        kind_name(picture.kind), html_text(file),
-        html_text(picture.caption.empty() ? picture.title : picture.caption), picture.width,
-        picture.height, source, html_text(picture.title), html_text(picture.caption));
-}
-
-std::string figures_html(const std::vector<PagePicture>& pictures) {
-    std::string html;
-    for (const PagePicture& picture : pictures) {
-        const std::string file = picture.name + ".png";
-        html += figure_html(
-            picture, file,
-            picture.sequence.empty() ? "data:image/png;base64," + base64(picture.png) : file);
-    }
-    return html;
+                        {"others", other_files_json(page)}});
 }
 
 }  // namespace
-
-std::string pictures_html(const PreviewPage& page) {
-    std::string html;
-    if (page.sweep) {
-        html += figures_html(page.sweep->pictures);
-        for (const PageVariant& variant : page.sweep->variants) {
-            if (variant.picture) html += figures_html({*variant.picture});
-        }
-    }
-    for (const PageScene& scene : page.scenes) html += figures_html(scene.pictures);
-    for (const PageAsset& asset : page.assets) {
-        html += figures_html(asset.pictures);
-        if (asset.plot_svg.empty()) continue;
-        html += figure_html(report_plot(asset), asset.entry.name + "_report.svg",
-                            "data:image/svg+xml;base64," + base64(asset.plot_svg));
-    }
-    return html;
-}
 
 std::string watch_element(int revision) {
     if (revision == 0) return "";
     return "<script>\n" + filled(page_watch_script(), {{"revision", std::to_string(revision)}}) +
            "</script>\n";
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    text.reserve((bytes.size() + 2) / 3 * 4);
-    for (std::size_t at = 0; at < bytes.size(); at += 3) {
-        const std::string_view group = bytes.substr(at, 3);
-        std::uint32_t bits = 0;
-        for (std::size_t i = 0; i < 3; ++i) {
-            bits = bits << 8 | (i < group.size() ? static_cast<std::uint8_t>(group[i]) : 0U);
-        }
-        // A group of n bytes makes n + 1 digits; the rest is padding.
-        for (std::size_t i = 0; i < 4; ++i) {
-            text += i <= group.size() ? digits[bits >> (18 - 6 * i) & 63] : '=';
-        }
-    }
-    return text;
 }
 
 std::string page_html(const PreviewPage& page) {
@@ -284,6 +192,11 @@ std::string page_html(const PreviewPage& page) {
                                          {"pictures", pictures_html(page)},
                                          {"script", std::string(page_script())},
                                          {"watch", watch_element(page.watch_revision)}});
+}
+
+std::string page_swap_text(const PreviewPage& page) {
+    return fmt::format("skybakePage({}, {}, {});\n", page.watch_revision, page_data(page),
+                       script_text(Json(pictures_html(page))));
 }
 
 std::string page_state_text(const PageState& state) {

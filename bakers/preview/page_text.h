@@ -22,9 +22,6 @@ std::string safe_in_script(std::string_view json);
 // Returns the template with each {{name}} replaced. Replacement is not repeated within the values.
 std::string filled(std::string_view form, const std::map<std::string_view, std::string>& values);
 
-// Returns the HTML of all pictures of the page, in the order in which its scripts show them.
-std::string pictures_html(const PreviewPage& page);
-
 // Returns the script of a page that follows a recipe; nothing for revision 0.
 std::string watch_element(int revision);
 

@@ -2,54 +2,35 @@
 // state lies in one beside it, which is loaded again and again and calls skybakePreview.
 (() => {
     let revision = {{revision}};
-    const place = history.state || {};
-    history.scrollRestoration = 'manual';
     const sign = document.createElement('div');
     sign.className = 'watch';
     sign.setAttribute('role', 'status');
     document.body.append(sign);
-    if (place.enlarged) {
-        const picture = document.querySelector(`figure[data-name="${CSS.escape(place.enlarged)}"] .picture`);
-        if (picture) picture.click();
-    }
-    if (place.scroll) {
-        // Once more when all pictures have their height: the page may still be too short.
-        const goBack = () => scrollTo({top: place.scroll, behavior: 'instant'});
-        goBack();
-        addEventListener('load', goBack, {once: true});
-    }
 
-    function reload() {
-        const dialog = document.querySelector('dialog[open]');
-        history.replaceState({scroll: scrollY, enlarged: dialog ? dialog.dataset.name : null}, '');
-        location.reload();
-    }
-
-    // A live page replaces what it renders; the camera stays.
+    // What has changed lies in another script beside the page. A live page without WebGL is written anew.
     function renew() {
-        if (!window.skybakeLive || window.skybakeLive.failed) {
-            reload();
+        const live = window.skybakeLive;
+        if (live && live.failed) {
+            location.reload();
             return;
         }
-        const script = document.createElement('script');
-        script.src = `live_scene.js?${Date.now()}`;
-        script.onload = () => script.remove();
-        script.onerror = () => {
-            script.remove();
-            setTimeout(look, 1000);
-        };
-        document.head.append(script);
+        load(live ? 'live_scene.js' : 'preview_page.js');
     }
-    window.skybakeScene = async (made, scene) => {
-        await window.skybakeLive.begun;
+    async function replace(made, replaced) {
         try {
-            await window.skybakeLive.replace(scene);
+            await replaced();
         } catch (error) {
             sign.textContent = error.message;
         }
         revision = made;
         look();
-    };
+    }
+    // Live pages replace what they render, and the camera stays; others replace their pictures.
+    window.skybakeScene = (made, scene) => replace(made, async () => {
+        await window.skybakeLive.begun;
+        await window.skybakeLive.replace(scene);
+    });
+    window.skybakePage = (made, preview, figures) => replace(made, () => window.skybakeReplace(preview, figures));
 
     // A recipe's texts, as texts.
     function line(name, content, className) {
@@ -103,15 +84,18 @@
         tell(state);
         if (!state.ended) setTimeout(look, 100);
     };
-    function look() {
+    function load(name) {
         const script = document.createElement('script');
-        script.src = `preview_state.js?${Date.now()}`;
+        script.src = `${name}?${Date.now()}`;
         script.onload = () => script.remove();
         script.onerror = () => {
             script.remove();
             setTimeout(look, 1000);
         };
         document.head.append(script);
+    }
+    function look() {
+        load('preview_state.js');
     }
     look();
 })();

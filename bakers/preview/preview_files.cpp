@@ -26,16 +26,29 @@ std::string file_stem(std::string_view name) {
 
 std::vector<PagePicture> PictureEncoder::encode(
     const std::string& key, const std::function<std::vector<PreviewPicture>()>& make) {
-    std::vector<PagePicture> pictures;
-    const bool known = memory_ != nullptr && memory_->pictures.count(key) > 0;
-    pictures = known ? memory_->pictures[key] : encoded(make());
-    if (memory_ != nullptr) shown_.pictures[key] = pictures;
+    const std::vector<PagePicture>* known = remembered(key);
+    std::vector<PagePicture> pictures = known != nullptr ? *known : encoded(make());
+    if (memory_ != nullptr) shown_[key] = pictures;
+    last_key_ = key;
     for (PagePicture& picture : pictures) picture.name = free_name(picture.name);
     return pictures;
 }
 
+const std::vector<PagePicture>* PictureEncoder::remembered(const std::string& key) const {
+    if (memory_ == nullptr) return nullptr;
+    for (const PicturesByKey* pictures : {&memory_->pictures, &memory_->unfinished}) {
+        if (const auto found = pictures->find(key); found != pictures->end()) return &found->second;
+    }
+    return nullptr;
+}
+
+void PictureEncoder::give_up() {
+    shown_.erase(last_key_);
+    if (memory_ != nullptr) memory_->unfinished = std::move(shown_);
+}
+
 std::vector<config::Diagnostic> PictureEncoder::finish() {
-    if (memory_ != nullptr) *memory_ = std::move(shown_);
+    if (memory_ != nullptr) *memory_ = {std::move(shown_), {}};
     return std::move(problems_);
 }
 
@@ -104,6 +117,7 @@ std::vector<PreviewFile> preview_files(const PreviewPage& page) {
     for (const PagePicture* picture : pictures_of(page)) {
         files.push_back({picture->name + ".png", picture->png});
     }
+    if (page.watch_revision > 0) files.push_back({page_swap_name, page_swap_text(page)});
     files.push_back({page_name, page_html(page)});
     return files;
 }
@@ -112,6 +126,7 @@ std::vector<std::string> preview_file_names(const PreviewPage& page) {
     if (!page.live_scene.empty()) return live_file_names(page);
     std::vector<std::string> names;
     for (const PagePicture* picture : pictures_of(page)) names.push_back(picture->name + ".png");
+    if (page.watch_revision > 0) names.emplace_back(page_swap_name);
     names.emplace_back(page_name);
     return names;
 }

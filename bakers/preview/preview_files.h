@@ -22,8 +22,10 @@ namespace skybake {
 std::string file_stem(std::string_view name);
 
 // A memo of pictures that were made before, by a key of what they depend on.
+using PicturesByKey = std::map<std::string, std::vector<PagePicture>>;
 struct PictureMemo {
-    std::map<std::string, std::vector<PagePicture>> pictures;
+    PicturesByKey pictures;
+    PicturesByKey unfinished;  // of the last preview, if that was interrupted
 };
 
 class PictureEncoder {
@@ -37,16 +39,22 @@ class PictureEncoder {
     std::vector<PagePicture> encode(const std::string& key,
                                     const std::function<std::vector<PreviewPicture>()>& make);
 
+    // Ends an interrupted preview. The pictures of the last call of encode() may be incomplete and are
+    // forgotten; all others stay in the memo.
+    void give_up();
+
     // Finishes the preview and returns the diagnostics of png_bytes.
     [[nodiscard]] std::vector<config::Diagnostic> finish();
 
   private:
+    const std::vector<PagePicture>* remembered(const std::string& key) const;
     std::vector<PagePicture> encoded(const std::vector<PreviewPicture>& pictures);
     std::string free_name(std::string_view name);
 
     int threads_;
     PictureMemo* memory_;
-    PictureMemo shown_;
+    PicturesByKey shown_;
+    std::string last_key_;
     std::set<std::string> names_;
     std::vector<config::Diagnostic> problems_;
 };
@@ -56,7 +64,7 @@ struct PreviewFile {
     std::string bytes;
 };
 
-// Returns NAME.png for each picture, and the page as the last file.
+// Returns NAME.png for each picture, what a watching page shows next, and the page as the last file.
 std::vector<PreviewFile> preview_files(const PreviewPage& page);
 
 // Returns the names of these files.

@@ -17,8 +17,6 @@ constexpr double kHeading = 63;
 constexpr double kField = 50;
 // The eye height of somebody who stands on the ground.
 constexpr double kLowest_m = 2;
-// The elevation at which a layer of a scene ends, in degrees.
-constexpr double kEndElevation = 1.5;
 // The share of the picture's width or height that a framed box fills.
 constexpr double kFilled = 0.9;
 // The share of the greatest value below which voxels do not count for the framing, because they are
@@ -176,10 +174,10 @@ FramedScene framed_scene(const std::vector<const CloudMedium*>& media, const Sun
     const CloudMedium* lowest = nullptr;
     for (const CloudMedium* medium : media) {
         const CloudViewSettings settings = framed_view(*medium, sun, width, height, request);
-        const double tile = std::max(medium->extent_m[0], medium->extent_m[1]);
         const double height_m =
             std::fabs(medium->base_m + 0.5 * medium->extent_m[2] - settings.camera.position_m[2]);
-        const double to_horizon = std::min(height_m / sine_of_degrees(kEndElevation), 256 * tile);
+        const double to_horizon =
+            std::min(height_m / sine_of_degrees(kEndElevation), farthest_reach_m(*medium));
         scene.layers.push_back({medium, settings.step_m, settings.light_step_m,
                                 std::max(settings.reach_m, to_horizon), true});
         if (lowest != nullptr && lowest->base_m <= medium->base_m) continue;

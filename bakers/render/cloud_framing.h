@@ -1,6 +1,7 @@
 // Chooses the camera of a cloud's lit picture and the steps of the march.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -26,6 +27,13 @@ struct CameraRequest {
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,
                               int height, const CameraRequest& request = {});
+
+// The elevation above the horizon at which a layer of a scene ends, in degrees, unless that is farther
+// away than farthest_reach_m.
+inline constexpr double kEndElevation = 1.5;
+inline double farthest_reach_m(const CloudMedium& medium) {
+    return 256 * std::max(medium.extent_m[0], medium.extent_m[1]);
+}
 
 // Chooses the layers and the camera of a picture of several media, which repeat. Each layer has steps
 // of its own voxels, and fades so far away that its end is close to the horizon. The camera is that of

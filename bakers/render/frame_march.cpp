@@ -19,21 +19,29 @@ struct Offset {
 constexpr std::array<Offset, kSamples> kOffsets = {
     {{0, 0}, {0.35, 0}, {-0.175, 0.303}, {-0.175, -0.303}}};
 
+// The noise of a pixel is (q + n) / 4, with n the gradient noise and q a number that differs among each
+// two by two pixels. The samples of a pixel are a quarter apart, so together they are (0 + n) / 4 to
+// (3 + n) / 4: what is left of the noise in their mean is the fine pattern of n. Of gradient noise
+// alone it would be that of the fraction of 4 n, whose waves are three pixels long and show as hatching.
 float jitter_of(const PixelSample& sample, int pattern) {
-    const float moved =
-        gradient_noise(sample.x, sample.y, pattern) + static_cast<float>(sample.sample) / kSamples;
-    return moved > 1 ? moved - 1 : moved;
+    static_assert(kSamples == 4);
+    constexpr std::array<std::array<int, 4>, 2> quarters = {{{0, 2, 3, 1}, {2, 3, 1, 0}}};
+    const auto place = static_cast<std::size_t>((sample.x & 1) + 2 * (sample.y & 1));
+    const int quarter = quarters[static_cast<std::size_t>(pattern)][place] + sample.sample;
+    return (static_cast<float>(quarter % kSamples) + gradient_noise(sample.x, sample.y, pattern)) /
+           kSamples;
 }
 
 }  // namespace
 
 FrameMarch::FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection& sun,
-                       std::vector<CloudMarch> marches, const SceneFrame& frame)
+                       std::vector<CloudMarch> marches, const SceneFrame& frame, float far_sunlight)
     : layers_(layers),
       marches_(std::move(marches)),
       frame_(frame),
       rays_(frame.camera, frame.width, frame.height),
-      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)) {
+      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)),
+      far_sunlight_(far_sunlight) {
     for (std::size_t l = 0; l < layers_.size(); ++l) {
         const CloudMedium& medium = *layers_[l].medium;
         for (std::size_t a = 0; a < 3; ++a) {
@@ -107,7 +115,11 @@ std::vector<float> FrameMarch::sunlight_on_ground(std::span<const PixelSample> s
         if (samples[i].x < 0) continue;
         const glm::dvec3 direction = direction_through(samples[i]);
         const glm::dvec3& eye = frame_.camera.position_m;
-        if (!(direction.z < 0) || eye.z > -direction.z * farthest_m_) continue;
+        if (!(direction.z < 0)) continue;
+        if (eye.z > -direction.z * farthest_m_) {
+            shares[i] = far_sunlight_;
+            continue;
+        }
         const glm::dvec3 at = eye - eye.z / direction.z * direction;
         points.push_back(
             {static_cast<float>(at.x), static_cast<float>(at.y), 0, jitter_of(samples[i], 1)});

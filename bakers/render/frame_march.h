@@ -18,9 +18,10 @@ struct PixelSample {
 // The march of one picture.
 class FrameMarch {
   public:
-    // `layers` and `frame` must outlive it.
+    // `layers` and `frame` must outlive it. `far_sunlight` is the share of sunlight on ground that is
+    // farther away than the reach of every layer.
     FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection& sun,
-               std::vector<CloudMarch> marches, const SceneFrame& frame);
+               std::vector<CloudMarch> marches, const SceneFrame& frame, float far_sunlight);
 
     int channels() const {
         return MarchedScene::kLayerChannels * static_cast<int>(layers_.size()) + 2;
@@ -43,6 +44,7 @@ class FrameMarch {
     const SceneFrame& frame_;
     CameraRays rays_;
     glm::dvec3 sun_;
+    float far_sunlight_;
     double farthest_m_ = 0;
 };
 

@@ -3,8 +3,8 @@
 //
 // A layer may hold several tiles' worth of samples, and layers may overlap in altitude. The samples of
 // a ray are `step_m` apart in each layer, shifted for each pixel sample by interleaved gradient noise
-// (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014), which
-// turns bands into fine grain. Samples towards the sun are shifted by another noise. Where clouds are
+// (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014) in
+// quarters (frame_march.cpp), which turns bands into fine grain. Samples towards the sun are shifted by another noise. Where clouds are
 // thin or end, the grain of one sample per pixel shows; there, a refined picture takes kSamples samples,
 // whose shifts are evenly apart.
 #pragma once
@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "bakers/field/image.h"
-#include "bakers/math/bake_options.h"
-#include "bakers/render/cloud_camera.h"
 #include "bakers/march/cloud_light.h"
 #include "bakers/march/cloud_rays.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/render/cloud_camera.h"
 
 namespace skybake {
 
@@ -26,9 +26,12 @@ struct SceneLayer {
     double step_m = 1;                    // along rays
     double light_step_m = 1;              // towards the sun
     double reach_m = 1;                   // of rays from the camera
-    // The layer fades to nothing over the last third of the reach, and does not end at it.
+    // The layer fades to nothing from kFadeFrom of the reach on, and does not end at it.
     bool fades = false;
 };
+
+// The share of the reach from which on a layer fades.
+inline constexpr double kFadeFrom = 0.67;
 
 // Which pixels have kSamples samples and not one: those where clouds are thin or end, or all.
 enum class Refinement { none, thin, all };
@@ -46,7 +49,7 @@ inline constexpr int kSamples = 4;
 
 // One texel per pixel, row 0 at the top. Each layer has kLayerChannels channels, the members of
 // RayResults without the transmittance. Two channels follow: the transmittance of all clouds, and the
-// share of sunlight that reaches the ground behind (1 where there is none).
+// share of sunlight that reaches the ground behind (1 where there is none, and the mean beyond the reach).
 struct MarchedScene {
     static constexpr int kLayerChannels = 6;
     Image2<float> results;
@@ -68,6 +71,8 @@ class SceneMarch {
     // without being scattered.
     double through(std::size_t layer) const { return diffuse_[layer].through; }
     double direct(std::size_t layer) const { return direct_[layer]; }
+    // The product of direct() of the layers that repeat.
+    double direct() const;
 
   private:
     double mean_direct(std::size_t layer) const;

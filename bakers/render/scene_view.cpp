@@ -77,7 +77,7 @@ SceneRenderer::SceneRenderer(const std::vector<SceneLayer>& layers, const Atmosp
     for (std::size_t l = 0; l < layers_.size(); ++l) {  // from the highest layer down
         lights_[l].sky *= through_;
         through_ *= march_->through(l);
-        direct_ *= march_->direct(l);
+        if (layers_[l].medium->repeats) ground_through_ *= march_->through(l);
     }
     for (CloudIllumination& light : lights_) light.ground *= through_;
     const GroundIrradiance ground = ground_irradiance(atmosphere, sun, threads);
@@ -97,13 +97,14 @@ const CloudAir& SceneRenderer::air_for(const SceneFrame& frame, int threads) {
 }
 
 Spectrum SceneRenderer::ground_share(double direct) const {
-    const double spread = std::max(through_ - direct_, 0.0);
+    const double spread = std::max(ground_through_ - march_->direct(), 0.0);
     Spectrum share(1.0);
     for (int c = 0; c < atmosphere_.medium.air.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);
         const double clear = ground_sun_[i] + ground_sky_[i];
         if (clear > 0) {
-            share[i] = (ground_sun_[i] * (direct + spread) + ground_sky_[i] * through_) / clear;
+            share[i] =
+                (ground_sun_[i] * (direct + spread) + ground_sky_[i] * ground_through_) / clear;
         }
     }
     return share;

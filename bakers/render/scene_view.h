@@ -12,7 +12,8 @@
 // with E the irradiances of the ground under a clear sky, T the transmittance towards the sun from the
 // point that is seen, D the product of the layers' `through`, and T_mean the product of their mean
 // transmittances: the sunlight that passes the layers, but not directly, is spread evenly. Without
-// clouds, f is 1. Clouds do not shade the air.
+// clouds, f is 1. A tile that does not repeat covers no share of the sky, so D and T_mean are 1 for it.
+// Beyond the reach, T is T_mean. Clouds do not shade the air.
 #pragma once
 
 #include <memory>
@@ -60,7 +61,7 @@ class SceneRenderer {
     Spectrum ground_sun_{};
     Spectrum ground_sky_{};
     double through_ = 1;
-    double direct_ = 1;
+    double ground_through_ = 1;  // of the layers that repeat
     // The air of the last camera: pictures of a turntable share it.
     std::unique_ptr<const CloudAir> air_;
     std::tuple<double, double, double, double> air_key_{};

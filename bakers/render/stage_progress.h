@@ -1,6 +1,7 @@
 // Progress of a preview, which runs in stages: each stage is an asset's bake or its pictures.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "bakers/math/bake_options.h"
@@ -28,7 +29,7 @@ class ProgressPart : public Progress {
 
   private:
     Progress* whole_;
-    std::string_view step_;
+    std::string step_;
     double first_;
     double share_;
 };

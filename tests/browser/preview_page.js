@@ -2,74 +2,12 @@
 // What a reader does with the pages of `skybake preview`, in a real browser from file://.
 //   node preview_page.js PROGRAM FOLDER
 const {launched} = require('./chromium.js');
+const {open, patience, program, recipe, run, work, write} = require('./preview_tools.js');
 const assert = require('node:assert/strict');
-const {execFileSync, spawn} = require('node:child_process');
+const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const {pathToFileURL} = require('node:url');
-
-const [, , program, folder] = process.argv;
-const work = fs.mkdtempSync(path.join(folder, 'pages-'));
-const patience = 300000;  // ms; nothing here is a test of time, this ends what hangs
-
-const noise = `
-[noise.shape]
-seed = 7
-[noise.shape.channels.Y]
-type = "perlin_worley"
-frequency = 2
-octaves = 1
-worley_frequency = 2
-worley_octaves = 1
-`;
-const recipe = `
-preset = "earth_hillaire"
-${noise}
-[clouds.cumulus]
-preset = "cumulus_humilis"
-noise = "shape"
-noise_scale = [1, 1, 1]
-detail = ""
-[bake.transmittance]
-size = [64, 16]
-[bake.multiple_scattering]
-size = [16, 16]
-[bake.shape]
-asset = "noise_volume"
-noise = "shape"
-size = [32, 32, 32]
-[bake.cumulus]
-asset = "cloud_volume"
-cloud = "cumulus"
-size = [64, 64, 8]
-[bake.cumulus_occupancy]
-asset = "occupancy"
-of = "cumulus"
-`;
-
-function write(name, text) {
-    const file = path.join(work, name);
-    fs.writeFileSync(file, text);
-    return file;
-}
-
-// A page that listens to itself: whatever it complains of, and whatever it asks the world for.
-async function open(browser, file, options = {}) {
-    const context = await browser.newContext({viewport: {width: 1280, height: 900}, ...options});
-    const page = await context.newPage();
-    page.setDefaultTimeout(patience);
-    page.complaints = [];
-    page.requests = [];
-    page.on('console', (message) => {
-        if (['error', 'warning'].includes(message.type())) page.complaints.push(message.text());
-    });
-    page.on('pageerror', (error) => page.complaints.push(error.message));
-    page.on('request', (request) => {
-        if (!request.url().startsWith('data:')) page.requests.push(request.url());
-    });
-    await page.goto(pathToFileURL(file).href);
-    return page;
-}
 
 const data = (page) => page.evaluate(() => JSON.parse(document.getElementById('preview').textContent));
 const column = (page, index) => page.$$eval('[aria-label="All assets"] tbody tr',
@@ -302,130 +240,10 @@ const tests = {
         }
     },
 
-    async 'turns a turntable by slider, drag, keys and by itself'(browser) {
-        const out = path.join(work, 'turning');
-        execFileSync(program, ['preview', write('turning.toml', recipe), '--only', 'cumulus', '--turntable', '6',
-                               '--size', '64x36', '-o', out, '-q']);
-        const page = await open(browser, path.join(out, 'index.html'));
-        const figure = page.locator('figure.turntable');
-        assert.equal(await figure.count(), 1);
-        const image = figure.locator('img');
-        const number = async () => Number(/_00(\d)\.png$/.exec(await image.getAttribute('src'))[1]);
-        const slider = figure.locator('input[type=range]');
-        assert.equal(await number(), 0);
-        await slider.fill('4');
-        assert.equal(await number(), 4);
-        assert.match(await figure.innerText(), /Picture 5 of 6/);
-        await slider.focus();
-        await page.keyboard.press('ArrowRight');
-        assert.equal(await number(), 5);
-        // A drag across two thirds of the picture turns by four pictures, past the last one.
-        const box = await image.boundingBox();
-        await page.mouse.move(box.x + box.width / 6, box.y + box.height / 2);
-        await page.mouse.down();
-        await page.mouse.move(box.x + box.width * 5 / 6, box.y + box.height / 2, {steps: 8});
-        await page.mouse.up();
-        assert.equal(await number(), 3);
-        await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-        assert.equal(await number(), 3);
-        const button = figure.locator('button:text-is("Play")');
-        await button.click();
-        await until(async () => (await number()) === 1);
-        await figure.locator('button:text-is("Stop")').click();
-        const stopped = await number();
-        await page.waitForTimeout(300);
-        assert.equal(await number(), stopped);
-        assert.ok(await image.evaluate((shown) => shown.complete && shown.naturalWidth === 64));
-        assert.deepEqual(page.complaints, []);
-    },
-
-    async 'follows a recipe'(browser) {
-        const watched = write('watched.toml', recipe);
-        const out = path.join(work, 'watched');
-        const child = spawn(program, ['preview', watched, '--watch', '-o', out], {stdio: ['ignore', 'ignore', 'pipe']});
-        const ended = new Promise((resolve) => child.on('exit', resolve));
-        let said = '';
-        child.stderr.on('data', (text) => { said += text; });
-        try {
-            const file = path.join(out, 'index.html');
-            await until(() => fs.existsSync(path.join(out, 'preview_state.js')));
-            const page = await open(browser, file);
-            const pictures = () => page.$$eval('figure img', (images) => images.map((image) => image.src)).catch(() => []);
-            const changed = async (before) => until(async () => {
-                const now = await pictures();
-                return now.length > 0 && JSON.stringify(now) !== JSON.stringify(before);
-            });
-            const finished = () => page.waitForSelector('.watch:has-text("full quality, rendered in")');
-            await finished();
-            await page.evaluate(() => scrollTo(0, 500));
-
-            // An editor that writes a new file and renames it over the old one.
-            const good = await pictures();
-            const start = Date.now();
-            fs.writeFileSync(`${watched}.new`, recipe.replace('seed = 7', 'seed = 8'));
-            fs.renameSync(`${watched}.new`, watched);
-            await changed(good);
-            console.log(`    a change was on screen after ${((Date.now() - start) / 1000).toFixed(2)} s`);
-            await finished();
-            await until(() => page.evaluate(() => Math.abs(scrollY - 500) < 2));
-
-            // A mistake: the diagnostics come, the pictures stay.
-            const better = await pictures();
-            fs.writeFileSync(watched, recipe.replace('seed = 7', 'sead = 9'));
-            await page.waitForSelector('#diagnostics .diagnostic');
-            assert.match(await page.innerText('#diagnostics'), /E0102[^]*sead[^]*did you mean/);
-            assert.deepEqual(await pictures(), better);
-            assert.match(said, /E0102/);
-
-            fs.writeFileSync(watched, recipe.replace('seed = 7', 'seed = 9'));
-            await changed(better);
-            await page.waitForSelector('#diagnostics:not(:has(*))', {state: 'attached'});
-
-            // A busy program is ended 0.8 s after the signal, on a loaded machine perhaps before it
-            // has told the page.
-            await finished();
-            child.kill('SIGINT');
-            assert.equal(await ended, 130);
-            await page.waitForSelector('.watch.ended');
-            assert.deepEqual(page.complaints, []);
-        } finally {
-            child.kill('SIGKILL');
-        }
-    },
 };
-
-async function until(holds) {
-    const end = Date.now() + patience;
-    // A page that is just being left has nothing to say yet.
-    const answer = async () => {
-        try {
-            return await holds();
-        } catch (error) {
-            if (!/context was destroyed/.test(String(error))) throw error;
-            return false;
-        }
-    };
-    while (!(await answer())) {
-        if (Date.now() > end) throw new Error('waited in vain');
-        await new Promise((resolve) => setTimeout(resolve, 10));
-    }
-}
 
 (async () => {
     const out = path.join(work, 'all');
-    execFileSync(program, ['preview', write('all.toml', recipe), '-o', out, '-q']);
-    const browser = await launched(work, patience, ['--disable-gpu']);
-    let failed = 0;
-    for (const [name, test] of Object.entries(tests)) {
-        try {
-            await test(browser, path.join(out, 'index.html'));
-            console.log(`ok    ${name}`);
-        } catch (error) {
-            ++failed;
-            console.log(`FAIL  ${name}\n${error.stack}`);
-        }
-    }
-    await browser.close();
-    if (failed === 0) fs.rmSync(work, {recursive: true, force: true});
-    process.exit(failed === 0 ? 0 : 1);
+    execFileSync(program, ['preview', write('all.toml', recipe), '-o', out, '-q'], {stdio: 'pipe'});
+    await run(await launched(work, patience, ['--disable-gpu']), tests, path.join(out, 'index.html'));
 })();

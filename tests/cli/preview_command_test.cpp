@@ -297,7 +297,7 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
         << caption;
     EXPECT_TRUE(contains(caption, "fov=40deg")) << caption;
     EXPECT_TRUE(contains(caption, "77.3 degrees to the right")) << caption;
-    EXPECT_TRUE(contains(caption, "One tile alone")) << caption;
+    EXPECT_TRUE(contains(caption, "shows one tile alone")) << caption;
     // The camera that a caption tells is one that the option takes.
     const std::size_t from = caption.find('`') + 1;
     const std::string camera = caption.substr(from, caption.find('`', from) - from);
@@ -408,7 +408,8 @@ TEST(PreviewCommand, TurnsACloud) {
     }
     EXPECT_EQ(different.size(), 6U);
     EXPECT_EQ(pictures[6]["sequence"], "");
-    EXPECT_TRUE(contains(pictures[0]["caption"], "Picture 1 of 6. One tile alone"));
+    EXPECT_TRUE(
+        contains(pictures[0]["caption"], "Picture 1 of 6. The picture shows one tile alone"));
 }
 
 TEST(PreviewCommand, LeavesAlonePagesOfOthers) {

@@ -115,6 +115,24 @@ TEST(ProgressText, HasCountBarClockAndTimeLeft) {
               "[1/2] shape: voxels  █░░░░░░░░░  10 %  2 h 10 min");
 }
 
+// The name of a part outlives the text that it was made of.
+TEST(ProgressPart, KeepsItsName) {
+    class Last : public Progress {
+      public:
+        void advance(std::string_view step, double fraction) override {
+            text = std::string(step) + " " + std::to_string(fraction);
+        }
+        bool cancelled() const override { return false; }
+        std::string text;
+    };
+    Last last;
+    std::string name = "lighting of all clouds, sun 20 deg";
+    ProgressPart part(&last, name, 0.5, 0.25);
+    name.assign(name.size(), '?');
+    part.advance("marching", 0.5);
+    EXPECT_EQ(last.text, "lighting of all clouds, sun 20 deg 0.625000");
+}
+
 // A line that wraps could not be rewritten.
 TEST(ProgressText, FitsTheTerminal) {
     const ProgressState state{3, 12, "wölkchen", "lighting", 0.439, 31, 20.2};

@@ -169,6 +169,25 @@ TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
     EXPECT_EQ(watcher.stop(SIGINT), 130);
 }
 
+// Lit clouds at full quality come before all other pictures, as a page of their own.
+TEST(WatchPreview, ShowsCloudsAtFullQualityFirst) {
+    const TemporaryFolder folder;
+    const std::string recipe = (folder / "recipe.toml").string();
+    write_bytes(folder / "noise.toml", noise_text);
+    write_bytes(recipe,
+                "include = \"noise.toml\"\n[noise.n]\nseed = 1\n[clouds.c]\nnoise = \"n\"\n"
+                "extent = [\"3 km\", \"2 km\", \"0.75 km\"]\nbase_altitude = \"1 km\"\n"
+                "coverage = 0.6\nextinction_scale = \"40 /km\"\n[bake.volume]\n"
+                "asset = \"cloud_volume\"\ncloud = \"c\"\nsize = [96, 64, 24]\n"
+                "[preview]\nsize = [96, 54]\n");
+    Watcher watcher(folder, recipe, {"--draft", "32"});
+    ASSERT_TRUE(watcher.reaches(3, 0)) << read_bytes(folder / "error");
+    EXPECT_EQ(watcher.quality(), "full");
+    EXPECT_TRUE(contains(read_bytes(folder / "error"), "index.html: clouds at full quality in "));
+    EXPECT_TRUE(contains(read_bytes(watcher.out() + "/preview_page.js"), "\"size\":[96,64,24]"));
+    EXPECT_EQ(watcher.stop(SIGINT), 130);
+}
+
 TEST(WatchPreview, ARecipeThatIsNotThereIsNotWaitedFor) {
     const TemporaryFolder folder;
     EXPECT_EQ(testing::run_program({"preview", (folder / "absent.toml").string(), "--watch", "-o",

@@ -9,6 +9,7 @@
 
 #include "bakers/math/half_conversion.h"
 #include "bakers/preview/live/live_textures.h"
+#include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
 #include "tests/support/atmospheres.h"
 
@@ -52,7 +53,7 @@ TEST(LiveScene, HoldsTheTablesOfASky) {
               (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table"}));
     EXPECT_EQ(scene["textures"][0]["size"], json({64, 16}));
     EXPECT_EQ(scene["textures"][0]["type"], "float");
-    EXPECT_TRUE(scene["cloud"].is_null());
+    EXPECT_TRUE(scene["clouds"].empty());
     EXPECT_EQ(scene["light"], "the recipe's atmosphere");
 }
 
@@ -60,13 +61,34 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     const json scene = scene_of(kCloud);
     EXPECT_EQ(texture_names(scene),
               (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table",
-                                        "cloud_table", "cells_table"}));
-    EXPECT_EQ(scene["cloud"]["name"], "volume");
-    EXPECT_EQ(scene["cloud"]["tile"], json({3000.0, 2000.0, 700.0}));
-    EXPECT_EQ(scene["cloud"]["base"], 1000.0);
-    EXPECT_DOUBLE_EQ(scene["cloud"]["extinction"], 0.04);
+                                        "cloud_table_0", "cells_table_0"}));
+    EXPECT_EQ(scene["clouds"][0]["name"], "volume");
+    EXPECT_EQ(scene["clouds"][0]["tile"], json({3000.0, 2000.0, 700.0}));
+    EXPECT_EQ(scene["clouds"][0]["base"], 1000.0);
+    EXPECT_DOUBLE_EQ(scene["clouds"][0]["extinction"], 0.04);
     EXPECT_EQ(scene["textures"][3]["size"], json({16, 12, 8}));
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
+}
+
+// Several clouds are those of one sky: their copies vary, and they fade before the horizon.
+TEST(LiveScene, HoldsSeveralCloudsWithTheirCopies) {
+    std::string second = kCloud.substr(kCloud.find("[clouds.c]"));
+    for (const auto& [from, to] : {std::pair{"clouds.c", "clouds.d"}, std::pair{"\"c\"", "\"d\""},
+                                   std::pair{"bake.volume", "bake.high"},
+                                   std::pair{"16, 12, 8", "8, 8, 4"}, std::pair{"1 km", "4 km"}}) {
+        second.replace(second.find(from), std::string(from).size(), to);
+    }
+    const json scene = scene_of(kCloud + second);
+    ASSERT_EQ(scene["clouds"].size(), 2U);
+    EXPECT_EQ(scene["clouds"][1]["name"], "high");
+    EXPECT_EQ(scene["clouds"][1]["base"], 4000.0);
+    EXPECT_EQ(texture_names(scene).back(), "shift_table");
+    EXPECT_EQ(scene["textures"].back()["size"], json({kVariedTiles, 2 * kVariedTiles}));
+    EXPECT_EQ(scene["clouds"][0]["fade_from"], kFadeFrom);
+    EXPECT_TRUE(scene_of(kCloud)["clouds"][0]["fade_from"].is_null());
+    PreviewOptions single;
+    single.single = true;
+    EXPECT_EQ(scene_of(kCloud + second, single)["clouds"].size(), 1U);
 }
 
 // The page's rule is that of the pictures: a grey picture gets the same exposure.

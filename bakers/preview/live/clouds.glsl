@@ -1,14 +1,15 @@
-// Clouds, marched and lit as bakers/render/cloud_view.h describes: samples lie at (k + jitter) * STEP, a march
-// leaps by the grid over what is empty, and another one goes from each lit sample towards the sun. Above this
-// text stand the numbers of the recipe and the published lookups (live_glsl.h).
-uniform highp sampler3D cloud_table, cells_table, share_table;
-uniform float extinction_factor, view_step, sun_step, reach;
-uniform int sun_samples;
-uniform bool repeats;
+// Clouds, marched and lit as bakers/render/scene_view.h describes: samples of a layer lie at (k + jitter) * its step,
+// those of all layers are taken in the order of their distances, a march leaps by the grid over what is empty, and
+// others go from each lit sample towards the sun. Above this text stand the numbers of the recipe, the published
+// lookups and one function for each layer's textures (live_glsl.h). Places are in metres: x and y from the tiles'
+// corner, and z from the ground or, where a function takes a layer and p, from the layer's base.
+uniform highp sampler3D share_table;
+uniform float extinction_factor, view_step[CLOUDS], sun_step[CLOUDS], sun_samples[CLOUDS], reach[CLOUDS];
+uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it does not where both are 0
+uniform vec4 share_of[CLOUDS];  // blocks along x, y and z, and where they begin in the table along z
 
 const int OCTAVES = 8;
 const float OPAQUE = 0.0009765625;
-const vec4 FULL_LEAP = vec4(255.0, 0.0, 0.0, 0.0);
 
 int fetches = 0;
 
@@ -24,115 +25,184 @@ float droplets(float u, float wide) {
     return mix(henyey_greenstein(DROPLETS.x * wide, u), draine, DROPLETS.w);
 }
 
-bool within(vec3 p) {
-    return p.z >= 0.0 && p.z <= TILE.z &&
-           (repeats || all(greaterThanEqual(p.xy, vec2(0.0))) && all(lessThan(p.xy, TILE.xy)));
+bool within(int layer, vec3 p) {
+    return p.z >= 0.0 && p.z <= TILE[layer].z &&
+           (repeats || all(greaterThanEqual(p.xy, vec2(0.0))) && all(lessThan(p.xy, TILE[layer].xy)));
 }
 
-// The extinction at p, in 1/m, with p counted from the tile's lower corner.
-float extinction_at(vec3 p) {
+// The extinction at p, in 1/m.
+float extinction_at(int layer, vec3 p) {
     ++fetches;
-    return EXTINCTION * extinction_factor * density_of(cloud_density(cloud_table, p, TILE));
+    return EXTINCTION[layer] * extinction_factor * density_of(layer, value_in_layer(layer, p));
 }
 
 // The samples that certainly lie in empty cells, beginning with the one at p; 0 where there may be cloud.
-float empty_samples(vec3 p, vec3 ray, float stride) {
+float empty_samples(int layer, vec3 p, vec3 ray, float stride) {
     ++fetches;
-    float way = cloud_leap(cloud_table, cells_table, CELL, FULL_LEAP, p, ray, TILE);
+    float way = leap_in_layer(layer, p, ray);
     return way > 0.0 ? max(floor(way / stride), 1.0) : 0.0;
 }
 
-// The optical depth from p towards the sun.
-float depth_to_sun(vec3 p, float jitter) {
-    float depth = 0.0;
-    bool was_empty = false;
-    for (int k = 0; k < sun_samples;) {
-        vec3 at = p + sun * ((float(k) + jitter) * sun_step);
-        if (!within(at)) break;
-        float empty = was_empty ? empty_samples(at, sun, sun_step) : 0.0;
+// The first sample towards the sun that is in the layer, for a place outside of it; -1 where there is none.
+float first_towards_sun(int layer, vec3 p, float jitter) {
+    float first = 0.0;
+    for (int a = repeats ? 2 : 0; a < 3; ++a) {
+        if (p[a] >= 0.0 && p[a] <= TILE[layer][a]) continue;
+        float way = p[a] < 0.0 ? -p[a] : TILE[layer][a] - p[a], climb = sun[a] * sun_step[layer];
+        if (way * climb <= 0.0) return -1.0;
+        first = max(first, ceil(way / climb - jitter));
+    }
+    return first;
+}
+
+// The optical depth of a layer from `place` towards the sun.
+float depth_in_layer(int layer, vec3 place, float jitter, bool is_inside) {
+    vec3 p = place - vec3(0.0, 0.0, BASE[layer]);
+    float first = is_inside ? 0.0 : first_towards_sun(layer, p, jitter), depth = 0.0;
+    if (first < 0.0) return 0.0;
+    bool was_empty = !is_inside;
+    for (float k = first; k < first + sun_samples[layer];) {
+        vec3 at = p + sun * ((k + jitter) * sun_step[layer]);
+        if (!within(layer, at)) {
+            if (is_inside || k > first) break;
+            k += 1.0;  // rounding has left the first sample outside
+            continue;
+        }
+        float empty = was_empty ? empty_samples(layer, at, sun, sun_step[layer]) : 0.0;
         if (empty == 0.0) {
-            float sigma = extinction_at(at);
-            depth += sigma * sun_step;
+            float sigma = extinction_at(layer, at);
+            depth += sigma * sun_step[layer];
             was_empty = sigma == 0.0;
         }
-        k += max(int(min(empty, 65536.0)), 1);
+        k += max(empty, 1.0);
     }
     return depth;
 }
 
-// The distances at which a ray enters and leaves the layer, or its only tile; nowhere where x > y.
-vec2 span_in_layer(vec3 from, vec3 ray) {
-    vec2 span = vec2(0.0, reach);
+// The optical depth of all layers from a place in one of them, or below all of them (-1), towards the sun.
+float depth_to_sun(int inside, vec3 place, float jitter) {
+    float depth = 0.0;
+    for (int layer = 0; layer < CLOUDS; ++layer) depth += depth_in_layer(layer, place, jitter, layer == inside);
+    return depth;
+}
+
+// The distances at which a ray enters and leaves a layer, or its only tile; nowhere where x > y.
+vec2 span_in_layer(int layer, vec3 from, vec3 ray) {
+    vec2 span = vec2(0.0, reach[layer]);
     for (int a = repeats ? 2 : 0; a < 3; ++a) {
         if (abs(ray[a]) < 1e-7) {
-            if (from[a] < 0.0 || from[a] > TILE[a]) return vec2(1.0, 0.0);
+            if (from[a] < 0.0 || from[a] > TILE[layer][a]) return vec2(1.0, 0.0);
             continue;
         }
-        vec2 faces = vec2(-from[a], TILE[a] - from[a]) / ray[a];
+        vec2 faces = vec2(-from[a], TILE[layer][a] - from[a]) / ray[a];
         span = vec2(max(span.x, min(faces.x, faces.y)), min(span.y, max(faces.x, faces.y)));
     }
     return span;
 }
 
-// Light as coefficients of its sources: the sun's at the base and at the top of the layer, the mean radiance of
-// the sky and of the ground.
-struct Clouds {
+// The share of a layer's extinction that is left at a distance.
+float faded(int layer, float t) {
+    if (fade[layer].y == 0.0) return 1.0;
+    float x = clamp((fade[layer].y - t) / (fade[layer].y - fade[layer].x), 0.0, 1.0);
+    return x * x * (3.0 - 2.0 * x);
+}
+
+// The shares of the sky's and of the ground's light at p. The table has one more block on each side of a layer's.
+vec2 diffuse_shares(int layer, vec3 p) {
+    vec3 place = place_in_volume(layer, p) / TILE[layer];
+    vec3 blocks = vec3(fract(place.xy), clamp(place.z, 0.0, 1.0)) * share_of[layer].xyz;
+    return texture(share_table, (blocks + vec3(1.0, 1.0, 1.0 + share_of[layer].w)) / vec3(textureSize(share_table, 0))).rg;
+}
+
+// A layer as coefficients of its light: the sun's at its base and at its top, the mean radiance of the sky and of the
+// ground; and the share of light from the eye that ends in it, with the distance in metres at which it does.
+struct Cloud {
     vec4 sources;
-    float through, distance;  // the distance is in metres
+    float opacity, distance;
 };
 
-Clouds clouds_along(vec3 camera, vec3 ray, vec2 noise) {
-    vec3 from = camera - vec3(0.0, 0.0, BASE);
-    vec2 span = span_in_layer(from, ray);
-    Clouds seen = Clouds(vec4(0.0), 1.0, 0.0);
-    if (span.x > span.y) return seen;
-    float octaves[OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), weights = 0.0, bright = 1.0, wide = 1.0;
+// The light at p, where a ray meets sunlight by `octaves`.
+vec4 light_at(int layer, vec3 p, float jitter, float octaves[OCTAVES]) {
+    float depth = depth_to_sun(layer, p + vec3(0.0, 0.0, BASE[layer]), jitter), sunlit = 0.0, height = p.z / TILE[layer].z;
+    for (int n = 0; n < OCTAVES; ++n, depth *= 0.5) sunlit += octaves[n] * exp(-depth);
+    return vec4(sunlit * (1.0 - height), sunlit * height, 0.5 * diffuse_shares(layer, p));
+}
+
+// The march of one layer's samples.
+struct Samples {
+    float k, last, lit_k;
+    bool was_empty;
+    vec4 light;
+};
+Samples samples_in_layer(int layer, vec3 camera, vec3 ray) {
+    vec2 span = span_in_layer(layer, camera - vec3(0.0, 0.0, BASE[layer]), ray);
+    float first = max(floor(span.x / view_step[layer]) - 1.0, 0.0), last = ceil(span.y / view_step[layer]) + 1.0;
+    return Samples(first, span.x > span.y ? first : last, -2.0, true, vec4(0.0));
+}
+
+// Takes the next sample of a layer, or leaps.
+void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float octaves[OCTAVES], inout Samples samples,
+                 inout Cloud cloud, inout float through) {
+    float stride = view_step[layer], t = (samples.k + noise.x) * stride;
+    vec3 p = camera - vec3(0.0, 0.0, BASE[layer]) + ray * t;
+    if (!within(layer, p)) {
+        samples.k += 1.0;
+        return;
+    }
+    float empty = samples.was_empty ? empty_samples(layer, p, ray, stride) : 0.0;
+    if (empty > 0.0) {
+        samples.k += empty;
+        return;
+    }
+    float sigma = extinction_at(layer, p) * faded(layer, t);
+    samples.was_empty = sigma == 0.0;
+    if (sigma > 0.0) {
+        // Two samples in a row share their light.
+        if (mod(samples.k, 2.0) < 0.5 || samples.lit_k + 1.0 != samples.k) {
+            samples.lit_k = samples.k;
+            samples.light = light_at(layer, p, noise.y, octaves);
+        }
+        float passed = exp(-sigma * stride), weight = through * (1.0 - passed);
+        cloud.sources += weight * samples.light;
+        cloud.distance += weight * t;
+        cloud.opacity += weight;
+        through *= passed;
+    }
+    samples.k += 1.0;
+}
+
+// Returns what is seen through all clouds.
+float march_clouds(vec3 camera, vec3 ray, vec2 noise, out Cloud clouds[CLOUDS]) {
+    float octaves[OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), bright = 1.0, wide = 1.0, through = 1.0;
     for (int n = 0; n < OCTAVES; ++n) {
         octaves[n] = bright * droplets(u, wide);
         bright *= 0.7;
         wide *= 0.5;
     }
-    float last = ceil(span.y / view_step) + 1.0, lit_k = -2.0;
-    bool was_empty = true;
-    vec4 light = vec4(0.0);
-    for (float k = max(floor(span.x / view_step) - 1.0, 0.0); k < last && seen.through >= OPAQUE;) {
-        float t = (k + noise.x) * view_step;
-        vec3 p = from + ray * t;
-        if (!within(p)) {
-            k += 1.0;
-            continue;
-        }
-        float empty = was_empty ? empty_samples(p, ray, view_step) : 0.0;
-        if (empty > 0.0) {
-            k += empty;
-            continue;
-        }
-        float sigma = extinction_at(p);
-        was_empty = sigma == 0.0;
-        if (sigma > 0.0) {
-            // Two samples in a row share their light.
-            if (mod(k, 2.0) < 0.5 || lit_k + 1.0 != k) {
-                lit_k = k;
-                float depth = depth_to_sun(p, noise.y), sunlit = 0.0, height = p.z / TILE.z;
-                for (int n = 0; n < OCTAVES; ++n, depth *= 0.5) sunlit += octaves[n] * exp(-depth);
-                light = vec4(sunlit * (1.0 - height), sunlit * height,
-                             0.5 * texture(share_table, p / TILE).rg);
-            }
-            float passed = exp(-sigma * view_step), weight = seen.through * (1.0 - passed);
-            seen.sources += weight * light;
-            seen.distance += weight * t;
-            weights += weight;
-            seen.through *= passed;
-        }
-        k += 1.0;
+    Samples samples[CLOUDS];
+    for (int layer = 0; layer < CLOUDS; ++layer) {
+        clouds[layer] = Cloud(vec4(0.0), 0.0, 0.0);
+        samples[layer] = samples_in_layer(layer, camera, ray);
     }
-    seen.distance /= max(weights, 1e-9);
-    return seen;
+    for (int next = 0; next >= 0 && through >= OPAQUE;) {
+        next = -1;
+        float nearest = 1e30;
+        for (int layer = 0; layer < CLOUDS; ++layer) {
+            float t = (samples[layer].k + noise.x) * view_step[layer];
+            if (samples[layer].k >= samples[layer].last || t >= nearest) continue;
+            nearest = t;
+            next = layer;
+        }
+        if (next >= 0) take_sample(next, camera, ray, noise, octaves, samples[next], clouds[next], through);
+    }
+    for (int layer = 0; layer < CLOUDS; ++layer) clouds[layer].distance /= max(clouds[layer].opacity, 1e-9);
+    return through;
 }
 
-// The share of sunlight that the clouds let through to the ground at x and y.
-float lit_ground(vec2 place) {
-    if (sun.z <= 0.0) return 1.0;
-    vec3 p = vec3(place, -BASE) + sun * (BASE / sun.z);                    // where the ray enters the layer
-    return exp(-depth_to_sun(p + sun * 1e-3 * TILE.z, 0.5));
+// The share of sunlight that the clouds let through to the ground that a ray meets; the mean of it beyond the reach.
+float sunlight_on_ground(vec3 camera, vec3 ray, float jitter, float mean_sunlight) {
+    float way = camera.z / max(-ray.z, 1e-9), farthest = 0.0;
+    for (int layer = 0; layer < CLOUDS; ++layer) farthest = max(farthest, reach[layer]);
+    if (sun.z <= 0.0 || way > farthest) return mean_sunlight;
+    return exp(-depth_to_sun(-1, vec3(camera.xy + way * ray.xy, 0.0), jitter));
 }

@@ -20,7 +20,7 @@
     function first_view(scene) {
         const {view} = scene;
         return {...view, exposure: view.exposure ?? 3, extinction: 1, disc: true, shadow: true,
-            single: scene.cloud ? !scene.cloud.repeats : false};
+            single: scene.clouds.some((cloud) => !cloud.repeats)};
     }
 
     const slider_value = (name) => name === 'extinction' ? Math.log2(page.view.extinction) : page.view[name];
@@ -209,7 +209,7 @@
             byId('frame_time').textContent = `${ms.toFixed(1)} ms at ${rough.width} × ${rough.height}`;
         }
         byId('full_time').textContent = `${(width * height / renderer.speed).toFixed(0)} ms at ${width} × ${height}`;
-        byId('fetches').textContent = page.scene.cloud ? `${page.fetches.toFixed(1)} a pixel` : 'none: no cloud';
+        byId('fetches').textContent = page.scene.clouds.length > 0 ? `${page.fetches.toFixed(1)} a pixel` : 'none: no cloud';
         byId('samples').textContent = renderer.passes > 0 ? `${renderer.passes} a pixel` : `${Math.round(100 * renderer.rows / height)} % of the first`;
     }
 
@@ -223,12 +223,12 @@
             }
             return row;
         }));
-        const {cloud, light, notes} = page.scene;
-        const error = cloud && cloud.greatest_error > 0
-            ? ` The volume on this page differs from the baked one by at most ${cloud.greatest_error.toPrecision(2)}.` : '';
+        const {clouds, light, notes} = page.scene;
+        const errors = clouds.filter((cloud) => cloud.greatest_error > 0).map((cloud) =>
+            ` The volume of ${cloud.name} on this page differs from the baked one by at most ${cloud.greatest_error.toPrecision(2)}.`).join('');
         const half = page.renderer.filters_floats ? '' : ' This browser cannot filter floats: tables are stored as halves, exact to 0.05 %.';
         byId('about').textContent = `The light is that of ${light}.` +
-            (cloud ? ` Rays leap by ${cloud.leaps}.` : '') + error + half + notes.map((note) => ` Note: ${note}.`).join('');
+            clouds.map((cloud) => ` Rays leap in ${cloud.name} by ${cloud.leaps}.`).join('') + errors + half + notes.map((note) => ` Note: ${note}.`).join('');
     }
 
     // --- Scenes -----------------------------------------------------------------------------------
@@ -240,7 +240,7 @@
         page.first = first_view(scene);
         page.view ??= structuredClone(page.first);
         page.auto = page.auto && scene.view.exposure === null;
-        byId('clouds').hidden = byId('cloud_checks').hidden = scene.cloud === null;
+        byId('clouds').hidden = byId('cloud_checks').hidden = scene.clouds.length === 0;
         tell_controls();
         changed(true);
         page.figures_due = true;

@@ -146,22 +146,86 @@ std::string live_air_glsl(const LiveLight& light) {
            screen_glsl(light.tables.screen, air.channels);
 }
 
-std::string live_cloud_glsl(const CloudMedium& medium, int cell) {
-    const CloudOptics& optics = medium.optics;
+namespace {
+
+// Returns "const TYPE NAME[n] = TYPE[n](...);" with one value for each layer of clouds.
+template <class Value>
+std::string cloud_values(const char* type, const char* name, const std::vector<LiveCloud>& clouds,
+                         const Value& value_of) {
+    std::string values;
+    for (const LiveCloud& cloud : clouds) {
+        values += (values.empty() ? "" : ", ") + value_of(cloud.medium);
+    }
+    return fmt::format("const {} {}[{}] = {}[{}]({});\n", type, name, clouds.size(), type,
+                       clouds.size(), values);
+}
+
+// Returns a function of a layer, which calls `call` with the layer's own textures.
+template <class Call>
+std::string function_of_layers(const std::string& head, const std::vector<LiveCloud>& clouds,
+                               const Call& call) {
+    std::string text = head + " {\n";
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+        text += fmt::format("    if (layer == {}) return {};\n", i, call(i));
+    }
+    return text + "    return 0.0;\n}\n";
+}
+
+std::string density_glsl(const CloudOptics& optics) {
+    if (!optics.has_edge) return "max(value, 0.0)";
+    return fmt::format("cloud_edge(value, {}, {})", glsl_number(optics.threshold),
+                       glsl_number(optics.edge_softness));
+}
+
+std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
     const DropletPhase drops = droplet_phase(kDropletDiameter_um);
-    const std::string density =
-        optics.has_edge ? fmt::format("cloud_edge(value, {}, {})", glsl_number(optics.threshold),
-                                      glsl_number(optics.edge_softness))
-                        : "max(value, 0.0)";
-    return fmt::format(
-               "const vec3 TILE = {};\nconst float BASE = {}, EXTINCTION = {}, CELL = {};\n",
-               glsl_vector(medium.extent_m), glsl_number(medium.base_m),
-               glsl_number(optics.extinction_per_m), glsl_number(cell)) +
+    return cloud_values("vec3", "TILE", clouds,
+                        [](const CloudMedium& medium) { return glsl_vector(medium.extent_m); }) +
+           cloud_values("vec3", "VOXELS", clouds,
+                        [](const CloudMedium& medium) {
+                            const std::array<int, 3>& size = medium.volume.size;
+                            return glsl_vector({double(size[0]), double(size[1]), double(size[2])});
+                        }) +
+           cloud_values("float", "BASE", clouds,
+                        [](const CloudMedium& medium) { return glsl_number(medium.base_m); }) +
+           cloud_values("float", "EXTINCTION", clouds,
+                        [](const CloudMedium& medium) {
+                            return glsl_number(medium.optics.extinction_per_m);
+                        }) +
+           cloud_values("float", "CELL", clouds,
+                        [](const CloudMedium& medium) { return glsl_number(medium.leaps.cell); }) +
+           cloud_values("float", "GREATEST", clouds,
+                        [](const CloudMedium& medium) {
+                            return glsl_number(double{medium.variation.greatest});
+                        }) +
            fmt::format("const vec4 DROPLETS = vec4({}, {}, {}, {});\n", glsl_number(drops.hg_g),
                        glsl_number(drops.draine_g), glsl_number(drops.draine_alpha),
-                       glsl_number(drops.draine_share)) +
-           std::string(published_lookup("clouds")) +
-           fmt::format("float density_of(float value) {{ return {}; }}\n", density);
+                       glsl_number(drops.draine_share));
+}
+
+}  // namespace
+
+std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds) {
+    std::string text = fmt::format("const int CLOUDS = {};\n", clouds.size());
+    if (clouds.front().medium.variation.varies()) text += "#define VARIED\n";
+    for (std::size_t i = 0; i < clouds.size(); ++i) {
+        text += fmt::format("uniform highp sampler3D cloud_table_{0}, cells_table_{0};\n", i);
+    }
+    return text + cloud_constants(clouds) + std::string(published_lookup("clouds")) +
+           function_of_layers("float value_at(int layer, vec3 p)", clouds,
+                              [](std::size_t i) {
+                                  return fmt::format("cloud_density(cloud_table_{0}, p, TILE[{0}])",
+                                                     i);
+                              }) +
+           function_of_layers("float leap_at(int layer, vec3 p, vec3 ray)", clouds,
+                              [](std::size_t i) {
+                                  return fmt::format(
+                                      "cloud_leap(cloud_table_{0}, cells_table_{0}, CELL[{0}], "
+                                      "vec4(255.0, 0.0, 0.0, 0.0), p, ray, TILE[{0}])",
+                                      i);
+                              }) +
+           function_of_layers("float density_of(int layer, float value)", clouds,
+                              [&](std::size_t i) { return density_glsl(clouds[i].medium.optics); });
 }
 
 Image2<float> live_phases(const SkyMedium& medium) {

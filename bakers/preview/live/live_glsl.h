@@ -2,11 +2,12 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/march/cloud_medium.h"
+#include "bakers/preview/live/live_clouds.h"
 #include "bakers/render/sky_tables.h"
 
 namespace skybake {
@@ -23,8 +24,9 @@ struct LiveLight {
 // Returns the constants and functions that sky.glsl names, with the lookups of the tables.
 std::string live_air_glsl(const LiveLight& light);
 
-// Returns those that clouds.glsl names, with the published lookups. `cell` is the grid's, in voxels.
-std::string live_cloud_glsl(const CloudMedium& medium, int cell);
+// Returns those that tiles.glsl and clouds.glsl name, with the published lookups. There is at least one
+// cloud.
+std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds);
 
 // The phase function of each layer in its own row, over the places of phase_by_peaks
 // (examples/lookups/phase.glsl), in four channels.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 
 namespace skybake {
@@ -14,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 std::string shaders_json() {
     Json shaders;
-    for (const char* name : {"sky", "clouds", "light", "picture", "screen"}) {
+    for (const char* name : {"sky", "tiles", "clouds", "light", "direct", "picture", "screen"}) {
         shaders[name] = live_text(std::string(name) + ".glsl");
     }
     return safe_in_script(shaders.dump());
@@ -40,6 +41,7 @@ std::string live_html(const PreviewPage& page) {
                    {"scene", safe_in_script(page.live_scene)},
                    {"files", files_json(page)},
                    {"renderer", std::string(live_text("live_diffuse.js")) +
+                                    std::string(live_text("live_clouds.js")) +
                                     std::string(live_text("live_renderer.js"))},
                    {"script", std::string(live_text("live.js"))},
                    {"watch", watch_element(page.watch_revision)}});

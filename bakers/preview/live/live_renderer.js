@@ -40,27 +40,37 @@ class LiveRenderer {
         const most = this.gl.getParameter(this.gl.MAX_3D_TEXTURE_SIZE);
         const large = loaded.find(({size}) => size.length === 3 && Math.max(...size) > most);
         if (large) throw new Error(`${large.label} has ${large.size.join(' × ')} voxels; this browser has ${most} along an edge`);
+        this.check_units(scene);
         const programs = this.programs_of(scene);
         for (const {texture} of this.textures.values()) this.gl.deleteTexture(texture);
         this.textures.clear();
         this.scene = scene;
         this.programs = programs;
         for (const texture of loaded) this.upload(texture);
-        const volume = loaded.find(({name}) => name === 'cloud_table');
-        this.blocks = volume ? block_densities(scene.cloud, volume) : null;
+        const volumes = scene.clouds.map((_, i) => loaded.find(({name}) => name === `cloud_table_${i}`));
+        this.clouds = volumes.length > 0 ? new LiveClouds(scene.clouds, volumes) : null;
         this.shared_at = null;
         this.restart();
     }
 
+    // Shaders read the scene's textures, and of the page's own the light around clouds, that within, and what is drawn.
+    check_units(scene) {
+        const needed = scene.textures.length + (scene.clouds.length > 0 ? 3 : 1);
+        const units = this.gl.getParameter(this.gl.MAX_TEXTURE_IMAGE_UNITS);
+        if (needed <= units) return;
+        throw new Error(`${scene.clouds.length} layers of clouds need ${needed} textures at once, and this browser has ${units}`);
+    }
+
     programs_of(scene) {
+        const {shaders} = this, cloudy = scene.clouds.length > 0;
         const head = '#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n' +
-            'precision highp sampler3D;\n' + (scene.cloud ? '#define CLOUDS\n' : '');
-        const air = scene.air + this.shaders.sky, clouds = scene.cloud ? scene.clouds + this.shaders.clouds : '';
-        const clear = 'const float OPAQUE = 0.0;\n';
+            'precision highp sampler3D;\n' + (cloudy ? '#define CLOUDS_OF_RECIPE\n' : '');
+        const air = scene.air + shaders.sky, clouds = cloudy ? scene.cloud_glsl + shaders.tiles + shaders.clouds : '';
         return {
-            picture: this.program(head + air + (clouds || clear) + this.shaders.picture),
-            light: scene.cloud ? this.program(head + air + clouds + this.shaders.light) : null,
-            screen: this.program(head + this.shaders.screen),
+            picture: this.program(head + air + clouds + shaders.picture),
+            light: cloudy ? this.program(head + air + clouds + shaders.light) : null,
+            direct: cloudy ? this.program(head + air + clouds + shaders.direct) : null,
+            screen: this.program(head + shaders.screen),
         };
     }
 
@@ -83,17 +93,18 @@ class LiveRenderer {
     // Floats are stored as halves where they could not be filtered. Grids of cells are fetched without a filter.
     upload({name, label, size, channels, type, array}) {
         const {gl} = this, flat = size.length === 2, target = flat ? gl.TEXTURE_2D : gl.TEXTURE_3D;
-        const wide = type === 'float' && (this.filters_floats || name === 'phase_table');
+        const filtered = !/^(cells_table_\d+|phase_table|shift_table)$/.test(name);
+        const wide = type === 'float' && (this.filters_floats || !filtered);
         const internal = type === 'unorm8' ? [, gl.R8, gl.RG8, gl.RGB8, gl.RGBA8]
             : wide ? [, gl.R32F, gl.RG32F, gl.RGB32F, gl.RGBA32F] : [, gl.R16F, gl.RG16F, gl.RGB16F, gl.RGBA16F];
         const source = {unorm8: gl.UNSIGNED_BYTE, half: gl.HALF_FLOAT, float: gl.FLOAT}[type];
-        const filter = name === 'cells_table' || name === 'phase_table' ? gl.NEAREST : gl.LINEAR;
+        const filter = filtered ? gl.LINEAR : gl.NEAREST;
         const texture = gl.createTexture();
         gl.bindTexture(target, texture);
         gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
         gl[flat ? 'texImage2D' : 'texImage3D'](target, 0, internal[channels], ...size, 0,
             [, gl.RED, gl.RG, gl.RGB, gl.RGBA][channels], source, array);
-        const wrap = name === 'cloud_table' || name === 'share_table' ? gl.REPEAT : gl.CLAMP_TO_EDGE;
+        const wrap = name.startsWith('cloud_table') ? gl.REPEAT : gl.CLAMP_TO_EDGE;
         gl.texParameteri(target, gl.TEXTURE_WRAP_S, wrap);
         gl.texParameteri(target, gl.TEXTURE_WRAP_T, wrap);
         gl.texParameteri(target, gl.TEXTURE_WRAP_R, gl.CLAMP_TO_EDGE);
@@ -144,6 +155,8 @@ class LiveRenderer {
                 gl.activeTexture(gl.TEXTURE0 + unit);
                 gl.bindTexture(value.target, value.texture);
                 gl.uniform1i(at, unit++);
+            } else if (value.array) {
+                gl[`uniform${value.width}fv`](at, value.array);
             } else if (Array.isArray(value)) {
                 gl[`uniform${value.length}fv`](at, value);
             } else if (typeof value === 'boolean' || value.integer !== undefined) {
@@ -164,45 +177,39 @@ class LiveRenderer {
 
     // The values of all shaders. `coarse` lengthens the steps of a march.
     values_of(view, width, height, coarse) {
-        const {cloud} = this.scene, values = {
-            ...Object.fromEntries(this.textures),
-            sun: direction(view.sun_elevation, view.sun_azimuth), camera: view.position,
+        const sun = direction(view.sun_elevation, view.sun_azimuth), values = {
+            ...Object.fromEntries(this.textures), sun, camera: view.position,
             forward: direction(view.pitch, view.heading), right: direction(0, view.heading - 90),
             up: direction(view.pitch + 90, view.heading), size: [width, height],
             tan_half_fov: Math.tan(0.5 * view.fov * radians), has_disc: view.disc, has_shadow: view.shadow,
             offset: [0, 0], rank: 0, weight: 1,
         };
-        if (!cloud) return values;
-        const longest = view.single ? Math.hypot(cloud.tile[0], cloud.tile[1]) : Math.max(cloud.tile[0], cloud.tile[1]);
-        const slope = Math.abs(values.sun[2]), height_of_layer = cloud.tile[2];
-        const march = slope * longest > height_of_layer ? height_of_layer / slope : longest;
-        const step = coarse * cloud.step, sun_step = Math.max(step, march / cloud.most_sun_samples);
-        return {...values, extinction_factor: view.extinction, view_step: step, sun_step,
-            sun_samples: {integer: Math.ceil(march / sun_step)}, reach: view.single ? 1e6 : cloud.reach,
-            repeats: !view.single, share_table: this.textures.get('share_table'),
-            light_table: this.targets.get('light'), through_layer: this.through};
+        if (!this.clouds) return values;
+        return {...values, ...this.clouds.values(view, sun, coarse), light_table: this.targets.get('light')};
     }
 
     // The light around the clouds, anew where the sun or the clouds have changed.
     prepare(view) {
-        if (!this.scene.cloud) return;
+        if (!this.clouds) return;
+        const {clouds, gl} = this, count = clouds.clouds.length;
         if (this.shared_at !== view.extinction) {
-            const {shares, through} = diffuse_shares(this.scene.cloud, this.blocks, view.extinction);
             const known = this.textures.get('share_table');
-            if (known) this.gl.deleteTexture(known.texture);
-            this.upload({name: 'share_table', label: 'diffuse light, made by the page', size: this.blocks.blocks,
-                channels: 2, type: 'float', array: shares});
-            this.through = through;
+            if (known) gl.deleteTexture(known.texture);
+            this.upload(clouds.share_table(view.extinction));
             this.shared_at = view.extinction;
             this.lit_at = null;
         }
-        if (this.lit_at === view.sun_elevation) return;
-        const radiance = this.target('radiance', 128, 64), light = this.target('light', 4, 1);
+        const lit_at = `${view.sun_elevation} ${view.sun_azimuth} ${view.single}`;
+        if (this.lit_at === lit_at) return;
+        const radiance = this.target('radiance', 128, 64 * (count + 1)), light = this.target('light', 4, count + 1);
         const {light_table, ...values} = this.values_of(view, 4, 1, 1);
         // A texture is never read while it is drawn into.
         this.run(this.programs.light, radiance, {...values, radiance_table: light, sums: false});
         this.run(this.programs.light, light, {...values, radiance_table: radiance, sums: true});
-        this.lit_at = view.sun_elevation;
+        const direct = this.target('direct', 32, 32 * count);
+        this.run(this.programs.direct, direct, values);
+        clouds.take_direct(this.pixels(direct));
+        this.lit_at = lit_at;
     }
 
     // Waits until all is drawn, so that time can be measured.

@@ -9,14 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/preview/check_options.h"
-#include "bakers/preview/cloud_inputs.h"
+#include "bakers/preview/live/live_clouds.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/live/live_textures.h"
-#include "bakers/preview/occupancy_leaps.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_volume.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -81,62 +78,7 @@ Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions
     return {std::move(light), {}};
 }
 
-// --- Clouds --------------------------------------------------------------------------------------
-
-// A cloud with all that a march through it needs.
-struct LiveCloud {
-    CloudPreviewInput input;
-    CloudMedium medium;
-    std::string leaps_name;
-};
-
-std::optional<LiveCloud> find_cloud(const PreviewAssets& assets, const PreviewOptions& options) {
-    for (const PreviewAsset& asset : assets.assets) {
-        CloudPreviewInput input = cloud_input(assets, asset, options);
-        if (input.cloud == nullptr || input.volume == nullptr || asset.entry.size.size() != 3) {
-            continue;
-        }
-        const config::Cloud cloud = input.volume_bake != nullptr
-                                        ? config::stretched(*input.cloud, *input.volume_bake)
-                                        : *input.cloud;
-        const std::vector<int>& size = asset.entry.size;
-        LiveCloud found{input,
-                        cloud_medium(cloud, asset.voxels.data(), {size[0], size[1], size[2]},
-                                     static_cast<int>(asset.entry.channels.size()), options.threads,
-                                     !options.single),
-                        "cells made from the volume"};
-        std::optional<LeapGrid> grid;
-        if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
-            grid = leap_grid_of(asset, *input.occupancy, *input.occupancy_bake,
-                                filtered_threshold(*input.cloud));
-        }
-        if (grid) found.leaps_name = input.occupancy->entry.name;
-        found.medium.leaps =
-            grid ? std::move(*grid) : leaps_of_voxels(found.medium, 4, options.threads);
-        return found;
-    }
-    return std::nullopt;
-}
-
-// Returns what the page's own part of the march needs besides the shaders' constants.
-Json cloud_json(const LiveCloud& cloud, const PackedVolume& packed,
-                const CloudViewSettings& settings) {
-    const CloudOptics& optics = cloud.medium.optics;
-    const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
-    return {{"name", cloud.input.volume->entry.name},
-            {"leaps", cloud.leaps_name},
-            {"greatest_error", packed.greatest_error},
-            {"tile", cloud.medium.extent_m},
-            {"base", cloud.medium.base_m},
-            {"extinction", optics.extinction_per_m},
-            {"threshold", optics.has_edge ? Json(optics.threshold) : Json(nullptr)},
-            {"edge_softness", optics.edge_softness},
-            {"backward", (1 - g) / 2},
-            {"step", settings.step_m},
-            {"most_sun_samples", kSunSamples},
-            {"reach", cloud.medium.repeats ? settings.reach_m : 1e6},
-            {"repeats", cloud.medium.repeats}};
-}
+// --- The view ------------------------------------------------------------------------------------
 
 // Returns the exposed light that each curve shows as `share` of white, times a factor.
 Json light_json(double share, double factor) {
@@ -198,24 +140,15 @@ Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const 
                       light.multiple_scattering->table),
         table_texture("phase_table", "phase functions of the recipe", live_phases(light.medium))};
     CloudCamera camera = sky_camera(options);
-    scene["cloud"] = nullptr;
-    scene["clouds"] = "";
-    if (const auto cloud = find_cloud(assets, options)) {
-        const CloudViewSettings settings =
-            framed_view(cloud->medium, cloud->input.suns.front(), 960, 540, cloud->input.camera);
-        const PackedVolume packed = packed_volume(*cloud->input.volume);
-        const LeapGrid& leaps = cloud->medium.leaps;
-        camera = settings.camera;
-        scene["clouds"] = live_cloud_glsl(cloud->medium, leaps.cell);
-        scene["cloud"] = cloud_json(*cloud, packed, settings);
-        scene["textures"].push_back(texture("cloud_table", cloud->input.volume->entry.name,
-                                            cloud->input.volume->entry.size, 1, packed.type,
-                                            packed.texels));
-        scene["textures"].push_back(texture("cells_table", cloud->leaps_name,
-                                            {leaps.cells[0], leaps.cells[1], leaps.cells[2]}, 1,
-                                            "unorm8", leap_bytes(leaps)));
+    scene["clouds"] = Json::array();
+    scene["cloud_glsl"] = "";
+    if (const std::vector<LiveCloud> clouds = live_clouds(assets, options); !clouds.empty()) {
+        const FramedScene framed = framed_clouds(clouds, 960, 540);
+        camera = framed.camera;
+        scene["clouds"] = clouds_json(clouds, framed, scene["textures"]);
+        scene["cloud_glsl"] = live_cloud_glsl(clouds);
     }
-    scene["exposure"] = exposure_json(scene["cloud"].is_null() ? kSkyPicture : kCloudPicture);
+    scene["exposure"] = exposure_json(scene["clouds"].empty() ? kSkyPicture : kCloudPicture);
     scene["view"] = view_json(options, camera, light.medium.air.thickness_km);
     return scene;
 }

@@ -3,11 +3,10 @@
 //
 // Tables are embedded as floats, which the page stores as halves where a browser cannot filter
 // floats. The volume is embedded as unorm8 where that is what was baked or where halves would take
-// more than kMostHalfBytes, else as halves; the scene states the greatest error that this makes.
+// more than kMostHalfBytes (live_textures.h), else as halves; the scene states the greatest error that this makes.
 // All texels are compressed (zlib).
 #pragma once
 
-#include <cstddef>
 #include <string>
 
 #include "bakers/preview/bake_assets.h"
@@ -16,15 +15,10 @@
 
 namespace skybake {
 
-inline constexpr std::size_t kMostHalfBytes = std::size_t{8} << 20;
-
 // Returns the scene as JSON. Where an atmosphere lacks a table that the page needs, the table is
-// baked; clouds without an atmosphere are lit by the preset `earth`. Of several clouds, the first
-// is shown. A cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if
+// baked; clouds without an atmosphere are lit by the preset `earth`. All clouds are shown in one sky
+// (live_clouds.h). A cloud whose baked grid does not serve a march gets leaps from its voxels. E0001 if
 // there is no recipe to read numbers from, or the air has other than three or four channels.
 config::Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options);
-
-// Compresses bytes (RFC 1950).
-std::string zlib_bytes(const std::string& bytes);
 
 }  // namespace skybake

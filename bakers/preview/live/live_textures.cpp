@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "bakers/math/half_conversion.h"
-#include "bakers/preview/live/live_scene.h"
 #include "bakers/preview/page.h"
 
 namespace skybake {

@@ -1,6 +1,7 @@
 // The textures of a live page: texels as text, of tables, volumes and grids of cells.
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -12,6 +13,12 @@
 namespace skybake {
 
 using LiveJson = nlohmann::ordered_json;
+
+// Volumes that would take more as halves are held as unorm8.
+inline constexpr std::size_t kMostHalfBytes = std::size_t{8} << 20;
+
+// Compresses bytes (RFC 1950).
+std::string zlib_bytes(const std::string& bytes);
 
 // Describes a texture and holds its texels. `type` is "float", "half" or "unorm8".
 LiveJson texture(const std::string& name, const std::string& label, std::vector<int> size,

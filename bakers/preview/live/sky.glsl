@@ -16,11 +16,11 @@ Light sunlight(float h, float s) {
 
 Light scattered_light(float h, float s) { return baked_multiple_scattering(scattering_table, h, s / (R + h)); }
 
-// The radiance of the ground, of which the share `lit` sees the sun.
-Light ground_light(float s, float lit) {
+// The radiance of the ground.
+Light ground_light(float s) {
     Light direct = max(s / R, 0.0) * sunlight(0.0, s) / PI;
     Light from_sky = max(2.0 * scattered_light(0.0, s) - ALBEDO * direct, 0.0) / (1.0 + ALBEDO);
-    return ALBEDO * (lit * direct + from_sky);
+    return ALBEDO * (direct + from_sky);
 }
 
 // The phase functions of all layers between a ray and the sun. The table is read between two texels.

@@ -3,7 +3,7 @@
 #include <memory>
 #include <new>
 
-#include "bakers/preview/live/live_scene.h"
+#include "bakers/preview/live/live_textures.h"
 
 namespace skybake {
 

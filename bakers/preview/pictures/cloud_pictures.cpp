@@ -29,15 +29,10 @@ std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const Cl
     const int reduction = input.draft ? 2 : 1;
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
-    std::vector<CloudViewSettings> views =
-        input.turntable > 0
-            ? turntable_views(medium, sun, width, height, input.camera, input.turntable)
-            : std::vector{framed_view(medium, sun, width, height, input.camera)};
-    for (CloudViewSettings& view : views) {
-        view.step_m *= reduction;
-        view.light_step_m *= reduction;
+    if (input.turntable > 0) {
+        return turntable_views(medium, sun, width, height, input.camera, input.turntable);
     }
-    return views;
+    return {framed_view(medium, sun, width, height, input.camera)};
 }
 
 // The pictures of a cloud under one sun.
@@ -48,11 +43,9 @@ struct LitScene {
     SceneRenderer renderer;
 };
 
-// The ground lies in full light, as runtimes without shadows show it; that of the whole scene has
-// shadows (scene_pictures.cpp).
 SceneFrame frame_of(const CloudViewSettings& settings) {
     return {settings.width, settings.height, settings.camera,
-            refinement_of(settings.width, settings.height), false};
+            refinement_of(settings.width, settings.height), true};
 }
 
 std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,
@@ -60,13 +53,17 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "{}, the {}, {}, in the light of {}; {}. The camera is `{}`. There are {}, {:.3g} m "
-        "steps along the view and {:.3g} m steps towards the sun, and {} octaves of scattering "
-        "(Wrenninge et al. 2013). Leaping by {}, each pixel takes {:.0f} lookups of the volume and "
-        "{:.0f} of the grid.",
-        scene.input.single ? "One tile alone" : "The layer that the tile repeats to",
-        sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
-        scene.lighting.name, tone_text(exposure, scene.input.tone_curve),
+        "The picture shows {}. The light is that of {} with the {}, {}; it is shown with {}. The "
+        "camera "
+        "is `{}`. Rays have {}, {:.3g} m steps along the view and {:.3g} m steps towards the sun, "
+        "and "
+        "the light has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel "
+        "takes "
+        "{:.0f} lookups of the volume and {:.0f} of the grid.",
+        scene.input.single ? "one tile alone with its shadow on the ground"
+                           : "the layer that the tile repeats to with its shadows on the ground",
+        scene.lighting.name, sun_text(settings.sun.elevation_degrees),
+        beside_view(settings.sun, settings.camera), tone_text(exposure, scene.input.tone_curve),
         camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
         settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,

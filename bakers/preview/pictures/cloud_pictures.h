@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "bakers/march/cloud_medium.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/render/cloud_framing.h"
-#include "bakers/march/cloud_medium.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/tone_curve.h"
@@ -50,7 +50,7 @@ struct CloudPreviewInput {
     int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;      // of lit pictures
     int height = 540;
-    bool draft = false;  // half that size, steps twice as long, only the most important pictures
+    bool draft = false;            // half that size, only the most important pictures
     Progress* progress = nullptr;  // reports lit pictures
 };
 

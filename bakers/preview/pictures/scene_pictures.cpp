@@ -60,13 +60,7 @@ FramedScene framed(const CloudPreviewInput& input, const std::vector<NamedLayer>
                    const SunDirection& sun) {
     std::vector<const CloudMedium*> media;
     for (const NamedLayer& layer : layers) media.push_back(&layer.cloud.medium);
-    FramedScene scene = framed_scene(media, sun, input.width, input.height, input.camera);
-    if (!input.draft) return scene;
-    for (SceneLayer& layer : scene.layers) {
-        layer.step_m *= 2;
-        layer.light_step_m *= 2;
-    }
-    return scene;
+    return framed_scene(media, sun, input.width, input.height, input.camera);
 }
 
 std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighting,
@@ -75,15 +69,17 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
     return fmt::format(
         "The picture shows {} in one sky, with the air before them and their shadows on the "
         "ground. "
-        "The {}, {}, in the light of {}; {}. The camera is `{}`. There are {}. Each copy of a tile "
+        "The light is that of {} with the {}, {}; it is shown with {}. The camera is `{}`. Rays "
+        "have "
+        "{}. Each copy of a tile "
         "begins at another voxel and runs into its neighbours over an eighth of its edge, so that "
         "no "
         "pattern repeats; far layers fade out about 1.5 degrees above the horizon. Layers are "
         "flat, "
         "and clouds do not shade the air.",
-        layers_text(layers), sun_text(sun.elevation_degrees), beside_view(sun, frame.camera),
-        lighting.name, tone_text(exposure, input.tone_curve), camera_text(frame.camera),
-        samples_text(frame, view.refined_pixels));
+        layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
+        beside_view(sun, frame.camera), tone_text(exposure, input.tone_curve),
+        camera_text(frame.camera), samples_text(frame, view.refined_pixels));
 }
 
 PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lighting,

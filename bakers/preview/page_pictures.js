@@ -1,0 +1,92 @@
+'use strict';
+// The pictures of the page: figures, tabs of them, and those that turn.
+
+// The images stand in an element already, for browsers without scripts; each moves to its place.
+let standing = null;
+let images = new Map();
+let shown = [];  // every picture of the page, in its order
+function takeImages(from) {
+    standing = from;
+    images = new Map(Array.from(from.querySelectorAll('img'), (image) => [image.dataset.file, image]));
+    shown = [];
+}
+function pictureButton(picture) {
+    const index = shown.push(picture) - 1;
+    return element('button', {type: 'button', class: 'picture', 'aria-label': `Enlarge: ${picture.title}`,
+                              onclick: () => enlarge(index)}, imageOf(picture));
+}
+function imageOf(picture) {
+    const image = images.get(picture.file);
+    return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
+}
+// A title that stands in the picture does not stand below it too.
+function figureOf(picture, content) {
+    return element('figure',
+        {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
+         class: picture.kind},
+        ...content, element('figcaption', {},
+            picture.titled ? null : element('b', {}, picture.title), picture.caption));
+}
+// Pictures of one sequence are a turntable, those of one group are tabs of one figure, and every
+// other picture is a figure of its own.
+function gallery(pictures) {
+    if (pictures.length === 0) return null;
+    const alike = (picture, key) => pictures.filter((other) => other[key] === picture[key]);
+    return element('div', {class: 'gallery'}, ...pictures.map((picture) => {
+        const key = picture.sequence !== '' ? 'sequence' : 'group';
+        const all = picture[key] === '' ? [picture] : alike(picture, key);
+        if (all[0] !== picture) return null;
+        if (key === 'sequence') return turntable(all);
+        return all.length === 1 ? figureOf(picture, [pictureButton(picture)]) : tabbedFigures(all);
+    }));
+}
+function tabbedFigures(pictures) {
+    const choices = pictures.map((picture) => ({
+        title: picture.tab, content: figureOf(picture, [pictureButton(picture)])}));
+    const whole = tabbed(pictures[0].title, choices);
+    const shape = Math.max(...pictures.map((picture) => picture.width / picture.height));
+    whole.style.setProperty('--shape', shape.toFixed(3));
+    whole.classList.add(pictures[0].kind);
+    return whole;
+}
+
+// One picture that turns: by its slider, by dragging, by the arrow keys, or by itself.
+function turntable(frames) {
+    const image = imageOf(frames[0]);
+    const sources = frames.map((frame) => images.get(frame.file).getAttribute('src'));
+    sources.forEach((source) => { new Image().src = source; });
+    const slider = element('input', {type: 'range', min: 0, max: frames.length - 1, value: 0,
+                                     'aria-label': `Turn: ${frames[0].title}`});
+    const words = element('span');
+    let timer = null;
+    function show(index) {
+        const at = (Math.round(index) % frames.length + frames.length) % frames.length;
+        slider.value = at;
+        image.src = sources[at];
+        image.alt = frames[at].caption;
+        words.textContent = frames[at].caption;
+    }
+    function play() {
+        if (timer !== null) clearInterval(timer);
+        timer = timer === null ? setInterval(() => show(Number(slider.value) + 1), 1000 / 12) : null;
+        button.textContent = timer === null ? 'Play' : 'Stop';
+    }
+    const button = element('button', {type: 'button', onclick: play}, 'Play');
+    slider.addEventListener('input', () => show(slider.value));
+    // A drag across the whole picture turns it once.
+    let held = null;
+    image.draggable = false;
+    image.addEventListener('pointerdown', (event) => {
+        held = {x: event.clientX, index: Number(slider.value)};
+        image.setPointerCapture(event.pointerId);
+    });
+    image.addEventListener('pointermove', (event) => {
+        if (held) show(held.index + (event.clientX - held.x) / image.clientWidth * frames.length);
+    });
+    for (const end of ['pointerup', 'pointercancel']) image.addEventListener(end, () => { held = null; });
+    const figure = figureOf({...frames[0], caption: words}, [image,
+        element('div', {class: 'turn'}, button, slider)]);
+    figure.classList.add('turntable');
+    show(0);
+    return figure;
+}

@@ -1,0 +1,142 @@
+// Shadows of clouds on the ground, of a tile that stands alone and of a layer that repeats.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bakers/preview/pictures/cloud_pictures.h"
+#include "bakers/render/scene_view.h"
+#include "tests/preview/clouds.h"
+#include "tests/preview/skies.h"
+
+namespace skybake {
+namespace {
+
+constexpr double kExtinction = 0.01;  // 1/m
+
+// A tile of 1600 x 1600 x 400 m at an altitude of 1 km, which is cloud throughout.
+CloudMedium slab(bool repeats) {
+    config::Cloud cloud = test::cloud_of({1600, 1600, 400}, 1000);
+    cloud.extinction_scale.per_meter = kExtinction;
+    const std::vector<float> voxels(32 * 32 * 8, 1.0F);
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), {32, 32, 8}, 1, 1, repeats);
+    medium.leaps = leaps_of_voxels(medium, 4, 1);
+    return medium;
+}
+
+SceneFrame looking_down(const glm::dvec3& position) {
+    SceneFrame frame;
+    frame.width = frame.height = 48;
+    frame.camera.position_m = position;
+    frame.camera.azimuth_degrees = 0;
+    frame.camera.elevation_degrees = -90;
+    frame.camera.horizontal_field_degrees = 90;
+    frame.ground = true;
+    return frame;
+}
+
+glm::dvec3 seen_on_ground(const SceneFrame& frame, int x, int y) {
+    const glm::dvec3 ray = CameraRays(frame.camera, frame.width, frame.height).through(x, y);
+    return frame.camera.position_m - frame.camera.position_m.z / ray.z * ray;
+}
+
+// The metres that a ray to the sun spends in the tile, by the slabs between its faces.
+double way_in_tile(const glm::dvec3& from, const glm::dvec3& sun) {
+    const double low[] = {0, 0, 1000};
+    const double high[] = {1600, 1600, 1400};
+    double enters = 0;
+    double leaves = 1e9;
+    for (int a = 0; a < 3; ++a) {
+        const double first = (low[a] - from[a]) / sun[a];
+        const double last = (high[a] - from[a]) / sun[a];
+        enters = std::max(enters, std::min(first, last));
+        leaves = std::min(leaves, std::max(first, last));
+    }
+    return std::max(leaves - enters, 0.0);
+}
+
+// Sunlight enters a tile through its sides as well as through its base.
+TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
+    const CloudMedium tile = slab(false);
+    for (const double elevation : {70.0, 30.0, 12.0}) {
+        const SunDirection sun = {elevation, 205};
+        const glm::dvec3 to_sun = direction_of(elevation, 205);
+        const SceneMarch march({{&tile, 20, 5, 20000, false}}, sun, true, true, 1);
+        // The camera looks at the ground from where the shadow falls, below the cloud's base.
+        const glm::dvec3 middle = glm::dvec3(800, 800, 1200) - 1200 / to_sun.z * to_sun;
+        const SceneFrame frame = looking_down({middle.x, middle.y, 990});
+        const Image2<float> seen = march.march(frame, 1, nullptr).results;
+        int dark = 0;
+        int lit = 0;
+        for (int y = 0; y < frame.height; ++y) {
+            for (int x = 0; x < frame.width; ++x) {
+                const double way = way_in_tile(seen_on_ground(frame, x, y), to_sun);
+                const double direct = seen.texel(x, y)[7];
+                // Density falls to 0 over the outermost half voxel, 25 m.
+                const double edge = 25 / std::min(std::fabs(to_sun.x), std::fabs(to_sun.y));
+                const double error = 1 - std::exp(-kExtinction * std::min(edge, way));
+                EXPECT_NEAR(direct, std::exp(-kExtinction * way), error + 0.03) << elevation;
+                dark += direct < 0.1 ? 1 : 0;
+                lit += direct > 0.99 ? 1 : 0;
+            }
+        }
+        EXPECT_GT(dark, 20) << elevation;
+        EXPECT_GT(dark + lit, 60) << elevation;
+    }
+}
+
+const test::Sky& earth() {
+    static const test::Sky sky = test::sky_of("earth_hillaire");
+    return sky;
+}
+
+Image2<float> picture_of(const CloudMedium& medium, const SunDirection& sun,
+                         const SceneFrame& frame) {
+    SceneRenderer renderer({{&medium, 20, 20, 8000, false}}, {earth().medium, earth().tables}, sun,
+                           1);
+    return renderer.render(frame, 1).radiance;
+}
+
+// A tile alone darkens the ground in its shadow, and leaves all other ground as it is.
+TEST(GroundShadow, OfOneTileLeavesOtherGroundAlone) {
+    const CloudMedium tile = slab(false);
+    const SunDirection sun = {60, 205};
+    SceneFrame frame = looking_down({6000, 6000, 500});
+    const Image2<float> beside = picture_of(tile, sun, frame);
+    frame.ground = false;
+    const Image2<float> clear = picture_of(tile, sun, frame);
+    for (std::size_t i = 0; i < clear.texels.size(); ++i) {
+        EXPECT_NEAR(beside.texels[i], clear.texels[i], 1e-5 * clear.texels[i]);
+    }
+    const glm::dvec3 to_sun = direction_of(60, 205);
+    const glm::dvec3 shade = glm::dvec3(800, 800, 1200) - 1200 / to_sun.z * to_sun;
+    frame = looking_down({shade.x, shade.y, 100});
+    const float shaded = picture_of(tile, sun, frame).texel(24, 24)[1];
+    frame.ground = false;
+    EXPECT_LT(shaded, 0.5F * picture_of(tile, sun, frame).texel(24, 24)[1]);
+}
+
+// Beyond the reach, the ground has the mean of what the layer lets through; it is never brighter than
+// under a clear sky.
+TEST(GroundShadow, BeyondTheReachIsTheMean) {
+    const CloudMedium layer = slab(true);
+    const SunDirection sun = {40, 205};
+    SceneFrame frame = looking_down({0, 0, 900});
+    frame.camera.elevation_degrees = -7;
+    const SceneMarch march({{&layer, 20, 20, 3000, false}}, sun, true, true, 1);
+    const Image2<float> seen = march.march(frame, 1, nullptr).results;
+    const CameraRays rays(frame.camera, frame.width, frame.height);
+    int beyond = 0;
+    for (int y = 0; y < frame.height; ++y) {
+        const double z = rays.through(24, y).z;
+        if (!(z < 0) || 900 / -z <= 3000) continue;
+        ++beyond;
+        EXPECT_NEAR(seen.texel(24, y)[7], march.direct(), 1e-6);
+        EXPECT_NEAR(march.direct(), std::exp(-kExtinction * 400 / sine_of_degrees(40)), 1e-3);
+    }
+    EXPECT_GT(beyond, 2);
+}
+
+}  // namespace
+}  // namespace skybake
