@@ -91,8 +91,7 @@ class FolderMaker {
             for (const config::FileFormat format : files.formats) {
                 const auto ask = format_of(format).obstacle;
                 if (ask == nullptr) continue;
-                auto obstacle =
-                    ask(bake_.folder / file_name(planned.bake->name, files, format, 0));
+                auto obstacle = ask(bake_.folder / file_name(planned.bake->name, files, format, 0));
                 if (obstacle) return stop({std::move(*obstacle)});
             }
         }
