@@ -30,13 +30,16 @@ std::string recipe_of(std::string_view asset, const std::string& keys) {
     if (asset == "occupancy" || asset == "cloud_distance") more = "of = 'v'\n";
     if (asset == "cloud_light") more = "of = 'v'\nsun_elevations = '30 deg'\n";
     if (asset == "flipbook") more = "of = 'v'\n";
-    const std::string volume = asset == "flipbook" ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n";
+    const bool needs_frames = asset == "flipbook";
+    const std::string moving = needs_frames ? "[noise.n]\nperiod = 1\n" : "";
+    const std::string volume = needs_frames ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n";
     if (asset == "sky_view") more = "sun_elevations = '30 deg'\n";
     if (asset == "phase") more = "layer = 'mie'\n";
     if (asset == "aerial_perspective" || asset == "environment")
         more = "sun_elevation = '30 deg'\n";
-    return "preset = 'takram'\n[noise.n]\nperiod = 1\n[noise.n.channels.Y]\ntype = 'perlin'\n"
-           "remap = [-1, 1, 0, 1]\n[clouds.c]\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" +
+    return "preset = 'takram'\n" + moving +
+           "[noise.n.channels.Y]\ntype = 'perlin'\nremap = [-1, 1, 0, 1]\n[clouds.c]\n"
+           "noise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" +
            volume +
            "asset = 'cloud_volume'\ncloud = 'c'\n"
            "size = [16, 16, 16]\n[bake.a]\nasset = '" +
