@@ -23,6 +23,9 @@ test::BakedLookup bake_book() {
 
 const Baked& book_of(const test::BakedLookup& baked) { return baked.assets.back(); }
 
+// What an empty cell holds here. A lookup in float takes 2e-6 of the texel beside its own.
+constexpr float kEmpty = 5;
+
 // Cell k of a sheet stands at column k mod columns of row k / columns from the top left.
 Texture sheet_of(const Texture& book, int columns, int rows) {
     Texture sheet = book;
@@ -30,7 +33,7 @@ Texture sheet_of(const Texture& book, int columns, int rows) {
     sheet.size = {width * columns, height * rows, 1};
     sheet.texels.assign(sheet.texels.size() / static_cast<std::size_t>(frames) *
                             static_cast<std::size_t>(columns * rows),
-                        1e9f);
+                        kEmpty);
     const auto channels = static_cast<std::size_t>(book.channels);
     for (int frame = 0; frame < frames; ++frame) {
         for (int y = 0; y < height; ++y) {
