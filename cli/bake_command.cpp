@@ -12,6 +12,7 @@
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/bake_frames.h"
 #include "bakers/workspace/depfile.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -107,9 +108,10 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     }
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
     BakeReporter reporter(console, json);
-    const auto baked = bake_folder(bake, reporter);
+    const auto baked = bake_frames_and_folder(bake, reporter);
     if (interrupted() && !baked.value) {
-        console.note("interrupted; nothing was written\n");
+        console.note(has_frames(bake) ? "interrupted; frames that were complete are kept\n"
+                                      : "interrupted; nothing was written\n");
         return ExitCode::interrupted;
     }
     if (const ExitCode code = console.report(baked.diagnostics); !baked.value) return code;

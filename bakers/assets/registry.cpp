@@ -34,7 +34,7 @@ namespace {
 // and a frame its own time.
 template <class Make>
 auto with_own_parameters(const Parameters& parameters, const Bake& bake, const Make& make) {
-    const int frame = config::frame_of(bake);
+    const int frame = config::frame_of(parameters, bake);
     if (frame > 0) return make(config::at_frame(parameters, frame));
     const int packet = config::packet_number(bake);
     return packet == 0 ? make(parameters) : make(config::packet_of(parameters, packet));

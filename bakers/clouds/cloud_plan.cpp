@@ -8,6 +8,7 @@
 #include <span>
 #include <utility>
 
+#include "bakers/clouds/tower_life.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_bounds.h"
 
@@ -47,13 +48,6 @@ SliceShape slice_shape(const Cloud& cloud, bool by_map, double h) {
     return shape;
 }
 
-std::vector<config::Tower> all_towers(const Cloud& cloud) {
-    std::vector<config::Tower> towers = cloud.towers;
-    const std::vector<config::Tower> scattered = scattered_towers(cloud.scatter);
-    towers.insert(towers.end(), scattered.begin(), scattered.end());
-    return towers;
-}
-
 // A margin for what kernels round.
 float with_room(double bound) {
     constexpr double kRoom = 1e-5;
@@ -72,7 +66,7 @@ float bound_of(const Noise& base, int shaped_channels) {
 
 // Fills in all of a plan but what gives its n.
 void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPlan& plan) {
-    plan.towers = TowerField(all_towers(cloud));
+    plan.towers = TowerField(living_gaussians(cloud));
     plan.domes = DomeField(
         domes_of(cloud), {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
     if (detail != nullptr) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bakers/clouds/cloud_plan.h"
+#include "bakers/clouds/tower_life.h"
 #include "bakers/noise/noise_reference.h"
 
 namespace skybake::cloud {
@@ -151,9 +152,10 @@ CloudReference::CloudReference(const config::Cloud& cloud, const CloudVolume& vo
 
 CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise* detail,
                                CloudMaps maps)
-    : cloud_(cloud), towers_(cloud.towers), domes_(domes_of(cloud)), maps_(std::move(maps)) {
-    const std::vector<Tower> scattered = scattered_towers(cloud.scatter);
-    towers_.insert(towers_.end(), scattered.begin(), scattered.end());
+    : cloud_(cloud),
+      towers_(living_gaussians(cloud)),
+      domes_(domes_of(cloud)),
+      maps_(std::move(maps)) {
     if (detail != nullptr) {
         detail_ = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
     }

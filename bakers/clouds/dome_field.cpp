@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
+#include "bakers/clouds/tower_life.h"
 #include "bakers/clouds/unit_numbers.h"
 #include "bakers/math/transcendental.h"
 
@@ -28,7 +29,8 @@ std::array<double, 2> direction_of(double turns) {
 // its upper surface: within what noise leaves of the dome, so that lobes do not come off.
 constexpr double kLobeReach = 0.65;
 
-Dome lobe_of(const Dome& dome, const DomeShape& shape, UnitNumbers& numbers) {
+// `swelling` is the radius of lobes over that of lobes of a grown dome of this width.
+Dome lobe_of(const Dome& dome, const DomeShape& shape, double swelling, UnitNumbers& numbers) {
     // Points (s, u, v) of a half ball have uniform heights.
     const double s = numbers.next();
     const std::array<double, 2> around = direction_of(numbers.next());
@@ -37,8 +39,8 @@ Dome lobe_of(const Dome& dome, const DomeShape& shape, UnitNumbers& numbers) {
     const double v = across * dome.radii[1] * around[1];
     const double t = dome.widest + kLobeReach * s * (1 - dome.widest);
     const auto [c, n] = dome.direction;
-    const double radius =
-        between(shape.lobe_size, numbers.next()) * std::min(dome.radii[0], dome.radii[1]);
+    const double radius = between(shape.lobe_size, numbers.next()) *
+                          std::min(dome.radii[0], dome.radii[1]) * swelling;
     const double rise = t * dome.height;
     Dome lobe;
     lobe.foot = {dome.foot[0] + dome.lean[0] * rise + c * u - n * v,
@@ -51,10 +53,26 @@ Dome lobe_of(const Dome& dome, const DomeShape& shape, UnitNumbers& numbers) {
     return lobe;
 }
 
-void add_with_lobes(const Dome& dome, const DomeShape& shape, UnitNumbers& numbers,
+// The dome at the cloud's time. None if it does not live.
+void add_with_lobes(Dome dome, const DomeShape& shape, const TowerState& state,
+                    const std::array<double, 3>& extent_m, UnitNumbers& numbers,
                     std::vector<Dome>& domes) {
+    dome.amplitude *= state.amplitude;
+    if (dome.amplitude == 0) return;
+    dome.height *= state.height;
+    for (std::size_t i = 0; i < 2; ++i) {
+        dome.radii[i] *= state.width;
+        dome.foot[i] += state.moved[i] * extent_m[i];
+        dome.lean[i] += state.leaned[i];
+    }
     domes.push_back(dome);
-    for (int i = 0; i < shape.lobes; ++i) domes.push_back(lobe_of(dome, shape, numbers));
+    // Lobes of a dome that is still flat would reach out of it.
+    const double swelling = std::min(1.0, state.height / state.width);
+    for (int i = 0; i < shape.lobes; ++i) domes.push_back(lobe_of(dome, shape, swelling, numbers));
+}
+
+std::array<double, 3> extent_m_of(const config::Cloud& cloud) {
+    return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
 }
 
 Dome shaped(const DomeShape& shape) {
@@ -90,17 +108,21 @@ Dome scattered_dome(const config::TowerScatter& scatter, const config::Cloud& cl
 }  // namespace
 
 std::vector<Dome> domes_of(const config::Cloud& cloud) {
+    const std::array<double, 3> extent_m = extent_m_of(cloud);
     std::vector<Dome> domes;
     for (const config::Tower& tower : cloud.towers) {
         if (tower.shape != config::TowerShape::dome) continue;
         UnitNumbers numbers(tower.seed, 0);
-        add_with_lobes(listed_dome(tower), tower, numbers, domes);
+        const TowerState state = tower_state(tower, tower.born, cloud);
+        add_with_lobes(listed_dome(tower), tower, state, extent_m, numbers, domes);
     }
-    if (cloud.scatter.shape != config::TowerShape::dome) return domes;
-    for (int i = 0; i < cloud.scatter.count; ++i) {
-        UnitNumbers numbers(cloud.scatter.seed, static_cast<std::uint64_t>(i));
-        const Dome dome = scattered_dome(cloud.scatter, cloud, numbers);
-        add_with_lobes(dome, cloud.scatter, numbers, domes);
+    const config::TowerScatter& scatter = cloud.scatter;
+    if (scatter.shape != config::TowerShape::dome) return domes;
+    for (int i = 0; i < scatter.count; ++i) {
+        UnitNumbers numbers(scatter.seed, static_cast<std::uint64_t>(i));
+        const Dome dome = scattered_dome(scatter, cloud, numbers);
+        const TowerState state = tower_state(scatter, scattered_birth(scatter, i), cloud);
+        add_with_lobes(dome, scatter, state, extent_m, numbers, domes);
     }
     return domes;
 }

@@ -35,7 +35,8 @@ struct Dome {
     double amplitude = 0;
 };
 
-// Returns the domes that a cloud lists, then those that it scatters, each followed by its lobes.
+// Returns the domes that a cloud lists, then those that it scatters, each followed by its lobes: those
+// that live at its time, as they are then (tower_life.h).
 std::vector<Dome> domes_of(const config::Cloud& cloud);
 
 // A range of places along y and z, in metres.

@@ -87,10 +87,11 @@ class FolderMaker {
     bool has_modules() {
         for (const PlannedAsset& planned : plan_.assets) {
             if (!planned.stale()) continue;
-            for (const config::FileFormat format : config::files_of(*planned.bake).formats) {
+            const config::AssetFiles& files = config::files_of(*planned.bake);
+            for (const config::FileFormat format : files.formats) {
                 const auto ask = format_of(format).obstacle;
                 if (ask == nullptr) continue;
-                auto obstacle = ask(bake_.folder / file_name(planned.bake->name, format, 0));
+                auto obstacle = ask(bake_.folder / file_name(planned.bake->name, files, format, 0));
                 if (obstacle) return stop({std::move(*obstacle)});
             }
         }

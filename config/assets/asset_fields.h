@@ -116,6 +116,7 @@ struct FileWords {
     std::string_view mips = "number of levels of detail, with the volume itself";
     std::string_view pixel_type = R"("half")";  // the default
     std::string_view flip = "false";            // the default; empty if other keys decide it
+    std::string_view layout = R"("stack")";     // the default
 };
 
 inline constexpr FileWords table_files = {
@@ -124,6 +125,7 @@ inline constexpr FileWords table_files = {
 inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
 
 inline constexpr Range frame_range{1, 100000};
+inline constexpr Range frame_rate_range{0.001, 1000};
 
 // Returns a section's own rows, followed by those of LightFiles, VolumeFrames and AssetFiles.
 template <class S, std::size_t count>
@@ -144,9 +146,17 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
                          .range = frame_range,
                          .documentation = "number of frames in time: assets NAME_0001, NAME_0002 "
                                           "... are one each, from the time of the noises on",
-                         .hint = "the `period` of the noise makes a loop",
-                         .only_shown = true},
+                         .hint = "the `period` of the noise or the cloud makes a loop",
+                         .role = Role::files},
                         &VolumeFrames::frames});
+        rows.push_back({{.key = "frames_per_second",
+                         .kind = Kind::number,
+                         .range = frame_rate_range,
+                         .fallback = "24",
+                         .documentation = "how fast the USD scene plays the frames",
+                         .needs = "frames",
+                         .role = Role::files},
+                        &VolumeFrames::frames_per_second});
         rows.push_back({{.key = "frame",
                          .kind = Kind::integer,
                          .range = frame_range,
@@ -177,7 +187,7 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
         {{.key = "layout",
           .kind = Kind::choice,
           .choices = layout_choices,
-          .fallback = R"("stack")",
+          .fallback = words.layout,
           .documentation =
               "where the slices lie in EXR, PNG and TGA images; by default an atlas where "
               "a stack would have more than 16384 rows",

@@ -11,6 +11,7 @@
 #include <tuple>
 
 #include "config/assets/assets.h"
+#include "config/assets/bake_parts.h"
 #include "config/assets/file_decoder.h"
 #include "config/assets/target_decoder.h"
 #include "config/sections/cloud.h"
@@ -41,7 +42,9 @@ const AssetFiles& files_of(const Bake& bake) { return kind_of(bake).files(bake);
 
 int packet_number(const Bake& bake) { return kind_of(bake).packet(bake); }
 
-int frame_of(const Bake& bake) { return kind_of(bake).frame(bake); }
+int frame_of(const Parameters& parameters, const Bake& bake) {
+    return kind_of(bake).frame(parameters, bake);
+}
 
 namespace {
 
@@ -115,13 +118,6 @@ std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string
 }
 
 namespace {
-
-// This is a bake whose keys have been read, but which has not yet taken values from other bakes.
-struct OpenBake {
-    std::string name;
-    const AssetKind* kind = nullptr;
-    DecodedSection section;
-};
 
 // Returns null if there is no asset of this name.
 const AssetKind* find_kind(std::string_view name) {
@@ -290,116 +286,6 @@ Bake bind(const OpenBake& bake, const Parameters& recipe) {
     return bake.kind->bind(bake.name, cut_to_packet(bake.section, recipe, number));
 }
 
-// Whether the channels of an asset are wavelengths of the recipe.
-bool holds_wavelengths(const AssetKind& kind, const Parameters& recipe) {
-    const UseOfLight use = kind.facts.use_of_light;
-    return use == UseOfLight::channels || (use == UseOfLight::colors && !holds_colors(recipe));
-}
-
-// Reports and removes a packet that the recipe does not have, or that an asset of colours cannot
-// hold.
-void check_packet(OpenBake& bake, const Parameters& recipe, Decoder& decoder) {
-    DecodedField& decoded = bake.section.at("packet");
-    const int packet = static_cast<int>(std::get<double>(*decoded.value));
-    const bool has_wavelengths = holds_wavelengths(*bake.kind, recipe);
-    if (has_wavelengths && packet <= packet_count(recipe)) return;
-    decoded.value.reset();
-    const std::string path = join_path(bake.section.path, "packet");
-    decoder.diagnostics.error(
-        "E0147", decoded.source->place,
-        has_wavelengths
-            ? fmt::format("`{}` is {}; the recipe has {} wavelengths", path, packet,
-                          recipe.wavelengths.size())
-            : fmt::format("`{}`: this asset holds colours made of all wavelengths", path),
-        has_wavelengths ? fmt::format("give at most {}", packet_count(recipe))
-                        : "leave it out, or set [color] space to \"none\"");
-}
-
-// Returns a bake for each packet of the recipe. Their sections have the names NAME_1, NAME_2 ...
-std::vector<OpenBake> divided(const OpenBake& whole, const Parameters& recipe) {
-    std::vector<OpenBake> parts;
-    for (int packet = 1; packet <= packet_count(recipe); ++packet) {
-        OpenBake part = whole;
-        part.name = fmt::format("{}_{}", whole.name, packet);
-        part.section.path = join_path("bake", part.name);
-        derive(part.section.at("packet"), static_cast<double>(packet));
-        parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
-// Returns a bake for each frame. Their sections have the names NAME_0001, NAME_0002 ...
-std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
-    std::vector<OpenBake> parts;
-    for (int frame = 1; frame <= frames; ++frame) {
-        OpenBake part = whole;
-        part.name = fmt::format("{}_{:04}", whole.name, frame);
-        part.section.path = join_path("bake", part.name);
-        derive(part.section.at("frame"), static_cast<double>(frame));
-        parts.push_back(std::move(part));
-    }
-    return parts;
-}
-
-// Reports bakes that have the name of a part of another bake. `part_name` is what a part is
-// called, and `which` says which there are.
-void check_part_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
-                      std::span<const Entry* const> entries, std::string_view code,
-                      std::string_view part_name, const std::string& which, Decoder& decoder) {
-    for (const Entry* entry : entries) {
-        const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
-            return part.name == entry->key;
-        });
-        if (!is_taken) continue;
-        decoder.diagnostics.error(std::string(code), entry->key_place,
-                                  fmt::format("[bake.{}] has the name of a {} of [bake.{}], {}",
-                                              entry->key, part_name, whole.name, which),
-                                  "choose another name");
-    }
-}
-
-// Returns the number of frames that a bake is to be divided into, or 0. An asset that holds all its
-// frames has no key `frame`.
-int frames_to_divide(const OpenBake& bake) {
-    const DecodedField* frames = find_decoded(bake.section, "frames");
-    const DecodedField* frame = find_decoded(bake.section, "frame");
-    if (!frames || !frames->value || !frame || frame->source) return 0;
-    return static_cast<int>(std::get<double>(*frames->value));
-}
-
-// Replaces bakes by those of their packets, where a texture has too few channels, or of their frames.
-std::vector<OpenBake> divided_where_needed(std::vector<OpenBake> open, const Parameters& recipe,
-                                           std::span<const Entry* const> entries,
-                                           Decoder& decoder) {
-    std::vector<OpenBake> result;
-    for (OpenBake& bake : open) {
-        const DecodedField* packet = find_decoded(bake.section, "packet");
-        if (packet && packet->value) check_packet(bake, recipe, decoder);
-        if (const int frames = frames_to_divide(bake); frames > 0) {
-            std::vector<OpenBake> parts = divided_in_time(bake, frames);
-            check_part_names(
-                bake, parts, entries, "E0174", "frame",
-                fmt::format("whose frames are {} to {}", parts.front().name, parts.back().name),
-                decoder);
-            std::move(parts.begin(), parts.end(), std::back_inserter(result));
-            continue;
-        }
-        const bool is_divided = packet && !packet->source && packet_count(recipe) > 1 &&
-                                holds_wavelengths(*bake.kind, recipe);
-        if (!is_divided) {
-            result.push_back(std::move(bake));
-            continue;
-        }
-        std::vector<OpenBake> parts = divided(bake, recipe);
-        check_part_names(bake, parts, entries, "E0147", "packet",
-                         fmt::format("whose wavelengths are held by {} to {}", parts.front().name,
-                                     parts.back().name),
-                         decoder);
-        std::move(parts.begin(), parts.end(), std::back_inserter(result));
-    }
-    return result;
-}
-
 }  // namespace
 
 std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Decoder& decoder) {
@@ -430,7 +316,7 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }
     }
-    open = divided_where_needed(std::move(open), recipe, entries, decoder);
+    open = divided_into_parts(std::move(open), recipe, entries, decoder);
     std::vector<Bake> bakes;
     for (const OpenBake& bake : open) bakes.push_back(bind(bake, recipe));
     // The bake that an asset is made from may stand after it in the file.

@@ -47,6 +47,7 @@ struct AssetFacts {
     bool needs_atmosphere = false;
     UseOfLight use_of_light = UseOfLight::none;
     bool of_another_bake = false;  // made from another bake, so resolved after all others
+    bool of_all_frames = false;    // made from all frames of that bake; else from one
 };
 
 struct AssetKind {
@@ -58,7 +59,7 @@ struct AssetKind {
     std::function<std::vector<Read>(const Parameters& parameters, const Bake& bake)> reads;
     const AssetFiles& (*files)(const Bake& bake) = nullptr;
     int (*packet)(const Bake& bake) = nullptr;
-    int (*frame)(const Bake& bake) = nullptr;
+    int (*frame)(const Parameters& parameters, const Bake& bake) = nullptr;
 };
 
 // Returns the kinds of all assets, in the order of assets.h.
@@ -72,8 +73,9 @@ const AssetFiles& files_of(const Bake& bake);
 // Returns the packet of wavelengths that a bake holds, or 0 if it holds all.
 int packet_number(const Bake& bake);
 
-// Returns the frame that a bake is, counted from 1, or 0 if it is not one of a sequence.
-int frame_of(const Bake& bake);
+// Returns the frame that a bake is or is made from, counted from 1, or 0 if that is none of a
+// sequence.
+int frame_of(const Parameters& parameters, const Bake& bake);
 
 template <class Asset>
 AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
@@ -97,8 +99,12 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
         if constexpr (std::is_base_of_v<LightFiles, Asset>) return bake.as<Asset>().packet;
         return 0;
     };
-    kind.frame = [](const Bake& bake) {
-        if constexpr (std::is_base_of_v<VolumeFrames, Asset>) return bake.as<Asset>().frame;
+    kind.frame = [](const Parameters& parameters, const Bake& bake) {
+        const Asset& asset = bake.as<Asset>();
+        if constexpr (std::is_base_of_v<VolumeFrames, Asset>) return asset.frame;
+        if constexpr (requires { asset.of; }) {
+            return frame_of(parameters, bake_named(parameters, asset.of));
+        }
         return 0;
     };
     return kind;

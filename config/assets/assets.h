@@ -10,6 +10,7 @@
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
+#include "config/assets/flipbook.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/noise_volume.h"
@@ -28,7 +29,7 @@ using Assets =
     std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake,
                NoiseVolumeBake, WeatherMapBake, BlueNoiseBake, CloudVolumeBake, CloudLightBake,
-               CloudDistanceBake, OccupancyBake>;
+               CloudDistanceBake, FlipbookBake, OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

@@ -179,21 +179,21 @@ struct CloudVolumeResolver {
     void check_noises(const Cloud& cloud, std::span<const Noise> noises,
                       const VoxelCounts& size) const {
         OctaveChecks checks(size);
-        std::array<const Noise*, 2> used{};
+        std::vector<Motion> motions = {motion_of(cloud)};
         for (const Noise& noise : noises) {
             if (noise.name == cloud.noise) {
-                used[0] = &noise;
+                motions.push_back(motion_of(noise));
                 checks.add(noise, used_channels(noise, cloud.channels),
                            {.scale = cloud.noise_scale});
             }
             if (noise.name == cloud.detail) {
-                used[1] = &noise;
+                if (cloud.detail != cloud.noise) motions.push_back(motion_of(noise));
                 checks.add(noise, used_channels(noise, CloudChannels::density),
                            {.scale = cloud.detail_scale});
             }
         }
         checks.report(size_place(), decoder);
-        check_frames(bake, {used[0], used[1]}, decoder);
+        check_frames(bake, motions, decoder);
     }
 
     std::size_t channels_of(const Cloud& cloud, std::span<const Noise> noises) const {
@@ -240,9 +240,9 @@ struct CloudVolumeResolver {
 // Fills in `size` from the cloud's extent and `voxel_size`, and the number of `mips`. If extent and
 // voxel size do not give a whole number of voxels, it also sets `extent` (W0210). It reports a
 // cloud that does not exist (E0132), a size that is not given (E0105) or out of range (E0110), and
-// faults of the files of any volume (file_decoder.h), and frames of noises that stand still (E0174). It warns of octaves that add nothing at that
-// size (W0208) or are too fine for it (W0203), of towers narrower than a voxel (W0204), and of
-// voxels that are not cubes (W0211).
+// faults of the files of any volume (file_decoder.h), and frames of what stands still (E0174). It
+// warns of octaves that add nothing at that size (W0208) or are too fine for it (W0203), of towers
+// narrower than a voxel (W0204), and of voxels that are not cubes (W0211).
 void resolve_cloud_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Cloud> clouds = recipe.parameters.clouds;
     const std::span<const Noise> noises = recipe.parameters.noises;

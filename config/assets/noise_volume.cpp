@@ -45,8 +45,8 @@ void resolve_size(DecodedSection& bake, const Noise& noise) {
 
 // Fills in `size` from the noise, and the number of `mips`. It reports a noise that does not exist
 // (E0130), pixel types that a format does not have (E0131), too many voxels (E0126), and columns
-// and levels beyond what the size has (E0110), and frames of a noise that stands still (E0174). It warns of octaves that add nothing at that size
-// (W0208) or are too fine for it (W0203).
+// and levels beyond what the size has (E0110), and frames of a noise that stands still (E0174). It
+// warns of octaves that add nothing at that size (W0208) or are too fine for it (W0203).
 void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Noise> noises = recipe.parameters.noises;
     check_pixel_type(bake, decoder);
@@ -56,7 +56,7 @@ void resolve_noise_volume(DecodedSection& bake, const RecipeSoFar& recipe, Decod
     const auto size = std::get<VoxelCounts>(*bake.at("size").value);
     resolve_files(bake, size, Halving::down, decoder);
     if (!noise) return;
-    check_frames(bake, {noise}, decoder);
+    check_frames(bake, std::array{motion_of(*noise)}, decoder);
     const std::size_t channels = noise->pack == NoisePacking::none ? noise->channels.size() : 1;
     const Place place = size_place(bake);
     check_voxel_count(bake, size, channels, place, decoder);

@@ -227,8 +227,9 @@ class WeatherMapResolver {
 };
 
 // Fills in `size` from the noise, and an item for each channel. It reports a noise that does not
-// exist (E0130) and channels that the map cannot have (E0156). It warns of octaves that add nothing
-// at that size (W0208) or are too fine for it (W0203). Files are checked as those of all tables.
+// exist (E0130), channels that the map cannot have (E0156), and frames of a noise that stands still
+// (E0174). It warns of octaves that add nothing at that size (W0208) or are too fine for it (W0203).
+// Files are checked as those of all tables.
 void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::span<const Noise> noises = recipe.parameters.noises;
     const Noise* noise = find_named(bake, "noise", noises, noise_reference, decoder);
@@ -236,6 +237,7 @@ void resolve_weather_map(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     WeatherMapResolver resolver(bake, *noise, decoder);
     resolver.resolve_size(*noise);
     resolver.resolve_channels();
+    check_frames(bake, std::array{motion_of(*noise)}, decoder);
     const DecodedField& size = bake.at("size");
     if (!size.value) return;
     const auto [width, height] = std::get<std::array<int, 2>>(*size.value);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/files.h"
+#include "config/sections/frames.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -15,7 +15,7 @@ enum class WeatherContent { amounts, directions };
 enum class CoverEdge { linear, smooth };
 
 // The vectors have an item for each channel of the noise.
-struct WeatherMapBake : AssetFiles {
+struct WeatherMapBake : VolumeFrames {
     std::string noise;          // NAME of a [noise.NAME]
     std::array<int, 2> size{};  // texels along x and y
     WeatherContent content = WeatherContent::amounts;

@@ -367,12 +367,30 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0174", "frames of what stands still",
         "`frames` bakes a volume once per frame in time, as assets NAME_0001, NAME_0002 and so on, "
-        "and `frame` bakes one of them. A noise of the volume must move for that, so it must have "
-        "a `period`, and no other section may have the name of a frame.",
+        "and `frame` bakes one of them. Something must move for that: a noise that has a `period`, "
+        "or "
+        "towers with `life` of a cloud that has one. No other section may have the name of a "
+        "frame.",
         "[noise.base]\nchannels.Y.type = \"perlin\"\n"
         "[bake.fog]\nasset = \"noise_volume\"\nnoise = \"base\"\nframes = 48",
         "[noise.base]\nperiod = 48\nchannels.Y.type = \"perlin\"\n"
         "[bake.fog]\nasset = \"noise_volume\"\nnoise = \"base\"\nframes = 48",
+        usage},
+    DiagnosticCode{
+        "E0182", "towers that do not fit into a loop",
+        "A tower with `life` grows, stays and dissolves within the loop of its cloud, in that "
+        "order, "
+        "and begins anew in the next loop. So the cloud must have a `period`, the three shares "
+        "must "
+        "not add up to more than 1, and those of growth and decay must be above 0, because the "
+        "tower "
+        "would jump otherwise. Towers without `life` must be carried by whole tiles per loop.",
+        "[noise.n]\nchannels.Y.type = \"perlin\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\nperiod = 48\n[[clouds.c.towers]]\n"
+        "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\namplitude = 1\nlife = [0.5, 0.5, 0.5]",
+        "[noise.n]\nchannels.Y.type = \"perlin\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\nperiod = 48\n[[clouds.c.towers]]\n"
+        "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\namplitude = 1\nlife = [0.4, 0.3, 0.3]",
         usage},
     DiagnosticCode{
         "E0143", "atmosphere that the convention cannot express",
@@ -692,11 +710,12 @@ constexpr std::array codes = {
                    "asset = \"noise_volume\"\nnoise = \"n\"\nsize = [32, 32, 32]\n"
                    "layout = \"atlas\"\ncolumns = 8",
                    0},
-    DiagnosticCode{"W0219", "frames that do not make a loop",
-                   "The number of frames is not a multiple of a noise's `period`, so that the last "
-                   "frame does not lead to the first. That is right for a shot that does not "
-                   "repeat.",
-                   "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
+    DiagnosticCode{
+        "W0219", "frames that do not make a loop",
+        "The number of frames is not a multiple of the `period` of a noise or a cloud, "
+        "so that the last frame does not lead to the first. That is right for a shot that does not "
+        "repeat.",
+        "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
     DiagnosticCode{"W0214", "lookups far from the truth",
                    "Between its texels the asset is so far off that it is of little use: the root "
                    "mean square of the lookup errors is 0.3 or more, where 1 is what the error "

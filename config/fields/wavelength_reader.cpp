@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/fields/number_reader.h"
+#include "config/text/key_path.h"
 #include "config/text/text.h"
 #include "config/text/units.h"
 

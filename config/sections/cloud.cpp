@@ -116,7 +116,8 @@ struct CloudReader {
                      double width_m, double height_m) const {
         constexpr double kMostTiles = 16;
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double reach_m = width_m / 2 + std::fabs(shape.lean[axis]) * height_m;
+            const double lean = std::fabs(shape.lean[axis]) + std::fabs(cloud.shear[axis]);
+            const double reach_m = width_m / 2 + lean * height_m;
             const double extent_m = cloud.extent[axis].meters;
             if (!(extent_m > 0) || reach_m <= kMostTiles * extent_m) continue;
             const DecodedField& decoded = section.at(key);
@@ -146,6 +147,7 @@ struct CloudReader {
         const DecodedSection section = decode_into(
             cloud.scatter, tower_scatter_fields(), "clouds.*.scatter", join_path(path, "scatter"),
             place_of("scatter"), subtable(table, "scatter", path, decoder), decoder);
+        if (scatter.count > 0) check_life(section, scatter, cloud, decoder);
         if (scatter.shape != TowerShape::dome) return;
         const double width_m = scatter.width[1].meters;
         check_reach(section, "width", scatter, width_m * scatter.aspect[1],
@@ -164,6 +166,7 @@ struct CloudReader {
             const DecodedSection section =
                 decode_into(tower, tower_fields(), "clouds.*.towers.*",
                             join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
+            check_life(section, tower, cloud, decoder);
             if (tower.shape == TowerShape::dome) {
                 check_reach(section, "size", tower,
                             std::max(tower.size[0].meters, tower.size[1].meters),

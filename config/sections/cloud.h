@@ -62,8 +62,17 @@ struct DomeShape {
     bool operator==(const DomeShape&) const = default;
 };
 
+// How a tower lives and dies within the loop of its cloud (bakers/clouds/tower_life.h).
+struct TowerLife {
+    std::array<double, 3> life{};  // how long it grows, stays and dissolves, in loops; 0: it stands
+    double grows_from = 0.4;       // its width when it is born, over its full width
+
+    bool lives() const { return life[0] > 0; }
+    bool operator==(const TowerLife&) const = default;
+};
+
 // The periodic images of Gaussians are summed; of domes the greatest counts.
-struct Tower : DomeShape {
+struct Tower : DomeShape, TowerLife {
     std::array<double, 2> center{};  // x, y
     std::array<double, 2> sigma{};   // along its own axes
     Angle rotation;                  // of its axes from x and y, counterclockwise
@@ -74,13 +83,14 @@ struct Tower : DomeShape {
     std::array<Length, 3> foot{};  // dome: x, y and the height above the cloud's base
     std::array<Length, 3> size{};  // dome: widths along its own axes, and its height
     std::uint64_t seed = 0;        // dome: places its lobes
+    double born = 0;               // when it is born, in loops
 
     bool operator==(const Tower&) const = default;
 };
 
 // This describes towers at random places. Each value is uniform in its range; for sigma, its
-// logarithm is uniform. So is that of width. Rotations are uniform.
-struct TowerScatter : DomeShape {
+// logarithm is uniform. So is that of width. Rotations are uniform. Births are spread over the loop.
+struct TowerScatter : DomeShape, TowerLife {
     int count = 0;
     std::uint64_t seed = 0;
     std::array<double, 2> sigma{};   // of the smaller axis
@@ -120,9 +130,16 @@ struct Cloud {
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe
     TowerScatter scatter;
+    int period = 0;                 // frames of the loop in which towers live; 0: they stand still
+    int time = 0;                   // the frame; any integer, as frames repeat
+    std::array<double, 2> drift{};  // tiles per loop that the wind carries towers along x and y
+    std::array<double, 2> shear{};  // lean that a dome takes on per loop of its life
 
     bool operator==(const Cloud&) const = default;
 };
+
+// Whether the cloud's towers change with its time.
+bool towers_move(const Cloud& cloud);
 
 // Returns the channels of the noise that the cloud needs computed. These are all channels if the
 // noise packs or `channels` is noise, else the first one.

@@ -25,7 +25,14 @@ constexpr Range lean_range{-10, 10};
 constexpr Range lobes_range{0, 1000};
 constexpr Range lobe_size_range{0.01, 1};
 constexpr Range slenderness_range{0.01, 100};
+constexpr Range period_range{1, 1e6};
+constexpr Range time_range{-1e9, 1e9};
+constexpr Range drift_range{-16, 16};  // tiles
 
+constexpr ValueKind life_kind = list_kind("three numbers, such as [0.4, 0.3, 0.3]", read_triple,
+                                          numbers_schema, &Scales::plain, 3, 3);
+
+constexpr std::string_view byers_1949 = "Byers and Braham 1949, The Thunderstorm";
 constexpr std::string_view schneider_2017 =
     "Schneider 2017, Nubis: Authoring Real-Time Volumetric Cloudscapes with the Decima Engine";
 
@@ -213,6 +220,39 @@ const std::array cloud_table = {
                 .documentation = "extinction where the density is 1, for the files' metadata",
                 .hint = "water clouds have 10 to 100 /km"},
                &Cloud::extinction_scale},
+    CloudField{{.key = "period",
+                .kind = Kind::integer,
+                .range = period_range,
+                .documentation = "frames of the loop in which towers live and drift; without it "
+                                 "they stand still",
+                .hint = "noises have a period of their own",
+                .exclusive_group = "source",
+                .exclusive_side = "noise"},
+               &Cloud::period},
+    CloudField{{.key = "time",
+                .kind = Kind::integer,
+                .range = time_range,
+                .fallback = "0",
+                .documentation = "the frame; frames before 0 and from `period` on are repeats",
+                .needs = "period"},
+               &Cloud::time},
+    CloudField{{.key = "drift",
+                .kind = Kind::pair,
+                .range = drift_range,
+                .fallback = "[0, 0]",
+                .documentation = "tiles per loop that the wind carries towers along x and y",
+                .hint = "whole numbers for towers without `life`; a noise drifts with them if its "
+                        "own `drift` is noise_scale times this",
+                .needs = "period"},
+               &Cloud::drift},
+    CloudField{{.key = "shear",
+                .kind = Kind::pair,
+                .range = lean_range,
+                .fallback = "[0, 0]",
+                .documentation = "lean along x and y that domes with `life` take on per loop, "
+                                 "because the wind is stronger above",
+                .needs = "period"},
+               &Cloud::shear},
 };
 
 const std::array height_profile_table = {
@@ -346,6 +386,24 @@ constexpr Field lobe_size_field{
     .documentation = "range of the radius of a lobe, over the lesser radius of its tower",
     .selector = "shape",
     .selected_by = dome};
+constexpr Field life_field{
+    .key = "life",
+    .kind = life_kind,
+    .range = unit_range,
+    .documentation =
+        "how long the tower grows, stays and dissolves, as shares of the cloud's "
+        "`period`; without it the tower stands",
+    .hint = "[0.4, 0.3, 0.3] is reborn when it is gone",
+    .citation = byers_1949};
+constexpr Field grows_from_field{
+    .key = "grows_from",
+    .kind = Kind::number,
+    .range = unit_range,
+    .fallback = "0.4",
+    .documentation =
+        "width of a tower that is born, as a share of its full width; its height "
+        "grows from 0",
+    .needs = "life"};
 
 const std::array tower_table = {
     TowerField{shape_field, &Tower::shape},
@@ -419,6 +477,15 @@ const std::array tower_table = {
                 .selector = "shape",
                 .selected_by = dome},
                &Tower::seed},
+    TowerField{life_field, &Tower::life},
+    TowerField{grows_from_field, &Tower::grows_from},
+    TowerField{{.key = "born",
+                .kind = Kind::number,
+                .range = unit_range,
+                .fallback = "0",
+                .documentation = "when the tower is born, as a share of the cloud's `period`",
+                .needs = "life"},
+               &Tower::born},
 };
 
 const std::array tower_scatter_table = {
@@ -476,6 +543,8 @@ const std::array tower_scatter_table = {
     TowerScatterField{lean_field, &TowerScatter::lean},
     TowerScatterField{lobes_field, &TowerScatter::lobes},
     TowerScatterField{lobe_size_field, &TowerScatter::lobe_size},
+    TowerScatterField{life_field, &TowerScatter::life},
+    TowerScatterField{grows_from_field, &TowerScatter::grows_from},
 };
 
 }  // namespace

@@ -10,38 +10,73 @@
 namespace skybake::config {
 namespace {
 
-bool moves(const Noise* noise) { return noise != nullptr && noise->period > 0; }
+bool moves(const Motion& motion) { return motion.period > 0; }
+
+// Returns the time of a frame, counted from 1.
+int time_at(int time, int period, int frame) { return time % period + frame - 1; }
 
 }  // namespace
 
 Parameters at_frame(const Parameters& parameters, int frame) {
     Parameters result = parameters;
+    if (frame == 0) return result;
     for (Noise& noise : result.noises) {
-        if (frame > 0 && noise.period > 0) noise.time = noise.time % noise.period + frame - 1;
+        if (noise.period > 0) noise.time = time_at(noise.time, noise.period, frame);
+    }
+    for (Cloud& cloud : result.clouds) {
+        if (cloud.period > 0) cloud.time = time_at(cloud.time, cloud.period, frame);
     }
     return result;
 }
 
-void check_frames(const DecodedSection& bake, std::initializer_list<const Noise*> noises,
-                  Decoder& decoder) {
+Parameters after_frame(const Parameters& parameters, int frame) {
+    Parameters result = at_frame(parameters, frame);
+    const auto halve = [](int& period, int& time) {
+        time = 2 * (time % std::max(period, 1)) + 1;
+        period *= 2;
+    };
+    for (Noise& noise : result.noises) halve(noise.period, noise.time);
+    for (Cloud& cloud : result.clouds) halve(cloud.period, cloud.time);
+    return result;
+}
+
+std::string frame_name(const std::string& sequence, int frame, int frames) {
+    const int digits = std::max(4, static_cast<int>(std::to_string(frames).size()));
+    return fmt::format("{}_{:0{}}", sequence, frame, digits);
+}
+
+std::string sequence_name(const std::string& first_frame) {
+    return first_frame.substr(0, first_frame.rfind('_'));
+}
+
+Motion motion_of(const Noise& noise) {
+    return {fmt::format("noise `{}`", noise.name), noise.period};
+}
+
+Motion motion_of(const Cloud& cloud) {
+    return {fmt::format("cloud `{}`", cloud.name), towers_move(cloud) ? cloud.period : 0};
+}
+
+void check_frames(const DecodedSection& bake, std::span<const Motion> motions, Decoder& decoder) {
     const DecodedField& frames = bake.at("frames");
     const DecodedField& given = frames.source ? frames : bake.at("frame");
     if (!given.source || !given.value) return;
     const std::string path = join_path(bake.path, given.field->key);
-    if (std::none_of(noises.begin(), noises.end(), moves)) {
+    if (std::none_of(motions.begin(), motions.end(), moves)) {
         decoder.diagnostics.error(
             "E0174", given.source->place,
             fmt::format("`{}`: nothing moves, so that all frames are the same", path),
-            "give a noise of the volume a `period`, or leave this key out");
+            "give a noise of the asset a `period`, or its cloud a `period` and towers with `life`, "
+            "or leave this key out");
         return;
     }
     if (!frames.value) return;
     const int count = static_cast<int>(std::get<double>(*frames.value));
-    for (const Noise* noise : noises) {
-        if (!moves(noise) || count % noise->period == 0) continue;
+    for (const Motion& motion : motions) {
+        if (!moves(motion) || count % motion.period == 0) continue;
         decoder.diagnostics.warning("W0219", given.source->place,
-                                    fmt::format("`{}` is {}, but noise `{}` repeats after {}", path,
-                                                count, noise->name, noise->period),
+                                    fmt::format("`{}` is {}, but {} repeats after {}", path, count,
+                                                motion.name, motion.period),
                                     "the last frame does not lead to the first; give whole loops");
     }
 }

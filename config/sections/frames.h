@@ -2,9 +2,11 @@
 // that frames can be baked apart, and the recipe has an asset for each.
 #pragma once
 
-#include <initializer_list>
+#include <span>
+#include <string>
 
 #include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
 #include "config/sections/files.h"
 #include "config/sections/noise.h"
 #include "config/sections/parameters.h"
@@ -13,17 +15,36 @@ namespace skybake::config {
 
 // These are the keys of an asset that may be one of many frames.
 struct VolumeFrames : AssetFiles {
-    int frames = 0;  // 0: the asset is no sequence
-    int frame = 0;   // counted from 1; 0: the time that the noises have themselves
+    int frame = 0;  // counted from 1; 0: the time that noises and clouds have themselves
 };
 
-// Returns a recipe's parameters at a frame: the first frame is the time that a noise has, and each
-// frame after it a frame later. Frame 0 changes nothing.
+// Returns the parameters half-way between a frame and the next one: those of a loop of twice as many
+// frames. Noises and clouds move in both alike.
+Parameters after_frame(const Parameters& parameters, int frame);
+
+// Returns the name of a frame of a sequence, counted from 1: NAME_0001. All frames have as many digits
+// as the last one, so that names are in the order of frames; Blender takes the first to be 1, and
+// Unreal the last digits of a name for the frame.
+std::string frame_name(const std::string& sequence, int frame, int frames);
+
+// Returns the name of the sequence whose first frame has this name.
+std::string sequence_name(const std::string& first_frame);
+
+// Returns a recipe's parameters at a frame: the first frame is the time that a noise or a cloud has,
+// and each frame after it a frame later. Frame 0 changes nothing.
 Parameters at_frame(const Parameters& parameters, int frame);
 
-// Reports frames of a volume none of whose noises moves (E0174), and warns of frames that are not
-// whole loops of a noise (W0219). Null pointers are no noises.
-void check_frames(const DecodedSection& bake, std::initializer_list<const Noise*> noises,
-                  Decoder& decoder);
+// What an asset is made of, and the frames of its loop.
+struct Motion {
+    std::string name;  // "noise `base`"
+    int period = 0;    // 0: it stands still
+};
+
+Motion motion_of(const Noise& noise);
+Motion motion_of(const Cloud& cloud);
+
+// Reports frames of a volume nothing of which moves (E0174), and warns of frames that are not whole
+// loops of what moves (W0219).
+void check_frames(const DecodedSection& bake, std::span<const Motion> motions, Decoder& decoder);
 
 }  // namespace skybake::config

@@ -1,11 +1,15 @@
 #include "config/sections/towers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <tuple>
 #include <utility>
+
+#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -58,6 +62,53 @@ std::vector<const Entry*> towers_in_order(const Table& towers) {
     std::sort(entries.begin(), entries.end(),
               [](const Entry* a, const Entry* b) { return order_of(a->key) < order_of(b->key); });
     return entries;
+}
+
+namespace {
+
+// Returns what is wrong with a life in a loop, or nothing.
+std::string fault_of_life(const TowerLife& tower, const Cloud& cloud) {
+    const auto [grows, stays, dissolves] = tower.life;
+    if (cloud.period == 0) return "the cloud has no loop: give it a `period`";
+    if (grows <= 0 || dissolves <= 0) return "a tower that appears or disappears at once jumps";
+    constexpr double rounding = 1e-12;  // of the sum of three decimal numbers
+    if (grows + stays + dissolves > 1 + rounding) {
+        return fmt::format("they add up to {:g}, and the tower is born again after 1",
+                           grows + stays + dissolves);
+    }
+    return "";
+}
+
+bool is_whole(double tiles) { return tiles == std::floor(tiles); }
+
+}  // namespace
+
+bool towers_move(const Cloud& cloud) {
+    if (cloud.period == 0) return false;
+    const bool drifts = cloud.drift != std::array<double, 2>{};
+    const auto lives = [&](const TowerLife& tower) { return drifts || tower.lives(); };
+    return std::any_of(cloud.towers.begin(), cloud.towers.end(), lives) ||
+           (cloud.scatter.count > 0 && lives(cloud.scatter));
+}
+
+void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
+                Decoder& decoder) {
+    const DecodedField& life = section.at("life");
+    if (life.source && life.value) {
+        const std::string fault = fault_of_life(tower, cloud);
+        if (fault.empty()) return;
+        decoder.diagnostics.error(
+            "E0182", life.source->place,
+            fmt::format("`{}` is no life within a loop", join_path(section.path, "life")),
+            fault + "; [0.4, 0.3, 0.3] is one");
+        return;
+    }
+    if (cloud.period == 0 || (is_whole(cloud.drift[0]) && is_whole(cloud.drift[1]))) return;
+    decoder.diagnostics.error(
+        "E0182", section.place,
+        fmt::format("[{}] stands, and a drift of [{:g}, {:g}] tiles does not lead back to it",
+                    section.path, cloud.drift[0], cloud.drift[1]),
+        "give whole tiles as `drift` of the cloud, or give the tower a `life`");
 }
 
 double narrowest_sigma(const Tower& tower, const std::array<int, 3>& size) {

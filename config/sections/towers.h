@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "config/fields/section_decoder.h"
 #include "config/sections/cloud.h"
 #include "config/text/value_tree.h"
 
@@ -19,6 +20,11 @@ void name_listed_towers_of_cloud(Table& cloud);
 // Returns the towers in the order in which they are summed. Towers whose names are whole numbers
 // come first, sorted by number, and then the others, sorted by name.
 std::vector<const Entry*> towers_in_order(const Table& towers);
+
+// Reports lives of towers that do not fit into a loop, and drifts after which standing towers are not
+// where they were (E0182). `section` is a tower or a scatter, `cloud` has its keys.
+void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
+                Decoder& decoder);
 
 // Returns the standard deviation of the tower's Gaussian in its narrowest direction over the ground
 // plan, in voxels of a volume with `size` voxels.

@@ -99,8 +99,8 @@ inline config::Tower any_dome() {
 }
 
 inline config::TowerScatter any_dome_scatter() {
-    config::TowerScatter scatter = {{},          3,      *rc::gen::arbitrary<std::uint64_t>(),
-                                    {0.01, 0.2}, {1, 3}, {0.1, 1}};
+    config::TowerScatter scatter = {
+        {}, {}, 3, *rc::gen::arbitrary<std::uint64_t>(), {0.01, 0.2}, {1, 3}, {0.1, 1}};
     scatter.shape = config::TowerShape::dome;
     scatter.width = {{{50}, {900}}};
     scatter.slenderness = {0.3, 2};
@@ -144,6 +144,24 @@ inline config::HeightProfile any_profile() {
     return profile;
 }
 
+inline void let_live(config::TowerLife& tower) {
+    tower.life = {any_number(0.01, 0.6), any_number(0, 0.2), any_number(0.01, 0.2)};
+    tower.grows_from = *rc::gen::element(0.0, 0.4, 1.0);
+}
+
+// Makes towers live and drift, and sets the time of the cloud.
+inline void let_live(config::Cloud& cloud) {
+    cloud.period = *rc::gen::inRange(1, 100);
+    cloud.time = *rc::gen::inRange(-200, 200);
+    cloud.drift = {any_number(-2, 2), any_number(-2, 2)};
+    cloud.shear = {any_number(-2, 2), any_number(-2, 2)};
+    let_live(cloud.scatter);
+    for (config::Tower& tower : cloud.towers) {
+        let_live(tower);
+        tower.born = any_number(0, 1);
+    }
+}
+
 inline CloudCase any_cloud() {
     CloudCase any;
     config::Cloud& cloud = any.cloud = plain_cloud();
@@ -166,10 +184,11 @@ inline CloudCase any_cloud() {
         cloud.towers.push_back(*rc::gen::arbitrary<bool>() ? any_dome() : any_tower());
     }
     if (*rc::gen::inRange(0, 4) == 0) {
-        cloud.scatter = {{},          3,      *rc::gen::arbitrary<std::uint64_t>(),
+        cloud.scatter = {{},          {},     3,       *rc::gen::arbitrary<std::uint64_t>(),
                          {0.01, 0.2}, {1, 3}, {0.1, 1}};
     }
     if (*rc::gen::inRange(0, 4) == 0) cloud.scatter = any_dome_scatter();
+    if (*rc::gen::inRange(0, 3) == 0) let_live(cloud);
     any.base = any_cloud_noise();
     if (*rc::gen::arbitrary<bool>()) any.detail = any_cloud_noise();
     const auto wrap = any_choice<config::MapWrap>(2);

@@ -148,7 +148,7 @@ TEST(Lobes, LieOnAHalfBall) {
 
 TEST(Lobes, AreThoseOfTheirTowerWhateverOthersThereAre) {
     config::Cloud cloud = test::plain_cloud();
-    cloud.scatter = {{}, 5, 9, {}, {1, 2}, {1, 1}};
+    cloud.scatter = {{}, {}, 5, 9, {}, {1, 2}, {1, 1}};
     cloud.scatter.shape = config::TowerShape::dome;
     cloud.scatter.width = {{{100}, {400}}};
     cloud.scatter.slenderness = {0.5, 1};

@@ -121,7 +121,7 @@ TEST(TowerField, OlajosTowersLeaveNoSeam) {
 }
 
 TEST(ScatteredTowers, StayInTheirRanges) {
-    const config::TowerScatter scatter = {{}, 1000, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
+    const config::TowerScatter scatter = {{}, {}, 1000, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
     const std::vector<Tower> towers = scattered_towers(scatter);
     ASSERT_EQ(towers.size(), 1000u);
     double mean_x = 0;
@@ -139,7 +139,7 @@ TEST(ScatteredTowers, StayInTheirRanges) {
 }
 
 TEST(ScatteredTowers, AreTheSameWhateverTheirNumber) {
-    config::TowerScatter scatter = {{}, 10, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
+    config::TowerScatter scatter = {{}, {}, 10, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
     const std::vector<Tower> ten = scattered_towers(scatter);
     scatter.count = 3;
     const std::vector<Tower> three = scattered_towers(scatter);

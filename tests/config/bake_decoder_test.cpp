@@ -40,6 +40,9 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         if (asset == "noise_volume" || asset == "weather_map") keys = "noise = 'n'\n";
         if (asset == "cloud_volume") keys = "cloud = 'c'\nsize = [16, 16, 16]\n";
         if (asset == "occupancy" || asset == "cloud_distance") keys = "of = 'v'\n";
+        if (asset == "flipbook") keys = "of = 'v'\n";
+        const std::string volume =
+            asset == "flipbook" ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n";
         if (asset == "cloud_light") keys = "of = 'v'\nsun_elevations = '30 deg'\n";
         if (asset == "sky_view") keys = "sun_elevations = '30 deg'\n";
         if (asset == "phase") keys = "particles = 'p'\n";
@@ -48,10 +51,10 @@ TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
         }
         const Recipe recipe = bake(
             "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
-            "[particles.p]\npreset = 'fog'\n[noise.n.channels.Y]\ntype = "
+            "[particles.p]\npreset = 'fog'\n[noise.n]\nperiod = 1\n[noise.n.channels.Y]\ntype = "
             "'perlin'\n[clouds.c]\nnoise = 'n'\n"
-            "extent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\n"
-            "cloud = 'c'\nsize = [16, 16, 16]\n[bake." +
+            "extent = ['1 m', '1 m', '1 m']\n" +
+            volume + "asset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]\n[bake." +
             std::string(asset) + "]\n" + keys);
         ASSERT_EQ(recipe.parameters.bakes.size(), 2u) << asset;
         EXPECT_EQ(recipe.parameters.bakes[1].name, asset);

@@ -88,7 +88,7 @@ TEST(Frames, AreAnAssetEach) {
     EXPECT_EQ(bakes[0].name, whole + "_0001");
     EXPECT_EQ(bakes[11].name, whole + "_0012");
     for (int i = 0; i < 12; ++i) {
-        const int frame = frame_of(bakes[static_cast<std::size_t>(i)]);
+        const int frame = frame_of(recipe.parameters, bakes[static_cast<std::size_t>(i)]);
         EXPECT_EQ(frame, i + 1);
         EXPECT_EQ(at_frame(recipe.parameters, frame).noises[0].time, 5 + i);
     }
@@ -98,7 +98,7 @@ TEST(Frames, AreAnAssetEach) {
 TEST(Frames, OfOneNumberAreOneAsset) {
     const Recipe recipe = valid(frames_recipe("frames = 12\nframe = 7", "period = 12"));
     ASSERT_EQ(recipe.parameters.bakes.size(), 1u);
-    EXPECT_EQ(frame_of(recipe.parameters.bakes[0]), 7);
+    EXPECT_EQ(frame_of(recipe.parameters, recipe.parameters.bakes[0]), 7);
 }
 
 TEST(Frames, OfWhatStandsStillAreAnError) {

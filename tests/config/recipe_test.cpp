@@ -139,6 +139,11 @@ const std::vector<Fault> faults = {
      4, 10, 6, "did you mean `smoke`?"},
     {"E0172", vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4,
      17, 5, "give `mips`, for instance 6"},
+    {"E0182",
+     "[noise.n.channels.Y]\ntype = \"perlin\"\n[clouds.c]\nnoise = \"n\"\n"
+     "extent = [\"1 km\", \"1 km\", \"1 km\"]\nperiod = 8\n[[clouds.c.towers]]\n"
+     "center = [0, 0]\nsigma = [1, 1]\namplitude = 1\nlife = [0.5, 0.5, 0.5]",
+     11, 8, 15, "they add up to 1.5, and the tower is born again after 1; [0.4, 0.3, 0.3] is one"},
     {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
 };
 

@@ -29,14 +29,19 @@ std::string recipe_of(std::string_view asset, const std::string& keys) {
     if (asset == "cloud_volume") more = "cloud = 'c'\nsize = [16, 16, 16]\n";
     if (asset == "occupancy" || asset == "cloud_distance") more = "of = 'v'\n";
     if (asset == "cloud_light") more = "of = 'v'\nsun_elevations = '30 deg'\n";
+    if (asset == "flipbook") more = "of = 'v'\n";
+    const bool needs_frames = asset == "flipbook";
+    const std::string moving = needs_frames ? "[noise.n]\nperiod = 1\n" : "";
+    const std::string volume = needs_frames ? "[bake.v_0001]\nframe = 1\n" : "[bake.v]\n";
     if (asset == "sky_view") more = "sun_elevations = '30 deg'\n";
     if (asset == "phase") more = "layer = 'mie'\n";
     if (asset == "aerial_perspective" || asset == "environment")
         more = "sun_elevation = '30 deg'\n";
-    return "preset = 'takram'\n[noise.n.channels.Y]\ntype = 'perlin'\nremap = [-1, 1, 0, "
-           "1]\n[clouds.c]\n"
-           "noise = 'n'\nextent = ['1 m', '1 m', '1 m']\n[bake.v]\nasset = 'cloud_volume'\ncloud = "
-           "'c'\n"
+    return "preset = 'takram'\n" + moving +
+           "[noise.n.channels.Y]\ntype = 'perlin'\nremap = [-1, 1, 0, 1]\n[clouds.c]\n"
+           "noise = 'n'\nextent = ['1 m', '1 m', '1 m']\n" +
+           volume +
+           "asset = 'cloud_volume'\ncloud = 'c'\n"
            "size = [16, 16, 16]\n[bake.a]\nasset = '" +
            std::string(asset) + "'\n" + keys + more;
 }

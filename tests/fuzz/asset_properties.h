@@ -15,6 +15,7 @@
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
+#include "config/assets/flipbook.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/occupancy.h"
@@ -67,6 +68,14 @@ inline void check_asset(const BlueNoiseBake& asset, const Parameters&) {
     require(asset.spatial_sigma > 0 && asset.temporal_sigma > 0, "energies have a width");
     require(asset.mips == 1, "a mask has one level");
     check_files(asset, asset.voxels());
+}
+
+inline void check_asset(const FlipbookBake& asset, const Parameters& parameters) {
+    const std::array<int, 3> size = frame_size(first_frame(parameters, asset));
+    require(asset.length >= 1, "a flipbook has a frame");
+    require(asset.slice >= 0 && asset.slice < size[2], "its slice is there");
+    require(asset.mips == 1, "a flipbook has one level");
+    check_files(asset, {size[0], size[1], asset.length});
 }
 
 inline void check_asset(const CloudVolumeBake& asset, const Parameters& parameters) {

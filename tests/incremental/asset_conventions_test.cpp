@@ -145,6 +145,19 @@ sampling = "corners"
 [noise.corners.channels.Y]
 type = "perlin"
 frequency = [3, 2, 1]
+[noise.moving]
+period = 3
+[noise.moving.channels.Y]
+type = "perlin"
+frequency = [3, 2, 1]
+[bake.wave]
+asset = "weather_map"
+noise = "moving"
+size = [16, 12]
+frames = 3
+[bake.book]
+asset = "flipbook"
+of = "wave"
 [bake.mask]
 asset = "blue_noise"
 size = [12, 8]
@@ -263,6 +276,16 @@ double sun_place(const ManifestAsset& entry, double mu) {
     const double root = mu < 0 ? -std::sqrt(-mu) : std::sqrt(mu);
     const double whole = entry.mapping == "twilight" ? (1 + root) / 2 : (1 + mu) / 2;
     return coordinate(u, (whole - number(u, "first")) / number(u, "share"), entry.size[0]);
+}
+
+TEST_F(AssetConventions, FlipbookByItsConstants) {
+    expect_probes("book", [](const ManifestAsset& entry, const Probe& probe) {
+        const AxisMapping& w = entry.axes[2];
+        EXPECT_EQ(number(w, "frames"), 3);
+        const double layer = at(probe, "frame") / number(w, "frames") + number(w, "offset");
+        EXPECT_NEAR(layer, probe.uvw[2] - std::floor(probe.uvw[2]), 2e-6);
+        return std::array{at(probe, "u"), at(probe, "v")};
+    });
 }
 
 TEST_F(AssetConventions, MultipleScatteringByItsConstants) {

@@ -377,6 +377,43 @@ asset = "noise_volume"
 noise = "moving"
 size = [8, 8, 8]
 frame = 2
+[bake.wave]
+asset = "noise_volume"
+noise = "moving"
+size = [8, 8, 4]
+frames = 2
+frames_per_second = 12
+formats = ["vdb", "usda"]
+[bake.book]
+asset = "flipbook"
+of = "wave"
+length = 2
+slice = 1
+[clouds.living]
+noise = "moving"
+extent = ["1 km", "1 km", "1 km"]
+period = 6
+time = 1
+drift = [0.3, 0.2]
+shear = [0.4, 0.1]
+[clouds.living.scatter]
+count = 3
+sigma = [0.1, 0.3]
+life = [0.4, 0.3, 0.2]
+grows_from = 0.5
+[[clouds.living.towers]]
+shape = "dome"
+foot = ["500 m", "400 m", "0 m"]
+size = ["700 m", "600 m", "800 m"]
+amplitude = 1
+life = [0.3, 0.2, 0.4]
+grows_from = 0.3
+born = 0.1
+[bake.living]
+asset = "cloud_volume"
+cloud = "living"
+size = [8, 8, 8]
+frame = 2
 [clouds.mapped]
 noise = "shape"
 extent = ["1 km", "1 km", "1 km"]

@@ -98,6 +98,32 @@ TEST(MovingNoise, IsContinuousInTime) {
     }
 }
 
+// From frame to frame, and from the last to the first, the change is about the same: nothing pops.
+TEST(MovingNoise, ChangesSteadilyAllAround) {
+    constexpr int kPeriod = 32;
+    std::vector<Noise> noises = all_kinds();
+    noises.push_back(test::noise_of({test::curl(kOctaves, config::CurlComponent::z)}));
+    for (Noise noise : noises) {
+        noise.drift = {1, 0, 0};
+        const test::Planes first = frame(at_time(noise, kPeriod, 0));
+        std::vector<double> mean(first.size()), largest(first.size());
+        test::Planes here = first;
+        for (int time = 1; time <= kPeriod; ++time) {
+            const test::Planes next = time < kPeriod ? frame(at_time(noise, kPeriod, time)) : first;
+            for (std::size_t c = 0; c < first.size(); ++c) {
+                const double change = rms_difference(here[c], next[c]);
+                mean[c] += change / kPeriod;
+                largest[c] = std::max(largest[c], change);
+            }
+            here = next;
+        }
+        for (std::size_t c = 0; c < first.size(); ++c) {
+            EXPECT_LT(largest[c], 1.6 * mean[c]) << static_cast<int>(noise.channels[c].type);
+            RecordProperty("largest_over_mean", std::to_string(largest[c] / mean[c]));
+        }
+    }
+}
+
 // The first frame of cellular noise is the noise that stands still, whose points have not moved.
 TEST(MovingNoise, OfCellsBeginsWithTheNoiseThatStandsStill) {
     const Noise noise = test::noise_of({test::worley(kOctaves), test::alligator(kOctaves)});

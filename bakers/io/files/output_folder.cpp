@@ -16,6 +16,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/environment.h"
+#include "config/sections/frames.h"
 #include "config/sections/targets.h"
 
 namespace skybake {
@@ -137,6 +138,12 @@ std::string file_name(const std::string& name, config::FileFormat format, int le
     return fmt::format("{}.mip{}.{}", name, level, extension);
 }
 
+std::string file_name(const std::string& name, const config::AssetFiles& files,
+                      config::FileFormat format, int level) {
+    const bool plays_all = config::facts_of(format).only_refers && files.frames > 0;
+    return file_name(plays_all ? config::sequence_name(name) : name, format, level);
+}
+
 std::string companion_file_name(const std::string& name, const std::string& format) {
     return fmt::format("{}.{}", name, format);
 }
@@ -147,7 +154,7 @@ std::vector<std::string> file_names(const config::Bake& bake) {
     for (const config::FileFormat format : files.formats) {
         const int count = config::files_of_levels(format, files.mips);
         for (int level = 0; level < count; ++level) {
-            names.push_back(file_name(bake.name, format, level));
+            names.push_back(file_name(bake.name, files, format, level));
         }
     }
     const auto* bruneton = bake.find<config::BrunetonBake>();

@@ -47,6 +47,11 @@ void remove_empty_folders(std::span<const std::filesystem::path> folders);
 // alone.
 std::string file_name(const std::string& name, config::FileFormat format, int level);
 
+// Returns the same for an asset with `files`. A scene that plays a sequence, of which the asset is the
+// first frame, has the name of the sequence.
+std::string file_name(const std::string& name, const config::AssetFiles& files,
+                      config::FileFormat format, int level);
+
 // Returns the name of a text file beside the files of an asset: "NAME.json".
 std::string companion_file_name(const std::string& name, const std::string& format);
 

@@ -18,7 +18,7 @@ namespace {
 ManifestFile make_file(const Baked& baked, const Format& format, int level) {
     const config::FormatFacts& facts = config::facts_of(format.format);
     ManifestFile file;
-    file.path = file_name(baked.name, format.format, level);
+    file.path = file_name(baked.name, baked, format.format, level);
     file.format = facts.name;
     file.pixel_type = baked.pixel_type;
     file.level = level;

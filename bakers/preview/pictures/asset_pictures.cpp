@@ -30,6 +30,7 @@ constexpr AssetPictures kPictures[] = {
     {"bruneton", bruneton_pictures},
     {"weather_map", weather_map_pictures},
     {"blue_noise", blue_noise_pictures},
+    {"flipbook", flipbook_pictures},
     {"cloud_distance", distance_pictures},
 };
 

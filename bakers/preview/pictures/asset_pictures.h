@@ -62,6 +62,10 @@ std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset);
 // spectrum of frames as a picture; and the spectra of frames and over time as curves.
 std::vector<PreviewPicture> blue_noise_pictures(const PreviewAsset& asset);
 
+// Shows a flipbook: some frames side by side, all frames as one picture that plays, and how much changes
+// from each frame to the next.
+std::vector<PreviewPicture> flipbook_pictures(const PreviewAsset& asset);
+
 // Shows distances to cloud: slices in metres through the middle, across y and z, and across y of each
 // further channel.
 std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset);

@@ -8,6 +8,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "config/sections/frames.h"
 
 namespace skybake {
 namespace {
@@ -29,27 +30,61 @@ std::string point_text(const std::array<double, 3>& point) {
                        static_cast<float>(point[2]));
 }
 
+// Returns the names of the VDB files that the scene places, one per frame.
+std::vector<std::string> vdb_files(const Baked& volume, const std::string& scene) {
+    if (volume.frames == 0) return {file_name(volume.name, config::FileFormat::vdb, 0)};
+    std::vector<std::string> files;
+    for (int frame = 1; frame <= volume.frames; ++frame) {
+        const std::string name = config::frame_name(scene, frame, volume.frames);
+        files.push_back(file_name(name, config::FileFormat::vdb, 0));
+    }
+    return files;
+}
+
+std::string header(const Baked& volume, const std::string& prim) {
+    std::string text = fmt::format("#usda 1.0\n(\n    defaultPrim = \"{}\"\n", prim);
+    const bool plays = volume.frames > 0;
+    if (plays) text += fmt::format("    endTimeCode = {}\n", volume.frames);
+    if (plays) text += fmt::format("    framesPerSecond = {}\n", volume.frames_per_second);
+    text += "    metersPerUnit = 1\n";
+    if (plays) text += "    startTimeCode = 1\n";
+    if (plays) text += fmt::format("    timeCodesPerSecond = {}\n", volume.frames_per_second);
+    return text +
+           fmt::format("    upAxis = \"{}\"\n)\n\n", volume.up_axis.ends_with("y") ? "Y" : "Z");
+}
+
+// The files are those of the time codes 1, 2 ..., if there are several.
+std::string file_path(const std::vector<std::string>& files, bool plays) {
+    std::string text = fmt::format("        asset filePath = @./{}@\n", files.front());
+    if (!plays) return text;
+    text += "        asset filePath.timeSamples = {\n";
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        text += fmt::format("            {}: @./{}@,\n", i + 1, files[i]);
+    }
+    return text + "        }\n";
+}
+
 std::string usd_scene(const Baked& volume) {
-    const std::string prim = usd_identifier(volume.name);
+    const std::string scene = volume.frames > 0 ? config::sequence_name(volume.name) : volume.name;
+    const std::string prim = usd_identifier(scene);
     std::array<double, 3> last;
     for (std::size_t a = 0; a < 3; ++a) {
         last[a] = volume.minimum_m[a] + volume.voxel_size_m[a] * volume.levels.front().size[a];
     }
-    std::string text = fmt::format(
-        "#usda 1.0\n(\n    defaultPrim = \"{}\"\n    metersPerUnit = 1\n    upAxis = \"{}\"\n)\n\n"
-        "def Volume \"{}\"\n{{\n    float3[] extent = [{}, {}]\n",
-        prim, volume.up_axis.ends_with("y") ? "Y" : "Z", prim, point_text(volume.minimum_m),
-        point_text(last));
+    std::string text = header(volume, prim) +
+                       fmt::format("def Volume \"{}\"\n{{\n    float3[] extent = [{}, {}]\n", prim,
+                                   point_text(volume.minimum_m), point_text(last));
     const std::vector<std::string> grids = vdb_grid_names(volume);
     for (const std::string& grid : grids) {
         text += fmt::format("    rel field:{0} = </{1}/{0}>\n", usd_identifier(grid), prim);
     }
+    const std::string path = file_path(vdb_files(volume, scene), volume.frames > 0);
     for (const std::string& grid : grids) {
         text += fmt::format(
-            "\n    def OpenVDBAsset \"{}\"\n    {{\n        asset filePath = @./{}@\n"
+            "\n    def OpenVDBAsset \"{}\"\n    {{\n{}"
             "        token fieldName = \"{}\"\n        token fieldClass = \"fogVolume\"\n"
             "        token fieldDataType = \"{}\"\n    }}\n",
-            usd_identifier(grid), file_name(volume.name, config::FileFormat::vdb, 0), grid,
+            usd_identifier(grid), path, grid,
             volume.pixel_type == config::PixelType::half ? "half" : "float");
     }
     return text + "}\n";

@@ -5,6 +5,10 @@
 // up, and the type of the grids. It refers to level 0 alone. Solaris, Omniverse and Unreal's importer
 // read it.
 //
+// The scene of a sequence is NAME.usda beside NAME_0001.vdb and the files of the other frames. Its
+// time code n is frame n, of frames_per_second time codes a second, so that a player shows the frame
+// whose number it is at. USD holds a file until the next sample and interpolates none.
+//
 // Source: Pixar, "UsdVol: USD Volume Schema".
 #pragma once
 

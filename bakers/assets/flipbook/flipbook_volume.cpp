@@ -1,0 +1,285 @@
+#include "bakers/assets/flipbook/flipbook_volume.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "bakers/assets/registry.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/field/pixel_type.h"
+#include "config/sections/frames.h"
+
+namespace skybake {
+
+namespace {
+
+using config::Bake;
+using config::FlipbookBake;
+using config::Outcome;
+using config::Parameters;
+
+// A layer's values, channel after channel.
+using Layer = std::vector<float>;
+
+Layer layer_of(const VoxelSource& source, const VoxelBox& box, std::size_t channels) {
+    Layer values(channels * static_cast<std::size_t>(box.count()));
+    std::vector<float*> targets;
+    for (std::size_t c = 0; c < channels; ++c) {
+        targets.push_back(values.data() + c * static_cast<std::size_t>(box.count()));
+    }
+    source.fill(box, targets);
+    return values;
+}
+
+// The frames, and what is known of them.
+struct Sequence {
+    const Parameters& parameters;
+    const Bake& first;
+    const FlipbookBake& asset;
+    const BakeOptions& options;
+    std::vector<std::shared_ptr<const VoxelSource>> voxels = {};
+    Baked kind = {};     // the first frame
+    bool loops = false;  // the frame after the last one is the first
+
+    std::vector<config::Diagnostic> read() {
+        for (int frame = 1; frame <= asset.length + 1; ++frame) {
+            Outcome<Baked> baked = bake_frame(config::at_frame(parameters, frame), first, options);
+            if (!baked.value) return std::move(baked.diagnostics);
+            if (frame <= asset.length) voxels.push_back(baked.value->levels.front().voxels);
+            const std::string hash = baked.value->levels.front().content_hash;
+            if (frame == 1) kind = std::move(*baked.value);
+            loops = hash == kind.levels.front().content_hash;
+        }
+        return {};
+    }
+
+    std::array<int, 3> size() const {
+        const auto [width, height, depth] = kind.levels.front().size;
+        return {width, height, asset.length};
+    }
+};
+
+std::vector<AxisMapping> axes_of(const Sequence& sequence) {
+    static constexpr std::array<const char*, 2> kQuantities = {"u", "v"};
+    std::vector<AxisMapping> axes(3);
+    for (std::size_t i = 0; i < 2; ++i) {
+        axes[i].quantity = kQuantities[i];
+        axes[i].formula = fmt::format("{0} = {0} of a frame", kQuantities[i]);
+        axes[i].convention = "repeats; texel i is at (i + 1/2) / size";
+        axes[i].last = 1;
+    }
+    const double frames = sequence.asset.length;
+    axes[2].quantity = "frame";
+    axes[2].formula = fmt::format("w = (frame + 1/2) / {}", frames);
+    axes[2].convention = "layer k is frame k, counted from 0";
+    axes[2].first = -0.5;
+    axes[2].last = frames - 0.5;
+    axes[2].constants = {{"offset", 0.5 / frames}, {"frames", frames}};
+    for (AxisMapping& axis : axes) {
+        axis.end_points = TexelConvention::end_points_on_edges;
+        axis.wrap = AxisWrap::repeat;
+    }
+    if (!sequence.loops) axes[2].wrap = AxisWrap::clamp;
+    return axes;
+}
+
+ProbePlace place_of(double frames, const std::array<double, 3>& uvw) {
+    const auto within = [](double x) { return x - std::floor(x); };
+    return {
+        {{"u", within(uvw[0])}, {"v", within(uvw[1])}, {"frame", within(uvw[2]) * frames - 0.5}},
+        {{uvw}}};
+}
+
+// Largest and RMS difference, as they are added up.
+class Differences {
+  public:
+    void add(double difference) {
+        if (!(std::fabs(difference) <= largest_)) largest_ = std::fabs(difference);
+        squares_ += difference * difference;
+        ++count_;
+    }
+    ErrorFigures figures() const {
+        return {largest_, count_ > 0 ? std::sqrt(squares_ / count_) : 0};
+    }
+    int count() const { return count_; }
+
+  private:
+    double largest_ = 0;
+    double squares_ = 0;
+    int count_ = 0;
+};
+
+double range_of_values(const Baked& volume) {
+    double low = 0;
+    double high = 0;
+    for (const ValueStatistics& channel : volume.levels.front().statistics) {
+        low = std::min(low, channel.min);
+        high = std::max(high, channel.max);
+    }
+    return high > low ? high - low : 1;
+}
+
+// Compares stored layers with the frames that they hold, and blends of two layers with frames that
+// were baked between them.
+class FlipbookErrors {
+  public:
+    FlipbookErrors(const Sequence& sequence, const Baked& volume)
+        : sequence_(sequence), volume_(volume), range_(range_of_values(volume)) {}
+
+    // Returns false once interrupted.
+    bool measure(int frame) {
+        const std::array<int, 3> size = sequence_.size();
+        const int next = (frame + 1) % size[2];
+        const std::size_t channels = volume_.channel_names.size();
+        const Layer stored = stored_layer(frame);
+        const VoxelBox box{{0, 0, sequence_.asset.slice}, {size[0], size[1], 1}};
+        compare(stored, stored,
+                layer_of(*sequence_.voxels[static_cast<std::size_t>(frame)], box, channels),
+                texel_);
+        if (next == 0 && !sequence_.loops) return true;
+        const Outcome<Baked> between =
+            bake_frame(config::after_frame(sequence_.parameters, frame + 1), sequence_.first,
+                       sequence_.options);
+        if (!between.value) return false;
+        compare(stored, stored_layer(next),
+                layer_of(*between.value->levels.front().voxels, box, channels), lookup_);
+        return true;
+    }
+
+    Certificate certificate() const {
+        Certificate result;
+        result.texel = texel_.figures();
+        result.lookup = lookup_.figures();
+        result.texel_points = texel_.count();
+        result.lookup_points = lookup_.count();
+        result.reference =
+            "texels: the frames; lookups: the middle of two layers against the frame between them, "
+            "baked with twice as many frames";
+        result.scale = "range of all values";
+        return result;
+    }
+
+  private:
+    Layer stored_layer(int frame) const {
+        const std::array<int, 3> size = sequence_.size();
+        Layer values =
+            layer_of(*volume_.levels.front().voxels, {{0, 0, frame}, {size[0], size[1], 1}},
+                     volume_.channel_names.size());
+        if (!config::is_block_coded(volume_.pixel_type)) {
+            round_values(values.data(), values.size(), volume_.pixel_type);
+        }
+        return values;
+    }
+
+    void compare(const Layer& a, const Layer& b, const Layer& wanted, Differences& differences) {
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            differences.add((0.5 * (double{a[i]} + double{b[i]}) - double{wanted[i]}) / range_);
+        }
+    }
+
+    const Sequence& sequence_;
+    const Baked& volume_;
+    double range_;
+    Differences texel_;
+    Differences lookup_;
+};
+
+// Returns the frames that are measured: all, or some in steps of the golden ratio, which keep clear of
+// the steps in which noise moves.
+std::vector<int> measured_frames(int length, Certification certification) {
+    constexpr int kQuick = 8;
+    constexpr double kGoldenRatio = 0.6180339887498949;
+    std::vector<int> frames;
+    const bool all = certification == Certification::full || length <= kQuick;
+    for (int i = 0; i < (all ? length : kQuick); ++i) {
+        const double turns = i * kGoldenRatio;
+        frames.push_back(all ? i : static_cast<int>((turns - std::floor(turns)) * length));
+    }
+    return frames;
+}
+
+Certificate certificate_of(const Sequence& sequence, const Baked& volume) {
+    FlipbookErrors errors(sequence, volume);
+    for (const int frame : measured_frames(sequence.asset.length, sequence.options.certification)) {
+        if (!errors.measure(frame)) break;
+    }
+    return errors.certificate();
+}
+
+}  // namespace
+
+FrameVoxels::FrameVoxels(std::vector<std::shared_ptr<const VoxelSource>> frames, int slice)
+    : frames_(std::move(frames)), slice_(slice) {}
+
+VoxelBox FrameVoxels::slice_of(const VoxelBox& box) const {
+    return {{box.origin[0], box.origin[1], slice_}, {box.size[0], box.size[1], 1}};
+}
+
+void FrameVoxels::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    const VoxelBox part = slice_of(box);
+    std::vector<float*> targets = channels;
+    for (int z = 0; z < box.size[2]; ++z) {
+        frames_[static_cast<std::size_t>(box.origin[2] + z)]->fill(part, targets);
+        for (float*& target : targets) {
+            if (target != nullptr) target += part.count();
+        }
+    }
+}
+
+bool FrameVoxels::is_empty(const VoxelBox& box) const {
+    const auto begin = frames_.begin() + box.origin[2];
+    return std::all_of(begin, begin + box.size[2],
+                       [&](const auto& frame) { return frame->is_empty(slice_of(box)); });
+}
+
+Outcome<Baked> bake_frame(const Parameters& at_its_time, const Bake& first,
+                          const BakeOptions& options) {
+    BakeOptions own = options;
+    own.certification = Certification::off;
+    own.held_voxel_bytes = 0;
+    own.intermediates = nullptr;
+    return baker_of(first).bake(at_its_time, first, own, {});
+}
+
+Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& bake,
+                             const BakeOptions& options, Baked volume) {
+    Sequence sequence{parameters, config::first_frame(parameters, bake), bake, options};
+    std::vector<config::Diagnostic> problems = sequence.read();
+    if (!problems.empty()) return {{}, std::move(problems)};
+    if (options.cancelled()) return {};
+    const Baked& frame = sequence.kind;
+    volume.kind = "flipbook";
+    volume.content = fmt::format("{} frames: {}", bake.length, frame.content);
+    volume.mapping = "frames";
+    volume.axes = axes_of(sequence);
+    volume.channel_names = frame.channel_names;
+    set_files(bake, volume);
+    volume.voxel_size_m.fill(1.0 / frame.levels.front().size[0]);  // a frame is a metre wide
+    volume.up_axis = "+z";
+    volume.details.emplace_back("frames", static_cast<double>(bake.length));
+    volume.details.emplace_back("loops", sequence.loops ? "yes" : "no");
+    Level level;
+    level.size = sequence.size();
+    level.repeats = repeating_axes(volume.axes);
+    level.voxels = std::make_shared<const FrameVoxels>(sequence.voxels, bake.slice);
+    volume.levels.push_back(std::move(level));
+    std::vector<std::array<double, 2>> ranges;
+    for (const ValueStatistics& channel : frame.levels.front().statistics) {
+        ranges.push_back(channel.histogram_range);
+    }
+    return finish_volume(
+        std::move(volume),
+        {.histogram_ranges = ranges,
+         .reference = {},
+         .reference_name = {},
+         .measure = [&sequence](const Baked& baked,
+                                const BakeOptions&) { return certificate_of(sequence, baked); },
+         .probe_place = [frames = double{1} * bake.length](const std::array<double, 3>& uvw,
+                                                           int) { return place_of(frames, uvw); }},
+        options);
+}
+
+}  // namespace skybake

@@ -1,0 +1,200 @@
+#include "config/assets/flipbook.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "config/assets/asset_fields.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
+#include "config/assets/file_decoder.h"
+#include "config/assets/noise_volume.h"
+#include "config/assets/weather_map.h"
+#include "config/fields/fields.h"
+#include "config/fields/section_decoder.h"
+#include "config/sections/frames.h"
+#include "config/sections/parameters.h"
+#include "config/text/key_path.h"
+#include "config/text/text.h"
+
+namespace skybake::config {
+namespace {
+
+using FlipbookField = Row<FlipbookBake>;
+
+constexpr Range length_range{1, 16384};
+constexpr Range slice_range{0, 16383};
+
+const std::array flipbook_table = {
+    FlipbookField{asset_field, {}},
+    FlipbookField{{.key = "of",
+                   .kind = Kind::text,
+                   .required = true,
+                   .documentation = "NAME of the [bake.NAME] with `frames`: a noise_volume, a "
+                                    "weather_map or a cloud_volume"},
+                  &FlipbookBake::sequence},
+    FlipbookField{{.key = "length",
+                   .kind = Kind::integer,
+                   .range = length_range,
+                   .documentation = "number of frames; by default those of the sequence",
+                   .hint = "columns times rows of a sheet"},
+                  &FlipbookBake::length},
+    FlipbookField{
+        {.key = "slice",
+         .kind = Kind::integer,
+         .range = slice_range,
+         .documentation = "which slice of volumes, counted from 0 along z; by default the "
+                          "middle one"},
+        &FlipbookBake::slice},
+};
+
+template <class Frame>
+bool is_first(const Bake& bake) {
+    const Frame* frame = bake.find<Frame>();
+    return frame != nullptr && frame->frame == 1;
+}
+
+bool is_first_frame(const Bake& bake) {
+    return is_first<NoiseVolumeBake>(bake) || is_first<WeatherMapBake>(bake) ||
+           is_first<CloudVolumeBake>(bake);
+}
+
+const Bake* find_first(std::span<const Bake> bakes, std::string_view sequence) {
+    const auto found = std::find_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
+        return is_first_frame(bake) && sequence_name(bake.name) == sequence;
+    });
+    return found == bakes.end() ? nullptr : &*found;
+}
+
+int length_of(std::span<const Bake> bakes, const std::string& sequence) {
+    return static_cast<int>(std::count_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
+        const bool may_be_frame =
+            bake.is<NoiseVolumeBake>() || bake.is<WeatherMapBake>() || bake.is<CloudVolumeBake>();
+        return may_be_frame && sequence_name(bake.name) == sequence && bake.name != sequence;
+    }));
+}
+
+void report_no_sequence(const DecodedSection& bake, const RecipeSoFar& recipe,
+                        const std::string& name, Decoder& decoder) {
+    std::vector<std::string> names;
+    for (const Bake& other : recipe.bakes) {
+        if (is_first_frame(other)) names.push_back(sequence_name(other.name));
+    }
+    decoder.diagnostics.error("E0133", bake.at("of").source->place,
+                              fmt::format("`{}`: the recipe has no [bake.{}] with `frames`",
+                                          join_path(bake.path, "of"), shorten(name)),
+                              names.empty()
+                                  ? "the recipe has no bake of several frames"
+                                  : fmt::format("this recipe has {}", fmt::join(names, ", ")));
+}
+
+template <class T>
+void derive_unless_given(DecodedSection& bake, std::string_view key, T value) {
+    if (!bake.at(key).source) derive(bake.at(key), std::move(value));
+}
+
+int number_of(const DecodedSection& bake, std::string_view key) {
+    const auto& value = bake.at(key).value;
+    return value ? static_cast<int>(std::get<double>(*value)) : 0;
+}
+
+void report_range(const DecodedSection& bake, std::string_view key, std::string found,
+                  std::string allowed, Decoder& decoder) {
+    const DecodedField& decoded = bake.at(key);
+    decoder.diagnostics.error("E0110", decoded.source ? decoded.source->place : bake.place,
+                              std::move(found), std::move(allowed));
+}
+
+std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
+    if (const auto* cloud = frame.find<CloudVolumeBake>()) {
+        const Cloud& made = cloud_named(recipe, cloud->cloud);
+        return cloud_channel_names(noise_of(recipe, made), made.channels).size();
+    }
+    const auto* map = frame.find<WeatherMapBake>();
+    const Noise& noise = noise_named(recipe, map ? map->noise : frame.as<NoiseVolumeBake>().noise);
+    return noise.pack == NoisePacking::none ? noise.channels.size() : 1;
+}
+
+// Fills in `length` and `slice`. It reports a name that is no sequence's (E0133), a
+// slice that the volume does not have and levels, which would mix frames (E0110), and faults of the
+// files of any volume (file_decoder.h).
+void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
+    check_pixel_type(bake, decoder);
+    const std::string* name = text_of(bake.at("of"));
+    if (!name) return;
+    const Bake* first = find_first(recipe.bakes, *name);
+    const auto& unreadable = recipe.unreadable;
+    const bool is_reported =
+        std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+    if (!first) {
+        if (!is_reported && decoder.complete) report_no_sequence(bake, recipe, *name, decoder);
+        return;
+    }
+    const auto [width, height, depth] = frame_size(*first);
+    derive_unless_given(bake, "length", double{1} * length_of(recipe.bakes, *name));
+    derive_unless_given(bake, "slice", double{1} * (depth / 2));
+    if (number_of(bake, "slice") >= depth && depth > 0) {
+        report_range(
+            bake, "slice",
+            fmt::format("`{}` is {}", join_path(bake.path, "slice"), number_of(bake, "slice")),
+            fmt::format("the frames have slices 0 to {}", depth - 1), decoder);
+    }
+    const VoxelCounts size = {width, height, number_of(bake, "length")};
+    if (width < 1 || size[2] < 1) return;
+    resolve_files(bake, size, Halving::down, decoder);
+    if (number_of(bake, "mips") > 1) {
+        report_range(
+            bake, "mips",
+            fmt::format("`{}`: levels of detail would mix frames", join_path(bake.path, "mips")),
+            "a flipbook has one level", decoder);
+    }
+    const bool is_whole = !decoder.diagnostics.has_errors();
+    const std::size_t channels = is_whole ? channels_of(*first, recipe.parameters) : 1;
+    check_voxel_count(bake, size, channels, bake.at("of").source->place, decoder);
+}
+
+std::vector<Read> reads_of(const Parameters& parameters, const FlipbookBake& bake) {
+    const Bake& first = first_frame(parameters, bake);
+    std::vector<Read> reads = kind_of(first).reads(parameters, first);
+    const bool has_usual_files = facts_of(FileFormat::exr).holds(files_of(first).pixel_type);
+    reads.push_back({join_path("bake", first.name),
+                     has_usual_files ? Roles{Role::content} : Roles{Role::content, Role::files}});
+    return reads;
+}
+
+}  // namespace
+
+const Bake& first_frame(const Parameters& parameters, const FlipbookBake& asset) {
+    return *find_first(parameters.bakes, asset.sequence);
+}
+
+std::array<int, 3> frame_size(const Bake& frame) {
+    if (const auto* noise = frame.find<NoiseVolumeBake>()) return noise->size;
+    if (const auto* cloud = frame.find<CloudVolumeBake>()) return cloud->size;
+    const auto [width, height] = frame.as<WeatherMapBake>().size;
+    return {width, height, 1};
+}
+
+const AssetKind& asset_kind(Tag<FlipbookBake>) {
+    static const auto rows = with_file_fields(
+        flipbook_table, {.formats = R"(["png"])",
+                         .mips = "number of levels of detail, which is 1: others would mix frames",
+                         .pixel_type = R"("unorm8")",
+                         .layout = R"("atlas")"});
+    static const AssetKind kind = make_asset_kind<FlipbookBake>(
+        {
+            .name = "flipbook",
+            .documentation = "the frames of a sequence in one sheet or texture",
+            .of_another_bake = true,
+            .of_all_frames = true,
+        },
+        std::span<const FlipbookField>(rows), reads_of, resolve_flipbook);
+    return kind;
+}
+
+}  // namespace skybake::config

@@ -1,0 +1,101 @@
+// Flipbooks, as textures of a layer per frame and as sheets of cells.
+#include "tests/lookups/lookup_trial.h"
+
+namespace skybake {
+namespace gpu::flipbook_lookups {
+#include "lookups/flipbook.glsl.h"
+}  // namespace gpu::flipbook_lookups
+
+namespace {
+
+using gpu::vec2;
+using gpu::vec4;
+
+// Five frames of 24 x 20 texels.
+test::BakedLookup bake_book() {
+    return test::bake_all(
+        "[noise.n]\nperiod = 5\n[noise.n.channels.R]\ntype = 'perlin'\nfrequency = [3, 2, 1]\n"
+        "[noise.n.channels.G]\ntype = 'worley'\nfrequency = [3, 4, 1]\n"
+        "[noise.n.channels.B]\ntype = 'perlin'\nfrequency = [2, 2, 1]\n"
+        "[bake.w]\nasset = 'weather_map'\nnoise = 'n'\nsize = [24, 20]\nframes = 5\n"
+        "[bake.a]\nasset = 'flipbook'\nof = 'w'\npixel_type = 'float'\nformats = ['exr']\n");
+}
+
+const Baked& book_of(const test::BakedLookup& baked) { return baked.assets.back(); }
+
+// What an empty cell holds here. A lookup in float takes 2e-6 of the texel beside its own.
+constexpr float kEmpty = 5;
+
+// Cell k of a sheet stands at column k mod columns of row k / columns from the top left.
+Texture sheet_of(const Texture& book, int columns, int rows) {
+    Texture sheet = book;
+    const auto [width, height, frames] = book.size;
+    sheet.size = {width * columns, height * rows, 1};
+    sheet.texels.assign(sheet.texels.size() / static_cast<std::size_t>(frames) *
+                            static_cast<std::size_t>(columns * rows),
+                        kEmpty);
+    const auto channels = static_cast<std::size_t>(book.channels);
+    for (int frame = 0; frame < frames; ++frame) {
+        for (int y = 0; y < height; ++y) {
+            for (int x = 0; x < width; ++x) {
+                const int row = frame / columns * height + y;
+                const int column = frame % columns * width + x;
+                for (int c = 0; c < book.channels; ++c) {
+                    const auto to = static_cast<std::size_t>(row * sheet.size[0] + column);
+                    sheet.texels[to * channels + static_cast<std::size_t>(c)] =
+                        book.texel({x, y, frame}, c);
+                }
+            }
+        }
+    }
+    return sheet;
+}
+
+TEST(FlipbookLookup, MeetsItsProbes) {
+    const test::BakedLookup baked = bake_book();
+    const Texture texture = texture_of(book_of(baked));
+    for (const Probe& probe : book_of(baked).levels.front().probes) {
+        const vec2 uv(test::at(probe, "u"), test::at(probe, "v"));
+        const auto frame = static_cast<float>(test::at(probe, "frame"));
+        test::expect_probe(gpu::flipbook_lookups::flipbook({texture}, uv, frame), probe.value,
+                           probe.tolerance, "frame " + std::to_string(frame));
+    }
+}
+
+// The largest difference between the lookups of a sheet and of the texture, with the frame and the
+// columns shifted for the sheet.
+double difference(const Texture& book, const Texture& sheet, vec2 cells, float later, float flip) {
+    test::Dice dice;
+    double largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec2 uv(dice.uniform(-2, 3), dice.uniform(-2, 3));
+        const auto frame = static_cast<float>(dice.uniform(-12, 12));
+        const vec4 wanted = gpu::flipbook_lookups::flipbook({book}, uv, frame);
+        const vec4 found = gpu::flipbook_lookups::flipbook_sheet({sheet}, vec2(flip * uv.x, uv.y),
+                                                                 frame + later, cells, 5);
+        for (int c = 0; c < 3; ++c) {
+            const double apart = std::fabs(double{wanted[c]} - double{found[c]});
+            if (!(apart <= largest)) largest = apart;
+        }
+    }
+    return largest;
+}
+
+// Of a full sheet, and of one whose last cell is empty and would show.
+TEST(FlipbookLookup, OfASheetIsThatOfTheTexture) {
+    const test::BakedLookup baked = bake_book();
+    const Texture book = texture_of(book_of(baked));
+    for (const auto& [columns, rows] : {std::pair{5, 1}, {1, 5}, {3, 2}, {2, 3}}) {
+        const Texture sheet = sheet_of(book, columns, rows);
+        const vec2 cells(columns, rows);
+        EXPECT_LT(difference(book, sheet, cells, 0, 1), 2e-5) << columns;
+        EXPECT_GT(difference(book, sheet, cells, 1, 1), 0.2) << "a frame too late";
+        EXPECT_GT(difference(book, sheet, cells, -0.5f, 1), 0.1) << "half a frame too early";
+        EXPECT_GT(difference(book, sheet, cells, 0, -1), 0.2) << "mirrored";
+        EXPECT_GT(difference(book, sheet_of(book, rows, columns), cells, 0, 1), 0.2)
+            << "columns for rows";
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,190 @@
+// Flipbooks hold the frames of a sequence.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "bakers/assets/flipbook/flipbook_volume.h"
+#include "bakers/assets/registry.h"
+#include "config/assets/flipbook.h"
+#include "config/recipe/recipe.h"
+#include "config/sections/frames.h"
+
+namespace skybake {
+namespace {
+
+config::Recipe recipe_of(const std::string& text) {
+    auto recipe = config::parse_recipe(text, "recipe.toml", {}, {});
+    for (const config::Diagnostic& diagnostic : recipe.diagnostics) {
+        if (diagnostic.severity == config::Severity::error) ADD_FAILURE() << diagnostic.message;
+    }
+    return recipe.value.value_or(config::Recipe{});
+}
+
+Baked baked(const config::Recipe& recipe, const config::Bake& bake,
+            Certification certification = Certification::quick) {
+    BakeOptions options;
+    options.threads = 2;
+    options.certification = certification;
+    auto outcome = bake_asset(recipe, bake, options);
+    if (!outcome.value) {
+        ADD_FAILURE() << bake.name
+                      << (outcome.diagnostics.empty() ? ""
+                                                      : " " + outcome.diagnostics.front().message);
+        return {};
+    }
+    return std::move(*outcome.value);
+}
+
+std::vector<float> values_of(const Level& level, const VoxelBox& box, std::size_t channels) {
+    const auto count = static_cast<std::size_t>(box.count());
+    std::vector<float> values(channels * count);
+    std::vector<float*> targets;
+    for (std::size_t c = 0; c < channels; ++c) targets.push_back(values.data() + c * count);
+    level.voxels->fill(box, targets);
+    return values;
+}
+
+const std::string waves =
+    "[noise.n]\nperiod = 6\ndrift = [1, 0, 0]\n[noise.n.channels.R]\ntype = 'perlin'\n"
+    "frequency = [3, 2, 2]\n[noise.n.channels.G]\ntype = 'alligator'\nfrequency = [3, 4, 2]\n"
+    "[noise.n.channels.B]\ntype = 'worley'\nfrequency = 2\n";
+
+const std::string volume =
+    "[bake.v]\nasset = 'noise_volume'\nnoise = 'n'\nsize = [20, 16, 6]\nframes = 6\n";
+const std::string map =
+    "[bake.v]\nasset = 'weather_map'\nnoise = 'n'\nsize = [20, 16]\ncovered = 0.4\nframes = 6\n"
+    "pixel_type = 'float'\nformats = ['exr']\n";
+const std::string cloud =
+    "[clouds.c]\nnoise = 'n'\nextent = ['2 km', '2 km', '1 km']\nperiod = 6\n"
+    "[[clouds.c.towers]]\ncenter = [0.5, 0.5]\nsigma = [0.2, 0.2]\namplitude = 2\n"
+    "life = [0.4, 0.3, 0.2]\n"
+    "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [20, 16, 6]\nframes = 6\n";
+
+std::string book(const std::string& keys = "") {
+    return "[bake.b]\nasset = 'flipbook'\nof = 'v'\nformats = ['exr']\npixel_type = 'float'\n" +
+           keys;
+}
+
+// A layer is the frame of its number, bit for bit, and no other.
+TEST(Flipbook, HasTheFramesInTheirOrder) {
+    for (const std::string& frames : {volume, map, cloud}) {
+        const config::Recipe recipe = recipe_of(waves + frames + book());
+        const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
+        ASSERT_EQ(bakes.size(), 7u);
+        const Baked flipbook = baked(recipe, bakes[6]);
+        const std::size_t channels = flipbook.channel_names.size();
+        ASSERT_EQ(flipbook.levels.at(0).size, (std::array<int, 3>{20, 16, 6}));
+        for (int i = 0; i < 6; ++i) {
+            const Baked frame = baked(recipe, bakes[static_cast<std::size_t>(i)]);
+            const int slice = frame.levels.at(0).size[2] / 2;
+            const std::vector<float> wanted =
+                values_of(frame.levels[0], {{0, 0, slice}, {20, 16, 1}}, channels);
+            for (int layer = 0; layer < 6; ++layer) {
+                const bool equal =
+                    values_of(flipbook.levels[0], {{0, 0, layer}, {20, 16, 1}}, channels) == wanted;
+                EXPECT_EQ(equal, layer == i) << layer;
+            }
+        }
+        // Boxes of several layers are their layers.
+        const std::vector<float> both =
+            values_of(flipbook.levels[0], {{3, 2, 2}, {5, 4, 2}}, channels);
+        const std::vector<float> second =
+            values_of(flipbook.levels[0], {{3, 2, 3}, {5, 4, 1}}, channels);
+        for (std::size_t c = 0; c < channels; ++c) {
+            for (std::size_t k = 0; k < 20; ++k) {
+                EXPECT_EQ(both[c * 40 + 20 + k], second[c * 20 + k]);
+            }
+        }
+    }
+}
+
+TEST(Flipbook, TakesTheSliceThatItIsGiven) {
+    const config::Recipe recipe = recipe_of(waves + volume + book("slice = 5\n"));
+    const Baked flipbook = baked(recipe, recipe.parameters.bakes[6]);
+    const Baked frame = baked(recipe, recipe.parameters.bakes[0]);
+    EXPECT_EQ(values_of(flipbook.levels.at(0), {{0, 0, 0}, {20, 16, 1}}, 3),
+              values_of(frame.levels.at(0), {{0, 0, 5}, {20, 16, 1}}, 3));
+}
+
+TEST(Flipbook, RepeatsOnlyIfItsFramesAreALoop) {
+    for (const int length : {6, 5, 12}) {
+        const config::Recipe recipe =
+            recipe_of(waves + map + book("length = " + std::to_string(length) + "\n"));
+        const Baked flipbook = baked(recipe, recipe.parameters.bakes[6]);
+        EXPECT_EQ(flipbook.axes.at(2).wrap == AxisWrap::repeat, length != 5) << length;
+        EXPECT_EQ(flipbook.levels.at(0).repeats[2], length != 5);
+    }
+}
+
+// The probes tell a sheet that is turned over, shifted by a frame or by a texel, or empty.
+TEST(Flipbook, HasProbesThatTellWrongFiles) {
+    const config::Recipe recipe = recipe_of(waves + map + book());
+    const Baked flipbook = baked(recipe, recipe.parameters.bakes[6]);
+    ASSERT_EQ(flipbook.levels.size(), 1u);
+    const Level& level = flipbook.levels[0];
+    for (const char* wrong : {"zeros", "flip_u", "flip_v", "flip_w", "shift_w", "filter"}) {
+        EXPECT_NE(std::find(level.catches.begin(), level.catches.end(), wrong), level.catches.end())
+            << wrong;
+    }
+    for (const std::array<int, 3>& shift : {std::array{0, 0, 1}, {0, 0, 5}, {1, 0, 0}, {0, 1, 0}}) {
+        int missed = 0;
+        for (const Probe& probe : level.probes) {
+            std::array<int, 3> at{};
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double place = probe.uvw[i] * level.size[i] - 0.5 + shift[i];
+                at[i] = (static_cast<int>(std::lround(place)) % level.size[i] + level.size[i]) %
+                        level.size[i];
+            }
+            const std::vector<float> found = values_of(level, {at, {1, 1, 1}}, 3);
+            for (std::size_t c = 0; c < 3; ++c) {
+                if (std::fabs(double{found[c]} - probe.value[c]) > 0.05) ++missed;
+            }
+        }
+        EXPECT_GT(missed, 3);
+    }
+}
+
+// Of a smooth motion the middle of two frames is off by the square of the time between them.
+TEST(Flipbook, StatesTheErrorOfBlending) {
+    std::array<double, 2> rms{};
+    for (const std::size_t i : {0u, 1u}) {
+        const std::string frames = i == 0 ? "16" : "32";
+        const config::Recipe recipe = recipe_of(
+            "[noise.n]\nperiod = " + frames + "\n[noise.n.channels.Y]\ntype = 'perlin'\n" +
+            "frequency = [3, 2, 1]\n[bake.v]\nasset = 'noise_volume'\nnoise = 'n'\n" +
+            "size = [24, 20, 1]\nframes = " + frames + "\n" + book());
+        const Baked flipbook = baked(recipe, recipe.parameters.bakes.back(), Certification::full);
+        EXPECT_EQ(flipbook.certificate.texel.max, 0) << "floats are stored as they are";
+        EXPECT_EQ(flipbook.certificate.lookup_points, (i == 0 ? 16 : 32) * 24 * 20);
+        rms[i] = flipbook.certificate.lookup.rms;
+    }
+    EXPECT_GT(rms[0], 0.001);
+    EXPECT_NEAR(rms[0] / rms[1], 4, 1);
+}
+
+// Every frame of a weather map covers the same share, and frame N is frame 0.
+TEST(MovingWeather, CoversTheSameShareAndLoops) {
+    const config::Recipe recipe = recipe_of(waves + map);
+    for (int frame = 1; frame <= 6; ++frame) {
+        BakeOptions options;
+        const auto at = [&](int number) {
+            const auto made = bake_frame(config::at_frame(recipe.parameters, number),
+                                         recipe.parameters.bakes[0], options);
+            return values_of(made.value.value().levels[0], {{}, {20, 16, 1}}, 3);
+        };
+        const std::vector<float> values = at(frame);
+        EXPECT_EQ(at(frame + 6), values);
+        EXPECT_NE(at(frame + 1), values);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const auto begin = values.begin() + static_cast<std::ptrdiff_t>(c * 320);
+            const auto above =
+                std::count_if(begin, begin + 320, [](float value) { return value > 0; });
+            EXPECT_EQ(above, 128) << frame;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace skybake
