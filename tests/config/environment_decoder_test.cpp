@@ -74,7 +74,7 @@ TEST(EnvironmentDecoder, CloudsAreAVolumeOfTheRecipe) {
 
 TEST(EnvironmentDecoder, CloudsAreAListOfLayers) {
     const std::string second =
-        "\n[bake.high]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [8, 8, 8]";
+        "\n[bake.high]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]";
     const auto names_of = [&](const std::string& clouds) {
         return environment_of(around + "clouds = " + clouds + cloud + second).clouds;
     };
