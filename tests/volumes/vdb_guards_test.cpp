@@ -188,6 +188,8 @@ TEST(VdbGuards, BloscsOwnLengthsFit) {
     EXPECT_EQ(problem_of(with(node.bytes, head + 12, 20)), wrong);
     EXPECT_EQ(problem_of(with(node.bytes, head + 12, 1 << 24)), wrong);
     EXPECT_EQ(problem_of(with(node.bytes, node.length, 8, 8)), wrong) << "shorter than the head";
+    const std::string tiny = with(node.bytes, node.length, 8, 8);
+    EXPECT_EQ(problem_of(with(tiny, head + 12, 8)), wrong) << "and so does the head say";
 }
 
 long peak_kib() {
