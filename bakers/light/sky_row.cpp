@@ -21,12 +21,19 @@ double chebyshev_point(int k, int count) {
     return cosine_of_pi(static_cast<double>(k) / (count - 1));
 }
 
-Spectrum interpolate(const std::vector<Spectrum>& values, double x) {
+std::vector<double> chebyshev_points(int count) {
+    std::vector<double> points;
+    for (int k = 0; k < count; ++k) points.push_back(chebyshev_point(k, count));
+    return points;
+}
+
+Spectrum interpolate(const std::vector<Spectrum>& values, const std::vector<double>& points,
+                     double x) {
     const auto count = static_cast<int>(values.size());
     Spectrum above{};
     double below = 0;
     for (int k = 0; k < count; ++k) {
-        const double gap = x - chebyshev_point(k, count);
+        const double gap = x - points[static_cast<std::size_t>(k)];
         if (gap == 0) return values[static_cast<std::size_t>(k)];
         const double half = k == 0 || k + 1 == count ? 0.5 : 1.0;
         const double weight = (k % 2 == 0 ? half : -half) / gap;
@@ -79,10 +86,70 @@ void SkyRow::add_piece(const ray_pieces::Piece& piece) {
     }
 }
 
+namespace {
+
+// Sums over layers: each layer's light is multiplied by its phase function.
+class SumsOfLayers {
+  public:
+    SumsOfLayers(const SkyMedium& medium, const std::vector<SkyRay>& rays,
+                 std::vector<SkyRadiance>& sums)
+        : phases_(rays.size()), sums_(sums) {
+        for (std::size_t i = 0; i < rays.size(); ++i) {
+            for (const SkyLayer& layer : medium.layers) {
+                phases_[i].push_back(
+                    first_phase_values(layer, rays[i].one_minus_cosine, rays[i].one_plus_cosine));
+            }
+        }
+    }
+
+    // Collects what a layer scatters.
+    void collect(std::size_t ray, std::size_t layer, const Spectrum& scattering) {
+        sent_ += scattering * phases_[ray][layer];
+    }
+
+    // Adds what was collected, times a factor and the sunlight there.
+    void add(std::size_t ray, const Spectrum& factor, const Spectrum& sun) {
+        sums_[ray].single += factor * sent_ * sun;
+        sent_ = {};
+    }
+
+  private:
+    std::vector<std::vector<Spectrum>> phases_;
+    std::vector<SkyRadiance>& sums_;
+    Spectrum sent_{};
+};
+
+// A sum for each layer.
+class SumsByLayer {
+  public:
+    SumsByLayer(const SkyMedium& medium, std::vector<SplitSunlight>& sums)
+        : sent_(medium.layers.size()), sums_(sums) {
+        for (SplitSunlight& sum : sums_) sum.single.resize(sent_.size());
+    }
+
+    void collect(std::size_t, std::size_t layer, const Spectrum& scattering) {
+        sent_[layer] += scattering;
+    }
+
+    void add(std::size_t ray, const Spectrum& factor, const Spectrum& sun) {
+        for (std::size_t k = 0; k < sent_.size(); ++k) {
+            sums_[ray].single[k] += factor * sent_[k] * sun;
+            sent_[k] = {};
+        }
+    }
+
+  private:
+    std::vector<Spectrum> sent_;
+    std::vector<SplitSunlight>& sums_;
+};
+
+}  // namespace
+
 // Adds what a ray receives on a lit stretch of a piece through which the shadow's edge runs. What
 // the stretch sends to the eye is interpolated between the piece's nodes.
-void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, const SkyRay& ray,
-                             const std::vector<Spectrum>& phases, Spectrum& sum) const {
+template <class Sums>
+void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, std::size_t index,
+                             const SkyRay& ray, Sums& sums) const {
     if (!(from_km < to_km)) return;
     const QuadratureRule& rule = ray_pieces::gauss_rule();
     for (const ray_pieces::StretchNode& at : ray_pieces::stretch(
@@ -90,33 +157,28 @@ void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, c
         // Rounding may take a place next to the shadow's edge beyond it.
         const double s_km = std::max(ray.sun_s_km + at.distance_km * ray.cosine_to_sun,
                                      -horizon_distance_km(shell_, at.altitude_km));
-        Spectrum sent{};
         for (std::size_t n = 0; n < ray_pieces::kNodes; ++n) {
             const Node& node = nodes_[piece.first_node + n];
             const double per_width =
                 at.shares[n] / (rule.weights[n] * (piece.to_km - piece.from_km));
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                sent += per_width * node.weight * node.scattering[k] * phases[k];
+                sums.collect(index, k, per_width * node.weight * node.scattering[k]);
             }
         }
         Spectrum sun{};
         sunlight_->read(at.altitude_km, &s_km, 1, data(sun));
-        sum += at.width_km * sent * sun;
+        sums.add(index, Spectrum(at.width_km), sun);
     }
 }
 
-void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const {
+template <class Sums>
+void SkyRow::add_single(const std::vector<SkyRay>& rays, Sums& sums) const {
     assert(sunlight_ != nullptr);
     const std::size_t count = rays.size();
     std::vector<DarkStretch> dark(count);
-    std::vector<std::vector<Spectrum>> phases(count);
     for (std::size_t i = 0; i < count; ++i) {
         dark[i] = dark_stretch(shell_, any_.altitude_km, any_.s_km, any_.length_km,
                                rays[i].sun_s_km, rays[i].cosine_to_sun);
-        for (const SkyLayer& layer : medium_.layers) {
-            phases[i].push_back(
-                first_phase_values(layer, rays[i].one_minus_cosine, rays[i].one_plus_cosine));
-        }
     }
     std::vector<std::size_t> lit;
     for (const Piece& piece : pieces_) {
@@ -128,18 +190,17 @@ void SkyRow::add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance
                 lit.push_back(i);
                 continue;
             }
-            add_lit_stretch(piece, piece.from_km, begin, rays[i], phases[i], sums[i].single);
-            add_lit_stretch(piece, end, piece.to_km, rays[i], phases[i], sums[i].single);
+            add_lit_stretch(piece, piece.from_km, begin, i, rays[i], sums);
+            add_lit_stretch(piece, end, piece.to_km, i, rays[i], sums);
         }
-        if (!lit.empty()) add_lit_piece(piece, lit, rays, phases, sums);
+        if (!lit.empty()) add_lit_piece(piece, lit, rays, sums);
     }
 }
 
 // Adds the light of a piece on which the rays `lit` have the sun all along.
+template <class Sums>
 void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& lit,
-                           const std::vector<SkyRay>& rays,
-                           const std::vector<std::vector<Spectrum>>& phases,
-                           std::vector<SkyRadiance>& sums) const {
+                           const std::vector<SkyRay>& rays, Sums& sums) const {
     std::vector<double> s(lit.size());
     std::vector<double> sun(lit.size() * kMaxChannels);
     for (std::size_t n = 0; n < ray_pieces::kNodes; ++n) {
@@ -151,15 +212,14 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
         }
         sunlight_->read(node.altitude_km, s.data(), static_cast<int>(s.size()), sun.data());
         for (std::size_t j = 0; j < lit.size(); ++j) {
-            Spectrum sent{};
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                sent += node.scattering[k] * phases[lit[j]][k];
+                sums.collect(lit[j], k, node.scattering[k]);
             }
-            sent *= node.weight;
-            Spectrum& sum = sums[lit[j]].single;
+            Spectrum at_node{};
             for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
-                sum[c] += sent[c] * sun[c * lit.size() + j];
+                at_node[c] = sun[c * lit.size() + j];
             }
+            sums.add(lit[j], node.weight, at_node);
         }
     }
 }
@@ -185,20 +245,28 @@ int SkyRow::azimuth_nodes() const { return std::max(higher_orders_->azimuth_degr
 // Of higher orders.
 std::vector<Spectrum> SkyRow::multiple(const RayOfAzimuth& ray_at,
                                        const std::vector<double>& azimuth_cosines) const {
+    if (higher_orders_ == nullptr) return std::vector<Spectrum>(azimuth_cosines.size());
     const int count = azimuth_nodes();
     const bool interpolates = azimuth_cosines.size() > static_cast<std::size_t>(count);
+    const std::vector<double> points = chebyshev_points(interpolates ? count : 0);
     std::vector<SkyRay> rays;
-    for (int k = 0; interpolates && k < count; ++k) {
-        rays.push_back(ray_at(chebyshev_point(k, count)));
-    }
+    for (const double point : points) rays.push_back(ray_at(point));
     for (std::size_t i = 0; !interpolates && i < azimuth_cosines.size(); ++i) {
         rays.push_back(ray_at(azimuth_cosines[i]));
     }
     std::vector<Spectrum> values = multiple(rays);
     if (!interpolates) return values;
     std::vector<Spectrum> interpolated;
-    for (const double cosine : azimuth_cosines) interpolated.push_back(interpolate(values, cosine));
+    for (const double cosine : azimuth_cosines) {
+        interpolated.push_back(interpolate(values, points, cosine));
+    }
     return interpolated;
+}
+
+Spectrum SkyRow::ground_of(const SkyRay& ray) const {
+    if (!any_.meets_ground) return {};
+    return integrator_.ground_radiance(ray.sun_s_km + any_.length_km * ray.cosine_to_sun) *
+           transmittance_;
 }
 
 std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
@@ -206,17 +274,25 @@ std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
     std::vector<SkyRay> rays;
     for (const double cosine : azimuth_cosines) rays.push_back(ray_at(cosine));
     std::vector<SkyRadiance> sums(rays.size());
-    for (SkyRadiance& sum : sums) sum.transmittance = transmittance_;
-    add_single(rays, sums);
-    if (higher_orders_ != nullptr) {
-        const std::vector<Spectrum> values = multiple(ray_at, azimuth_cosines);
-        for (std::size_t i = 0; i < rays.size(); ++i) sums[i].multiple = values[i];
+    SumsOfLayers once(medium_, rays, sums);
+    add_single(rays, once);
+    const std::vector<Spectrum> higher = multiple(ray_at, azimuth_cosines);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        sums[i].multiple = higher[i];
+        sums[i].ground = ground_of(rays[i]);
+        sums[i].transmittance = transmittance_;
     }
-    for (std::size_t i = 0; i < rays.size() && any_.meets_ground; ++i) {
-        sums[i].ground =
-            integrator_.ground_radiance(rays[i].sun_s_km + any_.length_km * rays[i].cosine_to_sun);
-        sums[i].ground *= transmittance_;
-    }
+    return sums;
+}
+
+std::vector<SplitSunlight> SkyRow::split(const RayOfAzimuth& ray_at,
+                                         const std::vector<double>& azimuth_cosines) const {
+    std::vector<SkyRay> rays;
+    for (const double cosine : azimuth_cosines) rays.push_back(ray_at(cosine));
+    std::vector<SplitSunlight> sums(rays.size());
+    SumsByLayer by_layer(medium_, sums);
+    add_single(rays, by_layer);
+    for (std::size_t i = 0; i < rays.size(); ++i) sums[i].ground = ground_of(rays[i]);
     return sums;
 }
 

@@ -25,6 +25,14 @@ namespace skybake {
 // cosine.
 using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 
+// What the sun sends to one ray of a row, in parts that are smooth functions of the azimuth's cosine,
+// except where the planet's shadow begins.
+struct SplitSunlight {
+    std::vector<Spectrum> single;  // of each layer, without its phase function; the sum of their
+                                   // products is the light that is scattered once
+    Spectrum ground{};
+};
+
 class SkyRow {
   public:
     // The arguments except `any` must outlive this object. `any` may be any ray of the row: only
@@ -38,7 +46,13 @@ class SkyRow {
     std::vector<SkyRadiance> radiance(const RayOfAzimuth& ray_at,
                                       const std::vector<double>& azimuth_cosines) const;
 
-    // Returns the light of higher orders alone.
+    // Returns the same in parts, without higher orders.
+    std::vector<SplitSunlight> split(const RayOfAzimuth& ray_at,
+                                     const std::vector<double>& azimuth_cosines) const;
+
+    Spectrum transmittance() const { return transmittance_; }
+
+    // Returns the light of higher orders alone, 0 if there is none.
     std::vector<Spectrum> multiple(const RayOfAzimuth& ray_at,
                                    const std::vector<double>& azimuth_cosines) const;
 
@@ -56,13 +70,17 @@ class SkyRow {
         std::size_t first_node;
     };
     void add_piece(const ray_pieces::Piece& piece);
-    void add_single(const std::vector<SkyRay>& rays, std::vector<SkyRadiance>& sums) const;
+    // Adds light that is scattered once. Sums (sky_row.cpp) collect what a place sends to the eye of
+    // a ray, layer by layer, and add it to the ray's light.
+    template <class Sums>
+    void add_single(const std::vector<SkyRay>& rays, Sums& sums) const;
+    template <class Sums>
     void add_lit_piece(const Piece& piece, const std::vector<std::size_t>& lit,
-                       const std::vector<SkyRay>& rays,
-                       const std::vector<std::vector<Spectrum>>& phases,
-                       std::vector<SkyRadiance>& sums) const;
-    void add_lit_stretch(const Piece& piece, double from_km, double to_km, const SkyRay& ray,
-                         const std::vector<Spectrum>& phases, Spectrum& sum) const;
+                       const std::vector<SkyRay>& rays, Sums& sums) const;
+    template <class Sums>
+    void add_lit_stretch(const Piece& piece, double from_km, double to_km, std::size_t index,
+                         const SkyRay& ray, Sums& sums) const;
+    Spectrum ground_of(const SkyRay& ray) const;
     int azimuth_nodes() const;
     double view_cosine(const Node& node) const;
     std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;

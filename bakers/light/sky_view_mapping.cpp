@@ -59,33 +59,42 @@ double SkyViewCamera::off_the_edges(double y) const {
 }
 
 SkyRay SkyViewCamera::ray(double y, const SunZenith& sun, double azimuth_cosine) const {
-    const double angle = angle_at(y);
-    const double r = shell_.ground_radius_km + altitude_km_;
-    const double mu = std::clamp(sine_of(angle - dip_), -1.0, 1.0);
-    const double sine = std::clamp(cosine_of(angle - dip_), 0.0, 1.0);
-    const SkyDirection direction = sky_direction(sun, mu, sine, azimuth_cosine);
-    SkyRay ray;
-    ray.altitude_km = altitude_km_;
-    ray.s_km = r * mu;
-    ray.sun_s_km = r * sun.cosine;
+    return RowOfView(*this, y, sun).ray(azimuth_cosine);
+}
+
+RowOfView::RowOfView(const SkyViewCamera& camera, double y, const SunZenith& sun) : sun_(sun) {
+    const Shell& shell = camera.shell_;
+    const double angle = camera.angle_at(y);
+    const double dip = camera.dip_;
+    const double r = shell.ground_radius_km + camera.altitude_km_;
+    mu_ = std::clamp(sine_of(angle - dip), -1.0, 1.0);
+    sine_ = std::clamp(cosine_of(angle - dip), 0.0, 1.0);
+    ray_.altitude_km = camera.altitude_km_;
+    ray_.s_km = r * mu_;
+    ray_.sun_s_km = r * sun.cosine;
+    ray_.meets_ground = SkyViewCamera::meets_ground(y);
+    if (camera.in_space()) {
+        // The ray enters where r^2 = R_top^2, passing the centre at p = r cos(dip - angle); with
+        // R_top = r cos(dip_to_top), R_top - p is a product of sines.
+        const double p = r * sine_;
+        const double top = shell.ground_radius_km + shell.thickness_km;
+        const double gap = 2 * r * sine_of(0.5 * (dip - angle + camera.dip_to_top_)) *
+                           sine_of(0.5 * (dip - angle - camera.dip_to_top_));
+        const double entry_s = -std::sqrt(std::max(gap, 0.0) * (top + p));
+        distance_km_ = entry_s - ray_.s_km;
+        ray_.altitude_km = shell.thickness_km;
+        ray_.s_km = entry_s;
+    }
+    ray_.length_km = ray_length_km(shell, ray_.altitude_km, ray_.s_km, ray_.meets_ground);
+}
+
+SkyRay RowOfView::ray(double azimuth_cosine) const {
+    const SkyDirection direction = sky_direction(sun_, mu_, sine_, azimuth_cosine);
+    SkyRay ray = ray_;
     ray.cosine_to_sun = direction.cosine_to_sun;
     ray.one_minus_cosine = direction.one_minus_cosine;
     ray.one_plus_cosine = direction.one_plus_cosine;
-    ray.meets_ground = meets_ground(y);
-    if (in_space()) {
-        // The ray enters where r^2 = R_top^2, passing the centre at p = r cos(dip - angle); with
-        // R_top = r cos(dip_to_top), R_top - p is a product of sines.
-        const double p = r * sine;
-        const double top = shell_.ground_radius_km + shell_.thickness_km;
-        const double gap = 2 * r * sine_of(0.5 * (dip_ - angle + dip_to_top_)) *
-                           sine_of(0.5 * (dip_ - angle - dip_to_top_));
-        const double entry_s = -std::sqrt(std::max(gap, 0.0) * (top + p));
-        const double distance = entry_s - ray.s_km;
-        ray.altitude_km = shell_.thickness_km;
-        ray.s_km = entry_s;
-        ray.sun_s_km += distance * ray.cosine_to_sun;
-    }
-    ray.length_km = ray_length_km(shell_, ray.altitude_km, ray.s_km, ray.meets_ground);
+    ray.sun_s_km += distance_km_ * ray.cosine_to_sun;
     return ray;
 }
 

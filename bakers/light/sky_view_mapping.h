@@ -20,6 +20,8 @@
 
 namespace skybake {
 
+class RowOfView;
+
 // A camera above a planet.
 class SkyViewCamera {
   public:
@@ -44,12 +46,29 @@ class SkyViewCamera {
     SkyRay ray(double y, const SunZenith& sun, double azimuth_cosine) const;
 
   private:
+    friend class RowOfView;
     Shell shell_;
     double altitude_km_;
     double dip_ = 0;
     double dip_to_top_ = 0;  // from space: of the edge of the air, below the horizontal
     double range_above_ = 0;
     double range_below_ = 0;
+};
+
+// The view rays at one coordinate y, for many azimuths: what they share is computed once.
+class RowOfView {
+  public:
+    RowOfView(const SkyViewCamera& camera, double y, const SunZenith& sun);
+
+    // Returns SkyViewCamera::ray.
+    SkyRay ray(double azimuth_cosine) const;
+
+  private:
+    SunZenith sun_;
+    double mu_ = 0;           // of the view at the camera
+    double sine_ = 0;         // of its zenith angle
+    double distance_km_ = 0;  // from the camera to where it enters the air
+    SkyRay ray_;              // of any azimuth, with the sun as the camera sees it
 };
 
 // Returns the v at which a lookup of y is made in a table of `rows` rows (see above).

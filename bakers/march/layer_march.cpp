@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "bakers/march/sun_leaps.h"
 
@@ -51,54 +52,68 @@ MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
     return steps;
 }
 
-LayerMarch::LayerMarch(const CloudMedium& medium, const glm::dvec3& position_m,
-                       const SunDirection& sun, const MarchSteps& steps, int threads)
-    : medium_(medium),
+LayerMarch::LayerMarch(std::vector<Layer> layers, const glm::dvec3& position_m,
+                       const SunDirection& sun, int threads)
+    : layers_(std::move(layers)),
       position_m_(position_m),
-      steps_(steps),
-      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)),
-      diffuse_(diffuse_share(medium, 4, threads)) {
-    march_.medium = &medium_;
-    march_.diffuse = &diffuse_;
-    for (std::size_t a = 0; a < 3; ++a) {
-        const double origin = position_m[a] - (a == 2 ? medium.base_m : 0);
-        march_.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
-        march_.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
+      sun_(direction_of(sun.elevation_degrees, sun.azimuth_degrees)) {
+    diffuse_.reserve(layers_.size());  // marches point to them
+    for (const Layer& layer : layers_) {
+        diffuse_.push_back(diffuse_share(*layer.medium, 4, threads));
+        marches_.push_back(march_of(layer, diffuse_.back(), sun, threads));
     }
-    march_.step_m = static_cast<float>(steps.step_m);
-    march_.light_step_m = static_cast<float>(steps.light_step_m);
+}
+
+CloudMarch LayerMarch::march_of(const Layer& layer, const DiffuseShare& diffuse,
+                                const SunDirection& sun, int threads) const {
+    const CloudMedium& medium = *layer.medium;
+    const MarchSteps& steps = layer.steps;
+    CloudMarch march;
+    march.medium = &medium;
+    march.diffuse = &diffuse;
+    glm::dvec3 light_step{};  // in voxels
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double origin = position_m_[a] - (a == 2 ? medium.base_m : 0);
+        march.origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
+        march.light_direction[a] = static_cast<float>(sun_[a] / medium.meters_per_voxel(a));
+        light_step[a] =
+            double{static_cast<float>(steps.light_step_m)} * double{march.light_direction[a]};
+    }
+    march.step_m = static_cast<float>(steps.step_m);
+    march.light_step_m = static_cast<float>(steps.light_step_m);
     if (steps.sunlit) {
-        march_.light_samples =
+        march.light_samples =
             static_cast<float>(std::ceil(sun_march_length_m(medium, sun) / steps.light_step_m));
     }
-    march_.leaping = steps.leaping;
-    if (steps.leaping) march_.sun_leaps = leaps_towards_sun(threads);
-}
-
-std::vector<float> LayerMarch::leaps_towards_sun(int threads) const {
-    const auto& direction = march_.light_direction;
-    const glm::dvec3 step =
-        double{march_.light_step_m} * glm::dvec3(direction[0], direction[1], direction[2]);
-    return sun_leaps(medium_.leaps, medium_.volume.size, step,
-                     static_cast<int>(march_.light_samples), threads);
-}
-
-void LayerMarch::set_ray(RayBlock& block, std::size_t i, const glm::dvec3& direction, float jitter,
-                         float light_jitter) const {
-    const RaySpan span = span_in_layer(medium_, position_m_, direction, steps_.reach_m);
-    for (std::size_t a = 0; a < 3; ++a) {
-        block.direction[a][i] = static_cast<float>(direction[a] / medium_.meters_per_voxel(a));
+    march.leaping = steps.leaping;
+    if (steps.leaping) {
+        march.sun_leaps = sun_leaps(medium.leaps, medium.volume.size, light_step,
+                                    static_cast<int>(march.light_samples), threads);
     }
-    block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
-    block.jitter[i] = jitter;
-    block.light_jitter[i] = light_jitter;
-    block.first[i] = 0;
-    block.end[i] = 0;
-    if (span.first_m > span.last_m) return;  // no samples
-    // One sample is added on each side; the march checks whether samples are inside.
-    block.first[i] =
-        static_cast<float>(std::max(std::floor(span.first_m / steps_.step_m) - 1, 0.0));
-    block.end[i] = static_cast<float>(std::ceil(span.last_m / steps_.step_m) + 1);
+    return march;
+}
+
+void LayerMarch::set_ray(std::span<RayBlock> blocks, std::size_t i, const glm::dvec3& direction,
+                         float jitter, float light_jitter) const {
+    for (std::size_t l = 0; l < layers_.size(); ++l) {
+        const CloudMedium& medium = *layers_[l].medium;
+        const MarchSteps& steps = layers_[l].steps;
+        RayBlock& block = blocks[l];
+        const RaySpan span = span_in_layer(medium, position_m_, direction, steps.reach_m);
+        for (std::size_t a = 0; a < 3; ++a) {
+            block.direction[a][i] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
+        }
+        block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
+        block.jitter[i] = jitter;
+        block.light_jitter[i] = light_jitter;
+        block.first[i] = 0;
+        block.end[i] = 0;
+        if (span.first_m > span.last_m) continue;  // no samples
+        // One sample is added on each side; the march checks whether samples are inside.
+        block.first[i] =
+            static_cast<float>(std::max(std::floor(span.first_m / steps.step_m) - 1, 0.0));
+        block.end[i] = static_cast<float>(std::ceil(span.last_m / steps.step_m) + 1);
+    }
 }
 
 }  // namespace skybake

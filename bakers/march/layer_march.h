@@ -1,5 +1,5 @@
-// Marches rays from one place through a layer of clouds, which is flat and repeats along x and y
-// unless the medium says otherwise.
+// Marches rays from one place through layers of clouds, which are flat and repeat along x and y
+// unless a medium says otherwise.
 //
 // Directions are in the layer's coordinates: x and y along the ground, z up. Samples of a ray are
 // `step_m` apart. Each ray shifts them by a jitter of its own, and those towards the sun by another.
@@ -8,6 +8,8 @@
 #include <array>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <span>
+#include <vector>
 
 #include "bakers/march/cloud_medium.h"
 #include "bakers/march/cloud_rays.h"
@@ -71,36 +73,49 @@ struct MarchSteps {
 // which a layer that repeats shows no more.
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun);
 
+// Layers of clouds as rays from one place see them. They may overlap in altitude.
 class LayerMarch {
   public:
-    // `medium` must outlive this object.
-    LayerMarch(const CloudMedium& medium, const glm::dvec3& position_m, const SunDirection& sun,
-               const MarchSteps& steps, int threads);
-    // The march refers to members of this object.
+    // A layer and the steps through it.
+    struct Layer {
+        const CloudMedium* medium = nullptr;  // must outlive this object
+        MarchSteps steps;
+    };
+    LayerMarch(std::vector<Layer> layers, const glm::dvec3& position_m, const SunDirection& sun,
+               int threads);
+    // The marches refer to members of this object.
     LayerMarch(const LayerMarch&) = delete;
     LayerMarch& operator=(const LayerMarch&) = delete;
 
-    // The share of diffuse light that passes the layer.
-    double through() const { return diffuse_.through; }
+    std::size_t layers() const { return layers_.size(); }
 
-    // Sets ray i of a block. Jitters are in [0, 1].
-    void set_ray(RayBlock& block, std::size_t i, const glm::dvec3& direction, float jitter,
-                 float light_jitter) const;
+    // The share of diffuse light that passes a layer.
+    double through(std::size_t layer) const { return diffuse_[layer].through; }
 
-    // Any thread may call it.
-    void march(const RayBlock& block, RayResults& results, FetchCounts& counts) const {
-        march_cloud_rays({&march_, 1}, {&block, 1}, {&results, 1}, counts);
+    // Sets ray i of the blocks, one for each layer. Jitters are in [0, 1].
+    void set_ray(std::span<RayBlock> blocks, std::size_t i, const glm::dvec3& direction,
+                 float jitter, float light_jitter) const;
+
+    // March rays through all layers, in the order of depth, or through one of them alone. Any thread
+    // may call them.
+    void march(std::span<const RayBlock> blocks, std::span<RayResults> results,
+               FetchCounts& counts) const {
+        march_cloud_rays(marches_, blocks, results, counts);
+    }
+    void march_one(std::size_t layer, const RayBlock& block, RayResults& results,
+                   FetchCounts& counts) const {
+        march_cloud_rays({&marches_[layer], 1}, {&block, 1}, {&results, 1}, counts);
     }
 
   private:
-    std::vector<float> leaps_towards_sun(int threads) const;
+    CloudMarch march_of(const Layer& layer, const DiffuseShare& diffuse, const SunDirection& sun,
+                        int threads) const;
 
-    const CloudMedium& medium_;
+    std::vector<Layer> layers_;
     glm::dvec3 position_m_;
-    MarchSteps steps_;
     glm::dvec3 sun_;
-    DiffuseShare diffuse_;
-    CloudMarch march_;
+    std::vector<DiffuseShare> diffuse_;
+    std::vector<CloudMarch> marches_;
 };
 
 }  // namespace skybake

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 #include <string>
@@ -17,6 +18,7 @@
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
@@ -87,23 +89,25 @@ const std::array environment_table = {
     EnvironmentField{layers_field, &EnvironmentBake::layers},
     EnvironmentField{
         {.key = "clouds",
-         .kind = Kind::text,
+         .kind = Kind::text_list,
          .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
-                          "sky; without it, the sky is clear"},
+                          "sky, or a list of them, one for each layer; without it, the sky is "
+                          "clear",
+         .hint = "[\"cumulus\", \"cirrus\"]"},
         &EnvironmentBake::clouds},
     EnvironmentField{
         needing_clouds({.key = "camera_x",
                         .kind = Kind::length,
                         .range = camera_place_range,
                         .fallback = R"("0 m")",
-                        .documentation = "x of the camera, from the corner of the clouds' tile"}),
+                        .documentation = "x of the camera, from the corner of the clouds' tiles"}),
         &EnvironmentBake::camera_x},
     EnvironmentField{
         needing_clouds({.key = "camera_y",
                         .kind = Kind::length,
                         .range = camera_place_range,
                         .fallback = R"("0 m")",
-                        .documentation = "y of the camera, from the corner of the clouds' tile"}),
+                        .documentation = "y of the camera, from the corner of the clouds' tiles"}),
         &EnvironmentBake::camera_y},
     EnvironmentField{
         needing_clouds(
@@ -204,12 +208,31 @@ struct EnvironmentResolver {
                "give `mips`, for instance 6");
     }
 
-    void check_clouds(const Cloud* cloud) const {
-        if (cloud && cloud->channels != CloudChannels::density) {
-            refuse("clouds",
-                   fmt::format("`{}` needs a volume of densities", join_path(bake.path, "clouds")),
-                   "the cloud's `channels` are noise");
+    // Refuses clouds whose values are no densities.
+    void check_cloud(const std::string& name) const {
+        const CloudVolumeBake* volume = find_volume_named(bake, "clouds", name, recipe, decoder);
+        const Cloud* cloud = volume ? find_cloud(*volume, recipe) : nullptr;
+        if (!cloud || cloud->channels == CloudChannels::density) return;
+        refuse("clouds",
+               fmt::format("`{}` needs volumes of densities", join_path(bake.path, "clouds")),
+               fmt::format("`channels` of the cloud of `{}` are noise", shorten(name)));
+    }
+
+    void check_clouds(const std::vector<std::string>& names) const {
+        for (auto name = names.begin(); name != names.end(); ++name) {
+            if (std::find(names.begin(), name, *name) == name) {
+                check_cloud(*name);
+            } else {
+                refuse("clouds",
+                       fmt::format("`{}` has `{}` twice", join_path(bake.path, "clouds"),
+                                   shorten(*name)),
+                       "name each layer once");
+            }
         }
+        check_camera_in_air();
+    }
+
+    void check_camera_in_air() const {
         const auto* altitude = given_value<double>(bake.at("altitude"));
         const Atmosphere& air = recipe.parameters.atmosphere;
         const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
@@ -226,15 +249,15 @@ void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decode
     const EnvironmentResolver resolver{bake, recipe, decoder};
     resolver.resolve_size();
     resolver.check_levels();
-    const std::string* clouds = text_of(bake.at("clouds"));
-    if (!clouds || clouds->empty()) return;
-    const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder, "clouds");
-    resolver.check_clouds(volume ? find_cloud(*volume, recipe) : nullptr);
+    const auto* clouds = given_value<std::vector<std::string>>(bake.at("clouds"));
+    if (clouds && !clouds->empty()) resolver.check_clouds(*clouds);
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake& bake) {
     std::vector<Read> reads = reads_of_air(parameters, Roles::all());
-    if (bake.has_clouds()) append(reads_of_source_volume(parameters, bake.clouds), reads);
+    for (const std::string& clouds : bake.clouds) {
+        append(reads_of_source_volume(parameters, clouds), reads);
+    }
     return reads;
 }
 

@@ -30,8 +30,9 @@ struct EnvironmentBake : LightFiles {
     Angle sun_azimuth;  // to the right of straight ahead
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
-    std::string clouds;  // NAME of a [bake.NAME] with asset = "cloud_volume"; empty: a clear sky
-    Length camera_x;     // of the camera, from the corner of the clouds' tile
+    // NAMEs of [bake.NAME] with asset = "cloud_volume", of a layer each; empty: a clear sky.
+    std::vector<std::string> clouds;
+    Length camera_x;  // of the camera, from the corner of the clouds' tiles
     Length camera_y;
     int samples = 2;  // rays through the clouds along each edge of a texel
     SunInMap sun = SunInMap::none;

@@ -65,14 +65,19 @@ std::vector<std::string> channels_of(const CloudVolumeBake& volume, const Recipe
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
                                           Decoder& decoder, std::string_view key) {
     const std::string* name = text_of(bake.at(key));
-    if (!name) return nullptr;
-    const Bake* found = find_by_name(recipe.bakes, *name);
+    return name ? find_volume_named(bake, key, *name, recipe, decoder) : nullptr;
+}
+
+const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,
+                                         const std::string& name, const RecipeSoFar& recipe,
+                                         Decoder& decoder) {
+    const Bake* found = find_by_name(recipe.bakes, name);
     const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
     const auto& unreadable = recipe.unreadable;
     const bool is_reported =
-        std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+        std::find(unreadable.begin(), unreadable.end(), name) != unreadable.end();
     if (!volume && !is_reported && decoder.complete) {
-        report_no_volume(bake, key, recipe, *name, found != nullptr, decoder);
+        report_no_volume(bake, key, recipe, name, found != nullptr, decoder);
     }
     return volume;
 }

@@ -36,6 +36,11 @@ inline constexpr Range cell_range{1, 16};
 const CloudVolumeBake* find_source_volume(const DecodedSection& bake, const RecipeSoFar& recipe,
                                           Decoder& decoder, std::string_view key = "of");
 
+// Returns the volume of that name, which stands in the value of `key`, as find_source_volume does.
+const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string_view key,
+                                         const std::string& name, const RecipeSoFar& recipe,
+                                         Decoder& decoder);
+
 // Reports a channel that the volume does not have (E0134).
 void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& volume,
                           const RecipeSoFar& recipe, Decoder& decoder);

@@ -496,8 +496,9 @@ constexpr std::array codes = {
         usage},
     DiagnosticCode{
         "E0172", "environment that cannot be made",
-        "Keys of an environment contradict each other. Clouds are volumes of densities, and "
-        "the camera below or above them is in the air. Faces of a cube and octahedra halve to four "
+        "Keys of an environment contradict each other. Clouds are volumes of densities, each of "
+        "which is named once, and the camera below or above them is in the air. Faces of a cube "
+        "and octahedra halve to four "
         "texels at least. Levels of roughness need `mips` above 1, "
         "since the first level is the map itself. Programs that `target` names load the mapping "
         "longitude_latitude alone.",

@@ -125,14 +125,19 @@ std::optional<std::vector<std::string>> split_path(std::string_view path) {
     }
 }
 
+// Name by name, since most paths differ in their first one.
 bool path_matches(std::string_view path, std::string_view pattern) {
-    const auto names = split_path(path);
-    const auto wanted = split_path(pattern);
-    if (!names || !wanted || names->size() != wanted->size()) return false;
-    for (std::size_t i = 0; i < names->size(); ++i) {
-        if ((*wanted)[i] != "*" && (*wanted)[i] != (*names)[i]) return false;
+    std::size_t at = 0;
+    std::size_t wanted_at = 0;
+    while (true) {
+        const std::optional<std::string> name = read_name(path, at);
+        const std::optional<std::string> wanted = read_name(pattern, wanted_at);
+        if (!name || !wanted || (*wanted != "*" && *wanted != *name)) return false;
+        if (at == path.size() || wanted_at == pattern.size()) {
+            return at == path.size() && wanted_at == pattern.size();
+        }
+        if (path[at++] != '.' || pattern[wanted_at++] != '.') return false;
     }
-    return true;
 }
 
 std::string printable(std::string_view text) {

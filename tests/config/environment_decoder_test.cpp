@@ -90,5 +90,19 @@ TEST(EnvironmentDecoder, CloudsAreAVolumeOfTheRecipe) {
     EXPECT_EQ(faults(around + "clouds = 'v'\naltitude = '200 km'" + cloud), Codes{"E0172 4:10"});
 }
 
+TEST(EnvironmentDecoder, CloudsAreAListOfLayers) {
+    const std::string second =
+        "\n[bake.high]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 16]";
+    const auto names_of = [&](const std::string& clouds) {
+        return environment_of(around + "clouds = " + clouds + cloud + second).clouds;
+    };
+    EXPECT_EQ(names_of("'v'"), Codes{"v"});
+    EXPECT_EQ(names_of("['v', 'high']"), (Codes{"v", "high"}));
+    EXPECT_EQ(names_of("['high', 'v']"), (Codes{"high", "v"}));
+    EXPECT_EQ(faults(around + "clouds = ['v', 'w']" + cloud), Codes{"E0133 4:10"});
+    EXPECT_EQ(faults(around + "clouds = ['v', 'v']" + cloud), Codes{"E0172 4:10"});
+    EXPECT_FALSE(environment_of(around).has_clouds());
+}
+
 }  // namespace
 }  // namespace skybake::config

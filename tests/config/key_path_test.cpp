@@ -42,6 +42,10 @@ TEST(KeyPath, MatchesPatterns) {
     EXPECT_FALSE(path_matches("atmosphere.layers.mie.g", "atmosphere.layers.*"));
     EXPECT_FALSE(path_matches("atmosphere.layers", "atmosphere.layers.*"));
     EXPECT_FALSE(path_matches("a.b", "a.c"));
+    EXPECT_FALSE(path_matches("a.b.c", "a.b"));
+    EXPECT_FALSE(path_matches("a.b", "a.b.c"));
+    EXPECT_FALSE(path_matches("a.b.", "a.b"));
+    EXPECT_FALSE(path_matches("a.b", ""));
 }
 
 TEST(KeyPath, MakesTextPrintable) {

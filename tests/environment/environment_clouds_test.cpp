@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -52,17 +53,21 @@ EnvironmentBake bake_of(std::array<int, 2> size, double sun) {
     EnvironmentBake bake;
     bake.size = size;
     bake.sun_elevation = {sun * kDegree};
-    bake.clouds = "clouds";
+    bake.clouds = {"clouds"};
     return bake;
 }
 
-Baked baked(const EnvironmentBake& bake, const CloudMedium* medium,
+using Media = std::span<const CloudMedium>;
+
+Media only(const CloudMedium& medium) { return {&medium, 1}; }
+
+Baked baked(const EnvironmentBake& bake, Media media,
             Certification certification = Certification::off, int threads = 1) {
     Baked table;
     table.name = "around";
     table.channel_names = {"R", "G", "B"};
     auto outcome = bake_environment(
-        earth().light(), bake, {.threads = threads, .certification = certification}, table, medium);
+        earth().light(), bake, {.threads = threads, .certification = certification}, table, media);
     if (!outcome.value) throw std::runtime_error(outcome.diagnostics.front().message);
     return std::move(*outcome.value);
 }
@@ -78,7 +83,7 @@ TEST(EnvironmentClouds, TransmitByBeersLawHoweverThick) {
             layer_of({64, 64, 32}, extinction, [](double, double, double) { return 1; });
         const EnvironmentBake bake = bake_of({4, 2}, 30);
         const EnvironmentLayout layout(bake.mapping, bake.size);
-        const CloudsAround clouds(slab, bake, layout, true, {.threads = 1});
+        const CloudsAround clouds(only(slab), bake, layout, true, {.threads = 1});
         for (const double elevation : {90.0, 50.0, 20.0}) {
             const double depth = 1000 * extinction / std::sin(elevation * kDegree);
             if (depth > 150) continue;
@@ -93,8 +98,8 @@ TEST(EnvironmentClouds, TransmitByBeersLawHoweverThick) {
 TEST(EnvironmentClouds, NothingChangesTheClearSky) {
     const CloudMedium nothing = layer_of({8, 8, 4}, 0.1, [](double, double, double) { return 0; });
     const EnvironmentBake bake = bake_of({64, 32}, 20);
-    const Image2<float> with = baked(bake, &nothing).image();
-    const Image2<float> without = baked(bake, nullptr).image();
+    const Image2<float> with = baked(bake, only(nothing)).image();
+    const Image2<float> without = baked(bake, {}).image();
     for (std::size_t i = 0; i < with.texels.size(); ++i) {
         EXPECT_NEAR(with.texels[i], without.texels[i], 2e-3 * without.texels[i]);
     }
@@ -115,7 +120,7 @@ TEST(EnvironmentClouds, StandWhereTheLayerHasThem) {
         bake.camera_x = {2000};
         bake.camera_y = {2000};
         const EnvironmentLayout layout(bake.mapping, bake.size);
-        const CloudsAround clouds(medium, bake, layout, true, {.threads = 1});
+        const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
         double sum = 0;
         double moment = 0;
         for (int x = 0; x < 64; ++x) {
@@ -139,7 +144,7 @@ TEST(EnvironmentClouds, TexelsAreMeansOfTheirSolidAngle) {
     EnvironmentBake bake = bake_of({48, 24}, 35);
     bake.samples = 4;
     const EnvironmentLayout layout(bake.mapping, bake.size);
-    const CloudsAround clouds(medium, bake, layout, true, {.threads = 1});
+    const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
     double squares = 0;
     double transmitted = 0;
     double expected = 0;
@@ -163,14 +168,15 @@ TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
     bake.sun_azimuth = {30 * kDegree};
     bake.samples = 8;
     const EnvironmentLayout layout(bake.mapping, bake.size);
-    const CloudsAround clouds(medium, bake, layout, true, {.threads = 1});
+    const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
     CloudViewSettings settings;
     settings.sun = {35, -30};
     settings.reach_m = clouds.reach_m();
     const DiffuseShare diffuse = diffuse_share(medium, 4, 1);
     constexpr int kEdge = 4;
     for (const auto& [column, row] : {std::pair{3, 1}, {12, 2}, {20, 3}}) {
-        SeenClouds mean{0, 0, 0, 0, 0, 0};
+        SeenLayer mean;
+        double transmittance = 0;
         double weights = 0;
         for (int k = 0; k < kEdge * kEdge; ++k) {
             const double x = (column + (k % kEdge + 0.5) / kEdge) / 24;
@@ -185,12 +191,13 @@ TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
             mean.sun_at_top += weight * ray.sun_at_top;
             mean.from_sky += weight * ray.from_sky;
             mean.from_ground += weight * ray.from_ground;
-            mean.transmittance += weight * ray.transmittance;
+            transmittance += weight * ray.transmittance;
             weights += weight;
         }
-        const SeenClouds found = clouds.texel(0, column, row);
+        const SeenClouds seen = clouds.texel(0, column, row);
+        const SeenLayer& found = seen.layers.at(0);
         const double sun = found.sun_at_base + found.sun_at_top;
-        EXPECT_NEAR(found.transmittance, mean.transmittance / weights, 0.03);
+        EXPECT_NEAR(seen.transmittance, transmittance / weights, 0.03);
         EXPECT_NEAR(sun * weights / (mean.sun_at_base + mean.sun_at_top), 1, 0.1);
         EXPECT_NEAR(found.from_sky, mean.from_sky / weights, 0.03);
         EXPECT_NEAR(found.from_ground, mean.from_ground / weights, 0.03);
@@ -200,13 +207,13 @@ TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
 TEST(EnvironmentClouds, AreTheSameOnAnyNumberOfThreads) {
     const CloudMedium medium = layer_of({16, 16, 8}, 0.02, uneven);
     const EnvironmentBake bake = bake_of({40, 20}, 35);
-    EXPECT_EQ(baked(bake, &medium, Certification::off, 1).image().texels,
-              baked(bake, &medium, Certification::off, 3).image().texels);
+    EXPECT_EQ(baked(bake, only(medium), Certification::off, 1).image().texels,
+              baked(bake, only(medium), Certification::off, 3).image().texels);
 }
 
 TEST(EnvironmentClouds, CertifyWhatLookupsMiss) {
     const CloudMedium medium = layer_of({16, 16, 8}, 0.02, uneven);
-    const Baked map = baked(bake_of({32, 16}, 35), &medium, Certification::quick);
+    const Baked map = baked(bake_of({32, 16}, 35), only(medium), Certification::quick);
     EXPECT_TRUE(map.certified);
     EXPECT_GT(map.certificate.texel.max, 1e-4);
     EXPECT_LT(map.certificate.texel.rms, 0.1);
@@ -220,7 +227,7 @@ TEST(EnvironmentClouds, DimTheDiscOfTheSun) {
             layer_of({64, 64, 32}, extinction, [](double, double, double) { return 1; });
         const EnvironmentBake bake = bake_of({4, 2}, 90);
         const EnvironmentLayout layout(bake.mapping, bake.size);
-        const CloudsAround clouds(slab, bake, layout, true, {.threads = 1});
+        const CloudsAround clouds(only(slab), bake, layout, true, {.threads = 1});
         return irradiance_of(sun_points(earth().light(), bake, &clouds), LitSurface::facing_sun,
                              3)[1];
     };
@@ -239,7 +246,7 @@ TEST(EnvironmentClouds, HardCasesAreFinite) {
                 bake.altitude = {altitude};
                 bake.samples = 1;
                 bake.sun = config::SunInMap::disc;
-                const Baked map = baked(bake, &medium);
+                const Baked map = baked(bake, only(medium));
                 for (const float texel : map.image().texels) {
                     EXPECT_TRUE(std::isfinite(texel) && texel >= 0)
                         << texel << " " << extinction << " " << sun << " " << altitude;

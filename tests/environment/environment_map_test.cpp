@@ -267,5 +267,25 @@ TEST(EnvironmentMap, CertifiesPartsOfACube) {
     }
 }
 
+// Of an evenly bright disc of radius R the mean square distance from the middle is R^2 / 2. All of it is
+// in the texel in whose middle the sun stands.
+TEST(EnvironmentMap, TheDiscIsEvenAndInItsTexel) {
+    EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {36, 18}, 45);
+    bake.sun_azimuth = {-115 * kDegree};
+    const auto points = sun_points(earth().light(), bake, nullptr);
+    const glm::dvec3 middle = direction_of_angles({-115 * kDegree, 45 * kDegree});
+    double squares = 0;
+    for (const SunPoint& point : points) {
+        squares += std::pow(2 * std::asin(glm::length(point.direction - middle) / 2), 2);
+    }
+    const double radius = kSunRadius_deg * kDegree;
+    EXPECT_NEAR(squares / static_cast<double>(points.size()) / (radius * radius), 0.5, 1e-3);
+    Image2<double> map(36, 18, 3);
+    add_sun_points(points, {bake.mapping, bake.size}, map);
+    for (int y = 0; y < 18; ++y) {
+        for (int x = 0; x < 36; ++x) EXPECT_EQ(map.texel(x, y)[1] > 0, x == 6 && y == 4);
+    }
+}
+
 }  // namespace
 }  // namespace skybake

@@ -99,7 +99,7 @@ struct KeyedContent {
 class ChangedRecipe {
   public:
     explicit ChangedRecipe(std::string text)
-        : text_(std::move(text)), recipe_(recipe_of(text_, kMaps)) {
+        : text_(std::move(text)), recipe_(recipe_of(text_, kMaps)), spelt_(spelt(recipe_)) {
         for (const config::Bake& bake : recipe_.parameters.bakes) {
             known_[bake.name] = {key_of(recipe_, bake), content_of(recipe_, bake)};
         }
@@ -127,7 +127,7 @@ class ChangedRecipe {
         const auto made =
             config::parse_recipe(text_, "recipe.toml", kMaps, std::vector<std::string>{setting});
         if (!made.value || made.value->parameters.bakes.size() != known_.size()) return false;
-        if (spelt(*made.value) == spelt(recipe_)) return false;
+        if (spelt(*made.value) == spelt_) return false;
         compare(*made.value, path, setting);
         return true;
     }
@@ -162,6 +162,7 @@ class ChangedRecipe {
 
     std::string text_;
     Recipe recipe_;
+    std::string spelt_;
     std::map<std::string, KeyedContent> known_;
 };
 

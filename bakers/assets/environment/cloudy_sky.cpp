@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <numbers>
+#include <optional>
 #include <vector>
 
-#include "bakers/assets/sky_view/sky_view_table.h"
+#include "bakers/assets/environment/wide_sky.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
@@ -28,7 +29,7 @@ Spectrum mean_of_hemisphere(const SkyLight& light, double altitude_m, const SunZ
     constexpr int kSlices = 48;
     constexpr int kAzimuths = 32;
     const SkyViewCamera camera(light.shell(), clamped_altitude_km(light, altitude_m));
-    const TableModel model = sky_view_model(light, camera, sun);
+    const TableModel model = wide_sky_model(light, camera, sun);
     std::vector<double> azimuths;
     for (int i = 0; i < kAzimuths; ++i) azimuths.push_back((i + 0.5) / kAzimuths);
     std::vector<Spectrum> means(kSlices);
@@ -70,18 +71,30 @@ CloudySky::CloudySky(const SkyLight& light, const SkyViewCamera& camera, double 
                      const BakeOptions& options)
     : camera_(camera),
       sun_azimuth_(sun_azimuth),
-      sky_model_(sky_view_model(light, camera, sun)),
-      air_model_(sky_view_model(light, camera, sun, SeenGround::black)),
+      sky_model_(wide_sky_model(light, camera, sun)),
+      air_model_(wide_sky_model(light, camera, sun, SeenGround::black)),
       sky_(sky_model_, camera, options),
       air_(air_model_, camera, options),
       depths_(depths_of(light, altitude_km, clouds.reach_m())),
-      channels_(light.medium().air.channels) {
-    const CloudMedium& medium = clouds.medium();
-    const double top_m = medium.base_m + medium.extent_m[2];
-    sun_at_base_ = sunlight_on_layer(light, medium.base_m, sun);
-    sun_at_top_ = sunlight_on_layer(light, top_m, sun);
-    from_sky_ = mean_of_hemisphere(light, top_m, sun, true, options);
-    from_ground_ = clouds.through() * mean_of_hemisphere(light, medium.base_m, sun, false, options);
+      channels_(light.medium().air.channels),
+      lights_(lights_of(light, sun, clouds, options)) {}
+
+std::vector<CloudySky::LayerLight> CloudySky::lights_of(const SkyLight& light, const SunZenith& sun,
+                                                        const CloudsAround& clouds,
+                                                        const BakeOptions& options) {
+    std::vector<LayerLight> lights;
+    double through = 1;
+    for (const CloudMedium* medium : clouds.media()) {
+        const double top_m = medium->base_m + medium->extent_m[2];
+        LayerLight& of_layer = lights.emplace_back();
+        of_layer.sun_at_base = sunlight_on_layer(light, medium->base_m, sun);
+        of_layer.sun_at_top = sunlight_on_layer(light, top_m, sun);
+        of_layer.from_sky = through * mean_of_hemisphere(light, top_m, sun, true, options);
+        of_layer.from_ground = mean_of_hemisphere(light, medium->base_m, sun, false, options);
+        through *= clouds.through(lights.size() - 1);
+    }
+    for (LayerLight& of_layer : lights) of_layer.from_ground *= through;
+    return lights;
 }
 
 Spectrum CloudySky::sky_at(const TableModel& model, const SkyAround& around, double elevation,
@@ -101,21 +114,31 @@ Spectrum CloudySky::radiance(const glm::dvec3& direction, const SeenClouds& seen
     const MapAngles angles = angles_of(direction);
     const double half_turns = (angles.azimuth - sun_azimuth_) / std::numbers::pi;
     const Spectrum sky = sky_at(sky_model_, sky_, angles.elevation, half_turns, exact);
-    const double opacity = 1 - seen.transmittance;
-    if (!(opacity > 0)) return sky;
-    const Spectrum air = sky_at(air_model_, air_, angles.elevation, half_turns, exact);
-    const Spectrum cloud = sun_at_base_ * seen.sun_at_base + sun_at_top_ * seen.sun_at_top +
-                           from_sky_ * seen.from_sky + from_ground_ * seen.from_ground;
-    const double height = std::clamp(0.5 + angles.elevation / std::numbers::pi, 0.0, 1.0);
-    const AirDepths::Depths depths = depths_.at(height, seen.distance_m / opacity);
-    Spectrum result = seen.transmittance * sky;
+    Spectrum sum = seen.transmittance * sky;
+    std::optional<Spectrum> air;
+    for (std::size_t l = 0; l < seen.layers.size(); ++l) {
+        if (!(seen.layers[l].opacity > 0)) continue;
+        if (!air) air = sky_at(air_model_, air_, angles.elevation, half_turns, exact);
+        sum += light_of_layer(lights_[l], seen.layers[l], angles.elevation, *air);
+    }
+    return sum;
+}
+
+Spectrum CloudySky::light_of_layer(const LayerLight& light, const SeenLayer& seen, double elevation,
+                                   const Spectrum& air) const {
+    const Spectrum cloud = light.sun_at_base * seen.sun_at_base +
+                           light.sun_at_top * seen.sun_at_top + light.from_sky * seen.from_sky +
+                           light.from_ground * seen.from_ground;
+    const double height = std::clamp(0.5 + elevation / std::numbers::pi, 0.0, 1.0);
+    const AirDepths::Depths depths = depths_.at(height, seen.distance_m / seen.opacity);
+    Spectrum sum{};
     for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
         const double near = exponential(-depths.near[c]);
         const double far = exponential(-depths.whole[c]);
         const double share = far < 1 ? std::min(1.0, (1 - near) / (1 - far)) : 0;
-        result[c] += near * cloud[c] + opacity * share * air[c];
+        sum[c] = near * cloud[c] + seen.opacity * share * air[c];
     }
-    return result;
+    return sum;
 }
 
 }  // namespace skybake

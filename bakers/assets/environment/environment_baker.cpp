@@ -38,22 +38,21 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
     });
     return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
         Baked table = labelled_light_table(parameters, std::move(label));
-        if (!asset.has_clouds()) return bake_environment(found, asset, options, std::move(table));
-        const Outcome<CloudMedium> medium =
+        const Outcome<std::vector<CloudMedium>> media =
             clouds_of_environment(parameters, asset, options, table.details);
-        if (!medium.value) return Outcome<Baked>{{}, medium.diagnostics};
-        return bake_environment(found, asset, options, std::move(table), &*medium.value);
+        if (!media.value) return Outcome<Baked>{{}, media.diagnostics};
+        return bake_environment(found, asset, options, std::move(table), *media.value);
     });
 }
 
-const CloudVolumeBake& clouds_of(const Parameters& parameters, const EnvironmentBake& asset) {
-    return bake_named(parameters, asset.clouds).as<CloudVolumeBake>();
+const CloudVolumeBake& volume_named(const Parameters& parameters, const std::string& name) {
+    return bake_named(parameters, name).as<CloudVolumeBake>();
 }
 
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
     std::vector<Need> needs = light_needs(parameters, asset.orders, true);
-    if (asset.has_clouds()) {
-        for (Need& need : needs_of_voxels(parameters, clouds_of(parameters, asset))) {
+    for (const std::string& clouds : asset.clouds) {
+        for (Need& need : needs_of_voxels(parameters, volume_named(parameters, clouds))) {
             needs.push_back(std::move(need));
         }
     }
@@ -63,14 +62,17 @@ std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& ass
 Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
     Estimate result =
         estimate_texels(asset, asset.size, 3e-6, 0.3 + seconds_to_solve(asset.orders));
-    if (!asset.has_clouds()) return result;
     constexpr double kSecondsPerRay = 4e-6;
-    const CloudVolumeBake& of = clouds_of(parameters, asset);
-    const Estimate voxels = estimate_cloud_volume(parameters, of);
     const double texels = double(asset.size[0]) * asset.size[1];
-    result.seconds += voxels.seconds + kSecondsPerRay * texels * asset.samples * asset.samples / 2;
-    // The voxels, as they are made and as they are marched, and what texels see of them.
-    result.memory_mib += voxels.memory_mib + (8 * voxels_of(of.size, 1) + 24 * texels) / kMebibyte;
+    const double rays = texels * asset.samples * asset.samples / 2;
+    for (const std::string& clouds : asset.clouds) {
+        const CloudVolumeBake& of = volume_named(parameters, clouds);
+        const Estimate voxels = estimate_cloud_volume(parameters, of);
+        result.seconds += voxels.seconds + kSecondsPerRay * rays;
+        // The voxels, as they are made and as they are marched, and what texels see of them.
+        result.memory_mib +=
+            voxels.memory_mib + (8 * voxels_of(of.size, 1) + 24 * texels) / kMebibyte;
+    }
     return result;
 }
 
@@ -181,8 +183,13 @@ void draft(EnvironmentBake& asset, int) {
 }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBake& asset) {
-    if (!asset.has_clouds()) return {};
-    return cloud_volume_inputs(parameters, clouds_of(parameters, asset));
+    std::vector<InputFile> files;
+    for (const std::string& clouds : asset.clouds) {
+        for (InputFile& file : cloud_volume_inputs(parameters, volume_named(parameters, clouds))) {
+            files.push_back(std::move(file));
+        }
+    }
+    return files;
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ using config::Outcome;
 
 namespace {
 
-constexpr int kChannelsSeen = 6;
+constexpr int kChannelsOfLayer = 6;
 constexpr int kReferenceEdge = 8;
 // Cells of voxels that rays leap over.
 constexpr int kLeapCell = 4;
@@ -52,39 +52,71 @@ glm::dvec3 position_of(const EnvironmentBake& bake) {
     return {bake.camera_x.meters, bake.camera_y.meters, bake.altitude.meters};
 }
 
-MarchSteps march_steps_of(const CloudMedium& medium, const EnvironmentBake& bake, bool sunlit,
-                          double finer) {
-    MarchSteps steps = usual_steps(medium, sun_direction_of(bake));
-    steps.step_m /= finer;
-    steps.light_step_m /= finer;
-    steps.sunlit = sunlit;
-    return steps;
+// Returns layers in an order that no list of them changes: samples of two layers at the same distance
+// are taken in this order.
+std::vector<const CloudMedium*> downwards(std::span<const CloudMedium> media) {
+    std::vector<const CloudMedium*> sorted;
+    for (const CloudMedium& medium : media) sorted.push_back(&medium);
+    const auto middle_m = [](const CloudMedium* medium) {
+        return medium->base_m + 0.5 * medium->extent_m[2];
+    };
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const CloudMedium* a, const CloudMedium* b) {
+        return middle_m(a) > middle_m(b);
+    });
+    return sorted;
 }
 
-// Adds what a ray saw, with a weight.
-void add(const RayResults& results, std::size_t ray, double weight, SeenClouds& sum) {
+// Returns the layers with their usual steps, or with steps that are so many times shorter.
+std::vector<LayerMarch::Layer> layers_of(std::span<const CloudMedium* const> media,
+                                         const EnvironmentBake& bake, bool sunlit, double finer) {
+    std::vector<LayerMarch::Layer> layers;
+    for (const CloudMedium* medium : media) {
+        MarchSteps steps = usual_steps(*medium, sun_direction_of(bake));
+        steps.step_m /= finer;
+        steps.light_step_m /= finer;
+        steps.sunlit = sunlit;
+        layers.push_back({medium, steps});
+    }
+    return layers;
+}
+
+// Adds what a ray saw of a layer, with a weight.
+void add(const RayResults& results, std::size_t ray, double weight, SeenLayer& sum) {
     sum.sun_at_base += weight * double{results.sun_at_base[ray]};
     sum.sun_at_top += weight * double{results.sun_at_top[ray]};
     sum.from_sky += weight * double{results.from_sky[ray]};
     sum.from_ground += weight * double{results.from_ground[ray]};
-    sum.transmittance += weight * double{results.transmittance[ray]};
+    sum.opacity += weight * double{results.opacity[ray]};
     sum.distance_m += weight * double{results.distance_m[ray]};
 }
 
-// The mean of some rays.
-struct SeenMean {
-    SeenClouds sum{0, 0, 0, 0, 0, 0};
-    double weights = 0;
+// Rays through all layers, and what they see of each.
+struct LayerRays {
+    std::vector<RayBlock> blocks;
+    std::vector<RayResults> results;
+    std::array<double, RayBlock::kCount> weights{};
 
-    void add_ray(const RayResults& results, std::size_t ray, double weight) {
-        add(results, ray, weight, sum);
-        weights += weight;
+    explicit LayerRays(std::size_t layers) : blocks(layers), results(layers) {}
+
+    void march(const LayerMarch& march) {
+        FetchCounts counts;
+        march.march(blocks, results, counts);
     }
-    // A texel that straddles no solid angle has no weight: it shows the sky.
-    SeenClouds mean() const {
-        if (!(weights > 0)) return {};
-        return {sum.sun_at_base / weights, sum.sun_at_top / weights,    sum.from_sky / weights,
-                sum.from_ground / weights, sum.transmittance / weights, sum.distance_m / weights};
+    // Returns the mean of some rays. Rays that stand for no solid angle show the sky.
+    SeenClouds mean(std::size_t first, std::size_t count) const {
+        SeenClouds mean{std::vector<SeenLayer>(blocks.size()), 1};
+        double sum = 0;
+        for (std::size_t ray = first; ray < first + count; ++ray) sum += weights[ray];
+        if (!(sum > 0)) return mean;
+        mean.transmittance = 0;
+        for (std::size_t ray = first; ray < first + count; ++ray) {
+            const double share = weights[ray] / sum;
+            for (std::size_t l = 0; l < results.size(); ++l) {
+                add(results[l], ray, share, mean.layers[l]);
+            }
+            mean.transmittance += share * double{results.front().transmittance[ray]};
+        }
+        return mean;
     }
 };
 
@@ -92,10 +124,11 @@ double fraction_of(double value) { return value - std::floor(value); }
 
 }  // namespace
 
-Outcome<CloudMedium> clouds_of_environment(const config::Parameters& parameters,
-                                           const EnvironmentBake& bake, const BakeOptions& options,
-                                           Facts& details) {
-    const auto& of = bake_named(parameters, bake.clouds).as<config::CloudVolumeBake>();
+namespace {
+
+Outcome<CloudMedium> medium_of(const config::Parameters& parameters, const std::string& clouds,
+                               const BakeOptions& options, Facts& details) {
+    const auto& of = bake_named(parameters, clouds).as<config::CloudVolumeBake>();
     const Outcome<CloudInputs> inputs =
         cloud_inputs(parameters, of, details, options.intermediates);
     if (!inputs.value) return {{}, inputs.diagnostics};
@@ -111,19 +144,35 @@ Outcome<CloudMedium> clouds_of_environment(const config::Parameters& parameters,
     return {std::move(medium), {}};
 }
 
-CloudsAround::CloudsAround(const CloudMedium& medium, const EnvironmentBake& bake,
+}  // namespace
+
+Outcome<std::vector<CloudMedium>> clouds_of_environment(const config::Parameters& parameters,
+                                                        const EnvironmentBake& bake,
+                                                        const BakeOptions& options,
+                                                        Facts& details) {
+    std::vector<CloudMedium> media;
+    for (const std::string& clouds : bake.clouds) {
+        Outcome<CloudMedium> medium = medium_of(parameters, clouds, options, details);
+        if (!medium.value) return {{}, medium.diagnostics};
+        media.push_back(std::move(*medium.value));
+    }
+    return {std::move(media), {}};
+}
+
+CloudsAround::CloudsAround(std::span<const CloudMedium> media, const EnvironmentBake& bake,
                            const EnvironmentLayout& layout, bool sunlit, const BakeOptions& options)
-    : medium_(medium),
+    : media_(downwards(media)),
       layout_(layout),
       samples_(bake.samples),
-      steps_(march_steps_of(medium, bake, sunlit, 1)),
-      march_(medium, position_of(bake), sun_direction_of(bake), steps_, options.threads),
-      finer_(medium, position_of(bake), sun_direction_of(bake),
-             march_steps_of(medium, bake, sunlit, 2), options.threads) {
+      march_(layers_of(media_, bake, sunlit, 1), position_of(bake), sun_direction_of(bake),
+             options.threads),
+      finer_(layers_of(media_, bake, sunlit, 2), position_of(bake), sun_direction_of(bake),
+             options.threads) {
     const auto size = layout.part_size();  // Clang captures no structured bindings
     const int columns = size[0];
     const int rows = size[1];
-    seen_ = Image2<float>(columns, rows * layout.parts(), kChannelsSeen);
+    const int channels = kChannelsOfLayer * static_cast<int>(media.size()) + 1;
+    seen_ = Image2<float>(columns, rows * layout.parts(), channels);
     const int at_a_time = std::max(RayBlock::kCount / (samples_ * samples_), 1);
     for_each_tile(seen_.height, options, "marching", [&](int line) {
         for (int first = 0; first < columns; first += at_a_time) {
@@ -132,11 +181,18 @@ CloudsAround::CloudsAround(const CloudMedium& medium, const EnvironmentBake& bak
     });
 }
 
+double CloudsAround::reach_m() const {
+    double reach_m = 0;
+    for (const CloudMedium* medium : media_) {
+        reach_m = std::max(reach_m, usual_steps(*medium, {}).reach_m);
+    }
+    return reach_m;
+}
+
 void CloudsAround::march_texels(int part, int row, int first, int count) {
     const auto [columns, rows] = layout_.part_size();
     const int edge = samples_;
-    RayBlock block;
-    std::array<double, RayBlock::kCount> weights{};
+    LayerRays rays(media_.size());
     std::size_t ray = 0;
     for (int texel = first; texel < first + count; ++texel) {
         for (int j = 0; j < edge; ++j) {
@@ -146,39 +202,40 @@ void CloudsAround::march_texels(int part, int row, int first, int count) {
                 const double x = (column + 0.5) / (columns * edge);
                 const double y = (line + 0.5) / (rows * edge);
                 const int noise_row = part * rows * edge + line;
-                march_.set_ray(block, ray, in_layer(layout_.direction(part, x, y)),
+                march_.set_ray(rays.blocks, ray, in_layer(layout_.direction(part, x, y)),
                                gradient_noise(column, noise_row, 0),
                                gradient_noise(column, noise_row, 1));
-                weights[ray] = layout_.density(x, y);
+                rays.weights[ray] = layout_.density(x, y);
             }
         }
     }
-    RayResults results;
-    FetchCounts counts;
-    march_.march(block, results, counts);
+    rays.march(march_);
+    const auto of_texel = static_cast<std::size_t>(edge * edge);
     for (int texel = 0; texel < count; ++texel) {
-        SeenMean mean;
-        for (int i = 0; i < edge * edge; ++i) {
-            const auto at = static_cast<std::size_t>(texel * edge * edge + i);
-            mean.add_ray(results, at, weights[at]);
+        const SeenClouds seen = rays.mean(static_cast<std::size_t>(texel) * of_texel, of_texel);
+        float* out = seen_.texel(first + texel, part * rows + row);
+        for (const SeenLayer& layer : seen.layers) {
+            const double values[] = {layer.sun_at_base, layer.sun_at_top, layer.from_sky,
+                                     layer.from_ground, layer.opacity,    layer.distance_m};
+            out = std::copy(std::begin(values), std::end(values), out);
         }
-        const SeenClouds seen = mean.mean();
-        const double values[] = {seen.sun_at_base, seen.sun_at_top,    seen.from_sky,
-                                 seen.from_ground, seen.transmittance, seen.distance_m};
-        std::copy(std::begin(values), std::end(values),
-                  seen_.texel(first + texel, part * rows + row));
+        *out = static_cast<float>(seen.transmittance);
     }
 }
 
 SeenClouds CloudsAround::texel(int part, int column, int row) const {
     const float* values = seen_.texel(column, part * layout_.part_size()[1] + row);
-    return {values[0], values[1], values[2], values[3], values[4], values[5]};
+    SeenClouds seen;
+    for (std::size_t l = 0; l < media_.size(); ++l, values += kChannelsOfLayer) {
+        seen.layers.push_back({values[0], values[1], values[2], values[3], values[4], values[5]});
+    }
+    seen.transmittance = *values;
+    return seen;
 }
 
 SeenClouds CloudsAround::around(int part, double x, double y) const {
     const auto [columns, rows] = layout_.part_size();
-    RayBlock block;
-    std::array<double, RayBlock::kCount> weights{};
+    LayerRays rays(media_.size());
     constexpr int kRays = kReferenceEdge * kReferenceEdge;
     // Places within their parts, and jitters, are additive sequences of irrational steps, which
     // begin elsewhere at each place.
@@ -193,44 +250,44 @@ SeenClouds CloudsAround::around(int part, double x, double y) const {
             0.5;
         const double at_x = x + across / columns;
         const double at_y = y + down / rows;
-        finer_.set_ray(block, ray, in_layer(layout_.direction(part, at_x, at_y)),
+        finer_.set_ray(rays.blocks, ray, in_layer(layout_.direction(part, at_x, at_y)),
                        static_cast<float>(fraction_of(begin + k * 0.6180339887498949)),
                        static_cast<float>(fraction_of(begin + k * 0.4142135623730950)));
-        weights[ray] = layout_.density(at_x, at_y);
+        rays.weights[ray] = layout_.density(at_x, at_y);
     }
-    RayResults results;
-    FetchCounts counts;
-    finer_.march(block, results, counts);
-    SeenMean mean;
-    for (std::size_t ray = 0; ray < kRays; ++ray) mean.add_ray(results, ray, weights[ray]);
-    return mean.mean();
+    rays.march(finer_);
+    return rays.mean(0, kRays);
 }
 
-// A march ends where hardly any light is left (kOpaque), so the ray is marched in pieces, and it finds
-// a cloud's edges to a step, so that is done with four jitters.
+// A march ends where hardly any light is left (kOpaque), so the ray is marched in pieces, layer by
+// layer, and it finds a cloud's edges to a step, so that is done with four jitters.
 double CloudsAround::transmittance(const glm::dvec3& direction) const {
     constexpr int kJitters = 4;
     constexpr int kPieces = RayBlock::kCount / kJitters;
-    RayBlock block;
+    std::vector<RayBlock> blocks(media_.size());
     for (int ray = 0; ray < RayBlock::kCount; ++ray) {
         const auto at = static_cast<std::size_t>(ray);
         const float jitter = (static_cast<float>(ray / kPieces) + 0.5F) / kJitters;
-        finer_.set_ray(block, at, in_layer(direction), jitter, jitter);
-        const float first = block.first[at];
-        const float count = block.end[at] - first;
-        const auto edge = [&](int piece) {
-            return first + std::floor(count * static_cast<float>(piece) / kPieces);
-        };
-        block.end[at] = edge(ray % kPieces + 1);
-        block.first[at] = edge(ray % kPieces);
+        finer_.set_ray(blocks, at, in_layer(direction), jitter, jitter);
+        for (RayBlock& block : blocks) {
+            const float first = block.first[at];
+            const float count = block.end[at] - first;
+            const auto edge = [&](int piece) {
+                return first + std::floor(count * static_cast<float>(piece) / kPieces);
+            };
+            block.end[at] = edge(ray % kPieces + 1);
+            block.first[at] = edge(ray % kPieces);
+        }
     }
-    RayResults results;
-    FetchCounts counts;
-    finer_.march(block, results, counts);
     double depth = 0;
-    for (const float through : results.transmittance) {
-        if (through < std::numeric_limits<float>::min()) return 0;
-        depth -= logarithm(double{through}) / kJitters;
+    for (std::size_t l = 0; l < blocks.size(); ++l) {
+        RayResults results;
+        FetchCounts counts;
+        finer_.march_one(l, blocks[l], results, counts);
+        for (const float through : results.transmittance) {
+            if (through < std::numeric_limits<float>::min()) return 0;
+            depth -= logarithm(double{through}) / kJitters;
+        }
     }
     return exponential(-depth);
 }

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/sky_view/sky_view_table.h"
+#include "bakers/assets/environment/wide_sky.h"
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
@@ -78,10 +78,14 @@ TableModel empty_model(int channels, double lowest) {
     return model;
 }
 
-bool any_is_sunlit(const SkyLights& lights, const CloudMedium& medium, const SunZenith& sun) {
+bool any_is_sunlit(const SkyLights& lights, std::span<const CloudMedium> media,
+                   const SunZenith& sun) {
     bool lit = false;
-    lights.for_each_packet(
-        [&](const SkyLight& light) { lit = lit || CloudySky::is_sunlit(light, medium, sun); });
+    lights.for_each_packet([&](const SkyLight& light) {
+        for (const CloudMedium& medium : media) {
+            lit = lit || CloudySky::is_sunlit(light, medium, sun);
+        }
+    });
     return lit;
 }
 
@@ -89,7 +93,7 @@ bool any_is_sunlit(const SkyLights& lights, const CloudMedium& medium, const Sun
 
 TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
                              const SunZenith& sun, double sun_azimuth) {
-    TableModel model = sky_view_model(light, camera, sun);
+    TableModel model = wide_sky_model(light, camera, sun);
     model.convention = TexelConvention::end_points_on_edges;
     model.v_of = nullptr;
     const EnvironmentRow place{camera, model.channels, sun_azimuth / std::numbers::pi};
@@ -114,16 +118,16 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
 }
 
 EnvironmentModels::EnvironmentModels(const SkyLights& lights, const EnvironmentBake& bake,
-                                     const CloudMedium* medium, const BakeOptions& options)
+                                     std::span<const CloudMedium> media, const BakeOptions& options)
     : lights_(lights),
       bake_(bake),
       layout_(bake.mapping, bake.size),
       camera_(lights.first().shell(), bake.altitude.kilometers()),
       sun_(sun_at_elevation(bake.sun_elevation.radians)),
       sky_(lights.model(
-          [this](const SkyLight& light) { return sky_view_model(light, camera_, sun_); })) {
-    if (medium) {
-        clouds_.emplace(*medium, bake, layout_, any_is_sunlit(lights, *medium, sun_), options);
+          [this](const SkyLight& light) { return wide_sky_model(light, camera_, sun_); })) {
+    if (!media.empty()) {
+        clouds_.emplace(media, bake, layout_, any_is_sunlit(lights, media, sun_), options);
         lights.for_each_packet([&](const SkyLight& light) {
             if (options.cancelled()) return;
             cloudy_[&light] =

@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "bakers/assets/environment/cloudy_sky.h"
 #include "bakers/assets/environment/environment_clouds.h"
@@ -20,7 +21,7 @@
 namespace skybake {
 
 // The clear sky by longitude and latitude: radiance (1/sr) towards the camera, computed row by row as
-// in sky_view_model. The sun is at `sun_azimuth` radians to the right of the middle. All arguments
+// in wide_sky_model. The sun is at `sun_azimuth` radians to the right of the middle. All arguments
 // must outlive the model.
 TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
                              const SunZenith& sun, double sun_azimuth = 0);
@@ -28,10 +29,10 @@ TableModel environment_model(const SkyLight& light, const SkyViewCamera& camera,
 // The models of all parts of an environment.
 class EnvironmentModels {
   public:
-    // `medium` is of the clouds; null: none. The arguments must outlive this object and its models.
+    // `media` are of the layers of clouds. The arguments must outlive this object and its models.
     // After an interruption it must not be used.
     EnvironmentModels(const SkyLights& lights, const config::EnvironmentBake& bake,
-                      const CloudMedium* medium, const BakeOptions& options);
+                      std::span<const CloudMedium> media, const BakeOptions& options);
     EnvironmentModels(const EnvironmentModels&) = delete;
     EnvironmentModels& operator=(const EnvironmentModels&) = delete;
 

@@ -192,9 +192,9 @@ Place environment_place(const EnvironmentLayout& layout, int part, double x, dou
 
 config::Outcome<Baked> bake_environment(const SkyLights& lights, const EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table,
-                                        const CloudMedium* medium) {
+                                        std::span<const CloudMedium> media) {
     const auto start = std::chrono::steady_clock::now();
-    const EnvironmentModels models(lights, bake, medium, options);
+    const EnvironmentModels models(lights, bake, media, options);
     if (options.cancelled()) return {};
     table.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

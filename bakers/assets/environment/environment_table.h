@@ -1,6 +1,8 @@
 // The sky, clouds and the ground around a camera (asset = "environment").
 #pragma once
 
+#include <span>
+
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_model.h"
 #include "bakers/assets/sky_lights.h"
@@ -18,10 +20,11 @@ namespace skybake {
 Place environment_place(const EnvironmentLayout& layout, int part, double x, double y);
 
 // Bakes the sky from one altitude under one sun, without the sun's disc unless the bake asks for it.
-// `table` comes with name, parameters and channel names. `medium` is of the clouds; null: none.
+// `table` comes with name, parameters and channel names. `media` are of the
+// layers of clouds.
 config::Outcome<Baked> bake_environment(const SkyLights& lights,
                                         const config::EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table,
-                                        const CloudMedium* medium = nullptr);
+                                        std::span<const CloudMedium> media = {});
 
 }  // namespace skybake
