@@ -168,6 +168,11 @@ asset = "cloud_light"
 of = "cloud"
 sun_elevations = ["40 deg"]
 formats = ["exr"]
+[bake.radiance]
+asset = "cloud_light"
+of = "cloud"
+contents = "sky_radiance"
+formats = ["exr"]
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"

@@ -152,6 +152,11 @@ asset = "cloud_light"
 of = "cloud"
 contents = "sky_visibility"
 degree = 2
+[bake.radiance]
+asset = "cloud_light"
+of = "cloud"
+contents = "sun_radiance"
+sun_elevations = ["40 deg"]
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"

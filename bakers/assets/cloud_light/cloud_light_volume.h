@@ -7,8 +7,8 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/certify.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/facts.h"
 #include "config/assets/cloud_light.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -33,16 +33,7 @@ int cloud_light_spacing(const config::CloudLightBake& bake);
 // interruption.
 std::shared_ptr<const VoxelSource> cloud_light_texels(const cloud_light::CloudLayer& layer,
                                                       const config::CloudLightBake& bake,
-                                                      int spacing, const BakeOptions& options);
-
-// What lookups are measured against. Points lie in cells with cloud, those of a map anywhere. `layer`
-// outlives it.
-struct CloudLightTruth {
-    VolumeReference reference;
-    VolumeComparison comparison;
-    std::string name;
-};
-CloudLightTruth cloud_light_truth(const cloud_light::CloudLayer& layer,
-                                  const config::CloudLightBake& bake, int threads);
+                                                      int spacing, const BakeOptions& options,
+                                                      Facts& details);
 
 }  // namespace skybake
