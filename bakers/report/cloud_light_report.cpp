@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -57,8 +58,9 @@ void add_texels(const CloudLayer& layer, const CloudLightBake& bake, const Cloud
     one.progress = options.progress;
     const int spacing = is_fitted ? cloud_light_spacing(bake) : bake.cell;
     std::shared_ptr<const VoxelSource> texels;
+    Facts details;
     const std::vector<double> seconds = interleaved_medians(
-        {[&] { texels = cloud_light_texels(layer, bake, spacing, one); }},
+        {[&] { texels = cloud_light_texels(layer, bake, spacing, one, details); }},
         options.quick ? 1 : kLightRepetitions, [](int, std::size_t) { return true; });
     if (!texels) return;
     VolumeVariant& variant = add_variant(

@@ -28,6 +28,9 @@ using CloudLightField = Row<CloudLightBake>;
 constexpr Range light_cell_range{1, most_cloud_light_cell};
 constexpr Range degree_range{0, 3};
 constexpr Range part_range{1, 4};
+// The fit of the droplets' phase function holds from 5 to 50 um.
+constexpr Range droplet_range{5e-6, 50e-6};
+constexpr Range albedo_range{1e-6, 1};
 constexpr double degree_in_radians = std::numbers::pi / 180;
 // A ray at 1 degree passes 57 voxels for each one that it rises.
 constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
@@ -45,11 +48,26 @@ constexpr std::array contents_choices = {
            "transmittance to suns anywhere above the horizon, as harmonics of their directions"},
     Choice{CloudLightContents::sky_visibility, "sky_visibility",
            "transmittance to the sky, and 0 below the horizon, as harmonics of the direction"},
+    Choice{CloudLightContents::sun_radiance, "sun_radiance",
+           "sunlight that the cloud scatters for the second time or more often, as harmonics of "
+           "the direction in which it goes on"},
+    Choice{CloudLightContents::sky_radiance, "sky_radiance",
+           "light of a uniform sky that the cloud scatters, of all orders, as such harmonics"},
+    Choice{CloudLightContents::ground_radiance, "ground_radiance",
+           "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
 };
 
-constexpr std::string_view per_sun[] = {"optical_depth", "transmittance", "shadow"};
-constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics", "transmittance_harmonics",
-                                             "sky_visibility"};
+constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance"};
+constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics",
+                                             "transmittance_harmonics",
+                                             "sky_visibility",
+                                             "sun_radiance",
+                                             "sky_radiance",
+                                             "ground_radiance"};
+constexpr std::string_view of_depths[] = {
+    "optical_depth",           "transmittance",           "shadow",
+    "optical_depth_harmonics", "transmittance_harmonics", "sky_visibility"};
+constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "ground_radiance"};
 
 const std::array cloud_light_table = {
     CloudLightField{asset_field, {}},
@@ -68,14 +86,14 @@ const std::array cloud_light_table = {
                      .documentation = "one, three or four suns, each with a channel",
                      .hint = "[\"60 deg\", \"30 deg\", \"10 deg\"]",
                      .selector = "contents",
-                     .selected_by = per_sun},
+                     .selected_by = of_suns},
                     &CloudLightBake::sun_elevations},
     CloudLightField{{.key = "sun_azimuths",
                      .kind = Kind::angles,
                      .range = azimuth_range,
                      .documentation = "azimuth of each sun, from +x towards +y; by default all 0",
                      .selector = "contents",
-                     .selected_by = per_sun},
+                     .selected_by = of_suns},
                     &CloudLightBake::sun_azimuths},
     CloudLightField{
         {.key = "degree",
@@ -110,8 +128,31 @@ const std::array cloud_light_table = {
                      .documentation = "in place of cell, asks for the fewest texels of which the "
                                       "RMS error of lookups is within this share of the range",
                      .hint = "\"2 %\"",
-                     .exclusive_group = "size"},
+                     .exclusive_group = "size",
+                     .selector = "contents",
+                     .selected_by = of_depths},
                     &CloudLightBake::max_error},
+    CloudLightField{
+        {.key = "droplet_diameter",
+         .kind = Kind::length,
+         .range = droplet_range,
+         .fallback = R"("12 um")",
+         .documentation = "diameter of the droplets, which chooses their phase function",
+         .hint = "clouds have 8 to 30 um",
+         .citation = "Jendersie & d'Eon 2023, \"An Approximate Mie Scattering Function for Fog "
+                     "and Cloud Rendering\"",
+         .selector = "contents",
+         .selected_by = of_radiance},
+        &CloudLightBake::droplet_diameter},
+    CloudLightField{{.key = "single_scattering_albedo",
+                     .kind = Kind::number,
+                     .range = albedo_range,
+                     .fallback = "1",
+                     .documentation = "share of the extinction that is scattering",
+                     .hint = "droplets in visible light have 1",
+                     .selector = "contents",
+                     .selected_by = of_radiance},
+                    &CloudLightBake::single_scattering_albedo},
 };
 
 // This is one section while it is resolved.
@@ -129,10 +170,9 @@ struct CloudLightResolver {
         return value ? std::get<std::vector<double>>(*value).size() : 0;
     }
 
-    // Returns the number of channels, or 1 if it cannot be told.
+    // Returns the number of suns, or 1 if it cannot be told.
     std::size_t check_suns() const {
         const std::size_t suns = angles("sun_elevations");
-        const std::size_t azimuths = angles("sun_azimuths");
         if (suns == 2 || suns > 4) {
             decoder.diagnostics.error(
                 "E0129", place_of("sun_elevations"),
@@ -141,6 +181,13 @@ struct CloudLightResolver {
                 suns == 2 ? "add a sun, or bake them as two assets"
                           : "bake them as several assets of at most four suns");
         }
+        check_azimuths();
+        return std::clamp<std::size_t>(suns, 1, 4);
+    }
+
+    void check_azimuths() const {
+        const std::size_t suns = angles("sun_elevations");
+        const std::size_t azimuths = angles("sun_azimuths");
         if (azimuths > 0 && suns > 0 && azimuths != suns) {
             decoder.diagnostics.error("E0171", place_of("sun_azimuths"),
                                       fmt::format("`{}` has {} azimuths for {} sun{}",
@@ -148,7 +195,25 @@ struct CloudLightResolver {
                                                   suns, suns == 1 ? "" : "s"),
                                       "give one azimuth for each elevation");
         }
-        return std::clamp<std::size_t>(suns, 1, 4);
+    }
+
+    void check_sun_of_radiance() const {
+        const std::size_t suns = angles("sun_elevations");
+        if (suns > 1) {
+            decoder.diagnostics.error(
+                "E0176", place_of("sun_elevations"),
+                fmt::format("`{}` has {} suns, and a file the radiance of one",
+                            join_path(bake.path, "sun_elevations"), suns),
+                "give one elevation, and bake an asset for each sun");
+        }
+        check_azimuths();
+    }
+
+    // Returns the number of channels, or 1 if it cannot be told.
+    std::size_t check_contents(CloudLightContents contents) const {
+        if (is_per_sun(contents)) return check_suns();
+        if (contents == CloudLightContents::sun_radiance) check_sun_of_radiance();
+        return check_part();
     }
 
     std::size_t check_part() const {
@@ -193,14 +258,13 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 
 // Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
 // that the volume does not have (E0134), a number of suns that no file holds (E0129), azimuths that
-// are not one for each sun and a part that the harmonics do not have (E0171), and faults of the
-// files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
+// are not one for each sun and a part that the harmonics do not have (E0171), several suns of one
+// file of radiance (E0176), and faults of the files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
 void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const CloudLightResolver resolver{bake, decoder};
     check_pixel_type(bake, decoder);
     const auto contents = choice_of<CloudLightContents>(bake.at("contents"));
-    const std::size_t channels =
-        contents && !is_per_sun(*contents) ? resolver.check_part() : resolver.check_suns();
+    const std::size_t channels = contents ? resolver.check_contents(*contents) : 1;
     const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);

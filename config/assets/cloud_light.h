@@ -13,7 +13,8 @@
 
 namespace skybake::config {
 
-// The first three have a channel for each sun, the others coefficients of spherical harmonics.
+// The first three have a channel for each sun, the others coefficients of spherical harmonics. The last
+// three are radiance of light from the sun, from the sky and from the ground.
 enum class CloudLightContents {
     optical_depth,
     transmittance,
@@ -21,18 +22,23 @@ enum class CloudLightContents {
     optical_depth_harmonics,
     transmittance_harmonics,
     sky_visibility,
+    sun_radiance,
+    sky_radiance,
+    ground_radiance,
 };
 
 struct CloudLightBake : AssetFiles {
     std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
     std::string channel;  // a channel of that volume; empty: its first
     CloudLightContents contents = CloudLightContents::optical_depth;
-    std::vector<Angle> sun_elevations;  // one, three or four
+    std::vector<Angle> sun_elevations;  // one, three or four; of sun_radiance one
     std::vector<Angle> sun_azimuths;    // from +x towards +y, one for each elevation
     int degree = 1;                     // of the harmonics
     int part = 1;                       // which four of the coefficients, counted from 1
     int cell = 4;                       // voxels along each edge of a texel
     std::optional<double> max_error;    // instead of cell: bound on the RMS error of lookups
+    Length droplet_diameter{12e-6};     // of radiance: chooses the phase function
+    double single_scattering_albedo = 1;
 };
 
 // The largest cell, which is also the largest that `max_error` may choose.
@@ -40,6 +46,10 @@ inline constexpr int most_cloud_light_cell = 64;
 
 constexpr bool is_per_sun(CloudLightContents contents) {
     return contents <= CloudLightContents::shadow;
+}
+
+constexpr bool is_radiance(CloudLightContents contents) {
+    return contents >= CloudLightContents::sun_radiance;
 }
 
 // Returns the number of channels, 1 to 4 in any recipe that was accepted.

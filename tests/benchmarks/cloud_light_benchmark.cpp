@@ -37,6 +37,7 @@ CloudLayer layer_of(const std::string& preset) {
 void sixteen_suns(benchmark::State& state, const std::string& preset) {
     const CloudLayer layer = layer_of(preset);
     const BakeOptions options{.threads = 1};
+    Facts details;
     for (auto _ : state) {
         for (int asset = 0; asset < 4; ++asset) {
             config::CloudLightBake bake;
@@ -45,7 +46,7 @@ void sixteen_suns(benchmark::State& state, const std::string& preset) {
                 bake.sun_azimuths.push_back({2.4 * i});
             }
             benchmark::DoNotOptimize(
-                cloud_light_texels(layer, bake, cloud_light_spacing(bake), options));
+                cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, details));
         }
     }
     const auto texels = static_cast<std::int64_t>(layer.values.size() / 64);
@@ -57,9 +58,10 @@ void sky(benchmark::State& state, const std::string& preset) {
     const BakeOptions options{.threads = 1};
     config::CloudLightBake bake;
     bake.contents = config::CloudLightContents::sky_visibility;
+    Facts details;
     for (auto _ : state) {
         benchmark::DoNotOptimize(
-            cloud_light_texels(layer, bake, cloud_light_spacing(bake), options));
+            cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, details));
     }
 }
 

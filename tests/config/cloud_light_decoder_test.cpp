@@ -87,6 +87,33 @@ TEST(CloudLightDecoder, PartsHoldFourCoefficients) {
     EXPECT_EQ(fault("contents = 'sky_visibility'\ndegree = 2\npart = 4").label, "use at most 3");
 }
 
+TEST(CloudLightDecoder, RadianceIsThatOfOneSource) {
+    const CloudLightBake sun = light(
+        "contents = 'sun_radiance'\nsun_elevations = '30 deg'\nsun_azimuths = '10 deg'\n"
+        "degree = 3\npart = 4\ndroplet_diameter = '20 um'\nsingle_scattering_albedo = 0.9");
+    EXPECT_EQ(sun.contents, CloudLightContents::sun_radiance);
+    EXPECT_EQ(channels_of(sun), 4U);
+    EXPECT_NEAR(sun.droplet_diameter.meters, 20e-6, 1e-15);
+    EXPECT_EQ(sun.single_scattering_albedo, 0.9);
+    const CloudLightBake ground = light("contents = 'ground_radiance'");
+    EXPECT_NEAR(ground.droplet_diameter.meters, 12e-6, 1e-15);
+    EXPECT_EQ(ground.single_scattering_albedo, 1);
+    EXPECT_TRUE(ground.sun_elevations.empty());
+}
+
+TEST(CloudLightDecoder, RefusesRadianceThatNoFileHolds) {
+    const std::string radiance = "contents = 'sun_radiance'\n";
+    const Diagnostic several = fault(radiance + "sun_elevations = ['30 deg', '9 deg']");
+    EXPECT_EQ(several.code, "E0176");
+    EXPECT_EQ(fault(radiance + "sun_elevations = '9 deg'\nsun_azimuths = ['1 deg', '2 deg']").code,
+              "E0171");
+    EXPECT_EQ(fault(radiance + "sun_elevations = '9 deg'\npart = 2").code, "E0171");
+    for (const char* key : {"droplet_diameter = '4 um'", "droplet_diameter = '51 um'",
+                            "single_scattering_albedo = 0", "single_scattering_albedo = 1.1"}) {
+        EXPECT_EQ(fault(radiance + "sun_elevations = '9 deg'\n" + key).code, "E0110") << key;
+    }
+}
+
 TEST(CloudLightDecoder, SunsStandAboveTheHorizon) {
     for (const char* sun : {"0 deg", "-5 deg", "0.9 deg", "91 deg"}) {
         const Diagnostic found =

@@ -131,6 +131,11 @@ const std::vector<Fault> faults = {
      cloud + "[bake.d]\nasset = \"cloud_distance\"\nof = \"v\"\nrange = [\"10 m\", \"4 km\"]\n"
              "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
      9, 9, 16, "begin it at or below 0 m, and end it above 0 m"},
+    {"E0176",
+     cloud + "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
+             "sun_elevations = [\"60 deg\", \"30 deg\"]\n"
+             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
+     10, 18, 20, "give one elevation, and bake an asset for each sun"},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
     {"E0170",
@@ -186,8 +191,8 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "E0150", "E0171", "E0174", "E0175", "W0203", "W0204",
-                             "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+                             "E0134", "E0150", "E0171", "E0174", "E0175", "E0176", "W0203",
+                             "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

@@ -181,6 +181,11 @@ asset = "cloud_light"
 of = "cloud"
 sun_elevations = ["40 deg"]
 formats = ["exr"]
+[bake.radiance]
+asset = "cloud_light"
+of = "cloud"
+contents = "sky_radiance"
+formats = ["exr"]
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"
@@ -484,6 +489,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
+        {"radiance", "m", "", "", none, none, "+z"},
         {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());

@@ -157,6 +157,12 @@ asset = "cloud_light"
 of = "cloud"
 sun_elevations = ["40 deg"]
 max_error = "20 %"
+[bake.radiance]
+asset = "cloud_light"
+of = "cloud"
+contents = "sun_radiance"
+sun_elevations = ["40 deg"]
+degree = 2
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"

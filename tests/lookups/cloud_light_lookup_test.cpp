@@ -1,4 +1,7 @@
 // Light within a cloud: lookups of its texels, and the harmonics that they are coefficients of.
+#include <cmath>
+
+#include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/assets/cloud_light/harmonics.h"
 #include "bakers/field/image.h"
 #include "tests/lookups/lookup_trial.h"
@@ -79,6 +82,41 @@ TEST(CloudLightLookup, HarmonicsAreThoseOfTheBaker) {
             const auto component = static_cast<vec4::length_type>(k % 4);
             EXPECT_NEAR(found[k / 4][component], wanted[k], 2e-6) << k;
         }
+    }
+}
+
+TEST(CloudLightLookup, DropletsScatterAsTheBakerSays) {
+    for (const float diameter : {5.0F, 12.0F, 50.0F}) {
+        const cloud_light::CloudScattering wanted =
+            cloud_light::droplet_scattering(double{diameter}, 1);
+        for (const float offset : {0.0F, 1e-5F, 0.01F, 0.5F, 1.0F, 1.9F, 2.0F}) {
+            const double value =
+                cloud_light::phase_value(wanted, double{offset}, 2 - double{offset});
+            EXPECT_NEAR(gpu::light_lookups::cloud_droplet_phase(diameter, offset), value,
+                        1e-3 * value)
+                << diameter << ", " << offset;
+        }
+    }
+}
+
+TEST(CloudLightLookup, SunlightIsScatteredOnce) {
+    EXPECT_NEAR(gpu::light_lookups::cloud_first_scattering(0.3F, 2, 0.4F),
+                0.3 / 0.4 * std::exp(-0.8), 1e-6);
+    EXPECT_FLOAT_EQ(gpu::light_lookups::cloud_first_scattering(0.3F, 0, 1), 0.3F);
+}
+
+// A texture's harmonics are those of the asset: its probes, by the published lookup.
+TEST(CloudLightLookup, RadianceIsThatOfTheBake) {
+    const test::BakedLookup baked = test::bake_all(
+        kCloud + "contents = 'sun_radiance'\nsun_elevations = '30 deg'\ndegree = 1\n");
+    const Baked& light = baked.asset(1);
+    const Texture texture = texture_of(light);
+    const vec3 tile(3000, 3200, 1000);
+    for (const Probe& probe : light.levels.front().probes) {
+        const vec3 p(test::at(probe, "x_m"), test::at(probe, "y_m"),
+                     test::at(probe, "altitude_m") - 1000);
+        test::expect_probe(gpu::light_lookups::cloud_light({texture}, p, tile), probe.value,
+                           probe.tolerance, "x_m " + std::to_string(p.x));
     }
 }
 

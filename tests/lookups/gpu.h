@@ -8,6 +8,7 @@
 //   atan(y, x)      Mesa's polynomial: off by up to 3e-6, and by 2e-5 of small angles
 //   sqrt, length    4 units in the last place; Vulkan wants 2 of an inverse root, 2.5 of a division
 //   log             3 units in the last place, but between 1/2 and 2 up to 2^-21 (Vulkan's bound)
+//   exp             3 + 2 |x| units in the last place (Vulkan's bound)
 //
 // An error that Vulkan only bounds is a fixed function of the argument, anywhere within the bound.
 // There is no sin or cos, whose error Vulkan bounds by 2^-11: no lookup can do with that.
@@ -48,6 +49,11 @@ inline double any_share(float x) {
 
 inline float sqrt(float x) {
     return static_cast<float>(std::sqrt(double{x}) * (1 + 4 * 0x1p-24 * any_share(x)));
+}
+
+inline float exp(float x) {
+    const double error = (3 + 2 * std::fabs(double{x})) * 0x1p-24;
+    return static_cast<float>(std::exp(double{x}) * (1 + error * any_share(x)));
 }
 
 inline float log(float x) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bakers/assets/asset_label.h"
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/certify.h"
@@ -109,7 +110,9 @@ class CellSearch {
         volume.channel_names = names_of_channels(config::channels_of(bake));
         volume.pixel_type = bake.pixel_type;
         const int spacing = cloud_light_spacing(bake);
-        if (spacing != spacing_) values_ = cloud_light_values(layer_, bake, spacing, options_);
+        if (spacing != spacing_) {
+            values_ = cloud_light_values(layer_, bake, spacing, options_, volume.details);
+        }
         spacing_ = spacing;
         if (options_.cancelled()) return volume;
         Level level;

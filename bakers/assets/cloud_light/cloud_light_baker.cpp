@@ -11,6 +11,7 @@
 #include "bakers/assets/cloud_light/cell_search.h"
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
+#include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/source_volume.h"
@@ -57,16 +58,24 @@ std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asse
     return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
+// Guesses of the solver and what it makes of them.
+double memory_mib_of_radiance(const std::array<int, 3>& cells, int degree) {
+    constexpr double kFields = 10;
+    return kFields * (degree + 1) * (degree + 1) * voxels_of(cells, 1) * sizeof(float) / kMebibyte;
+}
+
 // The time of a ray grows with the planes that it passes. The layer is held twice.
 Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     constexpr double kSecondsPerPlane = 1e-9;
     constexpr double kRaysPerChannel = 8;
     constexpr double kDirections =
         150;  // of harmonics, those near the horizon counted several times
+    constexpr double kRadiance = 2000;  // of radiance, over all sweeps
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     // Larger cells that do not meet max_error cost twice as much as the one that does, all together.
     const double trials = asset.max_error ? 3 : 1;
-    const double directions = trials * (config::is_per_sun(asset.contents) ? 2.0 : kDirections);
+    double directions = trials * (config::is_per_sun(asset.contents) ? 2.0 : kDirections);
+    if (config::is_radiance(asset.contents)) directions = kRadiance;
     Estimate result =
         estimate_volume(asset, cloud_light_size(of.size, asset), config::channels_of(asset),
                         kRaysPerChannel * kSecondsPerPlane * of.size[2] * directions);
@@ -74,6 +83,11 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     const Estimate voxels = estimate_cloud_volume(parameters, of);
     result.seconds += voxels.seconds / 2;
     result.memory_mib += voxels.memory_mib + 2 * voxels_of(of.size, 1) * sizeof(float) / kMebibyte;
+    if (config::is_radiance(asset.contents)) {
+        const auto places =
+            cloud_light::place_grid(of.size, cloud_light_spacing(asset), false).count;
+        result.memory_mib += memory_mib_of_radiance(places, asset.degree);
+    }
     return result;
 }
 

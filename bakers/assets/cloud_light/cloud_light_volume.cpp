@@ -5,19 +5,19 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "bakers/assets/asset_label.h"
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/light_values.h"
+#include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "bakers/occupancy/cell_range.h"
-#include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 
 namespace skybake {
@@ -73,6 +73,12 @@ std::string meaning_of(const CloudLightBake& bake) {
             return "transmittance to suns above the horizon";
         case CloudLightContents::sky_visibility:
             return "transmittance to the sky, 0 below the horizon";
+        case CloudLightContents::sun_radiance:
+            return "sunlight scattered twice or more often, by direction of travel";
+        case CloudLightContents::sky_radiance:
+            return "scattered light of a sky of radiance 1, by direction of travel";
+        case CloudLightContents::ground_radiance:
+            return "scattered light of ground of radiance 1, by direction of travel";
     }
     return "";
 }
@@ -105,52 +111,25 @@ void add_details(const CloudLayer& layer, const CloudLightBake& bake, Baked& vol
     add("contents", std::string(word_of(bake.contents)));
     add("cell", static_cast<double>(bake.cell));
     add("extinction_scale_per_m", layer.optics.extinction_per_m);
+    const auto add_sun = [&](std::string key, const glm::dvec3& sun) {
+        add(std::move(key),
+            std::vector<double>{to_digits(sun.x, 12), to_digits(sun.y, 12), to_digits(sun.z, 12)});
+    };
     if (!config::is_per_sun(bake.contents)) {
         add("degree", static_cast<double>(bake.degree));
         add("part", static_cast<double>(bake.part));
-        return;
     }
-    const LightChannels channels = cloud_light::light_channels(bake);
-    for (std::size_t i = 0; i < channels.directions.size(); ++i) {
-        const glm::dvec3& sun = channels.directions[i];
-        add("sun_" + volume.channel_names[i],
-            std::vector<double>{to_digits(sun.x, 12), to_digits(sun.y, 12), to_digits(sun.z, 12)});
+    if (config::is_radiance(bake.contents)) {
+        add("droplet_diameter_um", to_digits(bake.droplet_diameter.meters * 1e6, 12));
+        add("single_scattering_albedo", bake.single_scattering_albedo);
+        add("extinction_share",
+            to_digits(cloud_light::scaled_scattering_of(bake).extinction_share, 12));
     }
-}
-
-// The cells of the volume in which errors count: all that have cloud, or all if none has.
-struct OccupiedPlaces {
-    std::array<int, 3> cells{};
-    std::vector<std::size_t> occupied;
-};
-
-OccupiedPlaces occupied_places(const CloudLayer& layer, int threads) {
-    constexpr int kCell = 4;
-    const occupancy::CellGrid grid{layer.size, kCell};
-    const auto ranges = occupancy::cell_ranges(layer.values.data(), grid,
-                                               config::OccupancyFilter::trilinear, threads);
-    const auto cells = occupancy::occupied_cells(ranges, layer.threshold());
-    OccupiedPlaces places{cells.size, {}};
-    for (std::size_t i = 0; i < cells.occupied.size(); ++i) {
-        if (cells.occupied[i] != 0) places.occupied.push_back(i);
+    const std::vector<glm::dvec3> suns = cloud_light::sun_directions(bake);
+    for (std::size_t i = 0; i < suns.size(); ++i) {
+        add_sun(config::is_per_sun(bake.contents) ? "sun_" + volume.channel_names[i] : "sun",
+                suns[i]);
     }
-    return places;
-}
-
-// Moves points that are even in the unit cube to points that are even in the occupied cells.
-std::array<double, 3> occupied_place(const OccupiedPlaces& places,
-                                     const std::array<double, 3>& uvw) {
-    if (places.occupied.empty()) return uvw;
-    const double position = uvw[0] * static_cast<double>(places.occupied.size());
-    const auto number = std::min(static_cast<std::size_t>(position), places.occupied.size() - 1);
-    std::size_t cell = places.occupied[number];
-    std::array<double, 3> within = {position - static_cast<double>(number), uvw[1], uvw[2]};
-    for (std::size_t a = 0; a < 3; ++a) {
-        const auto count = static_cast<std::size_t>(places.cells[a]);
-        within[a] = (static_cast<double>(cell % count) + within[a]) / static_cast<double>(count);
-        cell /= count;
-    }
-    return within;
 }
 
 // The range of each channel's texels.
@@ -194,6 +173,13 @@ VolumeFinish finish_of(const Baked& of, const CloudLayer& layer, const CloudLigh
     return finish;
 }
 
+// Returns the least and the greatest value of a channel. Coefficients of radiance have either sign.
+std::array<float, 2> bounds_of(const CloudLightBake& bake, std::size_t channel) {
+    constexpr float kAny = std::numeric_limits<float>::max();
+    if (config::is_radiance(bake.contents)) return {-kAny, kAny};
+    return cloud_light::light_channels(bake).bounds(channel);
+}
+
 }  // namespace
 
 std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const CloudLightBake& bake) {
@@ -206,56 +192,35 @@ std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const Clou
 int cloud_light_spacing(const CloudLightBake& bake) { return std::max(1, bake.cell / 2); }
 
 SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& bake, int spacing,
-                                const BakeOptions& options) {
+                                const BakeOptions& options, Facts& details) {
     SpacedValues values;
     values.places =
         cloud_light::place_grid(layer.size, spacing, bake.contents == CloudLightContents::shadow);
     values.channels =
-        cloud_light::light_values(layer, values.places, cloud_light::light_channels(bake), options);
+        config::is_radiance(bake.contents)
+            ? cloud_light::radiance_values(layer, values.places, bake, options, details)
+            : cloud_light::light_values(layer, values.places, cloud_light::light_channels(bake),
+                                        options);
     return values;
 }
 
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
                                                  const CloudLightBake& bake, int threads) {
-    const LightChannels channels = cloud_light::light_channels(bake);
     std::vector<std::vector<float>> texels;
     for (std::size_t c = 0; c < values.channels.size(); ++c) {
         texels.push_back(cloud_light::fit_texels(values.channels[c], values.places.count, size,
-                                                 channels.bounds(c), threads));
+                                                 bounds_of(bake, c), threads));
     }
     return std::make_shared<const FittedTexels>(size, std::move(texels));
 }
 
 std::shared_ptr<const VoxelSource> cloud_light_texels(const CloudLayer& layer,
                                                       const CloudLightBake& bake, int spacing,
-                                                      const BakeOptions& options) {
-    const SpacedValues values = cloud_light_values(layer, bake, spacing, options);
+                                                      const BakeOptions& options, Facts& details) {
+    const SpacedValues values = cloud_light_values(layer, bake, spacing, options, details);
     if (options.cancelled()) return nullptr;
     return fitted_texels(values, cloud_light_size(layer.size, bake), bake, options.threads);
-}
-
-CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake& bake,
-                                  int threads) {
-    CloudLightTruth truth;
-    const bool is_map = bake.contents == CloudLightContents::shadow;
-    const auto channels = std::make_shared<const LightChannels>(
-        cloud_light::light_channels(bake, cloud_light::kReferenceDirections));
-    truth.reference = [&layer, channels, is_map](const std::array<double, 3>& uvw) {
-        const double z = is_map ? 0 : uvw[2] * layer.size[2];
-        return cloud_light::light_reference(
-            layer, {uvw[0] * layer.size[0], uvw[1] * layer.size[1], z}, *channels);
-    };
-    truth.name = config::is_per_sun(bake.contents)
-                     ? "the integral along each ray through the filtered volume"
-                     : "integrals along rays through the filtered volume in 128 directions";
-    if (is_map) return truth;
-    truth.name += ", in cells with cloud";
-    truth.comparison.lookup_place =
-        [places = occupied_places(layer, threads)](const std::array<double, 3>& uvw) {
-            return occupied_place(places, uvw);
-        };
-    return truth;
 }
 
 Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
@@ -279,7 +244,8 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     add_details(layer, bake, volume);
     level.repeats = repeating_axes(volume.axes);
     const auto start = std::chrono::steady_clock::now();
-    level.voxels = cloud_light_texels(layer, bake, cloud_light_spacing(bake), options);
+    level.voxels =
+        cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, volume.details);
     if (options.cancelled()) return {};
     volume.bake_seconds +=
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

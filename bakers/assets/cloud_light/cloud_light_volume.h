@@ -9,8 +9,8 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/certify.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/facts.h"
 #include "config/assets/cloud_light.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -37,10 +37,10 @@ struct SpacedValues {
 };
 
 // Returns the values at places that are at most `spacing` voxels apart. They do not depend on the
-// cell; they are incomplete after an interruption.
+// cell; they are incomplete after an interruption. `details` receives what the solver of radiance states.
 SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer,
                                 const config::CloudLightBake& bake, int spacing,
-                                const BakeOptions& options);
+                                const BakeOptions& options, Facts& details);
 
 // Returns the texels whose lookups are nearest to the values.
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
@@ -52,16 +52,7 @@ std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
 // interruption.
 std::shared_ptr<const VoxelSource> cloud_light_texels(const cloud_light::CloudLayer& layer,
                                                       const config::CloudLightBake& bake,
-                                                      int spacing, const BakeOptions& options);
-
-// What lookups are measured against. Points lie in cells with cloud, those of a map anywhere. `layer`
-// outlives it.
-struct CloudLightTruth {
-    VolumeReference reference;
-    VolumeComparison comparison;
-    std::string name;
-};
-CloudLightTruth cloud_light_truth(const cloud_light::CloudLayer& layer,
-                                  const config::CloudLightBake& bake, int threads);
+                                                      int spacing, const BakeOptions& options,
+                                                      Facts& details);
 
 }  // namespace skybake

@@ -66,6 +66,12 @@ Harmonics harmonics(const glm::dvec3& d) {
             third * d.x * (x2 - 3 * y2)};
 }
 
+std::size_t degree_of_harmonic(std::size_t coefficient) {
+    std::size_t degree = 0;
+    while ((degree + 1) * (degree + 1) <= coefficient) ++degree;
+    return degree;
+}
+
 std::vector<SkyDirection> sky_directions(int zenith, int around) {
     const QuadratureRule rule = gauss_legendre(zenith);
     std::vector<SkyDirection> directions;

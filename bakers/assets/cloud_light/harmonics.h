@@ -21,6 +21,9 @@ inline constexpr std::size_t kMostHarmonics = (kMostDegree + 1) * (kMostDegree +
 using Harmonics = std::array<double, kMostHarmonics>;
 Harmonics harmonics(const glm::dvec3& direction);
 
+// The degree l of coefficient l^2 + l + m.
+std::size_t degree_of_harmonic(std::size_t coefficient);
+
 // Directions of the upper hemisphere with their solid angles: Gauss and Legendre's rule of the cosine
 // of the zenith angle, and even steps of the azimuth.
 struct SkyDirection {

@@ -18,12 +18,9 @@ constexpr int kRowsPerTile = 8;
 
 LightChannels channels_per_sun(const CloudLightBake& bake) {
     LightChannels channels;
-    const std::size_t suns = bake.sun_elevations.size();
-    for (std::size_t i = 0; i < suns; ++i) {
-        const double azimuth = bake.sun_azimuths.empty() ? 0 : bake.sun_azimuths[i].radians;
-        channels.directions.push_back(towards(bake.sun_elevations[i].radians, azimuth));
-        channels.weights.emplace_back(suns, 0.0)[i] = 1;
-    }
+    channels.directions = sun_directions(bake);
+    const std::size_t suns = channels.directions.size();
+    for (std::size_t i = 0; i < suns; ++i) channels.weights.emplace_back(suns, 0.0)[i] = 1;
     return channels;
 }
 
@@ -85,6 +82,15 @@ std::array<float, 2> LightChannels::bounds(std::size_t channel) const {
         return static_cast<float>(std::clamp(sum * most, -kAny, kAny));
     };
     return {bound(sums[0]), bound(sums[1])};
+}
+
+std::vector<glm::dvec3> sun_directions(const CloudLightBake& bake) {
+    std::vector<glm::dvec3> directions;
+    for (std::size_t i = 0; i < bake.sun_elevations.size(); ++i) {
+        const double azimuth = bake.sun_azimuths.empty() ? 0 : bake.sun_azimuths[i].radians;
+        directions.push_back(towards(bake.sun_elevations[i].radians, azimuth));
+    }
+    return directions;
 }
 
 LightChannels light_channels(const CloudLightBake& bake, const DirectionCounts& counts) {

@@ -33,6 +33,9 @@ struct DirectionCounts {
 // Those of the reference, which share no direction with the others.
 inline constexpr DirectionCounts kReferenceDirections = {8, 16};
 
+// The unit vectors towards the suns of a recipe.
+std::vector<glm::dvec3> sun_directions(const config::CloudLightBake& bake);
+
 LightChannels light_channels(const config::CloudLightBake& bake,
                              const DirectionCounts& counts = {});
 

@@ -1,0 +1,39 @@
+// The light that a layer scatters, all orders of it, in the cells of a grid: the fixed point of
+//
+//   J = w' sum_lm chi'_l a_lm Y_lm,   a_lm: the coefficients of the radiance that J and J_1 send out
+//
+// J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h). Orders
+// of scattering are a slowly converging series where the cloud is thick; Anderson's method finds its limit
+// from the last few of them (Anderson 1965; Walker & Ni 2011).
+#pragma once
+
+#include <array>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_paths.h"
+#include "bakers/assets/cloud_light/cloud_scattering.h"
+#include "bakers/assets/cloud_light/depth_sweep.h"
+#include "bakers/assets/cloud_light/radiance_sweep.h"
+#include "bakers/math/bake_options.h"
+
+namespace skybake::cloud_light {
+
+struct SolvedRadiance {
+    // Coefficients of J without J_1 per extinction of the scaled cloud, in 1/sr for an irradiance of 1:
+    // the light in direction d is the sum of coefficients times harmonics of d.
+    CellFields scattered;
+    int sweeps = 0;
+    double change = 0;  // of J in the last sweep: root mean square over that of J
+};
+
+// The change at which the solution ends.
+inline constexpr double kLargestChange = 2e-4;
+inline constexpr int kMostSweeps = 200;
+
+// Cells are as many as places, and each has its centre at one. Incomplete once options.progress is
+// cancelled.
+SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
+                              const CloudScattering& scattering, int degree,
+                              const LayerSources& sources, const BakeOptions& options);
+
+}  // namespace skybake::cloud_light

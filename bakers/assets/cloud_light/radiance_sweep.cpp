@@ -1,0 +1,193 @@
+#include "bakers/assets/cloud_light/radiance_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "bakers/assets/cloud_light/radiance_kernel.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake::cloud_light {
+
+namespace {
+
+constexpr int kZenithNodes = 4;
+constexpr int kAzimuths = 8;
+
+// (1 - e^-x) / x.
+double mean_of_exponential(double x, double passing) {
+    constexpr double kSmall = 1e-4;  // of which the series leaves x^2 / 6
+    return x < kSmall ? 1 - 0.5 * x : (1 - passing) / x;
+}
+
+}  // namespace
+
+CellFields::CellFields(const std::array<int, 3>& size, std::size_t count)
+    : size_(size),
+      count_(count),
+      stride_((static_cast<std::size_t>(size[0]) + 2 * kRowSlack - 1) / kRowSlack * kRowSlack),
+      values_(stride_ * static_cast<std::size_t>(size[1]) * static_cast<std::size_t>(size[2]) *
+              count) {}
+
+std::size_t CellFields::at(std::size_t field, int z, int y) const {
+    const auto rows = static_cast<std::size_t>(size_[1]);
+    const auto planes = static_cast<std::size_t>(size_[2]);
+    return ((field * planes + static_cast<std::size_t>(z)) * rows + static_cast<std::size_t>(y)) *
+           stride_;
+}
+
+std::vector<float> values_of(const CellFields& fields, std::size_t field) {
+    const auto length = static_cast<std::ptrdiff_t>(fields.size()[0]);
+    std::vector<float> values;
+    for (int z = 0; z < fields.size()[2]; ++z) {
+        for (int y = 0; y < fields.size()[1]; ++y) {
+            const float* row = fields.row(field, z, y);
+            values.insert(values.end(), row, row + length);
+        }
+    }
+    return values;
+}
+
+// Light of one direction in a plane. Rows have a cell more on each side, at kRowSlack - 1 and behind the
+// last, which are those of the next tiles.
+struct RadianceSweep::Rays {
+    Ordinate ordinate;
+    Harmonics harmonics{};
+    std::array<int, 2> upwind{};  // the neighbour from which light comes
+    std::array<float, 4> share{};
+    CellFields before, after, source, mean;
+
+    Rays(const std::array<int, 3>& size, const Ordinate& along, double entering)
+        : ordinate(along),
+          harmonics(cloud_light::harmonics(along.direction)),
+          before({size[0] + 2 * static_cast<int>(kRowSlack), size[1], 1}, 1),
+          after(before),
+          source({size[0], size[1], 1}, 1),
+          mean({size[0], size[1], 1}, 1) {
+        for (int y = 0; y < size[1]; ++y) {
+            std::fill_n(before.row(0, 0, y), before.size()[0], static_cast<float>(entering));
+        }
+    }
+};
+
+RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options)
+    : size_(cells.extinction.size()),
+      edge_m_(cells.edge_m),
+      coefficients_(static_cast<std::size_t>((degree + 1) * (degree + 1))),
+      options_(options),
+      passing_(size_, kZenithNodes),
+      mean_passing_(size_, kZenithNodes) {
+    for (const SkyDirection& sky : sky_directions(kZenithNodes, kAzimuths)) {
+        const std::size_t node = downward_.size() / kAzimuths;
+        if (downward_.size() % kAzimuths == 0) {
+            const double cosine = sky.direction.z;
+            const double tangent = std::sqrt(1 - cosine * cosine) / cosine;
+            const double cells_across = tangent * edge_m_[2] / std::min(edge_m_[0], edge_m_[1]);
+            nodes_.push_back({std::max(1, static_cast<int>(std::ceil(cells_across))), tangent});
+            fill_passing(cells, node, cosine);
+        }
+        glm::dvec3 direction = sky.direction;
+        direction.z = -direction.z;
+        downward_.push_back({direction, sky.solid_angle, node});
+    }
+}
+
+void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine) {
+    const double length = edge_m_[2] / (cosine * nodes_[node].steps);
+    parallel_for(size_[2], options_.threads, [&](int z) {
+        for (int y = 0; y < size_[1]; ++y) {
+            const float* extinction = cells.extinction.row(0, z, y);
+            float* passing = passing_.row(node, z, y);
+            float* mean = mean_passing_.row(node, z, y);
+            for (int x = 0; x < size_[0]; ++x) {
+                const double depth = double{extinction[x]} * length;
+                const double share = exponential(-depth);
+                passing[x] = static_cast<float>(share);
+                mean[x] = static_cast<float>(mean_of_exponential(depth, share));
+            }
+        }
+    });
+}
+
+// Of one row, from `before` to `after`.
+void RadianceSweep::step(const Ordinate& ordinate, int z, int y, Rays& rays) const {
+    const auto count = static_cast<std::size_t>(size_[0]);
+    const int beside = (y + rays.upwind[1] + size_[1]) % size_[1];
+    const float* here = rays.before.row(0, 0, y) + kRowSlack;
+    const float* there = rays.before.row(0, 0, beside) + kRowSlack;
+    RowStep step;
+    step.light = {here, here + rays.upwind[0], there, there + rays.upwind[0]};
+    step.share = rays.share;
+    step.passing = passing_.row(ordinate.node, z, y);
+    step.mean_passing = mean_passing_.row(ordinate.node, z, y);
+    step.source = rays.source.row(0, 0, y);
+    step.part = 1 / static_cast<float>(nodes_[ordinate.node].steps);
+    float* after = rays.after.row(0, 0, y) + kRowSlack;
+    step_row(step, count, after, rays.mean.row(0, 0, y));
+    after[-1] = after[count - 1];
+    after[count] = after[0];
+}
+
+void RadianceSweep::cross_plane(const CellFields& sources, int z, Rays& rays) const {
+    const Ordinate& ordinate = rays.ordinate;
+    const auto count = static_cast<std::size_t>(size_[0]);
+    for (int y = 0; y < size_[1]; ++y) {
+        float* source = rays.source.row(0, 0, y);
+        std::fill_n(source, count, 0.0F);
+        std::fill_n(rays.mean.row(0, 0, y), count, 0.0F);
+        for (std::size_t c = 0; c < coefficients_; ++c) {
+            add_scaled(sources.row(c, z, y), static_cast<float>(rays.harmonics[c]), count, source);
+        }
+    }
+    const Node& node = nodes_[ordinate.node];
+    std::array<double, 2> moved{};  // cells in a step
+    for (std::size_t a = 0; a < 2; ++a) {
+        moved[a] = ordinate.direction[a] / std::fabs(ordinate.direction.z) * edge_m_[2] /
+                   (edge_m_[a] * node.steps);
+        rays.upwind[a] = moved[a] > 0 ? -1 : 1;
+        moved[a] = std::min(std::fabs(moved[a]), 1.0);  // rounding
+    }
+    rays.share = {static_cast<float>((1 - moved[0]) * (1 - moved[1])),
+                  static_cast<float>(moved[0] * (1 - moved[1])),
+                  static_cast<float>((1 - moved[0]) * moved[1]),
+                  static_cast<float>(moved[0] * moved[1])};
+    for (int i = 0; i < node.steps; ++i) {
+        for (int y = 0; y < size_[1]; ++y) step(ordinate, z, y, rays);
+        std::swap(rays.before, rays.after);
+    }
+}
+
+void RadianceSweep::add_rows(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const {
+    for (const Rays& one : rays) {
+        const float* mean = one.mean.row(0, 0, y);
+        for (std::size_t c = 0; c < coefficients_; ++c) {
+            const auto weight = static_cast<float>(one.ordinate.solid_angle * one.harmonics[c]);
+            add_scaled(mean, weight, static_cast<std::size_t>(size_[0]), sums.row(c, z, y));
+        }
+    }
+}
+
+void RadianceSweep::sweep(const CellFields& sources, double entering, bool rises,
+                          CellFields& sums) const {
+    std::vector<Rays> rays;
+    for (Ordinate ordinate : downward_) {
+        if (rises) ordinate.direction.z = -ordinate.direction.z;
+        rays.emplace_back(size_, ordinate, entering);
+    }
+    for (int i = 0; i < size_[2] && !options_.cancelled(); ++i) {
+        const int z = rises ? i : size_[2] - 1 - i;
+        parallel_for(static_cast<int>(rays.size()), options_.threads,
+                     [&](int n) { cross_plane(sources, z, rays[static_cast<std::size_t>(n)]); });
+        parallel_for(size_[1], options_.threads, [&](int y) { add_rows(rays, z, y, sums); });
+    }
+}
+
+CellFields RadianceSweep::radiance(const CellFields& sources, const EnteringLight& entering) const {
+    CellFields sums(size_, coefficients_);
+    sweep(sources, entering.sky, false, sums);
+    sweep(sources, entering.ground, true, sums);
+    return sums;
+}
+
+}  // namespace skybake::cloud_light

@@ -1,0 +1,102 @@
+// The mean radiance in the cells of a layer, in discrete directions, where the light that each cell
+// scatters is known (discrete ordinates: Chandrasekhar 1960; step characteristics: Lathrop 1969).
+//
+// All rays of one direction cross the layer together, plane by plane. A plane is crossed in steps in which
+// rays move by at most a cell along x and y. Between the middles of two steps light is interpolated
+// linearly between rays; in a step of the optical depth x in a cell that sends out S
+//
+//   after = S + (L - S) exp(-x)        mean = S + (L - S) (1 - exp(-x)) / x
+//
+// The zenith cosines of each hemisphere are Gauss and Legendre's, and azimuths are even steps, so that
+// integrals of harmonics times harmonics up to kMostDegree are exact.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/math/memory.h"
+
+namespace skybake::cloud_light {
+
+// Values in the cells of a layer, one field for each coefficient of harmonics: [coefficient][z][y][x].
+// Rows are followed by kRowSlack floats.
+class CellFields {
+  public:
+    CellFields() = default;
+    CellFields(const std::array<int, 3>& size, std::size_t count);
+
+    std::size_t count() const { return count_; }
+    const std::array<int, 3>& size() const { return size_; }
+    float* row(std::size_t field, int z, int y) { return values_.data() + at(field, z, y); }
+    const float* row(std::size_t field, int z, int y) const {
+        return values_.data() + at(field, z, y);
+    }
+
+  private:
+    std::size_t at(std::size_t field, int z, int y) const;
+
+    std::array<int, 3> size_{};
+    std::size_t count_ = 0;
+    std::size_t stride_ = 0;
+    AlignedFloats values_;
+};
+
+// Returns the values of one field, x fastest.
+std::vector<float> values_of(const CellFields& fields, std::size_t field);
+
+// The cells of a layer: extinction in 1/m of a single field, and edges in metres.
+struct LayerCells {
+    CellFields extinction;
+    std::array<double, 3> edge_m{};
+};
+
+// Light that enters the layer from all directions above and below.
+struct EnteringLight {
+    double sky = 0;
+    double ground = 0;
+};
+
+class RadianceSweep {
+  public:
+    // Cells must outlive it.
+    RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options);
+
+    // Returns the coefficients of the mean radiance in each cell. `sources` are those of the light per
+    // extinction that cells send out. Incomplete once options.progress is cancelled.
+    CellFields radiance(const CellFields& sources, const EnteringLight& entering) const;
+
+    // Directions in which rays go.
+    std::size_t directions() const { return 2 * downward_.size(); }
+
+  private:
+    struct Node {  // of the zenith angle
+        int steps = 1;
+        double tangent = 0;
+    };
+    struct Ordinate {
+        glm::dvec3 direction{};
+        double solid_angle = 0;
+        std::size_t node = 0;
+    };
+    struct Rays;
+
+    void fill_passing(const LayerCells& cells, std::size_t node, double cosine);
+    void sweep(const CellFields& sources, double entering, bool rises, CellFields& sums) const;
+    void cross_plane(const CellFields& sources, int z, Rays& rays) const;
+    void step(const Ordinate& ordinate, int z, int y, Rays& rays) const;
+    void add_rows(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const;
+
+    std::array<int, 3> size_;
+    std::array<double, 3> edge_m_;
+    std::size_t coefficients_;
+    BakeOptions options_;
+    std::vector<Node> nodes_;
+    std::vector<Ordinate> downward_;  // of the lower hemisphere
+    CellFields passing_;              // one field for each node
+    CellFields mean_passing_;
+};
+
+}  // namespace skybake::cloud_light

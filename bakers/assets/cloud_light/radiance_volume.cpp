@@ -1,0 +1,108 @@
+#include "bakers/assets/cloud_light/radiance_volume.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+#include "bakers/assets/cloud_light/cloud_paths.h"
+#include "bakers/assets/cloud_light/depth_reference.h"
+#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/light_values.h"
+#include "bakers/assets/cloud_light/radiance_solver.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake::cloud_light {
+
+using config::CloudLightBake;
+using config::CloudLightContents;
+
+namespace {
+
+// Each of strength 1.
+LayerSources sources_of(const CloudLightBake& bake) {
+    LayerSources sources;
+    switch (bake.contents) {
+        case CloudLightContents::sky_radiance:
+            sources.sky = 1;
+            break;
+        case CloudLightContents::ground_radiance:
+            sources.ground = 1;
+            break;
+        default:
+            sources.sun = 1;
+            sources.sun_direction = sun_directions(bake).front();
+    }
+    return sources;
+}
+
+// The coefficients of all light at a place but the sun's own.
+Harmonics traced_coefficients(const CloudPaths& paths, const glm::dvec3& place, std::uint32_t ray) {
+    constexpr std::uint64_t kSeed = 176;
+    Harmonics sums{};
+    for (int i = 0; i < kReferencePaths; ++i) {
+        RandomStream random(kSeed, ray, static_cast<std::uint64_t>(i));
+        glm::dvec3 look;
+        const double density = paths.draw_direction(random, look);
+        TracedRadiance light;
+        paths.walk(place, look, random, light);
+        const Harmonics values = harmonics(-look);
+        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += light.sum() / density * values[c];
+    }
+    for (double& sum : sums) sum /= kReferencePaths;
+    return sums;
+}
+
+}  // namespace
+
+CloudScattering scattering_of(const CloudLightBake& bake) {
+    return droplet_scattering(bake.droplet_diameter.meters * 1e6, bake.single_scattering_albedo);
+}
+
+ScaledScattering scaled_scattering_of(const CloudLightBake& bake) {
+    return scaled(scattering_of(bake), bake.degree);
+}
+
+std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,
+                                                const CloudLightBake& bake,
+                                                const BakeOptions& options, Facts& details) {
+    const SolvedRadiance solved =
+        solve_radiance(layer, places, scattering_of(bake), bake.degree, sources_of(bake), options);
+    details.emplace_back("sweeps", static_cast<double>(solved.sweeps));
+    details.emplace_back("last_change", to_digits(solved.change, 3));
+    std::vector<std::vector<float>> values;
+    for (std::size_t c = 0; c < config::channels_of(bake); ++c) {
+        values.push_back(
+            values_of(solved.scattered, static_cast<std::size_t>(4 * (bake.part - 1)) + c));
+    }
+    return values;
+}
+
+VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
+                                   int threads) {
+    const LayerSources sources = sources_of(bake);
+    const auto paths =
+        std::make_shared<const CloudPaths>(layer, scattering_of(bake), sources, threads);
+    return [&layer, paths, sources, bake,
+            scattering = scaled_scattering_of(bake)](const std::array<double, 3>& uvw) {
+        glm::dvec3 place;
+        for (std::size_t a = 0; a < 3; ++a) place[a] = uvw[a] * layer.size[a];
+        // Places that differ along u have random numbers of their own.
+        const auto ray = static_cast<std::uint32_t>(std::clamp(uvw[0], 0.0, 1.0) * 0xffffffffU);
+        Harmonics light = traced_coefficients(*paths, place, ray);
+        if (sources.sun > 0) {
+            const double depth = optical_depth_reference(layer, place, sources.sun_direction);
+            const double more =
+                exponential(-depth) - exponential(-scattering.extinction_share * depth);
+            const Harmonics onwards = harmonics(-sources.sun_direction);
+            for (std::size_t c = 0; c < light.size(); ++c) light[c] += more * onwards[c];
+        }
+        std::vector<double> values;
+        for (std::size_t c = 0; c < config::channels_of(bake); ++c) {
+            const std::size_t i = static_cast<std::size_t>(4 * (bake.part - 1)) + c;
+            values.push_back(scattering.returned[degree_of_harmonic(i)] * light[i]);
+        }
+        return values;
+    };
+}
+
+}  // namespace skybake::cloud_light

@@ -1,0 +1,40 @@
+// What the channels of a cloud_light volume of radiance hold, and what they are measured against.
+#pragma once
+
+#include <vector>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_scattering.h"
+#include "bakers/assets/cloud_light/depth_sweep.h"
+#include "bakers/field/certify.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/math/facts.h"
+#include "config/assets/cloud_light.h"
+
+namespace skybake::cloud_light {
+
+// How the cloud of a recipe scatters light, and without its forward peak.
+CloudScattering scattering_of(const config::CloudLightBake& bake);
+ScaledScattering scaled_scattering_of(const config::CloudLightBake& bake);
+
+// Returns the channels at all places, x fastest: one vector for each channel. Adds how far the solution
+// has converged to `details`. The result does not depend on the number of threads; it is incomplete once
+// options.progress is cancelled.
+std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,
+                                                const config::CloudLightBake& bake,
+                                                const BakeOptions& options, Facts& details);
+
+// Paths of light from each place.
+inline constexpr int kReferencePaths = 2048;
+
+// Returns the channels at a place from paths of light in all directions: with a the coefficients of all
+// light there, sunlight included that was not scattered, and tau the optical depth to the sun,
+//
+//   J_lm = w' chi'_l (a_lm - E exp(-s tau) Y_lm(-sun))
+//
+// The scaled cloud and the cloud itself have the same a (cloud_scattering.h), of which the second term is
+// the scaled cloud's own sunlight, whose scattering is not J's. `layer` must outlive it.
+VolumeReference radiance_reference(const CloudLayer& layer, const config::CloudLightBake& bake,
+                                   int threads);
+
+}  // namespace skybake::cloud_light

@@ -1,0 +1,79 @@
+// Pictures of a layer of clouds from outside: marched with the lookups that are published for runtimes,
+// and by paths of light.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <vector>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_paths.h"
+#include "bakers/assets/cloud_light/cloud_scattering.h"
+#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/field/interpolation.h"
+#include "bakers/occupancy/cell_grid.h"
+
+namespace skybake::test {
+
+struct LightTextures {
+    std::array<int, 3> depth_size{};
+    std::vector<float> depth;  // to the sun
+    std::array<int, 3> size{};
+    std::vector<std::vector<float>> of_sun;  // coefficients of sun_radiance
+    std::vector<std::vector<float>> of_sky;  // and of sky_radiance
+};
+
+using VoxelTaps = std::array<VoxelTap, 8>;
+
+inline double looked_up(const std::vector<float>& texels, const VoxelTaps& taps,
+                        const std::array<int, 3>& size) {
+    double sum = 0;
+    for (const VoxelTap& tap : taps) {
+        sum += tap.weight *
+               double{texels[occupancy::index_of(size, tap.voxel[0], tap.voxel[1], tap.voxel[2])]};
+    }
+    return sum;
+}
+
+// The light of a march from a face of the layer, in steps of at most `step` voxels: that of
+// examples/lookups/cloud_light.glsl. `passed` is the share of the background that is seen.
+inline double marched(const cloud_light::CloudLayer& layer, const LightTextures& textures,
+                      const cloud_light::CloudScattering& scattering,
+                      const cloud_light::LayerSources& sources, int degree, const glm::dvec3& place,
+                      const glm::dvec3& look, double step, double& passed) {
+    const double share = cloud_light::scaled(scattering, degree).extinction_share;
+    const double nu = glm::dot(look, sources.sun_direction);
+    const double phase = cloud_light::phase_value(scattering, 1 - nu, 1 + nu);
+    const cloud_light::Harmonics values = cloud_light::harmonics(-look);
+    const glm::dvec3 along = cloud_light::in_voxels(layer, look);
+    const double length = (look.z > 0 ? layer.size[2] - place.z : -place.z) / along.z;
+    const int steps =
+        static_cast<int>(std::ceil(length * std::fmax(glm::length(along), 1e-9) / step));
+    double light = 0;
+    passed = 1;
+    for (int i = 0; i < steps; ++i) {
+        const glm::dvec3 at = place + along * (length * (i + 0.5) / steps);
+        const double depth = share * cloud_light::extinction_at(layer, at) * length / steps;
+        if (depth == 0) continue;
+        std::array<double, 3> uvw{};
+        for (std::size_t a = 0; a < 3; ++a) uvw[a] = at[a] / layer.size[a];
+        const std::array<bool, 3> repeats = {true, true, false};
+        const VoxelTaps taps = trilinear_taps(textures.size, uvw, repeats);
+        const double sun_depth = looked_up(
+            textures.depth, trilinear_taps(textures.depth_size, uvw, repeats), textures.depth_size);
+        double in = sources.sun * scattering.albedo * phase / share * std::exp(-share * sun_depth);
+        for (std::size_t c = 0; c < textures.of_sun.size(); ++c) {
+            in += sources.sun * values[c] * looked_up(textures.of_sun[c], taps, textures.size);
+        }
+        for (std::size_t c = 0; c < textures.of_sky.size(); ++c) {
+            in += sources.sky * values[c] * looked_up(textures.of_sky[c], taps, textures.size);
+        }
+        light += passed * (1 - std::exp(-depth)) * in;
+        passed *= std::exp(-depth);
+    }
+    return light + passed * (look.z > 0 ? sources.sky : sources.ground);
+}
+
+}  // namespace skybake::test
