@@ -41,6 +41,7 @@ double octaves_of(const config::Noise& noise) {
     // median times of noise_benchmark.
     constexpr double kScatteredGradients = 32;
     constexpr double kScatteredCells = 120;
+    constexpr double kAlligator = 4;  // where cells are several voxels wide
     constexpr double kWarpComponents = 3;
     const auto count = [](const config::NoiseOctaves& octaves) {
         return static_cast<double>(octaves.gains.size());
@@ -51,7 +52,7 @@ double octaves_of(const config::Noise& noise) {
         const bool alligator = config::is_alligator(channel.type);
         const bool of_cells = alligator || channel.type == config::NoiseType::worley;
         const double gradients = warped ? kScatteredGradients : 1;
-        const double cells = warped || alligator ? kScatteredCells : 1;
+        const double cells = warped ? kScatteredCells : alligator ? kAlligator : 1;
         octaves += 1 + count(channel.octaves) * (of_cells ? cells : gradients) +
                    count(channel.worley_octaves) * cells +
                    count(channel.warp_octaves) * kWarpComponents;

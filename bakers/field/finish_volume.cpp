@@ -104,7 +104,8 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
     }
     Level& level = volume.levels[static_cast<std::size_t>(number)];
     level.nearest = is_looked_up_nearest(volume.axes);
-    return add_volume_probes(volume.name, place, volume.pixel_type, options, level);
+    return add_volume_probes(volume.name, static_cast<int>(volume.axes.size()), place,
+                             volume.pixel_type, options, level);
 }
 
 }  // namespace
@@ -147,8 +148,9 @@ using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
 
-ProbedTexture probed_volume(const Level& level, config::PixelType type) {
+ProbedTexture probed_volume(const Level& level, int dimensions, config::PixelType type) {
     ProbedTexture texture;
+    texture.dimensions = dimensions;
     texture.texture.use = {level.size, level.repeats, level.nearest};
     texture.texture.channels = level.statistics.size();
     texture.texture.read = [voxels = StoredVoxels(level, type)](const std::array<VoxelTap, 8>& taps,
@@ -301,7 +303,7 @@ ProbePlace texture_place(const UnitPlace& uvw) {
 
 }  // namespace
 
-std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
+std::optional<config::Diagnostic> add_volume_probes(const std::string& asset, int dimensions,
                                                     const ProbePlaces& place,
                                                     config::PixelType type,
                                                     const BakeOptions& options, Level& level) {
@@ -310,7 +312,8 @@ std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
     add_seams(readable, space.wanted);
     add_even_places(space.wanted);
     add_peaks(readable, type, space.wanted);
-    ProbeSet set = take_probes(probed_volume(readable, type), {space}, kVolumeProbes, options);
+    ProbeSet set =
+        take_probes(probed_volume(readable, dimensions, type), {space}, kVolumeProbes, options);
     if (const auto problem = weak_probes(asset, set)) return problem;
     level.probes.clear();
     for (TakenProbe& taken : set.probes) level.probes.push_back(as_probe(std::move(taken)));

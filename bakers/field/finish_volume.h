@@ -50,14 +50,13 @@ int quick_lookup_points(bool is_expensive);
 config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
                                      const BakeOptions& options);
 
-// Fills in the probes and catches of a level that has been surveyed. `place` returns the physical
+// Fills in the probes and catches of a level that has been surveyed. A file of two `dimensions` is
+// looked up by two coordinates, so that none can be mistaken for a third. `place` returns the physical
 // place for texture coordinates; if it is empty, only texture coordinates are known. Candidate
 // places lie all over the volume, at its seams, at the level's peaks and on the slopes around them.
 // E0407 names `asset`.
-[[nodiscard]] std::optional<config::Diagnostic> add_volume_probes(const std::string& asset,
-                                                                  const ProbePlaces& place,
-                                                                  config::PixelType type,
-                                                                  const BakeOptions& options,
-                                                                  Level& level);
+[[nodiscard]] std::optional<config::Diagnostic> add_volume_probes(
+    const std::string& asset, int dimensions, const ProbePlaces& place, config::PixelType type,
+    const BakeOptions& options, Level& level);
 
 }  // namespace skybake

@@ -30,7 +30,7 @@ Level probed(const std::array<int, 3>& size, int channels, PixelType type,
     EXPECT_TRUE(survey_level(volume, 0, ranges, options).empty());
     Level& level = volume.levels[0];
     level.nearest = nearest;
-    EXPECT_FALSE(add_volume_probes("shape", {}, type, options, level).has_value());
+    EXPECT_FALSE(add_volume_probes("shape", 3, {}, type, options, level).has_value());
     return level;
 }
 

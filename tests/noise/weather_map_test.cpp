@@ -6,10 +6,12 @@
 #include <complex>
 #include <numbers>
 #include <random>
+#include <set>
 
 #include "bakers/assets/weather_map/covered_share.h"
 #include "bakers/assets/weather_map/weather_map_table.h"
 #include "bakers/assets/weather_map/wind_streaks.h"
+#include "bakers/field/wrong_lookups.h"
 #include "bakers/noise/noise_reference.h"
 #include "config/assets/weather_map.h"
 #include "tests/noise/noises.h"
@@ -324,6 +326,24 @@ TEST(WeatherMap, SaysWhereSamplesLie) {
         const double u = probe.at[0].second + 1 / 32.0;
         EXPECT_NEAR(u - std::floor(u), probe.uvw[0] - std::floor(probe.uvw[0]), 1e-9);
         EXPECT_EQ(probe.uvw[2], 0.5);
+    }
+}
+
+// A map has no third coordinate that a lookup could exchange for another.
+TEST(WeatherMap, ProbesDetectFaultsOfTwoCoordinates) {
+    for (const std::array<int, 2>& size : {std::array{64, 64}, std::array{48, 20}}) {
+        const Baked map =
+            baked(two_clouds(), bake_of(size, {0.5, 0.5, 0.5}, {0.1, 0.1, 0.1}, PixelType::unorm8));
+        const Level& level = map.levels.front();
+        std::set<std::string> possible;
+        for (const WrongLookup& wrong : wrong_lookups({level.size, level.repeats, false}, 2)) {
+            possible.insert(wrong.name);
+        }
+        const std::set<std::string> caught(level.catches.begin(), level.catches.end());
+        for (const std::string& name : caught) EXPECT_TRUE(possible.contains(name)) << name;
+        for (const char* name : {"zeros", "flip_u", "flip_v", "swap_uv"}) {
+            EXPECT_TRUE(caught.contains(name)) << name;
+        }
     }
 }
 

@@ -149,7 +149,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const CloudDistanceB
 }  // namespace
 
 const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
-    static const Baker<CloudDistanceBake> row = {.version = 1,
+    static const Baker<CloudDistanceBake> row = {.version = 2,
                                                  .bake = bake,
                                                  .estimate = estimate,
                                                  .needs = needs,

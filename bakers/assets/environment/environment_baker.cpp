@@ -45,14 +45,14 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
     });
 }
 
-const CloudVolumeBake& volume_named(const Parameters& parameters, const std::string& name) {
+const CloudVolumeBake& clouds_named(const Parameters& parameters, const std::string& name) {
     return bake_named(parameters, name).as<CloudVolumeBake>();
 }
 
 std::vector<Need> needs(const Parameters& parameters, const EnvironmentBake& asset, Certification) {
     std::vector<Need> needs = light_needs(parameters, asset.orders, true);
     for (const std::string& clouds : asset.clouds) {
-        for (Need& need : needs_of_voxels(parameters, volume_named(parameters, clouds))) {
+        for (Need& need : needs_of_voxels(parameters, clouds_named(parameters, clouds))) {
             needs.push_back(std::move(need));
         }
     }
@@ -66,7 +66,7 @@ Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
     const double texels = double(asset.size[0]) * asset.size[1];
     const double rays = texels * asset.samples * asset.samples / 2;
     for (const std::string& clouds : asset.clouds) {
-        const CloudVolumeBake& of = volume_named(parameters, clouds);
+        const CloudVolumeBake& of = clouds_named(parameters, clouds);
         const Estimate voxels = estimate_cloud_volume(parameters, of);
         result.seconds += voxels.seconds + kSecondsPerRay * rays;
         // The voxels, as they are made and as they are marched, and what texels see of them.
@@ -185,7 +185,7 @@ void draft(EnvironmentBake& asset, int) {
 std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBake& asset) {
     std::vector<InputFile> files;
     for (const std::string& clouds : asset.clouds) {
-        for (InputFile& file : cloud_volume_inputs(parameters, volume_named(parameters, clouds))) {
+        for (InputFile& file : cloud_volume_inputs(parameters, clouds_named(parameters, clouds))) {
             files.push_back(std::move(file));
         }
     }

@@ -167,7 +167,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const OccupancyBake&
 }  // namespace
 
 const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
-    static const Baker<config::OccupancyBake> row = {.version = 3,
+    static const Baker<config::OccupancyBake> row = {.version = 4,
                                                      .bake = bake,
                                                      .estimate = estimate,
                                                      .needs = needs,
