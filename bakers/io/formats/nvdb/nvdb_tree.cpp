@@ -31,10 +31,9 @@ class NvdbTree::Reader {
         const auto& data = *reinterpret_cast<const NvdbRoot*>(memory.data());
         tree_.background_ = data.mBackground;
         take(data.mBackground);
-        for (int i = 0; i < 3; ++i) {
-            const auto axis = static_cast<std::size_t>(i);
-            tree_.first_[axis] = data.mBBox.min()[i];
-            tree_.last_[axis] = data.mBBox.max()[i];
+        for (nanovdb::Coord::IndexType axis = 0; axis < 3; ++axis) {
+            tree_.first_[axis] = data.mBBox.min()[axis];
+            tree_.last_[axis] = data.mBBox.max()[axis];
         }
         for (std::uint32_t i = 0; i < data.mTableSize; ++i) {
             read_root_tile(root, root + sizeof(NvdbRoot) + i * sizeof(NvdbRoot::Tile));
