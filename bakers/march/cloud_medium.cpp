@@ -9,7 +9,7 @@
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake {
 

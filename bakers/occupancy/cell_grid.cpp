@@ -3,7 +3,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

@@ -7,7 +7,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/distance_volume.h"
 #include "bakers/occupancy/nearest_voxel.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake {
 

@@ -6,12 +6,11 @@
 #include <vector>
 
 #include "config/assets/asset.h"
+#include "config/assets/occupancy_filter.h"
 #include "config/sections/files.h"
 
 namespace skybake::config {
 
-// A runtime looks the volume up with this filter.
-enum class OccupancyFilter { nearest, trilinear, tricubic };
 enum class OccupancyRule { exact, thesis };
 enum class OccupancyContent { occupied, leap, minimum, maximum };
 
@@ -19,7 +18,7 @@ struct OccupancyBake : AssetFiles {
     std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
     std::string channel;  // a channel of that volume; empty: its first
     int cell = 4;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16
-    OccupancyFilter filter = OccupancyFilter::trilinear;
+    OccupancyFilter filter = OccupancyFilter::trilinear;  // with which a runtime looks it up
     OccupancyRule rule = OccupancyRule::exact;
     std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates
 };

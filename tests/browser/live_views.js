@@ -65,11 +65,23 @@ async function open(browser, file, options = {}) {
 const places = [[0, 0], [0.35, 0], [-0.175, 0.303], [-0.175, -0.303]];
 const samples = places.map(([x, y], i) => ({offset: [x, -y], rank: i / 4 / 0.618034}));
 
-// A view as the page draws it, with the renderer's samples: their mean light, in bytes by the exponential curve. The
-// page's own bytes of the samples must be those of their light, but for the dither.
+// A view as the page draws it, with the renderer's samples: their mean light, in bytes by the exponential curve and the
+// Reference Gamut Compression of ACES 1.3. The page's own bytes of the samples must be those of their light, but for the
+// dither.
 const drawn = (page, view) => page.evaluate(([view, width, height, samples]) => {
-    const byte = (linear) => {
-        const shown = 1 - Math.exp(-Math.max(linear, 0) * 2 ** view.exposure);
+    const threshold = [0.815, 0.803, 0.88], limit = [1.147, 1.264, 1.312], power = 1.2;
+    const compressed = (distance, c) => {
+        if (distance <= threshold[c]) return distance;
+        const reach = limit[c] - threshold[c];
+        const scale = reach / (((1 - threshold[c]) / reach) ** -power - 1) ** (1 / power);
+        const x = (distance - threshold[c]) / scale;
+        return threshold[c] + scale * x / (1 + x ** power) ** (1 / power);
+    };
+    const byte = (linear, i, light) => {
+        if ((i & 3) === 3) return 255;
+        const greatest = Math.max(...light.slice(i & ~3, (i & ~3) + 3));
+        const within = greatest > 0 ? greatest * (1 - compressed((greatest - linear) / greatest, i & 3)) : linear;
+        const shown = 1 - Math.exp(-Math.max(within, 0) * 2 ** view.exposure);
         return 255 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055);
     };
     const means = new Array(4 * width * height).fill(0);
@@ -79,9 +91,9 @@ const drawn = (page, view) => page.evaluate(([view, width, height, samples]) => 
         const bytes = window.reduced(document.getElementById('picture'), 1);
         for (let i = 0; i < means.length; ++i) {
             const row = Math.floor(i / (4 * width));
-            const value = light[4 * width * (height - 1 - row) + i % (4 * width)];  // their row 0 is at the bottom
-            if ((i & 3) < 3) farthest = Math.max(farthest, Math.abs(byte(value) - bytes[i]));
-            means[i] += value / samples.length;
+            const at = 4 * width * (height - 1 - row) + i % (4 * width);  // their row 0 is at the bottom
+            if ((i & 3) < 3) farthest = Math.max(farthest, Math.abs(byte(light[at], at, light) - bytes[i]));
+            means[i] += light[at] / samples.length;
         }
     }
     return {bytes: means.map(byte), farthest};

@@ -184,7 +184,7 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
     change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape",
-                                 "bake.mask.mips", "bake.distance.mips"});
+                                 "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
 }
 
 // Minutes: whatever does not change an environment has it made anew.

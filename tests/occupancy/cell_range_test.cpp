@@ -10,7 +10,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/exact_extremes.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/exact_range.h"
 #include "tests/support/cell_range_reference.h"

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 #include "tests/noise/every_target.h"
 #include "tests/occupancy/volumes_in_memory.h"
 

@@ -13,7 +13,7 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::occupancy {

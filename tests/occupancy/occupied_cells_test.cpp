@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 #include "tests/occupancy/exact_range.h"
 #include "tests/support/volumes.h"
 

@@ -9,7 +9,7 @@
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 #include "config/sections/files.h"
 
 namespace skybake::test {

@@ -5,7 +5,7 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/exact_extremes.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/occupancy/cell_range.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

@@ -5,7 +5,7 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/render/cloud_camera.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake {
 

@@ -10,7 +10,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

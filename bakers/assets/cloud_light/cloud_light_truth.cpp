@@ -14,7 +14,7 @@
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake {
 

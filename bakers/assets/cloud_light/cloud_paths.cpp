@@ -10,7 +10,7 @@
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_range.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::cloud_light {
 

@@ -8,7 +8,7 @@
 
 #include "bakers/io/manifest/verify.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

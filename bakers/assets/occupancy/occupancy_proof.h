@@ -8,7 +8,7 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 
