@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/harmonics.h"
 #include "tests/cloud_light/layers.h"
@@ -190,6 +191,37 @@ TEST(CloudLight, BakesHardCases) {
         EXPECT_GE(share, 0);
         EXPECT_LE(share, 1);
     }
+}
+
+// Errors of radiance are shares of the source's light. As shares of their own range, which is small where
+// there is hardly any cloud, the noise of the paths would exceed 1.
+TEST(CloudLight, CertificatesOfRadianceTellSomethingOfHardlyAnyCloud) {
+    CloudLayer layer = test::lone_cloud({16, 16, 8}, {6, 6, 3}, {9, 9, 5});
+    for (const auto contents :
+         {CloudLightContents::sun_radiance, CloudLightContents::sky_radiance}) {
+        CloudLightBake bake = bake_of(contents);
+        if (contents == CloudLightContents::sun_radiance) bake.sun_elevations = {{0.6}};
+        for (const double extinction_per_m : {5e-2, 5e-4}) {
+            layer.optics.extinction_per_m = extinction_per_m;
+            const Baked volume = baked(layer, bake, 2, Certification::quick);
+            EXPECT_GT(volume.certificate.lookup.rms, 0);
+            EXPECT_LT(volume.certificate.lookup.rms, 0.012) << extinction_per_m;
+            EXPECT_LT(volume.certificate.lookup.max, 0.06) << extinction_per_m;
+        }
+    }
+}
+
+// Texels that are all 0 err by the light itself, which in a thick slab is about that of the source.
+TEST(CloudLight, ErrorsOfRadianceAreSharesOfTheSource) {
+    const CloudLayer layer = test::layer_of({4, 4, 16}, 1);
+    CloudLightBake bake = bake_of(CloudLightContents::sky_radiance);
+    const CloudLightTruth truth = cloud_light_truth(layer, bake, 2);
+    const std::array<double, 3> top = {0.5, 0.5, 0.99};
+    const std::vector<double> wanted = truth.reference(top);
+    const std::vector<double> errors =
+        truth.comparison.errors(top, std::vector<double>(wanted.size(), 0.0), wanted);
+    EXPECT_NEAR(errors[0], -wanted[0] / std::sqrt(std::numbers::pi), 1e-12);
+    EXPECT_LT(errors[0], -1);
 }
 
 TEST(CloudLight, GivesTheSameHashForAnyNumberOfThreads) {

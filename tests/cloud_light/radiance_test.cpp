@@ -1,4 +1,4 @@
-// The solved light of a layer: against doubling, paths of light, the furnace, and as recipes bake it.
+// The solved light of a layer: against paths of light, the furnace, and as recipes bake it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +10,6 @@
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "tests/cloud_light/layers.h"
-#include "tests/cloud_light/radiance_view.h"
-#include "tests/published/published_slabs.h"
 
 namespace skybake::cloud_light {
 namespace {
@@ -25,90 +23,8 @@ BakeOptions on(int threads) {
     return options;
 }
 
-CloudScattering henyey_greenstein(double g, double albedo) {
-    return {{{1, make_phase_function(config::Phase::henyey_greenstein, g)}}, albedo};
-}
-
 // A slab of a vertical optical depth, 48 voxels of 8 m high.
 CloudLayer slab(double depth) { return test::layer_of({3, 2, 48}, 1, depth / (8 * 48)); }
-
-LayerSources sun_at(double cosine, double irradiance) {
-    LayerSources sources;
-    sources.sun = irradiance;
-    sources.sun_direction = towards(std::asin(cosine), 0.3);
-    return sources;
-}
-
-test::LightTextures textures_of(const CloudLayer& layer, const SolvedRadiance& solved,
-                                const LayerSources& sources) {
-    test::LightTextures textures;
-    textures.size = layer.size;
-    textures.depth_size = layer.size;
-    const double cosine = sources.sun_direction.z;
-    for (int z = 0; z < layer.size[2]; ++z) {
-        const double above =
-            layer.optics.extinction_per_m * layer.voxel_m[2] * (layer.size[2] - z - 0.5) / cosine;
-        textures.depth.insert(textures.depth.end(),
-                              static_cast<std::size_t>(layer.size[0] * layer.size[1]),
-                              static_cast<float>(above));
-    }
-    for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        textures.of_sun.push_back(values_of(solved.scattered, c));
-    }
-    return textures;
-}
-
-// Seen from outside, as a runtime marches it: Rayleigh's and isotropic scattering by doubling, and
-// Henyey and Greenstein's with g = 0.75 as published.
-double marched_from_outside(const CloudLayer& layer, const CloudScattering& scattering,
-                            const LayerSources& sources, const glm::dvec3& look) {
-    LayerSources of_strength_1 = sources;
-    of_strength_1.sun = 1;
-    const SolvedRadiance solved = solve_radiance(layer, place_grid(layer.size, 1, false),
-                                                 scattering, kMostDegree, of_strength_1, on(2));
-    EXPECT_LE(solved.change, kLargestChange);
-    double passed = 1;
-    return test::marched(layer, textures_of(layer, solved, sources), scattering, sources,
-                         kMostDegree, {1, 1, look.z < 0 ? layer.size[2] : 0}, look, 0.5, passed);
-}
-
-TEST(Radiance, OfASlabLeavesAsDoublingSays) {
-    for (const bool isotropic : {true, false}) {
-        const std::vector<double> moments =
-            isotropic ? std::vector<double>{1} : std::vector<double>{1, 0, 0.1};
-        const std::vector<double> cosines = {0.5};
-        const test::DoubledSlab wanted(4, 0.9, moments, 0.6, 1, cosines);
-        const CloudScattering scattering = {
-            {{1, make_phase_function(isotropic ? config::Phase::isotropic : config::Phase::rayleigh,
-                                     0)}},
-            0.9};
-        const LayerSources sources = sun_at(0.6, 1);
-        for (const bool up : {true, false}) {
-            const glm::dvec3 look =
-                towards((up ? -1 : 1) * std::asin(0.5), 0.3 + std::numbers::pi / 2);
-            const double exact = wanted.leaving(0, up, 0);
-            EXPECT_NEAR(marched_from_outside(slab(4), scattering, sources, look), exact,
-                        0.02 * exact)
-                << isotropic << ' ' << up;
-        }
-    }
-}
-
-TEST(Radiance, OfASlabLeavesAsPublished) {
-    const test::Slab& wanted = test::slab_named("3a");
-    LayerSources sources;
-    sources.sun = wanted.beam;
-    sources.sun_direction = {0, 0, 1};
-    const CloudScattering scattering = henyey_greenstein(0.75, wanted.albedo);
-    for (const bool up : {true, false}) {
-        const glm::dvec3 look = towards((up ? -1 : 1) * std::asin(wanted.cosines[1]), 1);
-        const double exact = up ? wanted.up[1] : wanted.down[1];
-        // The march reflects 7.8 % less than is published.
-        EXPECT_NEAR(marched_from_outside(slab(wanted.depth), scattering, sources, look), exact,
-                    (up ? 0.1 : 0.03) * exact)
-            << up;
-    }
-}
 
 // With an albedo of 1 in light from all around, each cell sends out the light that it takes in: J is 1 in
 // all directions, whatever the cloud.

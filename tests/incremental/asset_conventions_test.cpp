@@ -489,7 +489,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
-        {"radiance", "m", "", "", none, none, "+z"},
+        {"radiance", "m", "", "1/sr", none, none, "+z"},
         {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());

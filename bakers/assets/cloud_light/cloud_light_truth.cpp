@@ -60,10 +60,23 @@ std::array<double, 3> occupied_place(const OccupiedPlaces& places,
     return within;
 }
 
+// Where there is little cloud, little light is scattered, and its range is small beside the light that a
+// runtime adds to it. So errors are shares of the source's own light.
 CloudLightTruth radiance_truth(const CloudLayer& layer, const CloudLightBake& bake, int threads) {
-    return {cloud_light::radiance_reference(layer, bake, threads),
-            {},
-            fmt::format("{} paths of light from each point", cloud_light::kReferencePaths)};
+    CloudLightTruth truth;
+    truth.reference = cloud_light::radiance_reference(layer, bake, threads);
+    truth.name = fmt::format("{} paths of light from each point", cloud_light::kReferencePaths);
+    truth.comparison.scale = "coefficient 0 of the source's light at a point that no cloud shades";
+    truth.comparison.errors = [scale = cloud_light::unshaded_coefficient(bake)](
+                                  const std::array<double, 3>&, const std::vector<double>& found,
+                                  const std::vector<double>& wanted) {
+        std::vector<double> errors;
+        for (std::size_t c = 0; c < wanted.size(); ++c) {
+            errors.push_back((found[c] - wanted[c]) / scale);
+        }
+        return errors;
+    };
+    return truth;
 }
 
 CloudLightTruth truth_of_depths(const CloudLayer& layer, const CloudLightBake& bake) {

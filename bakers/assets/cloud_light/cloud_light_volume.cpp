@@ -74,11 +74,14 @@ std::string meaning_of(const CloudLightBake& bake) {
         case CloudLightContents::sky_visibility:
             return "transmittance to the sky, 0 below the horizon";
         case CloudLightContents::sun_radiance:
-            return "sunlight scattered twice or more often, by direction of travel";
+            return "radiance (1/sr) of sunlight scattered twice or more often, for a solar "
+                   "irradiance of 1, by direction of travel";
         case CloudLightContents::sky_radiance:
-            return "scattered light of a sky of radiance 1, by direction of travel";
+            return "radiance (1/sr) of scattered light, for a sky of radiance 1, by direction of "
+                   "travel";
         case CloudLightContents::ground_radiance:
-            return "scattered light of ground of radiance 1, by direction of travel";
+            return "radiance (1/sr) of scattered light, for ground of radiance 1, by direction of "
+                   "travel";
     }
     return "";
 }
@@ -241,6 +244,7 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     volume.minimum_m = of.minimum_m;
     volume.up_axis = of.up_axis;
     volume.conventions = of.conventions;
+    if (config::is_radiance(bake.contents)) volume.conventions.radiance_unit = "1/sr";
     add_details(layer, bake, volume);
     level.repeats = repeating_axes(volume.axes);
     const auto start = std::chrono::steady_clock::now();

@@ -188,16 +188,17 @@ double CloudPaths::density_about_sun(const glm::dvec3& direction) const {
     return sum / kSunDensities;
 }
 
-double CloudPaths::draw_direction(RandomStream& random, glm::dvec3& direction) const {
-    const bool about_sun = sources_.sun > 0 && random.next() < 0.5;
+double CloudPaths::draw_direction(double share, RandomStream& random, glm::dvec3& direction) const {
+    const bool has_sun = sources_.sun > 0;
+    const bool about_sun = has_sun && share < 0.5;
+    if (has_sun) share = 2 * share - (about_sun ? 0 : 1);
     if (about_sun) {
-        const auto density = static_cast<std::size_t>(random.next() * kSunDensities);
+        const auto density = static_cast<std::size_t>(share * kSunDensities);
         direction = scattered(about_sun_[density], sources_.sun_direction, random);
     } else {
-        const double share = random.next();
         direction = scatter({0, 0, 1}, {2 * (1 - share), 2 * share}, random.next());
     }
-    if (!(sources_.sun > 0)) return 1 / kSphere;
+    if (!has_sun) return 1 / kSphere;
     return 0.5 * (1 / kSphere + density_about_sun(direction));
 }
 

@@ -56,8 +56,8 @@ class CloudPaths {
                          std::uint64_t seed, std::uint32_t ray) const;
 
     // Draws a direction in which to look that serves means over the sphere, half of them about the sun, and
-    // returns its density in 1/sr.
-    double draw_direction(RandomStream& random, glm::dvec3& direction) const;
+    // returns its density in 1/sr. Shares that are even in [0, 1) spread the directions evenly.
+    double draw_direction(double share, RandomStream& random, glm::dvec3& direction) const;
 
     // Adds one path.
     void walk(const glm::dvec3& place, const glm::dvec3& direction, RandomStream& random,

@@ -1,8 +1,10 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <memory>
+#include <numbers>
 
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
@@ -42,7 +44,8 @@ Harmonics traced_coefficients(const CloudPaths& paths, const glm::dvec3& place, 
     for (int i = 0; i < kReferencePaths; ++i) {
         RandomStream random(kSeed, ray, static_cast<std::uint64_t>(i));
         glm::dvec3 look;
-        const double density = paths.draw_direction(random, look);
+        const double share = (i + random.next()) / kReferencePaths;
+        const double density = paths.draw_direction(share, random, look);
         TracedRadiance light;
         paths.walk(place, look, random, light);
         const Harmonics values = harmonics(-look);
@@ -60,6 +63,12 @@ CloudScattering scattering_of(const CloudLightBake& bake) {
 
 ScaledScattering scaled_scattering_of(const CloudLightBake& bake) {
     return scaled(scattering_of(bake), bake.degree);
+}
+
+double unshaded_coefficient(const CloudLightBake& bake) {
+    const double pi = std::numbers::pi;
+    const double fluence = bake.contents == CloudLightContents::sun_radiance ? 1 : 2 * pi;
+    return fluence / (2 * std::sqrt(pi));
 }
 
 std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,

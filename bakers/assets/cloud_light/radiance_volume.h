@@ -17,6 +17,10 @@ namespace skybake::cloud_light {
 CloudScattering scattering_of(const config::CloudLightBake& bake);
 ScaledScattering scaled_scattering_of(const config::CloudLightBake& bake);
 
+// Returns coefficient 0 of the source's own light at a point that no cloud shades: F / (2 sqrt(pi)) of
+// light of the fluence F, which is 1 of the sun and 2 pi of the sky and of the ground.
+double unshaded_coefficient(const config::CloudLightBake& bake);
+
 // Returns the channels at all places, x fastest: one vector for each channel. Adds how far the solution
 // has converged to `details`. The result does not depend on the number of threads; it is incomplete once
 // options.progress is cancelled.
