@@ -140,6 +140,9 @@ TEST(EnvironmentLight, IsTheSumOfItsPartsFromBelow) {
         expect_parts({0, texel, {{1500, 12}}});
         expect_parts({0, texel, {{1500, 0.4}}});
     }
+    // Haze dims a low sun much more at the base than at the top.
+    expect_parts({0, {20, 3}, {{1500, 0.4}}, 4});
+    expect_parts({0, {20, 3}, {{1500, 3}}, 4});
 }
 
 TEST(EnvironmentLight, IsTheSumOfItsPartsFromAbove) {
