@@ -161,6 +161,18 @@ TEST(EnvironmentClouds, TexelsAreMeansOfTheirSolidAngle) {
     EXPECT_NEAR(transmitted / expected, 1, 5e-3);
 }
 
+// Of a slab's upper hemisphere the mean of exp(-t / sin) over the solid angle is the exponential integral E2(t),
+// 0.326643862 at t = 0.5 (Abramowitz & Stegun 1964, table 5.4).
+TEST(EnvironmentClouds, TexelsWeighRaysByTheirSolidAngle) {
+    const CloudMedium slab = layer_of({4, 4, 32}, 5e-4, [](double, double, double) { return 1; });
+    EnvironmentBake bake = bake_of({2, 2}, 35);
+    bake.samples = 16;
+    const EnvironmentLayout layout(bake.mapping, bake.size);
+    const CloudsAround clouds(only(slab), bake, layout, true, {.threads = 1});
+    EXPECT_NEAR(clouds.texel(0, 0, 0).transmittance, 0.326643862, 0.004);
+    EXPECT_NEAR(clouds.texel(0, 1, 0).transmittance, 0.326643862, 0.004);
+}
+
 // The slow march in double, which shares neither lanes nor leaps nor light between samples.
 TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
     const CloudMedium medium = layer_of({32, 32, 16}, 0.02, uneven);

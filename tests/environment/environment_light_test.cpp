@@ -140,6 +140,9 @@ TEST(EnvironmentLight, IsTheSumOfItsPartsFromBelow) {
         expect_parts({0, texel, {{1500, 12}}});
         expect_parts({0, texel, {{1500, 0.4}}});
     }
+    // Haze dims a low sun much more at the base than at the top.
+    expect_parts({0, {20, 3}, {{1500, 0.4}}, 4});
+    expect_parts({0, {20, 3}, {{1500, 3}}, 4});
 }
 
 TEST(EnvironmentLight, IsTheSumOfItsPartsFromAbove) {
@@ -156,9 +159,11 @@ TEST(EnvironmentLight, IsTheSumOfItsPartsOfTwoLayers) {
     expect_parts({2500, {24, 10}, {{3000, 6}, {1000, 3}}});
 }
 
-// The sun has set for the base and shines on the top alone.
+// The sun is below the horizontal, but above the horizon of the base, 1.76 degrees deep. Of two layers it
+// shines on the high one alone.
 TEST(EnvironmentLight, IsTheSumOfItsPartsAtSunset) {
     expect_parts({5000, {16, 10}, {{3000, 20}}, -1.6});
+    expect_parts({2000, {16, 4}, {{4000, 3}, {500, 0.3}}, -1.4});
 }
 
 }  // namespace

@@ -175,10 +175,17 @@ TEST(EnvironmentMap, TheHorizonCutsTheDisc) {
     EXPECT_LT(facing(0, 0), 0.7 * above);
     EXPECT_NEAR(facing(30, 1e6), 1, 1e-12) << "no air from space";
     EXPECT_EQ(facing(-90, 1000), 0) << "the planet is before it";
+    EXPECT_NEAR(facing(-10, 20000), 1, 1e-12) << "neither planet nor air is before it";
     // From a level surface the sun at the horizon is seen edge on.
     const EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {4, 2}, 0);
     const auto points = sun_points(earth().light(), bake, nullptr);
     EXPECT_LT(irradiance_of(points, LitSurface::level, 3)[0], 0.005 * above);
+    // From a height the sun is seen below the horizontal, where it lights no level surface.
+    EnvironmentBake high = bake_of(EnvironmentMapping::longitude_latitude, {4, 2}, -1);
+    high.altitude = {10000};
+    const auto below = sun_points(earth().light(), high, nullptr);
+    EXPECT_GT(irradiance_of(below, LitSurface::facing_sun, 3)[0], 0.01);
+    EXPECT_EQ(irradiance_of(below, LitSurface::level, 3)[0], 0);
 }
 
 TEST(EnvironmentMap, SaysItsLights) {

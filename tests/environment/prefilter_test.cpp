@@ -86,6 +86,53 @@ TEST(Prefilter, IsTheIntegralOverAllTexels) {
     }
 }
 
+// A lookup over the solid angle of 2^k by 2^k texels, in the middle of a block of so many, is the mean of
+// the block.
+TEST(Prefilter, LooksUpMeansOverASolidAngle) {
+    for (const MappingCase& of : {MappingCase{EnvironmentMapping::cube, {16, 96}},
+                                  MappingCase{EnvironmentMapping::octahedral, {16, 16}}}) {
+        const EnvironmentLayout layout(of.mapping, of.size);
+        Image2<float> map(of.size[0], of.size[1], 1);
+        for (std::size_t i = 0; i < map.texels.size(); ++i) {
+            map.texels[i] = static_cast<float>(i % 7 + i / 16 % 5);
+        }
+        const MapPyramid pyramid(of.mapping, map);
+        const double texel = 4 * kPi / (layout.parts() * 16 * 16);
+        for (int edge = 1; edge <= 8; edge *= 2) {
+            const int first = 16 - 2 * edge;  // of a block off the part's middle
+            double mean = 0;
+            for (int y = first; y < first + edge; ++y) {
+                for (int x = first; x < first + edge; ++x) {
+                    mean += double{*map.texel(x, y)} / (edge * edge);
+                }
+            }
+            const double middle = (first + 0.5 * edge) / 16;
+            double found = 0;
+            pyramid.add(layout.direction(0, middle, middle), texel * edge * edge, 1, &found);
+            EXPECT_NEAR(found, mean, 1e-5) << edge;
+        }
+    }
+}
+
+// Twice the solid angle of a texel lies half way between the means over one texel and over four.
+TEST(Prefilter, BlendsMeansOfNeighbouringLevels) {
+    const EnvironmentLayout layout(EnvironmentMapping::octahedral, {16, 16});
+    const MapPyramid pyramid(EnvironmentMapping::octahedral,
+                             map_of(layout, [](const glm::dvec3& d) { return std::exp(3 * d.x); }));
+    const double texel = 4 * kPi / (16 * 16);
+    int different = 0;
+    for (const glm::dvec3& direction : test::even_directions(50)) {
+        const auto found = [&](double texels) {
+            double sum = 0;
+            pyramid.add(direction, texels * texel, 1, &sum);
+            return sum;
+        };
+        EXPECT_NEAR(found(2), 0.5 * (found(1) + found(4)), 1e-6);
+        different += std::fabs(found(4) - found(1)) > 1e-3 ? 1 : 0;
+    }
+    EXPECT_GT(different, 25);
+}
+
 TEST(Prefilter, SmoothestIsTheMap) {
     for (const MappingCase& of : kMaps) {
         const EnvironmentLayout layout(of.mapping, of.size);

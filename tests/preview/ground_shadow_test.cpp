@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -65,7 +66,7 @@ TEST(GroundShadow, OfOneTileIsThatOfItsBox) {
         const SceneMarch march({{&tile, 20, 5, 20000, false}}, sun, true, true, 1);
         // The camera looks at the ground from where the shadow falls, below the cloud's base.
         const glm::dvec3 middle = glm::dvec3(800, 800, 1200) - 1200 / to_sun.z * to_sun;
-        const SceneFrame frame = looking_down({middle.x, middle.y, 990});
+        const SceneFrame frame = looking_down({middle.x + 130, middle.y - 210, 990});
         const Image2<float> seen = march.march(frame, 1, nullptr).results;
         int dark = 0;
         int lit = 0;
@@ -117,25 +118,42 @@ TEST(GroundShadow, OfOneTileLeavesOtherGroundAlone) {
     EXPECT_LT(shaded, 0.5F * picture_of(tile, sun, frame).texel(24, 24)[1]);
 }
 
-// Beyond the reach, the ground has the mean of what the layer lets through; it is never brighter than
-// under a clear sky.
+// Half of a layer is cloud, so that hardly any ground has its mean shadow. Beyond the reach, all has. Where
+// a ray meets no ground, nothing is shaded.
 TEST(GroundShadow, BeyondTheReachIsTheMean) {
-    const CloudMedium layer = slab(true);
-    const SunDirection sun = {40, 205};
+    config::Cloud cloud = test::cloud_of({1600, 1600, 400}, 1000);
+    std::vector<float> voxels(32 * 32 * 8);
+    for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = i % 32 < 16 ? 1.0F : 0.0F;
+    CloudMedium layer = cloud_medium(cloud, voxels.data(), {32, 32, 8}, 1, 1);
+    layer.leaps = leaps_of_voxels(layer, 4, 1);
+    const SunDirection sun = {90, 0};
     SceneFrame frame = looking_down({0, 0, 900});
     frame.camera.elevation_degrees = -7;
     const SceneMarch march({{&layer, 20, 20, 3000, false}}, sun, true, true, 1);
+    // Beside 15 voxels of each, density falls linearly over one. The mean is taken at 32 points, of which
+    // each edge may miss half a one.
+    const double depth = 0.01 * 400;
+    EXPECT_NEAR(march.direct(),
+                (15 + 15 * std::exp(-depth) + 2 * (1 - std::exp(-depth)) / depth) / 32, 1.0 / 32);
     const Image2<float> seen = march.march(frame, 1, nullptr).results;
     const CameraRays rays(frame.camera, frame.width, frame.height);
-    int beyond = 0;
+    std::array<int, 3> pixels{};  // of the sky, of near ground and of far ground
     for (int y = 0; y < frame.height; ++y) {
-        const double z = rays.through(24, y).z;
-        if (!(z < 0) || 900 / -z <= 3000) continue;
-        ++beyond;
-        EXPECT_NEAR(seen.texel(24, y)[7], march.direct(), 1e-6);
-        EXPECT_NEAR(march.direct(), std::exp(-kExtinction * 400 / sine_of_degrees(40)), 1e-3);
+        for (int x = 0; x < frame.width; ++x) {
+            const double z = rays.through(x, y).z;
+            const double direct = seen.texel(x, y)[7];
+            if (z > 0) {
+                EXPECT_EQ(direct, 1);
+                ++pixels[0];
+            } else if (900 / -z > 3000) {
+                EXPECT_NEAR(direct, march.direct(), 1e-6);
+                ++pixels[2];
+            } else {
+                pixels[1] += direct < 0.05 || direct > 0.95 ? 1 : -1;
+            }
+        }
     }
-    EXPECT_GT(beyond, 2);
+    for (const int count : pixels) EXPECT_GT(count, 50);
 }
 
 }  // namespace

@@ -62,11 +62,58 @@ TEST(AssetMemo, KeepsWhatWasBakedBeforeAnInterruption) {
     EXPECT_TRUE(memo.unfinished.empty());
 }
 
+TEST(AssetMemo, GivesWhatWasBakedBefore) {
+    AssetMemo memo;
+    const int steps = steps_of_bake("1", 0, memo);
+    EXPECT_GT(steps, 0);
+    EXPECT_EQ(steps_of_bake("1", 0, memo), 0) << "nothing has changed";
+    steps_of_bake("2", 2, memo);
+    EXPECT_EQ(memo.assets.size(), 2U) << "an interruption forgets nothing";
+    EXPECT_EQ(steps_of_bake("1", 0, memo), 0) << "and the recipe is as it was";
+}
+
+// A memo changes no voxel: what was baked of another recipe is not what this one asks for.
+TEST(AssetMemo, BakesAgainWhatHasChanged) {
+    AssetMemo memo;
+    steps_of_bake("1", 0, memo);
+    steps_of_bake("2", 0, memo);
+    AssetMemo fresh;
+    steps_of_bake("2", 0, fresh);
+    ASSERT_EQ(memo.assets.size(), 2U);
+    ASSERT_EQ(fresh.assets.size(), 2U);
+    for (const auto& [key, asset] : fresh.assets) {
+        ASSERT_TRUE(memo.assets.contains(key)) << asset.entry.name;
+        EXPECT_EQ(memo.assets.at(key).voxels, asset.voxels) << asset.entry.name;
+    }
+}
+
 PreviewPicture picture(const std::string& name) {
     PreviewPicture made;
     made.name = name;
     made.picture = Picture(1, 1);
     return made;
+}
+
+TEST(PictureEncoder, KeepsThePicturesOfTheLastPreview) {
+    PictureMemo memo;
+    int made = 0;
+    const auto preview_of = [&](const std::vector<std::string>& keys) {
+        PictureEncoder encoder(1, &memo);
+        for (const std::string& key : keys) {
+            encoder.encode(key, [&] {
+                ++made;
+                return std::vector{picture(key)};
+            });
+        }
+        EXPECT_TRUE(encoder.finish().empty());
+        EXPECT_EQ(memo.pictures.size(), keys.size());
+    };
+    preview_of({"sky", "cloud"});
+    preview_of({"sky", "cloud"});
+    EXPECT_EQ(made, 2);
+    preview_of({"sky"});
+    preview_of({"sky", "cloud"});
+    EXPECT_EQ(made, 3) << "what the last preview did not show is forgotten";
 }
 
 TEST(PictureEncoder, KeepsAllPicturesButTheLastOfAnInterruptedPreview) {

@@ -311,35 +311,6 @@ TEST(SceneView, ShadowsLieUnderTheirClouds) {
     }
 }
 
-// Four samples are nearer to a fine march than one, and alike where nothing is thin.
-TEST(SceneView, RefinementRemovesGrain) {
-    const CloudMedium thin =
-        medium_of({1000, 1000, 500}, 800, {8, 8, 8}, clumped_voxels({8, 8, 8}, 5, 0.6), 0.002);
-    const SunDirection sun = {40, 80};
-    const auto rms_with = [&](Refinement refinement) {
-        SceneFrame frame = frame_from({0, 0, 100}, 50, 48, 32);
-        const auto march = [&](double step_m) {
-            return SceneMarch({{&thin, step_m, step_m, 9000, false}}, sun, true, true, 1)
-                .march(frame, 1, nullptr)
-                .results;
-        };
-        frame.refinement = Refinement::all;
-        const Image2<float> fine = march(5);
-        frame.refinement = refinement;
-        const Image2<float> coarse = march(160);
-        double sum = 0;
-        for (std::size_t i = 6; i < fine.texels.size(); i += 8) {
-            const double error = double{coarse.texels[i]} - fine.texels[i];
-            sum += error * error;
-        }
-        return std::sqrt(sum * 8 / static_cast<double>(fine.texels.size()));
-    };
-    const double one = rms_with(Refinement::none);
-    EXPECT_LT(rms_with(Refinement::all), 0.6 * one);
-    EXPECT_LT(rms_with(Refinement::thin), 0.65 * one);
-    EXPECT_GT(one, 1e-3);
-}
-
 TEST(SceneView, FadesWithinTheReach) {
     const CloudMedium slab =
         medium_of({1000, 1000, 500}, 1000, {4, 4, 4}, std::vector<float>(64, 1.0F), 0.02);

@@ -1,0 +1,148 @@
+// Which pixels of a picture have more samples than one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bakers/render/scene_march.h"
+#include "tests/preview/clouds.h"
+
+namespace skybake {
+namespace {
+
+CloudMedium clumps(const std::array<double, 3>& extent_m, const std::array<int, 3>& size,
+                   double filled, double extinction_per_m) {
+    config::Cloud cloud = test::cloud_of(extent_m, 800);
+    cloud.extinction_scale.per_meter = extinction_per_m;
+    const std::vector<float> voxels = test::clumped_voxels(size, 5, filled);
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
+    medium.leaps = leaps_of_voxels(medium, 2, 1);
+    return medium;
+}
+
+SceneFrame frame_of(int width, int height) {
+    SceneFrame frame;
+    frame.width = width;
+    frame.height = height;
+    frame.camera.position_m = {0, 0, 100};
+    frame.camera.azimuth_degrees = 33;
+    frame.camera.elevation_degrees = 50;
+    return frame;
+}
+
+// Four samples are nearer to a fine march than one, and alike where nothing is thin.
+TEST(SceneRefinement, RemovesGrain) {
+    const CloudMedium thin = clumps({1000, 1000, 500}, {8, 8, 8}, 0.6, 0.002);
+    const SunDirection sun = {40, 80};
+    const auto rms_with = [&](Refinement refinement) {
+        SceneFrame frame = frame_of(48, 32);
+        const auto march = [&](double step_m) {
+            return SceneMarch({{&thin, step_m, step_m, 9000, false}}, sun, true, true, 1)
+                .march(frame, 1, nullptr)
+                .results;
+        };
+        frame.refinement = Refinement::all;
+        const Image2<float> fine = march(5);
+        frame.refinement = refinement;
+        const Image2<float> coarse = march(160);
+        double sum = 0;
+        for (std::size_t i = 6; i < fine.texels.size(); i += 8) {
+            const double error = double{coarse.texels[i]} - fine.texels[i];
+            sum += error * error;
+        }
+        return std::sqrt(sum * 8 / static_cast<double>(fine.texels.size()));
+    };
+    const double one = rms_with(Refinement::none);
+    EXPECT_LT(rms_with(Refinement::all), 0.6 * one);
+    EXPECT_LT(rms_with(Refinement::thin), 0.65 * one);
+    EXPECT_GT(one, 1e-3);
+}
+
+// What one sample in each pixel shows of one layer: channels as in MarchedScene.
+struct OneSample {
+    const Image2<float>& seen;
+
+    double through(int x, int y) const { return seen.texel(x, y)[6]; }
+    double sunlight(int x, int y) const { return seen.texel(x, y)[0] + seen.texel(x, y)[1]; }
+    bool differ(int x, int y, int i, int j) const {
+        if (i < 0 || j < 0 || i >= seen.width || j >= seen.height) return false;
+        const double brighter = std::max(sunlight(x, y), sunlight(i, j));
+        return std::fabs(through(x, y) - through(i, j)) > 1.0 / 16 ||
+               std::fabs(sunlight(x, y) - sunlight(i, j)) > brighter / 16;
+    }
+    // A 64th of the light or more comes through and is held back, or a neighbour differs by a 16th.
+    bool thin_or_ends(int x, int y) const {
+        return (through(x, y) > 1.0 / 64 && through(x, y) < 63.0 / 64) || differ(x, y, x - 1, y) ||
+               differ(x, y, x + 1, y) || differ(x, y, x, y - 1) || differ(x, y, x, y + 1);
+    }
+};
+
+// Each pixel has the bits of the picture with one sample everywhere or of that with four. Returns the share
+// of pixels that have four.
+double refined_share(const CloudMedium& medium) {
+    const SceneMarch march({{&medium, 20, 20, 9000, false}}, {40, 80}, true, true, 1);
+    const auto marched = [&](Refinement refinement) {
+        SceneFrame frame = frame_of(96, 64);
+        frame.refinement = refinement;
+        return march.march(frame, 1, nullptr);
+    };
+    const Image2<float> one = marched(Refinement::none).results;
+    const Image2<float> four = marched(Refinement::all).results;
+    const MarchedScene thin = marched(Refinement::thin);
+    int refined = 0;
+    int differences = 0;
+    for (int y = 0; y < one.height; ++y) {
+        for (int x = 0; x < one.width; ++x) {
+            const bool needs = OneSample{one}.thin_or_ends(x, y);
+            const float* wanted = (needs ? four : one).texel(x, y);
+            EXPECT_TRUE(std::equal(wanted, wanted + one.channels, thin.results.texel(x, y)))
+                << x << " " << y;
+            refined += needs ? 1 : 0;
+            differences += std::equal(wanted, wanted + one.channels, one.texel(x, y)) ? 0 : 1;
+        }
+    }
+    EXPECT_EQ(thin.refined_pixels, refined);
+    EXPECT_GT(differences, refined / 2);
+    return double(refined) / (one.width * one.height);
+}
+
+TEST(SceneRefinement, TakesFourSamplesWhereCloudsAreThinOrEnd) {
+    const double share = refined_share(clumps({1800, 1800, 500}, {18, 18, 5}, 0.35, 0.05));
+    EXPECT_GT(share, 0.25);
+    EXPECT_LT(share, 0.9);
+    // A veil without edges, through which nine tenths of the light come.
+    EXPECT_EQ(refined_share(clumps({1800, 1800, 500}, {1, 1, 1}, 1, 4e-4)), 1);
+}
+
+// The four samples of a pixel lie within it: their mean is between the least and the most that one sample
+// each of 8 by 8 parts of the pixel shows.
+TEST(SceneRefinement, SamplesLieWithinTheirPixel) {
+    const CloudMedium medium = clumps({1800, 1800, 500}, {18, 18, 5}, 0.35, 0.02);
+    const SceneMarch march({{&medium, 4, 20, 9000, false}}, {40, 80}, false, true, 1);
+    constexpr int kParts = 8;
+    SceneFrame frame = frame_of(24, 16);
+    frame.refinement = Refinement::all;
+    const Image2<float> four = march.march(frame, 1, nullptr).results;
+    const Image2<float> parts = march.march(frame_of(24 * kParts, 16 * kParts), 1, nullptr).results;
+    double widest = 0;
+    for (int y = 0; y < four.height; ++y) {
+        for (int x = 0; x < four.width; ++x) {
+            float least = 1;
+            float most = 0;
+            for (int k = 0; k < kParts * kParts; ++k) {
+                const float through =
+                    parts.texel(x * kParts + k % kParts, y * kParts + k / kParts)[6];
+                least = std::min(least, through);
+                most = std::max(most, through);
+            }
+            EXPECT_GE(four.texel(x, y)[6], least - 0.01F) << x << " " << y;
+            EXPECT_LE(four.texel(x, y)[6], most + 0.01F) << x << " " << y;
+            widest = std::max(widest, double{most} - double{least});
+        }
+    }
+    EXPECT_GT(widest, 0.5);
+}
+
+}  // namespace
+}  // namespace skybake
