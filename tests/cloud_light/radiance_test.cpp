@@ -110,8 +110,8 @@ TEST(Radiance, OfASlabLeavesAsPublished) {
     }
 }
 
-// With an albedo of 1 in light from all around, each cell sends out the light that it takes in: J is 1 in
-// all directions, whatever the cloud.
+// With an albedo of 1 in light from all around, each cell sends out the light that it takes in: J
+// is 1 in all directions, whatever the cloud.
 TEST(Radiance, IsThatOfAFurnace) {
     const CloudLayer layer = test::rough_layer({9, 6, 7}, 0.4);
     LayerSources sources;

@@ -55,8 +55,8 @@ class CloudPaths {
     TracedRadiance trace(const glm::dvec3& place, const glm::dvec3& direction, int paths,
                          std::uint64_t seed, std::uint32_t ray) const;
 
-    // Draws a direction in which to look that serves means over the sphere, half of them about the sun, and
-    // returns its density in 1/sr.
+    // Draws a direction in which to look that serves means over the sphere, half of them about the
+    // sun, and returns its density in 1/sr.
     double draw_direction(RandomStream& random, glm::dvec3& direction) const;
 
     // Adds one path.
