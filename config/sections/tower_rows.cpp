@@ -86,7 +86,7 @@ constexpr Field life_field{
     .documentation =
         "how long the tower grows, stays and dissolves, as shares of the cloud's "
         "`period`; without it the tower stands",
-    .hint = "[0.4, 0.3, 0.3] is reborn when it is gone",
+    .hint = "after shares that add up to 1, such as [0.4, 0.3, 0.3], it is born again at once",
     .citation = byers_1949};
 constexpr Field grows_from_field{
     .key = "grows_from",
