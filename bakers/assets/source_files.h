@@ -20,7 +20,7 @@ const ManifestAsset* asset_named(const Manifest& manifest, const std::string& na
 const ManifestFile* first_file(const ManifestAsset& asset);
 
 // Returns the index of a volume's channel of this name, or of its first one where the name is empty.
-// None: it has no such channel.
+// Returns none if it has no such channel.
 std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name);
 
 // Returns the recipe in an asset's entry. None: it cannot be read.

@@ -53,7 +53,7 @@ Dome lobe_of(const Dome& dome, const DomeShape& shape, double swelling, UnitNumb
     return lobe;
 }
 
-// The dome at the cloud's time. None if it does not live.
+// Adds the dome as it is in `state`, followed by its lobes, or nothing if it does not live.
 void add_with_lobes(Dome dome, const DomeShape& shape, const TowerState& state,
                     const std::array<double, 3>& extent_m, UnitNumbers& numbers,
                     std::vector<Dome>& domes) {

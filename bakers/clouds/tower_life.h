@@ -40,7 +40,8 @@ TowerState tower_state(const config::TowerLife& tower, double born, const config
 // falls at random within a share of its own, so that as many towers grow as dissolve.
 double scattered_birth(const config::TowerScatter& scatter, int index);
 
-// Returns the living Gaussians of a cloud at its time, those that it lists and then those that it scatters.
+// Returns the living Gaussians of a cloud at its time, those that it lists and then those that it
+// scatters.
 std::vector<config::Tower> living_gaussians(const config::Cloud& cloud);
 
 }  // namespace skybake::cloud

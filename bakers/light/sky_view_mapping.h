@@ -55,7 +55,7 @@ class SkyViewCamera {
     double range_below_ = 0;
 };
 
-// The view rays at one coordinate y, for many azimuths: what they share is computed once.
+// These are the view rays at one coordinate y, for many azimuths; what they share is computed once.
 class RowOfView {
   public:
     RowOfView(const SkyViewCamera& camera, double y, const SunZenith& sun);

@@ -22,7 +22,7 @@ struct BumpScratch {
 // Makes the lattice for chunks within `box` of at most `chunk_depth` slices.
 LatticePlanes make_bump_planes(const CellField& field, const VoxelBox& box, int chunk_depth);
 
-// True if cells are so wide that sharing points pays: four voxels or more along each axis.
+// Returns whether cells are so wide that sharing points pays: four voxels or more along each axis.
 bool has_wide_bumps(const CellField& field);
 
 // Writes the field, which has wide bumps, over the chunk's voxels.

@@ -81,12 +81,12 @@ struct PreviewPage {
 std::string base64(std::string_view bytes);
 
 // Returns the page's text. It needs no other file and no network, except that a watching page reads
-// the files page_state_name and page_swap_name beside it. The pictures are in the HTML, so a browser without scripts
-// shows them one below the other.
+// the files page_state_name and page_swap_name beside it. The pictures are in the HTML, so a
+// browser without scripts shows them one below the other.
 std::string page_html(const PreviewPage& page);
 
-// The file from which a watching page takes the data and the figures of its next revision, to show them in
-// place of its own.
+// The file from which a watching page takes the data and the figures of its next revision, to show
+// them in place of its own.
 inline constexpr const char* page_swap_name = "preview_page.js";
 std::string page_swap_text(const PreviewPage& page);
 
@@ -107,7 +107,8 @@ inline constexpr const char* page_name = "index.html";
 // previews. Returns nothing if page_html has not written the text.
 std::optional<std::vector<std::string>> files_of_page(std::string_view html);
 
-// The texts of page.html, page.css, the scripts of the page and page_watch.js, which the program contains.
+// The texts of page.html, page.css, the scripts of the page and page_watch.js, which the program
+// contains.
 std::string_view page_html_template();
 std::string_view page_style();
 std::string_view page_script();

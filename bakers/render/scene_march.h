@@ -1,12 +1,12 @@
 // Marches the rays of a picture through cloud layers at their altitudes, in the order of depth. The
 // results do not depend on the colours of light.
 //
-// A layer may hold several tiles' worth of samples, and layers may overlap in altitude. The samples of
-// a ray are `step_m` apart in each layer, shifted for each pixel sample by interleaved gradient noise
-// (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH 2014) in
-// quarters (frame_march.cpp), which turns bands into fine grain. Samples towards the sun are shifted by another noise. Where clouds are
-// thin or end, the grain of one sample per pixel shows; there, a refined picture takes kSamples samples,
-// whose shifts are evenly apart.
+// A layer may hold several tiles' worth of samples, and layers may overlap in altitude. The samples
+// of a ray are `step_m` apart in each layer, shifted for each pixel sample by interleaved gradient
+// noise (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH
+// 2014) in quarters (frame_march.cpp), which turns bands into fine grain. Samples towards the sun
+// are shifted by another noise. Where clouds are thin or end, the grain of one sample per pixel
+// shows; there, a refined picture takes kSamples samples, whose shifts are evenly apart.
 #pragma once
 
 #include <array>
@@ -48,8 +48,9 @@ struct SceneFrame {
 inline constexpr int kSamples = 4;
 
 // One texel per pixel, row 0 at the top. Each layer has kLayerChannels channels, the members of
-// RayResults without the transmittance. Two channels follow: the transmittance of all clouds, and the
-// share of sunlight that reaches the ground behind (1 where there is none, and the mean beyond the reach).
+// RayResults without the transmittance. Two channels follow: the transmittance of all clouds, and
+// the share of sunlight that reaches the ground behind (1 where there is none, and the mean beyond
+// the reach).
 struct MarchedScene {
     static constexpr int kLayerChannels = 6;
     Image2<float> results;

@@ -12,10 +12,10 @@ using config::ToneCurve;
 // Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the curve, and
 // converts to sRGB. Values must be finite; negative values become black.
 //
-// Before the curve, colours near the border of what a screen shows, and beyond it, are drawn within it, as
-// the Reference Gamut Compression of the Academy Color Encoding System 1.3 does in its own primaries: the
-// sun near the horizon has less than no blue in sRGB, and a sun without blue within a sky that has some
-// looks like paint.
+// Before the curve, colours near the border of what a screen shows, and beyond it, are drawn within
+// it, as the Reference Gamut Compression of the Academy Color Encoding System 1.3 does in its own
+// primaries: the sun near the horizon has less than no blue in sRGB, and a sun without blue within
+// a sky that has some looks like paint.
 //
 // Each pixel adds a threshold in [0, 1) to its three exact values in bytes before it drops their
 // fractions (ordered dithering). So the mean over an area is exact where rounding would show bands, each

@@ -141,14 +141,15 @@ std::vector<Row<S>> with_file_fields(const std::array<Row<S>, count>& own, const
              &LightFiles::packet});
     }
     if constexpr (std::is_base_of_v<VolumeFrames, S>) {
-        rows.push_back({{.key = "frames",
-                         .kind = Kind::integer,
-                         .range = frame_range,
-                         .documentation = "number of frames in time: assets NAME_0001, NAME_0002 "
-                                          "... are one each, from the time of the noises on",
-                         .hint = "the `period` of the noise or the cloud makes a loop",
-                         .role = Role::files},
-                        &VolumeFrames::frames});
+        rows.push_back(
+            {{.key = "frames",
+              .kind = Kind::integer,
+              .range = frame_range,
+              .documentation = "number of frames in time: assets NAME_0001, NAME_0002 "
+                               "... are one each, from the `time` of the noise or the cloud on",
+              .hint = "the `period` of the noise or the cloud makes a loop",
+              .role = Role::files},
+             &VolumeFrames::frames});
         rows.push_back({{.key = "frames_per_second",
                          .kind = Kind::number,
                          .range = frame_rate_range,

@@ -1,7 +1,5 @@
 #include "config/assets/cloud_light.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <numbers>
@@ -11,6 +9,7 @@
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/cloud_light_checks.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
@@ -18,7 +17,6 @@
 #include "config/fields/section_decoder.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
-#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
@@ -79,15 +77,16 @@ const std::array cloud_light_table = {
                      .fallback = R"("optical_depth")",
                      .documentation = "what the channels hold"},
                     &CloudLightBake::contents},
-    CloudLightField{{.key = "sun_elevations",
-                     .kind = Kind::angles,
-                     .range = sun_range,
-                     .required = true,
-                     .documentation = "one, three or four suns, each with a channel",
-                     .hint = "[\"60 deg\", \"30 deg\", \"10 deg\"]",
-                     .selector = "contents",
-                     .selected_by = of_suns},
-                    &CloudLightBake::sun_elevations},
+    CloudLightField{
+        {.key = "sun_elevations",
+         .kind = Kind::angles,
+         .range = sun_range,
+         .required = true,
+         .documentation = "one, three or four suns, each with a channel; sun_radiance takes one",
+         .hint = "[\"60 deg\", \"30 deg\", \"10 deg\"]",
+         .selector = "contents",
+         .selected_by = of_suns},
+        &CloudLightBake::sun_elevations},
     CloudLightField{{.key = "sun_azimuths",
                      .kind = Kind::angles,
                      .range = azimuth_range,
@@ -155,89 +154,6 @@ const std::array cloud_light_table = {
                     &CloudLightBake::single_scattering_albedo},
 };
 
-// This is one section while it is resolved.
-struct CloudLightResolver {
-    DecodedSection& bake;
-    Decoder& decoder;
-
-    const Place& place_of(std::string_view key) const {
-        const DecodedField& decoded = bake.at(key);
-        return decoded.source ? decoded.source->place : bake.place;
-    }
-
-    std::size_t angles(std::string_view key) const {
-        const auto& value = bake.at(key).value;
-        return value ? std::get<std::vector<double>>(*value).size() : 0;
-    }
-
-    // Returns the number of suns, or 1 if it cannot be told.
-    std::size_t check_suns() const {
-        const std::size_t suns = angles("sun_elevations");
-        if (suns == 2 || suns > 4) {
-            decoder.diagnostics.error(
-                "E0129", place_of("sun_elevations"),
-                fmt::format("`{}` has {} suns, and a file one, three or four channels",
-                            join_path(bake.path, "sun_elevations"), suns),
-                suns == 2 ? "add a sun, or bake them as two assets"
-                          : "bake them as several assets of at most four suns");
-        }
-        check_azimuths();
-        return std::clamp<std::size_t>(suns, 1, 4);
-    }
-
-    void check_azimuths() const {
-        const std::size_t suns = angles("sun_elevations");
-        const std::size_t azimuths = angles("sun_azimuths");
-        if (azimuths > 0 && suns > 0 && azimuths != suns) {
-            decoder.diagnostics.error("E0171", place_of("sun_azimuths"),
-                                      fmt::format("`{}` has {} azimuths for {} sun{}",
-                                                  join_path(bake.path, "sun_azimuths"), azimuths,
-                                                  suns, suns == 1 ? "" : "s"),
-                                      "give one azimuth for each elevation");
-        }
-    }
-
-    void check_sun_of_radiance() const {
-        const std::size_t suns = angles("sun_elevations");
-        if (suns > 1) {
-            decoder.diagnostics.error(
-                "E0176", place_of("sun_elevations"),
-                fmt::format("`{}` has {} suns, and a file the radiance of one",
-                            join_path(bake.path, "sun_elevations"), suns),
-                "give one elevation, and bake an asset for each sun");
-        }
-        check_azimuths();
-    }
-
-    // Returns the number of channels, or 1 if it cannot be told.
-    std::size_t check_contents(CloudLightContents contents) const {
-        if (is_per_sun(contents)) return check_suns();
-        if (contents == CloudLightContents::sun_radiance) check_sun_of_radiance();
-        return check_part();
-    }
-
-    std::size_t check_part() const {
-        const auto& degree = bake.at("degree").value;
-        const auto& part = bake.at("part").value;
-        if (!degree || !part) return 1;
-        CloudLightBake harmonics;
-        harmonics.contents = CloudLightContents::sky_visibility;
-        harmonics.degree = static_cast<int>(std::get<double>(*degree));
-        harmonics.part = static_cast<int>(std::get<double>(*part));
-        const std::size_t channels = channels_of(harmonics);
-        if (channels > 0) return channels;
-        const int coefficients = (harmonics.degree + 1) * (harmonics.degree + 1);
-        const int parts = (coefficients + 3) / 4;
-        decoder.diagnostics.error(
-            "E0171", place_of("part"),
-            fmt::format("`{}` is {}, but harmonics of degree {} have {} coefficient{} in {} part{}",
-                        join_path(bake.path, "part"), harmonics.part, harmonics.degree,
-                        coefficients, coefficients == 1 ? "" : "s", parts, parts == 1 ? "" : "s"),
-            fmt::format("use at most {}", parts));
-        return 1;
-    }
-};
-
 VoxelCounts texels_of(const CloudVolumeBake& volume, int cell, bool is_map) {
     VoxelCounts texels{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -259,12 +175,12 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 // Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
 // that the volume does not have (E0134), a number of suns that no file holds (E0129), azimuths that
 // are not one for each sun and a part that the harmonics do not have (E0171), several suns of one
-// file of radiance (E0176), and faults of the files of any volume (file_decoder.h). It warns of texels that are not cubes (W0211).
+// file of radiance (E0176), and faults of the files of any volume (file_decoder.h). It warns of
+// texels that are not cubes (W0211).
 void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    const CloudLightResolver resolver{bake, decoder};
     check_pixel_type(bake, decoder);
     const auto contents = choice_of<CloudLightContents>(bake.at("contents"));
-    const std::size_t channels = contents ? resolver.check_contents(*contents) : 1;
+    const std::size_t channels = contents ? check_contents(bake, *contents, decoder) : 1;
     const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);

@@ -368,8 +368,7 @@ constexpr std::array codes = {
         "E0174", "frames of what stands still",
         "`frames` bakes a volume once per frame in time, as assets NAME_0001, NAME_0002 and so on, "
         "and `frame` bakes one of them. Something must move for that: a noise that has a `period`, "
-        "or "
-        "towers with `life` of a cloud that has one. No other section may have the name of a "
+        "or towers with `life` of a cloud that has one. No other section may have the name of a "
         "frame.",
         "[noise.base]\nchannels.Y.type = \"perlin\"\n"
         "[bake.fog]\nasset = \"noise_volume\"\nnoise = \"base\"\nframes = 48",
@@ -379,12 +378,10 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0182", "towers that do not fit into a loop",
         "A tower with `life` grows, stays and dissolves within the loop of its cloud, in that "
-        "order, "
-        "and begins anew in the next loop. So the cloud must have a `period`, the three shares "
-        "must "
-        "not add up to more than 1, and those of growth and decay must be above 0, because the "
-        "tower "
-        "would jump otherwise. Towers without `life` must be carried by whole tiles per loop.",
+        "order, and begins anew in the next loop. So the cloud must have a `period`, the three "
+        "shares must not add up to more than 1, and those of growth and decay must be above 0, "
+        "because the tower would jump otherwise. Towers without `life` must be carried by whole "
+        "tiles per loop.",
         "[noise.n]\nchannels.Y.type = \"perlin\"\n[clouds.c]\nnoise = \"n\"\n"
         "extent = [\"4 km\", \"4 km\", \"1 km\"]\nperiod = 48\n[[clouds.c.towers]]\n"
         "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\namplitude = 1\nlife = [0.5, 0.5, 0.5]",
@@ -438,9 +435,9 @@ constexpr std::array codes = {
     DiagnosticCode{
         "E0160", "asset or file that a target cannot load",
         "`target` names the program that files are for. It decides the keys of files that a "
-        "section "
-        "leaves out. It cannot load every asset, and not from any file: the message says what it "
-        "loads. Give the section another target, or none with target left out.",
+        "section leaves out. It cannot load every asset, nor every mapping of an environment, and "
+        "not from any file: the message says what it loads. Give the section another target, or "
+        "leave the key out.",
         "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"pbrt\"",
         "preset = \"earth\"\n[bake.sky_view]\nsun_elevation = \"20 deg\"\ntarget = \"three\"",
         usage},
@@ -496,8 +493,7 @@ constexpr std::array codes = {
         usage},
     DiagnosticCode{"E0176", "radiance of several suns in one file",
                    "A cloud_light with `contents = \"sun_radiance\"` holds harmonics of the light "
-                   "of one sun, four "
-                   "coefficients in a file. Other suns are assets of their own.",
+                   "of one sun, four coefficients in a file. Other suns are assets of their own.",
                    "[noise.n.channels.Y]\ntype = \"worley\"\n"
                    "[clouds.c]\nnoise = \"n\"\n"
                    "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
@@ -517,10 +513,8 @@ constexpr std::array codes = {
         "E0172", "environment that cannot be made",
         "Keys of an environment contradict each other. Clouds are volumes of densities, each of "
         "which is named once, and the camera below or above them is in the air. Faces of a cube "
-        "and octahedra halve to four "
-        "texels at least. Levels of roughness need `mips` above 1, "
-        "since the first level is the map itself. Programs that `target` names load the mapping "
-        "longitude_latitude alone.",
+        "and octahedra halve to four texels at least. Levels of roughness need `mips` above 1, "
+        "since the first level is the map itself.",
         "preset = \"earth\"\n[bake.environment]\nsun_elevation = \"20 deg\"\n"
         "level_content = \"ggx\"",
         "preset = \"earth\"\n[bake.environment]\nsun_elevation = \"20 deg\"\n"

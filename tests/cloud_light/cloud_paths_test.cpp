@@ -191,8 +191,9 @@ TEST(CloudPaths, RepeatTheLayer) {
     }
 }
 
-// Choosing directions about the sun changes the noise, not the mean: the same light by reciprocity. A slab
-// reflects as much from a to b as from b to a, times the cosines (Chandrasekhar 1960, section 52).
+// Choosing directions about the sun changes the noise, not the mean: the same light by reciprocity.
+// A slab reflects as much from a to b as from b to a, times the cosines (Chandrasekhar 1960,
+// section 52).
 TEST(CloudPaths, AreReciprocal) {
     const CloudLayer layer = slab(6);
     const CloudScattering scattering = droplet_scattering(12, 1);

@@ -1,5 +1,5 @@
-// Clouds seen from outside, marched with the textures of cloud_light, against paths of light: four presets
-// under three suns. It prints the table of examples/assets/cloud_light.md.
+// Clouds seen from outside, marched with the textures of cloud_light, against paths of light: four
+// presets under three suns. It prints the table of examples/assets/cloud_light.md.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

@@ -69,7 +69,8 @@ std::vector<float> texels_of(FileFormat format, const Baked& cube, int level,
     return found;
 }
 
-// Microsoft's documentation: DDSCAPS2_CUBEMAP with all six faces, D3D11_RESOURCE_MISC_TEXTURECUBE, one cube.
+// Microsoft's documentation: DDSCAPS2_CUBEMAP with all six faces, D3D11_RESOURCE_MISC_TEXTURECUBE,
+// one cube.
 TEST(Cubes, HaveTheHeaderOfDx10) {
     const TemporaryFolder folder;
     const std::string bytes =
@@ -102,7 +103,8 @@ TEST(Cubes, HaveTheHeaderOfKtx2) {
     EXPECT_EQ(word(bytes, 80 + 8), 6U * 8 * 8 * 8) << "bytes of level 0, all faces";
 }
 
-// DDS files have all levels of a face together, KTX2 files all faces of a level, the smallest level first.
+// DDS files have all levels of a face together, KTX2 files all faces of a level, the smallest level
+// first.
 TEST(Cubes, HaveEachFaceInItsPlace) {
     const TemporaryFolder folder;
     const Baked cube = numbered_cube();

@@ -1,5 +1,5 @@
-// Damaged VDB and NanoVDB files are errors, or volumes with other numbers: nothing crashes, hangs or takes memory
-// that the file does not fill.
+// Damaged VDB and NanoVDB files are errors, or volumes with other numbers: nothing crashes, hangs
+// or takes memory that the file does not fill.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 

@@ -102,7 +102,7 @@ class CellSearch {
 
     bool is_expensive() const { return !config::is_per_sun(bake_.contents); }
 
-    // Returns the texels of a cell, as files hold them. No levels: there was an interruption.
+    // Returns the texels of a cell, as files hold them, and no levels after an interruption.
     Baked texels_of(int cell) {
         CloudLightBake bake = bake_;
         bake.cell = cell;

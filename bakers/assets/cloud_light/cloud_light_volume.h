@@ -37,7 +37,8 @@ struct SpacedValues {
 };
 
 // Returns the values at places that are at most `spacing` voxels apart. They do not depend on the
-// cell; they are incomplete after an interruption. `details` receives what the solver of radiance states.
+// cell; they are incomplete after an interruption. `details` receives what the solver of radiance
+// states.
 SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer,
                                 const config::CloudLightBake& bake, int spacing,
                                 const BakeOptions& options, Facts& details);

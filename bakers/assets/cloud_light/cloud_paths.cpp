@@ -78,7 +78,7 @@ CloudPaths::CloudPaths(const CloudLayer& layer, const CloudScattering& scatterin
     }
 }
 
-// Trilinear, in double.
+// The filter is trilinear and computes in double.
 double CloudPaths::extinction(const glm::dvec3& place) const {
     std::array<std::array<std::size_t, 2>, 3> at{};
     std::array<double, 3> share{};
@@ -121,7 +121,7 @@ struct Flight {
             cell[a] = std::clamp(static_cast<int>(place[a] / kMajorantCell), 0, last);
         }
     }
-    // Metres to the cell's face, and the axis of it.
+    // Returns the metres to the cell's face, and the axis of it.
     double to_face(const CloudLayer& layer, std::size_t& axis) const {
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t a = 0; a < 3; ++a) {
@@ -136,7 +136,7 @@ struct Flight {
         }
         return nearest;
     }
-    // Enters the cell beyond a face. False if it has left the layer.
+    // Enters the cell beyond a face. Returns false if it has left the layer.
     bool cross(const CloudLayer& layer, const std::array<int, 3>& cells, double distance,
                std::size_t axis) {
         place += along * distance;
@@ -157,7 +157,7 @@ struct Flight {
 
 }  // namespace
 
-// Goes to the next collision. False if the flight leaves the layer.
+// Goes to the next collision. Returns false if the flight leaves the layer.
 bool CloudPaths::fly(glm::dvec3& place, const glm::dvec3& direction, RandomStream& random) const {
     Flight flight(layer_, place, direction);
     double depth = -logarithm(random.next());  // left to the next collision with m

@@ -1,8 +1,9 @@
 // How a cloud scatters light: its phase function as a sum of closed forms, and the scaled cloud in which
 // light that is scattered into the forward peak counts as not scattered.
 //
-// Light that is scattered often is the same, nearly, in a cloud with the extinction s sigma, the albedo
-// w' and the moments chi'_l of the phase function (delta-M: Wiscombe 1977; similarity: van de Hulst 1980):
+// Light that is scattered often is the same, nearly, in a cloud with the extinction s sigma, the
+// albedo w' and the moments chi'_l of the phase function (delta-M: Wiscombe 1977; similarity: van
+// de Hulst 1980):
 //
 //   f = chi_(d+1)    s = 1 - w f    w' = w (1 - f) / s    chi'_l = (chi_l - f) / (1 - f), l <= d
 //

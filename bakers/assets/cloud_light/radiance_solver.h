@@ -2,9 +2,9 @@
 //
 //   J = w' sum_lm chi'_l a_lm Y_lm,   a_lm: the coefficients of the radiance that J and J_1 send out
 //
-// J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h). Orders
-// of scattering are a slowly converging series where the cloud is thick; Anderson's method finds its limit
-// from the last few of them (Anderson 1965; Walker & Ni 2011).
+// J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h).
+// Orders of scattering are a slowly converging series where the cloud is thick; Anderson's method
+// finds its limit from the last few of them (Anderson 1965; Walker & Ni 2011).
 #pragma once
 
 #include <array>
@@ -30,8 +30,8 @@ struct SolvedRadiance {
 inline constexpr double kLargestChange = 2e-4;
 inline constexpr int kMostSweeps = 200;
 
-// Cells are as many as places, and each has its centre at one. Incomplete once options.progress is
-// cancelled.
+// Cells are as many as places, and each has its centre at one. The light is incomplete once
+// options.progress is cancelled.
 SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
                               const CloudScattering& scattering, int degree,
                               const LayerSources& sources, const BakeOptions& options);

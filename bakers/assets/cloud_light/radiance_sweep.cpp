@@ -110,7 +110,7 @@ void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, doub
     });
 }
 
-// Of one row, from `before` to `after`.
+// Crosses one row, from `before` to `after`.
 void RadianceSweep::step(const Ordinate& ordinate, int z, int y, Rays& rays) const {
     const auto count = static_cast<std::size_t>(size_[0]);
     const int beside = (y + rays.upwind[1] + size_[1]) % size_[1];

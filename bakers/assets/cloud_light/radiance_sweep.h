@@ -1,9 +1,9 @@
 // The mean radiance in the cells of a layer, in discrete directions, where the light that each cell
 // scatters is known (discrete ordinates: Chandrasekhar 1960; step characteristics: Lathrop 1969).
 //
-// All rays of one direction cross the layer together, plane by plane. A plane is crossed in steps in which
-// rays move by at most a cell along x and y. Between the middles of two steps light is interpolated
-// linearly between rays; in a step of the optical depth x in a cell that sends out S
+// All rays of one direction cross the layer together, plane by plane. A plane is crossed in steps
+// in which rays move by at most a cell along x and y. Between the middles of two steps light is
+// interpolated linearly between rays; in a step of the optical depth x in a cell that sends out S
 //
 //   after = S + (L - S) exp(-x)        mean = S + (L - S) (1 - exp(-x)) / x
 //
@@ -65,7 +65,8 @@ class RadianceSweep {
     RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options);
 
     // Returns the coefficients of the mean radiance in each cell. `sources` are those of the light per
-    // extinction that cells send out. Incomplete once options.progress is cancelled.
+    // extinction that cells send out. They are incomplete once options.progress
+    // is cancelled.
     CellFields radiance(const CellFields& sources, const EnteringLight& entering) const;
 
     // Directions in which rays go.

@@ -20,7 +20,7 @@ using config::CloudLightContents;
 
 namespace {
 
-// Each of strength 1.
+// Each source has the strength 1.
 LayerSources sources_of(const CloudLightBake& bake) {
     LayerSources sources;
     switch (bake.contents) {

@@ -36,8 +36,8 @@ inline constexpr int kReferencePaths = 2048;
 //
 //   J_lm = w' chi'_l (a_lm - E exp(-s tau) Y_lm(-sun))
 //
-// The scaled cloud and the cloud itself have the same a (cloud_scattering.h), of which the second term is
-// the scaled cloud's own sunlight, whose scattering is not J's. `layer` must outlive it.
+// The scaled cloud and the cloud itself have the same a (cloud_scattering.h), of which the second
+// term is the scaled cloud's own sunlight, whose scattering is not J's. `layer` must outlive it.
 VolumeReference radiance_reference(const CloudLayer& layer, const config::CloudLightBake& bake,
                                    int threads);
 

@@ -2,11 +2,12 @@
 //
 // The light in clouds is the sun's, attenuated and scattered along a second march, and the mean
 // radiances of the hemispheres: of the upper one at a layer's top, and of the lower one at its base
-// (cloud_light.h). Layers above dim the light of the upper one, and all layers that of the ground, by
-// the share of diffuse light that passes them. The air before the cloud dims it and adds light as if all that a texel shows of the
-// cloud were at its mean distance (Hillaire 2016, "Physically Based Sky, Atmosphere and Cloud
-// Rendering in Frostbite", section 5.9). The ground is lit as it is without clouds.
-// The air has the orders of scattering that its light has, and so has what it sends into the clouds.
+// (cloud_light.h). Layers above dim the light of the upper one, and all layers that of the ground,
+// by the share of diffuse light that passes them. The air before the cloud dims it and adds light
+// as if all that a texel shows of the cloud were at its mean distance (Hillaire 2016, "Physically
+// Based Sky, Atmosphere and Cloud Rendering in Frostbite", section 5.9). The ground is lit as it is
+// without clouds. The air has the orders of scattering that its light has, and so has what it sends
+// into the clouds.
 #pragma once
 
 #include <vector>

@@ -6,8 +6,9 @@
 //
 //   density(s) = clamp(-s / w, 0, 1)
 //
-// as OpenVDB's tools::sdfToFogVolume has it, but for the rounding of its product by 1 / w. Distances and w are in the same unit, so that the density
-// does not depend on the unit, nor on a `voxel_size` of the recipe.
+// as OpenVDB's tools::sdfToFogVolume has it, but for the rounding of its product by 1 / w.
+// Distances and w are in the same unit, so that the density does not depend on the unit, nor on a
+// `voxel_size` of the recipe.
 #pragma once
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 //
 // Tables are embedded as floats, which the page stores as halves where a browser cannot filter
 // floats. The volume is embedded as unorm8 where that is what was baked or where halves would take
-// more than kMostHalfBytes (live_textures.h), else as halves; the scene states the greatest error that this makes.
-// All texels are compressed (zlib).
+// more than kMostHalfBytes (live_textures.h), else as halves; the scene states the greatest error
+// that this makes. All texels are compressed (zlib).
 #pragma once
 
 #include <string>

@@ -1,0 +1,207 @@
+#include "config/sections/noise_rows.h"
+
+#include <array>
+
+#include "config/fields/fields.h"
+
+namespace skybake::config {
+namespace {
+
+constexpr Range warp_range{-16, 16};
+
+constexpr std::string_view worley_1996 = "Worley 1996, A Cellular Texture Basis Function";
+constexpr std::string_view perlin_1985 = "Perlin 1985, An Image Synthesizer";
+
+constexpr std::array feature_choices = {
+    Choice{WorleyFeature::f1, "f1", "distance to the nearest point"},
+    Choice{WorleyFeature::f2, "f2", "distance to the second nearest point"},
+    Choice{WorleyFeature::f2_minus_f1, "f2_minus_f1",
+           "their difference: 0 on the borders of cells"},
+};
+constexpr std::array value_form_choices = {
+    Choice{WorleyValue::distance, "distance", "d, in cells"},
+    Choice{WorleyValue::one_minus_distance, "one_minus_distance", "1 - d, 0 from d = 1 on"},
+    Choice{WorleyValue::one_minus_distance_over_sqrt3, "one_minus_distance_over_sqrt3",
+           "1 - d / sqrt(3), as in Olajos 2016"},
+    Choice{WorleyValue::one_minus_distance_squared, "one_minus_distance_squared",
+           "1 - d * d, 0 from d = 1 on, as in TileableVolumeNoise"},
+};
+constexpr std::array warp_choices = {
+    Choice{NoiseWarp::curl, "curl", "the curl of three gradient noises, which has no sources"},
+    Choice{NoiseWarp::gradient, "gradient", "three gradient noises"},
+};
+// These are the types for which a key applies.
+constexpr std::string_view warped[] = {"perlin", "worley", "perlin_worley", "alligator",
+                                       "curly_alligator"};
+constexpr std::string_view with_worley[] = {"worley", "perlin_worley"};
+constexpr std::string_view perlin_worley[] = {"perlin_worley"};
+
+const std::array cellular_table = {
+    NoiseChannelField{{.key = "worley_frequency",
+                       .kind = Kind::frequency,
+                       .range = frequency_range,
+                       .fallback = "4",
+                       .documentation = "frequency of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_octaves",
+                       .kind = Kind::integer,
+                       .range = octave_range,
+                       .fallback = "3",
+                       .documentation = "octaves of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_lacunarity",
+                       .kind = Kind::integer,
+                       .range = lacunarity_range,
+                       .fallback = "2",
+                       .documentation = "lacunarity of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_frequencies",
+                       .kind = Kind::frequencies,
+                       .range = frequency_range,
+                       .documentation = "frequencies of the cellular part",
+                       .exclusive_group = "worley_frequencies",
+                       .selector = "type",
+                       .selected_by = perlin_worley},
+                      {}},
+    NoiseChannelField{{.key = "worley_gain",
+                       .kind = Kind::number,
+                       .range = gain_range,
+                       .fallback = "0.5",
+                       .documentation = "gain of the cellular part",
+                       .exclusive_group = "worley_gains",
+                       .selector = "type",
+                       .selected_by = perlin_worley,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "worley_gains",
+                       .kind = Kind::gains,
+                       .range = gains_range,
+                       .documentation = "gains of the cellular part",
+                       .hint = "cloud shapes have [0.625, 0.25, 0.125]",
+                       .citation = schneider_2015,
+                       .exclusive_group = "worley_gains",
+                       .selector = "type",
+                       .selected_by = perlin_worley},
+                      {}},
+    NoiseChannelField{{.key = "feature",
+                       .kind = Kind::choice,
+                       .choices = feature_choices,
+                       .fallback = R"("f1")",
+                       .documentation = "which distance d of cellular noise",
+                       .citation = worley_1996,
+                       .selector = "type",
+                       .selected_by = with_worley},
+                      &NoiseChannel::feature},
+    NoiseChannelField{{.key = "value_form",
+                       .kind = Kind::choice,
+                       .choices = value_form_choices,
+                       .fallback = R"("one_minus_distance")",
+                       .documentation = "value of cellular noise at distance d",
+                       .selector = "type",
+                       .selected_by = with_worley},
+                      &NoiseChannel::value_form},
+};
+
+const std::array displacement_table = {
+    NoiseChannelField{
+        {.key = "warp_strength",
+         .kind = Kind::number,
+         .range = warp_range,
+         .documentation = "displacement, in tiles, where the noise that displaces is 1",
+         .hint = "a quarter of a cell of the first octave curls the noise; metres are "
+                 "divided by the length of the tile",
+         .citation = perlin_1985,
+         .selector = "type",
+         .selected_by = warped},
+        &NoiseChannel::warp_strength},
+    NoiseChannelField{{.key = "warp_by",
+                       .kind = Kind::choice,
+                       .choices = warp_choices,
+                       .documentation = "the noise that displaces, by default curl",
+                       .citation = bridson_2007,
+                       .selector = "type",
+                       .selected_by = warped},
+                      &NoiseChannel::warp_by},
+    NoiseChannelField{{.key = "warp_frequency",
+                       .kind = Kind::frequency,
+                       .range = frequency_range,
+                       .fallback = "4",
+                       .documentation = "frequency of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_octaves",
+                       .kind = Kind::integer,
+                       .range = octave_range,
+                       .fallback = "1",
+                       .documentation = "octaves of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_lacunarity",
+                       .kind = Kind::integer,
+                       .range = lacunarity_range,
+                       .fallback = "2",
+                       .documentation = "lacunarity of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .exclusive_side = "series",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_frequencies",
+                       .kind = Kind::frequencies,
+                       .range = frequency_range,
+                       .documentation = "frequencies of the noise that displaces",
+                       .exclusive_group = "warp_frequencies",
+                       .selector = "type",
+                       .selected_by = warped},
+                      {}},
+    NoiseChannelField{{.key = "warp_gain",
+                       .kind = Kind::number,
+                       .range = gain_range,
+                       .fallback = "0.5",
+                       .documentation = "gain of the noise that displaces",
+                       .exclusive_group = "warp_gains",
+                       .selector = "type",
+                       .selected_by = warped,
+                       .only_shown = true},
+                      {}},
+    NoiseChannelField{{.key = "warp_gains",
+                       .kind = Kind::gains,
+                       .range = gains_range,
+                       .documentation = "gains of the noise that displaces",
+                       .exclusive_group = "warp_gains",
+                       .selector = "type",
+                       .selected_by = warped},
+                      {}},
+};
+
+}  // namespace
+
+std::span<const NoiseChannelField> cellular_fields() { return cellular_table; }
+
+std::span<const NoiseChannelField> displacement_fields() { return displacement_table; }
+
+}  // namespace skybake::config
