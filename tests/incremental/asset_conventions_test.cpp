@@ -485,6 +485,10 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"phases", "km", "deg", "", none, wavelengths, ""},
         {"noise", "", "", "", none, none, "+z"},
         {"map", "", "", "", none, none, ""},
+        {"wave_0001", "", "", "", none, none, ""},
+        {"wave_0002", "", "", "", none, none, ""},
+        {"wave_0003", "", "", "", none, none, ""},
+        {"book", "", "", "", none, none, ""},
         {"mask", "", "", "", none, none, ""},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},
@@ -514,7 +518,8 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
 
 TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
     for (const ManifestAsset& entry : manifest().assets) {
-        const bool is_tile = entry.mapping == "tile" || entry.mapping == "pixels";
+        const bool is_tile = entry.mapping == "tile" || entry.mapping == "pixels" ||
+                             entry.mapping == "frames";  // of a loop
         const bool is_layer = entry.mapping == "layer";
         const bool is_around = entry.mapping == "longitude_latitude";
         const std::array<bool, 3> repeats = {is_tile || is_layer || is_around, is_tile || is_layer,
