@@ -74,11 +74,12 @@ std::string meaning_of(const CloudLightBake& bake) {
         case CloudLightContents::sky_visibility:
             return "transmittance to the sky, 0 below the horizon";
         case CloudLightContents::sun_radiance:
-            return "sunlight scattered twice or more often, by direction of travel";
+            return "sunlight scattered twice or more often (1/sr) for an irradiance of 1, by "
+                   "direction of travel";
         case CloudLightContents::sky_radiance:
-            return "scattered light of a sky of radiance 1, by direction of travel";
+            return "scattered light of a uniform sky for a radiance of 1, by direction of travel";
         case CloudLightContents::ground_radiance:
-            return "scattered light of ground of radiance 1, by direction of travel";
+            return "scattered light of uniform ground for a radiance of 1, by direction of travel";
     }
     return "";
 }
