@@ -67,6 +67,37 @@ TEST(SkyAssetPictures, ShowAnEnvironmentUpright) {
     EXPECT_GT(brightness(0.55, 0.4), brightness(0.15, 0.4)) << "the sun in the middle";
 }
 
+std::string caption_of_environment(const std::string& keys) {
+    const auto pictures = asset_pictures(
+        bake_one("asset = 'environment'\norders = 'single'\nsun_elevation = '20 deg'\n" + keys));
+    return pictures.size() == 1 ? pictures[0].caption : "";
+}
+
+TEST(SkyAssetPictures, SayWhereDirectionsAreInAnEnvironment) {
+    const auto says = [](const std::string& keys, const std::string& words) {
+        return caption_of_environment(keys).find(words) != std::string::npos;
+    };
+    EXPECT_TRUE(says("size = [16, 8]", "straight ahead in the middle"));
+    EXPECT_TRUE(says("size = [16, 8]", "The sun is straight ahead; its disc is not in the file."));
+    EXPECT_TRUE(says("size = [16, 8]\nsun_azimuth = '-50 deg'", "50 degrees to the left"));
+    EXPECT_TRUE(says("size = [16, 8]\nsun_azimuth = '40 deg'", "40 degrees to the right"));
+    EXPECT_TRUE(says("size = [64, 32]\nsun = 'disc'", "its disc is in the file"));
+    EXPECT_TRUE(says("size = [4, 24]\nmapping = 'cube'", "the faces right, left, up, down"));
+    EXPECT_FALSE(says("size = [4, 24]\nmapping = 'cube'", "in the middle"));
+    EXPECT_TRUE(says("size = [8, 8]\nmapping = 'octahedral'", "the zenith in the middle"));
+}
+
+// The parameters of a map with clouds hold the bakes of the clouds too.
+TEST(SkyAssetPictures, FindTheEnvironmentAmongTheBakesThatItIsMadeOf) {
+    PreviewAsset asset = bake_one(
+        "asset = 'environment'\nsize = [16, 8]\norders = 'single'\n"
+        "sun_elevation = '20 deg'\nsun_azimuth = '40 deg'\n");
+    asset.entry.parameters += "[bake.before]\nasset = 'transmittance'\nsize = [24, 8]\n";
+    const auto pictures = asset_pictures(asset);
+    ASSERT_EQ(pictures.size(), 1u);
+    EXPECT_NE(pictures[0].caption.find("40 degrees to the right"), std::string::npos);
+}
+
 TEST(SkyAssetPictures, ShowIrradiances) {
     const auto pictures =
         asset_pictures(bake_one("asset = 'irradiance'\nsize = [8, 6]\ncontent = 'direct'\n"));

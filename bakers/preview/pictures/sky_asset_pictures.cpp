@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -14,6 +16,7 @@
 #include "bakers/render/screen_color.h"
 #include "bakers/render/tone_curve.h"
 #include "config/assets/aerial_perspective.h"
+#include "config/assets/environment.h"
 #include "config/assets/sky_view.h"
 #include "config/recipe/recipe.h"
 
@@ -24,13 +27,18 @@ constexpr int view_width = 512;
 constexpr int slice_width = 240;
 constexpr int shown_slices = 4;
 
-// Returns the bake from an asset's parameters, which are themselves a recipe. Returns nothing if
-// they are those of another kind of asset or of another release.
+// Returns the bake from an asset's parameters, which are themselves a recipe; they may hold the bakes
+// from which the asset is made too. Returns nothing if they are those of another kind of asset or of
+// another release.
 template <class Asset>
 std::optional<Asset> bake_of(const ManifestAsset& entry) {
     const auto recipe = config::parse_recipe(entry.parameters, entry.name);
-    if (!recipe.value || recipe.value->parameters.bakes.size() != 1) return std::nullopt;
-    const auto* asset = recipe.value->parameters.bakes.front().find<Asset>();
+    if (!recipe.value) return std::nullopt;
+    const auto& bakes = recipe.value->parameters.bakes;
+    const auto found = std::find_if(bakes.begin(), bakes.end(), [&](const config::Bake& bake) {
+        return bakes.size() == 1 || bake.name == entry.name;
+    });
+    const auto* asset = found == bakes.end() ? nullptr : found->template find<Asset>();
     return asset ? std::optional(*asset) : std::nullopt;
 }
 
@@ -163,6 +171,40 @@ class AerialPictures {
     std::vector<int> slices_;
 };
 
+// Returns the axes of an environment's texels. Those of a cube and of an octahedron are no angles.
+std::array<ChartAxis, 2> environment_axes(std::string_view mapping) {
+    if (mapping != "longitude_latitude") {
+        return {ChartAxis{"u", [](double t) { return t; }},
+                ChartAxis{"1 − v", [](double t) { return t; }}};
+    }
+    return {ChartAxis{"azimuth from straight ahead (deg)", [](double t) { return 360 * t - 180; },
+                      AxisTicks::angles},
+            ChartAxis{"elevation (deg)", [](double t) { return 180 * t - 90; }, AxisTicks::angles}};
+}
+
+// Says where directions are in the file.
+std::string_view environment_layout(std::string_view mapping) {
+    if (mapping == "cube") {
+        return ", with the faces right, left, up, down, ahead and behind from the top";
+    }
+    if (mapping == "octahedral") {
+        return ", with the zenith in the middle and straight down in the corners";
+    }
+    return ", with straight ahead in the middle";
+}
+
+std::string sun_of_environment(const ManifestAsset& entry) {
+    const auto bake = bake_of<config::EnvironmentBake>(entry);
+    if (!bake) return "";
+    const double degrees = bake->sun_azimuth.radians * 180 / std::numbers::pi;
+    const std::string place = degrees == 0
+                                  ? "straight ahead"
+                                  : fmt::format("{:.4g} degrees to the {}", std::fabs(degrees),
+                                                degrees > 0 ? "right" : "left");
+    return fmt::format(" The sun is {}; its disc is {}in the file.", place,
+                       bake->sun == config::SunInMap::disc ? "" : "not ");
+}
+
 }  // namespace
 
 std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
@@ -229,17 +271,14 @@ std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
     const double exposure = sky_exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
-    const ChartAxis azimuth{"azimuth from the sun (deg)", [](double t) { return 360 * t - 180; },
-                            AxisTicks::angles};
-    const ChartAxis elevation{"elevation (deg)", [](double t) { return 180 * t - 90; },
-                              AxisTicks::angles};
-    return {{entry.name + "_texels", title,
-             fmt::format("The picture shows the file upright, the sun's azimuth in the middle; {}. "
-                         "The sun's disc is not in it.",
-                         tone_text(exposure)),
-             framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, azimuth,
-                    elevation),
-             exposure}};
+    const auto [across, up] = environment_axes(entry.mapping);
+    return {
+        {entry.name + "_texels", title,
+         fmt::format("The picture shows the file upright{}; {}.{}",
+                     environment_layout(entry.mapping), tone_text(exposure),
+                     sun_of_environment(entry)),
+         framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, across, up),
+         exposure}};
 }
 
 std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset) {
