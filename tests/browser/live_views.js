@@ -105,15 +105,20 @@ function rms(a, b) {
     return Math.sqrt(sum / (0.75 * a.length));
 }
 
-// Loads the page's scene again with a texture that is upside down, or all zeros.
+// Loads the page's scene again with a texture that is upside down, all zeros, filled with bytes of 60, or half a tile
+// further along y.
 const spoil = (page, name, how) => page.evaluate(async ([name, how]) => {
     const scene = JSON.parse(document.getElementById('scene').textContent);
     const texture = scene.textures.find((one) => one.name === name);
     if (texture) {
         const bytes = new Uint8Array(await unpacked(texture.texels)), length = bytes.length / texture.size.at(-1);
-        const spoilt = new Uint8Array(bytes.length);
+        const spoilt = new Uint8Array(bytes.length).fill(how === 'filled' ? 60 : 0);
         for (let row = 0; how === 'flipped' && row < texture.size.at(-1); ++row) {
             spoilt.set(bytes.subarray(row * length, (row + 1) * length), bytes.length - (row + 1) * length);
+        }
+        if (how === 'shifted') {
+            const half = Math.floor(texture.size[1] / 2) * length / texture.size[1];
+            bytes.forEach((byte, i) => { spoilt[i - i % length + (i % length + half) % length] = byte; });
         }
         const stream = new Blob([spoilt]).stream().pipeThrough(new CompressionStream('deflate'));
         const packed = new Uint8Array(await new Response(stream).arrayBuffer());
