@@ -111,6 +111,7 @@ class ErrorStatistics {
         return {max_, count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_))};
     }
     double max() const { return max_; }
+    long count() const { return count_; }
 
   private:
     double max_ = 0;

@@ -27,22 +27,14 @@ constexpr int kSlices = 8;  // of a block
 constexpr std::size_t kMostPoints = (5 + 2) * (3 + 2) * (3 + 2);
 
 // The points of cells, of which planes hold the places and the heights of the bumps.
-class BumpPoints {
+class BumpPoints : public CellPoints {
   public:
-    explicit BumpPoints(const CellField& field) : key_(field.key), shift_(field.shift) {}
-    RowKey keys(std::uint32_t y, std::uint32_t z) const { return row_key(key_, y, z); }
+    using CellPoints::CellPoints;
     HWY_INLINE void store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
                           std::size_t at) const {
-        const CellPointVector point = cell_point(key, scaled_x, shift_);
-        hn::StoreU(point.x, kFloats, planes.x.data() + at);
-        hn::StoreU(point.y, kFloats, planes.y.data() + at);
-        hn::StoreU(point.z, kFloats, planes.z.data() + at);
+        const CellPointVector point = CellPoints::store(key, scaled_x, planes, at);
         hn::StoreU(point.height, kFloats, planes.rest.data() + at);
     }
-
-  private:
-    std::uint64_t key_;
-    std::uint32_t shift_;
 };
 
 // The voxels first ... last of one axis, counted in cells from the first voxel's cell.

@@ -22,13 +22,15 @@ class CellPoints {
   public:
     explicit CellPoints(const CellField& field) : key_(field.key), shift_(field.shift) {}
     RowKey keys(std::uint32_t y, std::uint32_t z) const { return row_key(key_, y, z); }
-    HWY_INLINE void store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
-                          std::size_t at) const {
+    // Returns the points that it stores.
+    HWY_INLINE CellPointVector store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
+                                     std::size_t at) const {
         const Floats floats;
         const CellPointVector point = cell_point(key, scaled_x, shift_);
         hn::StoreU(point.x, floats, planes.x.data() + at);
         hn::StoreU(point.y, floats, planes.y.data() + at);
         hn::StoreU(point.z, floats, planes.z.data() + at);
+        return point;
     }
 
   private:

@@ -7,10 +7,10 @@
 
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_table.h"
-#include "bakers/light/sky_ray.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/preview/clouds.h"
+#include "tests/support/air_ray.h"
 
 namespace skybake {
 namespace {
@@ -40,20 +40,9 @@ CloudMedium slab(double base_m, double height_m, double optical_depth) {
     return medium;
 }
 
-// The ray from an altitude along a direction (right, up, ahead), in plain trigonometry.
+// The ray from an altitude along a direction (right, up, ahead).
 SkyRay ray_from(double altitude_km, const glm::dvec3& direction, const glm::dvec3& sun) {
-    const Shell& shell = hazy().shell();
-    const double r = shell.ground_radius_km + altitude_km;
-    SkyRay ray;
-    ray.altitude_km = altitude_km;
-    ray.s_km = r * direction.y;
-    ray.sun_s_km = r * sun.y;
-    ray.cosine_to_sun = glm::dot(direction, sun);
-    ray.one_minus_cosine = 1 - ray.cosine_to_sun;
-    ray.one_plus_cosine = 1 + ray.cosine_to_sun;
-    ray.meets_ground = ray.s_km < -horizon_distance_km(shell, altitude_km);
-    ray.length_km = ray_length_km(shell, altitude_km, ray.s_km, ray.meets_ground);
-    return ray;
+    return test::air_ray(hazy().shell(), altitude_km, direction.y, sun.y, glm::dot(direction, sun));
 }
 
 Spectrum radiance_along(const SkyRay& ray) { return hazy().integrator().radiance(ray).total(); }

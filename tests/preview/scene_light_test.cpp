@@ -12,6 +12,7 @@
 #include "tests/preview/clouds.h"
 #include "tests/preview/multiple_scattering_grid.h"
 #include "tests/preview/skies.h"
+#include "tests/support/air_ray.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
@@ -48,18 +49,8 @@ class HazyLight {
 
     // The ray from an altitude along a direction, both seen with z upwards.
     static SkyRay ray(double altitude_km, const glm::dvec3& direction, const glm::dvec3& sun) {
-        const Shell shell = shell_of(hazy().medium.air);
-        const double r = shell.ground_radius_km + altitude_km;
-        SkyRay ray;
-        ray.altitude_km = altitude_km;
-        ray.s_km = r * direction.z;
-        ray.sun_s_km = r * sun.z;
-        ray.cosine_to_sun = glm::dot(direction, sun);
-        ray.one_minus_cosine = 1 - ray.cosine_to_sun;
-        ray.one_plus_cosine = 1 + ray.cosine_to_sun;
-        ray.meets_ground = ray.s_km < -horizon_distance_km(shell, altitude_km);
-        ray.length_km = ray_length_km(shell, altitude_km, ray.s_km, ray.meets_ground);
-        return ray;
+        return test::air_ray(shell_of(hazy().medium.air), altitude_km, direction.z, sun.z,
+                             glm::dot(direction, sun));
     }
 
     Spectrum sunlight(double altitude_km, const glm::dvec3& sun) const {

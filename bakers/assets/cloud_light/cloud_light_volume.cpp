@@ -176,11 +176,14 @@ VolumeFinish finish_of(const Baked& of, const CloudLayer& layer, const CloudLigh
     return finish;
 }
 
-// Returns the least and the greatest value of a channel. Coefficients of radiance have either sign.
-std::array<float, 2> bounds_of(const CloudLightBake& bake, std::size_t channel) {
+// Returns the least and the greatest value of each channel. Coefficients of radiance have either sign.
+std::vector<std::array<float, 2>> bounds_of(const CloudLightBake& bake, std::size_t count) {
     constexpr float kAny = std::numeric_limits<float>::max();
-    if (config::is_radiance(bake.contents)) return {-kAny, kAny};
-    return cloud_light::light_channels(bake).bounds(channel);
+    std::vector<std::array<float, 2>> bounds(count, {-kAny, kAny});
+    if (config::is_radiance(bake.contents)) return bounds;
+    const LightChannels channels = cloud_light::light_channels(bake);
+    for (std::size_t c = 0; c < count; ++c) bounds[c] = channels.bounds(c);
+    return bounds;
 }
 
 }  // namespace
@@ -210,10 +213,11 @@ SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& b
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
                                                  const CloudLightBake& bake, int threads) {
+    const auto bounds = bounds_of(bake, values.channels.size());
     std::vector<std::vector<float>> texels;
     for (std::size_t c = 0; c < values.channels.size(); ++c) {
         texels.push_back(cloud_light::fit_texels(values.channels[c], values.places.count, size,
-                                                 bounds_of(bake, c), threads));
+                                                 bounds[c], threads));
     }
     return std::make_shared<const FittedTexels>(size, std::move(texels));
 }

@@ -78,33 +78,6 @@ CloudPaths::CloudPaths(const CloudLayer& layer, const CloudScattering& scatterin
     }
 }
 
-// The filter is trilinear and computes in double.
-double CloudPaths::extinction(const glm::dvec3& place) const {
-    std::array<std::array<std::size_t, 2>, 3> at{};
-    std::array<double, 3> share{};
-    for (std::size_t a = 0; a < 3; ++a) {
-        const double center = place[a] - 0.5;
-        const double below = std::floor(center);
-        share[a] = center - below;
-        const int size = layer_.size[a];
-        for (int side = 0; side < 2; ++side) {
-            const int i = static_cast<int>(below) + side;
-            at[a][static_cast<std::size_t>(side)] = static_cast<std::size_t>(
-                a < 2 ? occupancy::wrapped(i, size) : occupancy::clamped(i, size));
-        }
-    }
-    const auto nx = static_cast<std::size_t>(layer_.size[0]);
-    const auto ny = static_cast<std::size_t>(layer_.size[1]);
-    const auto row = [&](std::size_t y, std::size_t z) {
-        const float* values = layer_.values.data() + (at[2][z] * ny + at[1][y]) * nx;
-        return (1 - share[0]) * double{values[at[0][0]]} + share[0] * double{values[at[0][1]]};
-    };
-    const double low = (1 - share[1]) * row(0, 0) + share[1] * row(1, 0);
-    const double high = (1 - share[1]) * row(0, 1) + share[1] * row(1, 1);
-    return layer_.optics.extinction_per_m *
-           density(layer_.optics, (1 - share[2]) * low + share[2] * high);
-}
-
 namespace {
 
 // A flight from cell to cell. Places stay within the tile.
@@ -170,7 +143,7 @@ bool CloudPaths::fly(glm::dvec3& place, const glm::dvec3& direction, RandomStrea
             const double way = depth / majorant;
             flight.place += flight.along * way;
             to_face -= way;
-            if (random.next() * majorant < extinction(flight.place)) {
+            if (random.next() * majorant < extinction_at(layer_, flight.place)) {
                 place = flight.place;
                 return true;
             }

@@ -75,7 +75,6 @@ class CloudPaths {
         int order = 0;
     };
     bool fly(glm::dvec3& place, const glm::dvec3& direction, RandomStream& random) const;
-    double extinction(const glm::dvec3& place) const;
     void walk_on(Particle particle, std::vector<Particle>& waiting, RandomStream& random,
                  TracedRadiance& sum) const;
     void add_sunlight(const Particle& particle, RandomStream& random, TracedRadiance& sum) const;

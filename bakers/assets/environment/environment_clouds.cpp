@@ -122,10 +122,6 @@ struct LayerRays {
 
 double fraction_of(double value) { return value - std::floor(value); }
 
-}  // namespace
-
-namespace {
-
 Outcome<CloudMedium> medium_of(const config::Parameters& parameters, const std::string& clouds,
                                const BakeOptions& options, Facts& details) {
     const auto& of = bake_named(parameters, clouds).as<config::CloudVolumeBake>();

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bakers/assets/registry.h"
+#include "bakers/field/certify.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "config/sections/frames.h"
@@ -93,25 +94,6 @@ ProbePlace place_of(double frames, const std::array<double, 3>& uvw) {
         {{uvw}}};
 }
 
-// Largest and RMS difference, as they are added up.
-class Differences {
-  public:
-    void add(double difference) {
-        if (!(std::fabs(difference) <= largest_)) largest_ = std::fabs(difference);
-        squares_ += difference * difference;
-        ++count_;
-    }
-    ErrorFigures figures() const {
-        return {largest_, count_ > 0 ? std::sqrt(squares_ / count_) : 0};
-    }
-    int count() const { return count_; }
-
-  private:
-    double largest_ = 0;
-    double squares_ = 0;
-    int count_ = 0;
-};
-
 double range_of_values(const Baked& volume) {
     double low = 0;
     double high = 0;
@@ -153,8 +135,8 @@ class FlipbookErrors {
         Certificate result;
         result.texel = texel_.figures();
         result.lookup = lookup_.figures();
-        result.texel_points = texel_.count();
-        result.lookup_points = lookup_.count();
+        result.texel_points = static_cast<int>(texel_.count());
+        result.lookup_points = static_cast<int>(lookup_.count());
         result.reference =
             "texels: the frames; lookups: the middle of two layers against the frame between them, "
             "baked with twice as many frames";
@@ -174,17 +156,17 @@ class FlipbookErrors {
         return values;
     }
 
-    void compare(const Layer& a, const Layer& b, const Layer& wanted, Differences& differences) {
+    void compare(const Layer& a, const Layer& b, const Layer& wanted, ErrorStatistics& errors) {
         for (std::size_t i = 0; i < wanted.size(); ++i) {
-            differences.add((0.5 * (double{a[i]} + double{b[i]}) - double{wanted[i]}) / range_);
+            errors.add((0.5 * (double{a[i]} + double{b[i]}) - double{wanted[i]}) / range_);
         }
     }
 
     const Sequence& sequence_;
     const Baked& volume_;
     double range_;
-    Differences texel_;
-    Differences lookup_;
+    ErrorStatistics texel_;
+    ErrorStatistics lookup_;
 };
 
 // Returns the frames that are measured: all, or some in steps of the golden ratio, which keep clear of
@@ -277,8 +259,9 @@ Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& b
          .reference_name = {},
          .measure = [&sequence](const Baked& baked,
                                 const BakeOptions&) { return certificate_of(sequence, baked); },
-         .probe_place = [frames = double{1} * bake.length](const std::array<double, 3>& uvw,
-                                                           int) { return place_of(frames, uvw); }},
+         .probe_place = [frames = static_cast<double>(bake.length)](
+                            const std::array<double, 3>& uvw,
+                            int) { return place_of(frames, uvw); }},
         options);
 }
 
