@@ -11,6 +11,7 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/assets/flipbook.h"
+#include "config/assets/forward_scattering.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/noise_volume.h"
@@ -29,7 +30,7 @@ using Assets =
     std::tuple<TransmittanceBake, MultipleScatteringBake, SkyViewBake, EnvironmentBake,
                AerialPerspectiveBake, IrradianceBake, PhaseBake, BrunetonBake, OpticalDepthBake,
                NoiseVolumeBake, WeatherMapBake, BlueNoiseBake, CloudVolumeBake, CloudLightBake,
-               CloudDistanceBake, FlipbookBake, OccupancyBake>;
+               ForwardScatteringBake, CloudDistanceBake, FlipbookBake, OccupancyBake>;
 
 // Calls `use` with a Tag of each asset, in order.
 template <class Use>

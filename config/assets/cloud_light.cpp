@@ -11,6 +11,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_light_checks.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/droplet_fields.h"
 #include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
@@ -24,11 +25,7 @@ namespace {
 using CloudLightField = Row<CloudLightBake>;
 
 constexpr Range light_cell_range{1, most_cloud_light_cell};
-constexpr Range degree_range{0, 3};
 constexpr Range part_range{1, 4};
-// The fit of the droplets' phase function holds from 5 to 50 um.
-constexpr Range droplet_range{5e-6, 50e-6};
-constexpr Range albedo_range{1e-6, 1};
 constexpr double degree_in_radians = std::numbers::pi / 180;
 // A ray at 1 degree passes 57 voxels for each one that it rises.
 constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
@@ -67,6 +64,12 @@ constexpr std::string_view of_depths[] = {
     "optical_depth_harmonics", "transmittance_harmonics", "sky_visibility"};
 constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "ground_radiance"};
 
+constexpr Field of_light_within(Field field) {
+    field.selector = "contents";
+    field.selected_by = of_radiance;
+    return field;
+}
+
 const std::array cloud_light_table = {
     CloudLightField{asset_field, {}},
     CloudLightField{source_volume_field, &CloudLightBake::of},
@@ -97,7 +100,7 @@ const std::array cloud_light_table = {
     CloudLightField{
         {.key = "degree",
          .kind = Kind::integer,
-         .range = degree_range,
+         .range = harmonics_degree_range,
          .fallback = "1",
          .documentation = "degree of the harmonics, which have (degree + 1)^2 coefficients",
          .selector = "contents",
@@ -131,26 +134,8 @@ const std::array cloud_light_table = {
                      .selector = "contents",
                      .selected_by = of_depths},
                     &CloudLightBake::max_error},
-    CloudLightField{
-        {.key = "droplet_diameter",
-         .kind = Kind::length,
-         .range = droplet_range,
-         .fallback = R"("12 um")",
-         .documentation = "diameter of the droplets, which chooses their phase function",
-         .hint = "clouds have 8 to 30 um",
-         .citation = "Jendersie & d'Eon 2023, \"An Approximate Mie Scattering Function for Fog "
-                     "and Cloud Rendering\"",
-         .selector = "contents",
-         .selected_by = of_radiance},
-        &CloudLightBake::droplet_diameter},
-    CloudLightField{{.key = "single_scattering_albedo",
-                     .kind = Kind::number,
-                     .range = albedo_range,
-                     .fallback = "1",
-                     .documentation = "share of the extinction that is scattering",
-                     .hint = "droplets in visible light have 1",
-                     .selector = "contents",
-                     .selected_by = of_radiance},
+    CloudLightField{of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},
+    CloudLightField{of_light_within(single_scattering_albedo_field),
                     &CloudLightBake::single_scattering_albedo},
 };
 

@@ -12,6 +12,7 @@
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_grid.h"
 
@@ -23,7 +24,18 @@ struct LightTextures {
     std::array<int, 3> size{};
     std::vector<std::vector<float>> of_sun;  // coefficients of sun_radiance
     std::vector<std::vector<float>> of_sky;  // and of sky_radiance
+    std::vector<float> forward;              // factors of forward_scattering, if there are any
 };
+
+// As asset = "forward_scattering" is made by default.
+inline constexpr std::array<int, 3> kForwardSize = {128, 64, 1};
+inline std::vector<float> forward_texels(const cloud_light::CloudScattering& scattering,
+                                         int degree) {
+    const forward_scattering::SmallAngles light(scattering, degree);
+    const Image2<double> texels = bake_texels(forward_scattering::forward_model(light), 0,
+                                              {kForwardSize[0], kForwardSize[1]}, {});
+    return {texels.texels.begin(), texels.texels.end()};
+}
 
 using VoxelTaps = std::array<VoxelTap, 8>;
 
@@ -35,6 +47,19 @@ inline double looked_up(const std::vector<float>& texels, const VoxelTaps& taps,
                double{texels[occupancy::index_of(size, tap.voxel[0], tap.voxel[1], tap.voxel[2])]};
     }
     return sum;
+}
+
+// The factor of light that is scattered once: examples/lookups/forward_scattering.glsl.
+inline double forward_factor(const LightTextures& textures, double offset, double depth) {
+    if (textures.forward.empty()) return 1;
+    constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+    const std::array<double, 3> uvw = {
+        texture_coordinate(kConvention, std::sqrt(std::sqrt(offset / 2)), kForwardSize[0]),
+        texture_coordinate(kConvention, forward_scattering::depth_coordinate(depth),
+                           kForwardSize[1]),
+        0.5};
+    return looked_up(textures.forward, trilinear_taps(kForwardSize, uvw, {false, false, false}),
+                     kForwardSize);
 }
 
 // The light of a march from a face of the layer, in steps of at most `step` voxels: that of
@@ -63,7 +88,8 @@ inline double marched(const cloud_light::CloudLayer& layer, const LightTextures&
         const VoxelTaps taps = trilinear_taps(textures.size, uvw, repeats);
         const double sun_depth = looked_up(
             textures.depth, trilinear_taps(textures.depth_size, uvw, repeats), textures.depth_size);
-        double in = sources.sun * scattering.albedo * phase / share * std::exp(-share * sun_depth);
+        double in = sources.sun * scattering.albedo * phase / share * std::exp(-share * sun_depth) *
+                    forward_factor(textures, 1 - nu, sun_depth);
         for (std::size_t c = 0; c < textures.of_sun.size(); ++c) {
             in += sources.sun * values[c] * looked_up(textures.of_sun[c], taps, textures.size);
         }

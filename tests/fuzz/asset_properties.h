@@ -16,6 +16,7 @@
 #include "config/assets/cloud_volume.h"
 #include "config/assets/environment.h"
 #include "config/assets/flipbook.h"
+#include "config/assets/forward_scattering.h"
 #include "config/assets/irradiance.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/occupancy.h"
@@ -68,6 +69,15 @@ inline void check_asset(const BlueNoiseBake& asset, const Parameters&) {
     require(asset.spatial_sigma > 0 && asset.temporal_sigma > 0, "energies have a width");
     require(asset.mips == 1, "a mask has one level");
     check_files(asset, asset.voxels());
+}
+
+inline void check_asset(const ForwardScatteringBake& asset, const Parameters&) {
+    require(asset.degree >= 0 && asset.degree <= 3, "harmonics of that degree are published");
+    require(asset.droplet_diameter.meters >= 5e-6 && asset.droplet_diameter.meters <= 50e-6,
+            "the fit holds for these droplets");
+    require(asset.single_scattering_albedo > 0 && asset.single_scattering_albedo <= 1,
+            "droplets scatter");
+    check_files(asset, {asset.size[0], asset.size[1], 1});
 }
 
 inline void check_asset(const FlipbookBake& asset, const Parameters& parameters) {

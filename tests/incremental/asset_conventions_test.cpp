@@ -158,6 +158,9 @@ frames = 3
 [bake.book]
 asset = "flipbook"
 of = "wave"
+[bake.forward]
+asset = "forward_scattering"
+size = [32, 16]
 [bake.mask]
 asset = "blue_noise"
 size = [12, 8]
@@ -290,6 +293,18 @@ TEST_F(AssetConventions, FlipbookByItsConstants) {
         const double layer = at(probe, "frame") / number(w, "frames") + number(w, "offset");
         EXPECT_NEAR(layer, probe.uvw[2] - std::floor(probe.uvw[2]), 2e-6);
         return std::array{at(probe, "u"), at(probe, "v")};
+    });
+}
+
+TEST_F(AssetConventions, ForwardScatteringByItsConstants) {
+    expect_probes("forward", [](const ManifestAsset& entry, const Probe& probe) {
+        const double half = at(probe, "scattering_angle_deg") * std::numbers::pi / 360;
+        const double depth = at(probe, "optical_depth");
+        const double middle = number(entry.axes[1], "middle_depth");
+        const double deepest = number(entry.axes[1], "deepest");
+        const double y = depth / (depth + middle) * (1 + middle / deepest);
+        return std::array{coordinate(entry.axes[0], std::sqrt(std::sin(half)), entry.size[0]),
+                          coordinate(entry.axes[1], y, entry.size[1])};
     });
 }
 
@@ -489,6 +504,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"wave_0002", "", "", "", none, none, ""},
         {"wave_0003", "", "", "", none, none, ""},
         {"book", "", "", "", none, none, ""},
+        {"forward", "", "deg", "", none, none, ""},
         {"mask", "", "", "", none, none, ""},
         {"cloud", "m", "", "", none, none, "+z"},
         {"cells", "m", "", "", none, none, "+z"},

@@ -390,6 +390,12 @@ size = [8, 8, 4]
 frames = 2
 frames_per_second = 12
 formats = ["vdb", "usda"]
+[bake.forward]
+asset = "forward_scattering"
+size = [8, 6]
+degree = 2
+droplet_diameter = "10 um"
+single_scattering_albedo = 0.9
 [bake.book]
 asset = "flipbook"
 of = "wave"

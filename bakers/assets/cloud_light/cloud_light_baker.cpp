@@ -157,7 +157,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const CloudLightBake
 }  // namespace
 
 const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
-    static const Baker<config::CloudLightBake> row = {.version = 3,
+    static const Baker<config::CloudLightBake> row = {.version = 4,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

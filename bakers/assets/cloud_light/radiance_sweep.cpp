@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "bakers/assets/cloud_light/radiance_kernel.h"
@@ -19,6 +20,13 @@ constexpr int kAzimuths = 8;
 double mean_of_exponential(double x, double passing) {
     constexpr double kSmall = 1e-4;  // of which the series leaves x^2 / 6
     return x < kSmall ? 1 - 0.5 * x : (1 - passing) / x;
+}
+
+// Turns a direction to the middle between two azimuths.
+glm::dvec3 half_a_step_on(const glm::dvec3& direction) {
+    const SineCosine turn = sine_and_cosine(std::numbers::pi / kAzimuths);
+    return {turn.cosine * direction.x - turn.sine * direction.y,
+            turn.sine * direction.x + turn.cosine * direction.y, direction.z};
 }
 
 }  // namespace
@@ -87,9 +95,8 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
             nodes_.push_back({std::max(1, static_cast<int>(std::ceil(cells_across))), tangent});
             fill_passing(cells, node, cosine);
         }
-        glm::dvec3 direction = sky.direction;
-        direction.z = -direction.z;
-        downward_.push_back({direction, sky.solid_angle, node});
+        const glm::dvec3 direction = node % 2 == 0 ? sky.direction : half_a_step_on(sky.direction);
+        downward_.push_back({{direction.x, direction.y, -direction.z}, sky.solid_angle, node});
     }
 }
 

@@ -8,7 +8,9 @@
 //   after = S + (L - S) exp(-x)        mean = S + (L - S) (1 - exp(-x)) / x
 //
 // The zenith cosines of each hemisphere are Gauss and Legendre's, and azimuths are even steps, so that
-// integrals of harmonics times harmonics up to kMostDegree are exact.
+// integrals of harmonics times harmonics up to kMostDegree are exact. The azimuths of every second
+// zenith cosine lie between those of the others, because light between small clouds shows in which
+// directions it was followed (ray effects: Lathrop 1968).
 #pragma once
 
 #include <array>

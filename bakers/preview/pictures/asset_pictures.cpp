@@ -27,6 +27,7 @@ constexpr AssetPictures kPictures[] = {
     {"irradiance", irradiance_pictures},
     {"aerial_perspective", aerial_pictures},
     {"phase", phase_pictures},
+    {"forward_scattering", forward_pictures},
     {"bruneton", bruneton_pictures},
     {"weather_map", weather_map_pictures},
     {"blue_noise", blue_noise_pictures},

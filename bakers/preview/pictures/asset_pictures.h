@@ -46,6 +46,9 @@ std::vector<PreviewPicture> aerial_pictures(const PreviewAsset& asset);
 // the share.
 std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset);
 
+// Shows a table of forward scattering: the factor over the scattering angle at several optical depths.
+std::vector<PreviewPicture> forward_pictures(const PreviewAsset& asset);
+
 // Shows Bruneton's tables: the texels in colour, with v upwards. Tables of scattering are shown at
 // four altitudes, with their channel A, which holds the Mie layers, beside the colours.
 std::vector<PreviewPicture> bruneton_pictures(const PreviewAsset& asset);

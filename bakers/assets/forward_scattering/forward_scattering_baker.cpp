@@ -1,0 +1,60 @@
+// The baker of asset = "forward_scattering".
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "bakers/assets/baker.h"
+#include "bakers/assets/forward_scattering/forward_table.h"
+#include "bakers/field/image.h"
+#include "config/assets/forward_scattering.h"
+
+namespace skybake {
+
+using config::ForwardScatteringBake;
+using config::Outcome;
+using config::Parameters;
+
+namespace {
+
+Outcome<Baked> bake(const Parameters&, const ForwardScatteringBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    Baked table = labelled_volume(std::move(label));
+    table.channel_names = names_of_channels(1);
+    return forward_scattering::bake_forward_scattering(asset, options, std::move(table));
+}
+
+Estimate estimate(const Parameters&, const ForwardScatteringBake& asset) {
+    constexpr double kSecondsPerTexel = 1e-5;
+    return estimate_table(asset, kSecondsPerTexel, 0.5);
+}
+
+AssetPlaces places(const Parameters&, const ForwardScatteringBake&, const StoredTexels& stored) {
+    return single_lookup({"scattering_angle_deg", "optical_depth"}, [=](const Place& at) {
+        constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
+        const double x = forward_scattering::angle_coordinate(at[0].second);
+        const double y = forward_scattering::depth_coordinate(at[1].second);
+        return Uvw{texture_coordinate(kConvention, x, stored.size[0]),
+                   texture_coordinate(kConvention, y, stored.size[1]), 0.5};
+    });
+}
+
+AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const StoredTexels&) {
+    GlslFunction function;
+    function.comment =
+        "Returns the factor of the sunlight that is scattered once. `offset` is 1 - cosine of the "
+        "scattering angle, `depth` the optical depth to the sun.";
+    function.result = "float";
+    function.arguments = "sampler2D table, float offset, float depth";
+    function.value = "forward_scattering(table, offset, depth)";
+    return {"forward_scattering", {std::move(function)}};
+}
+
+}  // namespace
+
+const Baker<ForwardScatteringBake>& baker(BakerTag<ForwardScatteringBake>) {
+    static const Baker<ForwardScatteringBake> row = {
+        .version = 1, .bake = bake, .estimate = estimate, .places = places, .lookup = lookup};
+    return row;
+}
+
+}  // namespace skybake

@@ -1,0 +1,24 @@
+// This header declares the asset "forward_scattering": how much more or less sunlight a cloud sends
+// on at an angle than light that is scattered once, by the optical depth to the sun.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "config/assets/asset.h"
+#include "config/sections/files.h"
+#include "config/text/quantity.h"
+
+namespace skybake::config {
+
+struct ForwardScatteringBake : AssetFiles {
+    std::array<int, 2> size{};        // texels along the angle and along the optical depth
+    std::optional<double> max_error;  // instead of size: bound on the maximum lookup error
+    int degree = 3;                   // of the harmonics that hold the other light
+    Length droplet_diameter{12e-6};   // chooses the phase function
+    double single_scattering_albedo = 1;
+};
+
+const AssetKind& asset_kind(Tag<ForwardScatteringBake>);
+
+}  // namespace skybake::config
