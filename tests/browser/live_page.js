@@ -63,7 +63,7 @@ const tests = {
         const {measure, wrong} = await comparison(page, 'baked', 'cumulus_lit', views);
         for (const name of Object.keys(views)) await measure('as baked', name, true);
         for (const [name, view] of [['transmittance_table', 'clear_sky'], ['scattering_table', 'clear_sky'],
-            ['phase_table', 'clear_sky'], ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds']]) {
+            ['phase_table', 'clear_sky'], ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds'], ['shift_table', 'clouds']]) {
             for (const how of ['flipped', 'zeroed']) {
                 // A phase function that lies in two rows upside down is another layer's; leaps of 0 only cost time.
                 if (name === 'cells_table_0' && how === 'zeroed') continue;
