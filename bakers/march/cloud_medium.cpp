@@ -114,6 +114,8 @@ TileVariation varied_tiles(const CloudMedium& medium) {
         variation.shift_y.push_back(
             static_cast<float>((bits >> 32) % static_cast<std::uint64_t>(size[1])));
     }
+    variation.shift_x.front() = 0;
+    variation.shift_y.front() = 0;
     variation.margin_x = kMargin * static_cast<float>(size[0]);
     variation.margin_y = kMargin * static_cast<float>(size[1]);
     for (const float value : medium.volume.values) {

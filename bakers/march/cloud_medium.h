@@ -49,7 +49,8 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
 // How the copies of a repeating tile differ, so that no pattern shows towards the horizon: each copy
 // reads the volume from another voxel on. Copies run into each other over a margin on both sides of
 // their common border (tile_variation-inl.h). `shift_x` and `shift_y` hold the first voxel that a copy
-// reads, for kVariedTiles x kVariedTiles copies; copies beyond repeat these.
+// reads, for kVariedTiles x kVariedTiles copies; copies beyond repeat these. The first copy begins at
+// voxel 0, so that what a recipe places is there.
 inline constexpr int kVariedTiles = 64;
 struct TileVariation {
     std::vector<float> shift_x;  // voxels, integers; empty: all copies are alike

@@ -63,7 +63,8 @@ const tests = {
         const {measure, wrong} = await comparison(page, 'baked', 'cumulus_lit', views);
         for (const name of Object.keys(views)) await measure('as baked', name, true);
         for (const [name, view] of [['transmittance_table', 'clear_sky'], ['scattering_table', 'clear_sky'],
-            ['phase_table', 'clear_sky'], ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds']]) {
+            ['phase_table', 'clear_sky'], ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds'],
+            ['shift_table', 'clouds']]) {
             for (const how of ['flipped', 'zeroed']) {
                 // A phase function that lies in two rows upside down is another layer's; leaps of 0 only cost time.
                 if (name === 'cells_table_0' && how === 'zeroed') continue;
@@ -189,7 +190,7 @@ const tests = {
         };
         const clouds_alone = await open(browser, live('clouds_alone', cloud));
         assert.match(await about(clouds_alone), /the preset earth, whose tables were baked for this page/);
-        assert.equal(await clouds_alone.evaluate(() => window.skybakeLive.scene.textures.length), 5);
+        assert.equal(await clouds_alone.evaluate(() => window.skybakeLive.scene.textures.length), 6);
         const one_table = tables.slice(0, tables.indexOf('[bake.multiple'));
         const sky_alone = await open(browser, live('sky_alone', one_table));
         assert.match(await about(sky_alone), /the recipe's atmosphere, whose tables were baked for this page/);

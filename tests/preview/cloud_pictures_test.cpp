@@ -113,6 +113,23 @@ double mean_difference(const Picture& a, const Picture& b) {
     return sum / static_cast<double>(a.rgb.size());
 }
 
+// The same picture from one tile further on would be the same if the tile repeated as it is.
+TEST(CloudPictures, VaryTheCopiesOfATile) {
+    const Baked baked;
+    CloudPreviewInput input = baked.input();
+    input.draft = true;
+    input.exposure_stops = 3;
+    input.camera = {{{1500, 1000, 3000}}, 60, -20, 60};
+    const PreviewPicture here = cloud_pictures(input, 1).front();
+    EXPECT_TRUE(says(here, "so that no pattern repeats")) << here.caption;
+    input.camera.position_m = {{4500, 1000, 3000}};
+    const PreviewPicture next = cloud_pictures(input, 1).front();
+    EXPECT_GT(mean_difference(here.picture, next.picture), 5);
+    input.single = true;
+    const PreviewPicture single = cloud_pictures(input, 1).front();
+    EXPECT_FALSE(says(single, "repeats")) << single.caption;
+}
+
 // Of four squares of pixels one.
 Picture quartered(const Picture& picture) {
     Picture small(picture.width / 2, picture.height / 2);

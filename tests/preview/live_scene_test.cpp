@@ -61,16 +61,28 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     const json scene = scene_of(kCloud);
     EXPECT_EQ(texture_names(scene),
               (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table",
-                                        "cloud_table_0", "cells_table_0"}));
+                                        "cloud_table_0", "cells_table_0", "shift_table"}));
     EXPECT_EQ(scene["clouds"][0]["name"], "volume");
     EXPECT_EQ(scene["clouds"][0]["tile"], json({3000.0, 2000.0, 700.0}));
     EXPECT_EQ(scene["clouds"][0]["base"], 1000.0);
     EXPECT_DOUBLE_EQ(scene["clouds"][0]["extinction"], 0.04);
     EXPECT_EQ(scene["textures"][3]["size"], json({16, 12, 8}));
+    EXPECT_EQ(scene["textures"].back()["size"], json({kVariedTiles, kVariedTiles}));
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
 }
 
-// Several clouds are those of one sky: their copies vary, and they fade before the horizon.
+// A page that begins with a single tile can show the layer too, with the same copies.
+TEST(LiveScene, HoldsTheCopiesOfASingleTile) {
+    PreviewOptions single;
+    single.single = true;
+    const json layer = scene_of(kCloud);
+    const json tile = scene_of(kCloud, single);
+    EXPECT_EQ(tile["clouds"][0]["repeats"], false);
+    EXPECT_EQ(tile["textures"].back(), layer["textures"].back());
+    EXPECT_EQ(texture_names(tile), texture_names(layer));
+}
+
+// Several clouds are those of one sky, and they fade before the horizon.
 TEST(LiveScene, HoldsSeveralCloudsWithTheirCopies) {
     std::string second = kCloud.substr(kCloud.find("[clouds.c]"));
     for (const auto& [from, to] : {std::pair{"clouds.c", "clouds.d"}, std::pair{"\"c\"", "\"d\""},

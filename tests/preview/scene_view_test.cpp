@@ -149,6 +149,23 @@ TEST(SceneView, CopiesOfTilesDiffer) {
     }
 }
 
+// What a recipe places is there: between its margins, the first copy is the volume.
+TEST(SceneView, TheFirstCopyIsTheVolume) {
+    const ThreeLayers plain;
+    const ThreeLayers varied(true);
+    const auto [x_m, y_m, z_m] = plain.low.extent_m;
+    int cloudy = 0;
+    for (int i = 0; i < 64; ++i) {
+        const glm::dvec3 share = {(i % 4 + 0.5) / 4, (i / 4 % 4 + 0.5) / 4, (i / 16 + 0.5) / 4};
+        const glm::dvec3 at = {x_m * (0.14 + 0.72 * share.x), y_m * (0.14 + 0.72 * share.y),
+                               plain.low.base_m + z_m * share.z};
+        const double wanted = reference_extinction(plain.low, at);
+        EXPECT_DOUBLE_EQ(reference_extinction(varied.low, at), wanted);
+        cloudy += wanted > 0 ? 1 : 0;
+    }
+    EXPECT_GT(cloudy, 8);
+}
+
 TEST(SceneView, LeapingThreadsAndTargetsChangeNoBit) {
     for (const bool varied : {false, true}) {
         const ThreeLayers three(varied);

@@ -66,7 +66,8 @@ std::vector<LiveCloud> live_clouds(const PreviewAssets& assets, const PreviewOpt
     for (const CloudPreviewInput& input : inputs) {
         const std::optional<config::Cloud> cloud = cloud_as_baked(input);
         LeapingMedium made = leaping_medium(input, *cloud, !options.single, options.threads);
-        if (inputs.size() > 1) made.medium.variation = varied_tiles(made.medium);
+        // The page can show the layer even where it first shows a single tile.
+        if (options.single) made.medium.variation = varied_tiles(made.medium);
         clouds.push_back({input.volume, std::move(made.medium), std::move(made.leaps_name),
                           input.suns.front(), input.camera});
     }
@@ -100,7 +101,7 @@ LiveJson clouds_json(const std::vector<LiveCloud>& clouds, const FramedScene& sc
                                    {leaps.cells[0], leaps.cells[1], leaps.cells[2]}, 1, "unorm8",
                                    leap_bytes(leaps)));
     }
-    if (clouds.front().medium.variation.varies()) textures.push_back(shift_texture(clouds));
+    textures.push_back(shift_texture(clouds));
     return json;
 }
 

@@ -207,7 +207,6 @@ std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
 
 std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds) {
     std::string text = fmt::format("const int CLOUDS = {};\n", clouds.size());
-    if (clouds.front().medium.variation.varies()) text += "#define VARIED\n";
     for (std::size_t i = 0; i < clouds.size(); ++i) {
         text += fmt::format("uniform highp sampler3D cloud_table_{0}, cells_table_{0};\n", i);
     }

@@ -2,8 +2,6 @@
 // voxel on, and about a border the copies on both sides are eroded, of which the greater value counts. p is in metres
 // from the corner of the layer's tile 0.
 uniform bool repeats;
-
-#ifdef VARIED
 uniform highp sampler2D shift_table;
 
 const float MARGIN = 0.125;                                                 // of a tile's edge, on each side of a border
@@ -67,24 +65,17 @@ float varied_leap(int layer, vec3 p, vec3 ray) {
     }
     return max(way, 1e-3);
 }
-#endif
 
 // The volume's value, how far a ray may leap, and the place in the volume, for p in a layer or in its only tile.
 float value_in_layer(int layer, vec3 p) {
-#ifdef VARIED
     if (repeats) return varied_value(layer, p);
-#endif
     return value_at(layer, p);
 }
 float leap_in_layer(int layer, vec3 p, vec3 ray) {
-#ifdef VARIED
     if (repeats) return varied_leap(layer, p, ray);
-#endif
     return leap_at(layer, p, ray);
 }
 vec3 place_in_volume(int layer, vec3 p) {
-#ifdef VARIED
     if (repeats) return in_copy(layer, tile_of(layer, p), p);
-#endif
     return p;
 }

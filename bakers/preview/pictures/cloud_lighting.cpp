@@ -68,6 +68,7 @@ LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud
                                          {entry.size[0], entry.size[1], entry.size[2]},
                                          static_cast<int>(entry.channels.size()), threads, repeats),
                             "cells made from the volume"};
+    if (repeats) result.medium.variation = varied_tiles(result.medium);
     if (input.occupancy != nullptr && input.occupancy_bake != nullptr) {
         auto grid = leap_grid_of(*input.volume, *input.occupancy, *input.occupancy_bake,
                                  filtered_threshold(*input.cloud));

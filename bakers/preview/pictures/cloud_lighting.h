@@ -28,7 +28,12 @@ bool holds_voxels(const PreviewAsset& asset);
 // Returns the cloud with the extent of its volume.
 std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input);
 
-// A medium with its leaps, and where they come from.
+// What captions say of copies of tiles that vary, without the end of the sentence.
+inline constexpr const char* kCopiesText =
+    "Each copy of a tile but the first begins at another voxel, and copies run into each other "
+    "over an eighth of their edge, so that no pattern repeats";
+
+// A medium with its leaps, and where they come from. The copies of a medium that repeats vary.
 struct LeapingMedium {
     CloudMedium medium;
     std::string leaps_name;  // as captions say it

@@ -53,7 +53,7 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "The picture shows {}. The light is that of {} with the {}, {}; it is shown with {}. The "
+        "The picture shows {}. {}The light is that of {} with the {}, {}; it is shown with {}. The "
         "camera "
         "is `{}`. Rays have {}, {:.3g} m steps along the view and {:.3g} m steps towards the sun, "
         "and "
@@ -62,10 +62,11 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         "{:.0f} lookups of the volume and {:.0f} of the grid.",
         scene.input.single ? "one tile alone with its shadow on the ground"
                            : "the layer that the tile repeats to with its shadows on the ground",
-        scene.lighting.name, sun_text(settings.sun.elevation_degrees),
-        beside_view(settings.sun, settings.camera), tone_text(exposure, scene.input.tone_curve),
-        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
-        settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
+        scene.input.single ? "" : fmt::format("{}. ", kCopiesText), scene.lighting.name,
+        sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
+        tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
+        samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
+        settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels);
 }

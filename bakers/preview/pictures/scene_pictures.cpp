@@ -29,8 +29,6 @@ std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& i
         const std::optional<config::Cloud> cloud = cloud_as_baked(input);
         if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
         layers.push_back({input.volume->entry.name, leaping_medium(input, *cloud, true, threads)});
-        CloudMedium& medium = layers.back().cloud.medium;
-        medium.variation = varied_tiles(medium);
     }
     return layers;
 }
@@ -71,15 +69,11 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
         "ground. "
         "The light is that of {} with the {}, {}; it is shown with {}. The camera is `{}`. Rays "
         "have "
-        "{}. Each copy of a tile "
-        "begins at another voxel and runs into its neighbours over an eighth of its edge, so that "
-        "no "
-        "pattern repeats; far layers fade out about 1.5 degrees above the horizon. Layers are "
-        "flat, "
-        "and clouds do not shade the air.",
+        "{}. {}; far layers fade out about 1.5 degrees above the horizon. Layers are flat, and "
+        "clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
         beside_view(sun, frame.camera), tone_text(exposure, input.tone_curve),
-        camera_text(frame.camera), samples_text(frame, view.refined_pixels));
+        camera_text(frame.camera), samples_text(frame, view.refined_pixels), kCopiesText);
 }
 
 PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lighting,
