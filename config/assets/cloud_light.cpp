@@ -24,7 +24,7 @@ namespace {
 using CloudLightField = Row<CloudLightBake>;
 
 constexpr Range light_cell_range{1, most_cloud_light_cell};
-constexpr Range degree_range{0, 3};
+constexpr Range harmonics_degree_range{0, 3};
 constexpr Range part_range{1, 4};
 // The fit of the droplets' phase function holds from 5 to 50 um.
 constexpr Range droplet_range{5e-6, 50e-6};
@@ -97,7 +97,7 @@ const std::array cloud_light_table = {
     CloudLightField{
         {.key = "degree",
          .kind = Kind::integer,
-         .range = degree_range,
+         .range = harmonics_degree_range,
          .fallback = "1",
          .documentation = "degree of the harmonics, which have (degree + 1)^2 coefficients",
          .selector = "contents",
