@@ -2,11 +2,8 @@
 // the same bytes. Each resolved value of a few recipes is changed, one after the other, and assets
 // whose keys stay are baked again.
 //
-// Most changes leave most keys as they are, and baking an asset for each of them would take minutes.
-// Changes of different tables of the recipe that all leave an asset's key are therefore made
-// together, and one by one only where the bytes differ or the recipe refuses them together. Changes
-// of the same table stay apart: there a word decides what other keys mean, and two numbers may
-// change while their ratio stays.
+// Changes of different tables that leave an asset's key are made together. Those of one table stay
+// apart, since a word decides what other keys mean, and two numbers may keep their ratio.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
@@ -103,10 +100,8 @@ struct KeyedContent {
     std::string content;
 };
 
-// Settings as `--set` takes them, at most one of each table of a recipe.
+// Settings as `--set` takes them, and those that leave an asset's key, by table of the recipe.
 using Settings = std::vector<std::string>;
-
-// The changes that leave an asset's key, by table. Tables are those of the resolved values' paths.
 using KeptChanges = std::map<std::string, Settings>;
 
 // Returns the changes in groups: the first of each table, the second of each, and so on.
@@ -119,7 +114,6 @@ std::vector<Settings> groups_over_tables(const KeptChanges& changes) {
     return groups;
 }
 
-// One recipe, each value of which is changed.
 class ChangedRecipe {
   public:
     explicit ChangedRecipe(std::string text)
@@ -148,7 +142,6 @@ class ChangedRecipe {
     }
 
   private:
-    // Returns the recipe with other values, or nothing where it refuses them.
     std::optional<Recipe> with(const Settings& settings) const {
         auto made = config::parse_recipe(text_, "recipe.toml", kMaps, settings);
         if (!made.value || made.value->parameters.bakes.size() != known_.size()) return {};
@@ -191,7 +184,6 @@ class ChangedRecipe {
                    std::string::npos;
     }
 
-    // The content of an asset under other values; nothing where the recipe refuses them together.
     std::optional<std::string> content_with(const std::string& asset, const Settings& changes) {
         const std::optional<Recipe> recipe = with(changes);
         if (!recipe) return {};
@@ -208,8 +200,7 @@ class ChangedRecipe {
         if (changes.size() > 1) {
             const auto middle = changes.begin() + static_cast<std::ptrdiff_t>(changes.size() / 2);
             expect_same(asset, {changes.begin(), middle});
-            expect_same(asset, {middle, changes.end()});
-            return;
+            return expect_same(asset, {middle, changes.end()});
         }
         ASSERT_TRUE(content.has_value()) << asset << ' ' << changes.front();
         EXPECT_TRUE(content->empty()) << "the key of `" << asset << "` does not see "
