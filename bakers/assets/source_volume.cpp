@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/field/block_voxels.h"
 
 namespace skybake {
@@ -15,16 +14,22 @@ const config::CloudVolumeBake& source_volume(const config::Parameters& parameter
 
 config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
                                           const std::string& of, const BakeOptions& options,
-                                          Facts& details) {
+                                          Baked& made) {
     const config::CloudVolumeBake& bake = source_volume(parameters, of);
     const config::Outcome<CloudInputs> inputs =
-        cloud_inputs(parameters, bake, details, options.intermediates);
+        cloud_inputs(parameters, bake, made.details, options.intermediates);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});
     if (options.cancelled()) return {};
     code_levels(voxels);
+    made.bake_seconds += voxels.bake_seconds;
     return {std::move(voxels), {}};
+}
+
+bool is_marched_as_stored(const config::Cloud& cloud) {
+    return cloud.channels == config::CloudChannels::density &&
+           cloud.threshold_at == config::ThresholdAt::bake;
 }
 
 }  // namespace skybake

@@ -111,4 +111,13 @@ std::vector<TraceOfPlace> traces_of_packets(
     return traces;
 }
 
+TracedLight traced_sky(const config::Parameters& parameters, const std::vector<SkySample>& samples,
+                       config::SkyOrders orders, LightAtPlaces found) {
+    const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
+        return trace_of_sky(std::move(air), samples, orders, true);
+    };
+    return TracedLight{light_channels(parameters), places_of(samples), std::move(found),
+                       traces_of_packets(parameters, trace_of)};
+}
+
 }  // namespace skybake

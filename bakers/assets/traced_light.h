@@ -78,4 +78,8 @@ struct TracedLight {
     std::vector<TraceOfPlace> traced;  // of each packet of wavelengths
 };
 
+// Returns the radiance of the samples, with the ground that views see, and what the files have of it.
+TracedLight traced_sky(const config::Parameters& parameters, const std::vector<SkySample>& samples,
+                       config::SkyOrders orders, LightAtPlaces found);
+
 }  // namespace skybake

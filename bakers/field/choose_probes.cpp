@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <set>
@@ -28,8 +29,10 @@ constexpr double kPlenty = 16;
 // Probes are taken until each wrong lookup shows at this many of them.
 constexpr int kWantedProbes = kSeveralProbes + 1;
 
-// If necessary, every texel of a texture with at most this many texels is tried.
+// If necessary, every texel of a texture with at most so many texels is tried. Of one with few texels all
+// places are candidates then, of a larger one those that are needed.
 constexpr std::int64_t kFewTexels = 4096;
+constexpr std::int64_t kMostTexels = 131072;
 
 struct ProbeCandidate {
     std::size_t space = 0;
@@ -152,38 +155,53 @@ std::vector<ProbeCandidate> places_about(const std::vector<ProbeCandidate>& cand
     return more;
 }
 
-bool shows_at_few(const std::vector<ProbeCandidate>& candidates, std::size_t wrongs) {
+// Returns the wrong lookups that show, but at few places.
+std::vector<std::size_t> shown_at_few(const std::vector<ProbeCandidate>& candidates,
+                                      std::size_t wrongs) {
+    std::vector<std::size_t> few;
     for (std::size_t wrong = 0; wrong < wrongs; ++wrong) {
         const int places = places_that_show(candidates, wrong);
-        if (places > 0 && places < kSeveralProbes) return true;
+        if (places > 0 && places < kSeveralProbes) few.push_back(wrong);
     }
-    return false;
+    return few;
 }
 
-bool has_few_texels(const TextureUse& use) {
-    return std::int64_t{use.size[0]} * use.size[1] * use.size[2] <= kFewTexels;
+std::int64_t texels_of(const TextureUse& use) {
+    return std::int64_t{use.size[0]} * use.size[1] * use.size[2];
 }
 
-// Returns the places a quarter of a texel to either side of every texel's centre.
-std::vector<ProbeCandidate> places_in_every_texel(const std::vector<ProbeSpace>& spaces,
-                                                  const TextureUse& use, int dimensions) {
+// Calls use_row(candidates) with the places a quarter of a texel to either side of every texel's
+// centre, row by row.
+template <class UseRow>
+void for_each_row_of_texels(const std::vector<ProbeSpace>& spaces, const TextureUse& use,
+                            int dimensions, const UseRow& use_row) {
     std::array<int, 3> places{};
     for (std::size_t axis = 0; axis < 3; ++axis) places[axis] = 2 * use.size[axis];
     if (dimensions == 2) places[2] = 1;
     places[1] /= static_cast<int>(spaces.size());  // one below the other
-    std::vector<ProbeCandidate> candidates;
     for (std::size_t space = 0; space < spaces.size(); ++space) {
-        for (int i = 0; i < places[0] * places[1] * places[2]; ++i) {
-            const std::array<int, 3> at = {i % places[0], i / places[0] % places[1],
-                                           i / places[0] / places[1]};
-            std::array<double, 3> wanted{};
-            for (std::size_t axis = 0; axis < 3; ++axis) {
-                wanted[axis] = (at[axis] + 0.5) / places[axis];
+        for (int row = 0; row < places[1] * places[2]; ++row) {
+            std::vector<ProbeCandidate> candidates;
+            for (int x = 0; x < places[0]; ++x) {
+                candidates.push_back(
+                    candidate_at(spaces, space,
+                                 {(x + 0.5) / places[0], (row % places[1] + 0.5) / places[1],
+                                  (row / places[1] + 0.5) / places[2]}));
             }
-            candidates.push_back(candidate_at(spaces, space, wanted));
+            use_row(std::move(candidates));
         }
     }
-    return candidates;
+}
+
+// Drops candidates from `first` on at which none of some wrong lookups shows.
+void keep_what_shows(const std::vector<std::size_t>& wrongs, std::size_t first,
+                     std::vector<ProbeCandidate>& candidates) {
+    const auto shows_none = [&wrongs](const ProbeCandidate& at) {
+        return std::none_of(wrongs.begin(), wrongs.end(),
+                            [&at](std::size_t wrong) { return at.off[wrong] > kShows; });
+    };
+    const auto from = candidates.begin() + static_cast<std::ptrdiff_t>(first);
+    candidates.erase(std::remove_if(from, candidates.end(), shows_none), candidates.end());
 }
 
 // Chooses probes from the candidates one by one.
@@ -341,8 +359,22 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
     if (options.cancelled()) return {};  // and not all have been measured
     add(places_about(candidates, wrongs.size(), spaces, use));
     if (options.cancelled()) return {};
-    const bool everywhere = has_few_texels(use) && shows_at_few(candidates, wrongs.size());
-    if (everywhere) add(places_in_every_texel(spaces, use, texture.dimensions));
+    const std::vector<std::size_t> few = shown_at_few(candidates, wrongs.size());
+    const bool everywhere = texels_of(use) <= kMostTexels && !few.empty();
+    if (everywhere && texels_of(use) <= kFewTexels) {
+        std::vector<ProbeCandidate> all;
+        for_each_row_of_texels(spaces, use, texture.dimensions, [&](auto row) {
+            std::move(row.begin(), row.end(), std::back_inserter(all));
+        });
+        add(std::move(all));
+    } else if (everywhere) {
+        for_each_row_of_texels(spaces, use, texture.dimensions, [&](auto row) {
+            const std::size_t first = candidates.size();
+            if (options.cancelled()) return;
+            add(std::move(row));
+            if (!options.cancelled()) keep_what_shows(few, first, candidates);
+        });
+    }
     if (options.cancelled()) return {};
 
     const auto spaces_count = static_cast<int>(spaces.size());

@@ -5,7 +5,7 @@
 // right lookup and once for the wrong one. Probes are taken until each wrong lookup shows at
 // several of them. Further probes are placed where most wrong lookups show most clearly, and such
 // places are also preferred among equals. A wrong lookup that shows nowhere is ignored: constant
-// noise is the same upside down. If a wrong lookup shows at few places and the texture is small,
+// noise is the same upside down. If a wrong lookup shows at few places and the texture is not large,
 // every texel is tried; if it still shows at few places, probes take those that exist. The probes
 // catch all other wrong lookups, and the manifest lists which ones.
 #pragma once

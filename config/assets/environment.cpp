@@ -25,7 +25,7 @@ namespace {
 
 using EnvironmentField = Row<EnvironmentBake>;
 
-constexpr Range azimuth_range{-std::numbers::pi, std::numbers::pi};
+constexpr Range environment_azimuth_range{-std::numbers::pi, std::numbers::pi};
 constexpr Range camera_place_range{-1e8, 1e8};
 constexpr Range sample_range{1, 16};
 
@@ -38,7 +38,7 @@ constexpr std::array environment_mapping_choices = {
            "the sphere as an octahedron that is unfolded to a square, the zenith in its middle"},
 };
 
-constexpr std::array sun_choices = {
+constexpr std::array environment_sun_choices = {
     Choice{SunInMap::none, "none", "the sun's disc is left out; `lights` tells its light"},
     Choice{SunInMap::disc, "disc", "texels hold the light of the sun's disc, all of it"},
 };
@@ -80,7 +80,7 @@ const std::array environment_table = {
                      &EnvironmentBake::sun_elevation},
     EnvironmentField{{.key = "sun_azimuth",
                       .kind = Kind::angle,
-                      .range = azimuth_range,
+                      .range = environment_azimuth_range,
                       .fallback = R"("0 deg")",
                       .documentation = "azimuth of the sun, to the right of straight ahead, which "
                                        "is the middle of a row and the x axis of clouds"},
@@ -119,7 +119,7 @@ const std::array environment_table = {
         &EnvironmentBake::samples},
     EnvironmentField{{.key = "sun",
                       .kind = Kind::choice,
-                      .choices = sun_choices,
+                      .choices = environment_sun_choices,
                       .fallback = R"("none")",
                       .documentation = "whether the map holds the light of the sun's disc"},
                      &EnvironmentBake::sun},

@@ -3,12 +3,25 @@
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
 
 #include "config/fields/section_decoder.h"
+#include "config/sections/files.h"
 
 namespace skybake::config {
 
 using VoxelCounts = std::array<int, 3>;  // along x, y and z
+
+// Returns the value of a field, or null if it is missing or of another type.
+template <class T>
+const T* value_of(const DecodedField& decoded) {
+    return decoded.value ? std::get_if<T>(&*decoded.value) : nullptr;
+}
+
+// Returns the formats of a bake; none if the key has no value.
+std::vector<FileFormat> formats_of(const DecodedSection& bake);
 
 // Spells a size: "512x512x128".
 std::string voxels_to_string(const VoxelCounts& size);

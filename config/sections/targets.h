@@ -1,7 +1,7 @@
 // This header lists the programs that `target` names: which assets each of them loads from which
 // files, and the program's own files that are written beside them.
 //
-// To add a target, add its enumerator in files.h, a row in targets.cpp, and a text for each of its
+// To add a target, add its enumerator in files.h, a row in target_table.cpp, and a text for each of its
 // sidecars in bakers/io/targets.
 #pragma once
 

@@ -1,7 +1,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -106,16 +106,12 @@ TEST(MultipleScatteringKernel, HasTheSameBitsOnEveryTarget) {
             make_row_quadrature(earth, altitudes, altitude, quadrature_levels()[3]);
         std::vector<double> scalar(3 * suns.size());
         integrate_row_scalar(earth, sunlight, row, suns.data(), count, scalar.data());
-        for (int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-            hwy::SetSupportedTargetsForTest(left & -left);
-            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+        test::on_every_target([&](const char* target) {
             std::vector<double> vector(scalar.size());
             integrate_row(earth, sunlight, row, suns.data(), count, vector.data());
-            EXPECT_EQ(vector, scalar) << hwy::TargetName(left & -left);
-            hwy::SetSupportedTargetsForTest(0);
-        }
+            EXPECT_EQ(vector, scalar) << target;
+        });
     }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
 TEST(MultipleScatteringKernel, LevelsConverge) {

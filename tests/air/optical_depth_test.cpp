@@ -1,7 +1,6 @@
 #include "bakers/air/optical_depth.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cmath>
 #include <fstream>
@@ -9,6 +8,7 @@
 
 #include "bakers/air/transmittance_mapping.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/every_target.h"
 #include "tests/support/referee.h"
 
 namespace skybake {
@@ -193,16 +193,12 @@ TEST(OpticalDepth, HasTheSameBitsOnEveryTarget) {
         for (std::size_t c = 0; c < 3; ++c) scalar[c * s.size() + i] = tau[c];
     }
     int targets = 0;
-    for (int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        hwy::SetSupportedTargetsForTest(left & -left);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::on_every_target([&](const char* target) {
         std::vector<double> vector(scalar.size());
         optical_depth_to_top(earth, 41.7, s.data(), static_cast<int>(s.size()), vector.data());
-        EXPECT_EQ(vector, scalar) << hwy::TargetName(left & -left);
+        EXPECT_EQ(vector, scalar) << target;
         ++targets;
-    }
-    hwy::SetSupportedTargetsForTest(0);
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    });
     EXPECT_GE(targets, 2);
 }
 

@@ -20,6 +20,7 @@
 #include "bakers/math/transcendental.h"
 #include "config/assets/bruneton.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/shared_bakes.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::test {
@@ -31,13 +32,17 @@ constexpr const char* kSmall =
     "[bake.a]\nasset = 'bruneton'\npixel_type = 'float'\nsize = [16, 8, 4]\nnu_size = 4\n";
 constexpr const char* kFlat = "[bake.a]\nasset = 'bruneton'\npixel_type = 'float'\n";
 
-Baked baked(const std::string& section, const std::vector<std::string>& settings) {
-    const config::Recipe recipe = recipe_of("preset = 'earth'\n" + section, settings);
-    auto outcome = bake_asset(recipe, recipe.parameters.bakes.back(),
-                              {.threads = 2, .certification = Certification::off});
-    for (const auto& diagnostic : outcome.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return outcome.value.value_or(Baked{});
-}
+// Bakes of one test share what they are made from.
+class BrunetonColors : public ::testing::Test {
+  protected:
+    Baked baked(const std::string& section, const std::vector<std::string>& settings) {
+        const config::Recipe recipe = recipe_of("preset = 'earth'\n" + section, settings);
+        return bakes_.baked(recipe, recipe.parameters.bakes.back());
+    }
+
+  private:
+    SharedBakes bakes_;
+};
 
 // Each channel of a table of colours is the weighted sum of the channels of one of wavelengths.
 void hold_to_wavelengths(const Baked& color, const Baked& light, std::size_t color_channel,
@@ -60,7 +65,7 @@ void hold_to_wavelengths(const Baked& color, const Baked& light, std::size_t col
     }
 }
 
-TEST(BrunetonColors, AreWeightedSumsOfWavelengths) {
+TEST_F(BrunetonColors, AreWeightedSumsOfWavelengths) {
     const std::string sun = "solar_irradiance = [1, 2, 0.5]\n";
     for (const std::string& table :
          {std::string(kSmall) + "combined = false\n",
@@ -78,14 +83,14 @@ TEST(BrunetonColors, AreWeightedSumsOfWavelengths) {
 }
 
 // A of a combined table is the red of the Mie layers' colours.
-TEST(BrunetonColors, AlphaIsTheRedOfSingleMie) {
+TEST_F(BrunetonColors, AlphaIsTheRedOfSingleMie) {
     const Baked combined = baked(std::string(kSmall) + "orders = 1\n", {});
     const Baked mie = baked(std::string(kSmall) + "table = 'single_mie'\n", {});
     EXPECT_EQ(combined.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
     EXPECT_EQ(voxels_of(combined, 3), voxels_of(mie, 0));
 }
 
-TEST(BrunetonColors, TransmittanceIsTheShareOfSunlight) {
+TEST_F(BrunetonColors, TransmittanceIsTheShareOfSunlight) {
     const std::string table = std::string(kFlat) + "table = 'transmittance'\nsize = [16, 8, 1]\n";
     const Baked color = baked(table, {"wavelengths='best 3'"});
     const Baked light = baked(table, {"wavelengths='best 3'", "color.space='none'"});
@@ -99,7 +104,7 @@ TEST(BrunetonColors, TransmittanceIsTheShareOfSunlight) {
 }
 
 // Six wavelengths are two packets: four and two.
-TEST(BrunetonColors, AreMadeOfAllPackets) {
+TEST_F(BrunetonColors, AreMadeOfAllPackets) {
     const std::string all = "'430 nm', '470 nm', '510 nm', '550 nm', '600 nm', '650 nm'";
     const std::string table = std::string(kSmall) + "table = 'single_mie'\n";
     const Baked color = baked(table, {"wavelengths=[" + all + "]", "color.space='linear_srgb'"});
@@ -124,7 +129,7 @@ TEST(BrunetonColors, AreMadeOfAllPackets) {
     }
 }
 
-TEST(BrunetonColors, TakramsParametersAreThoseOfSunlight) {
+TEST_F(BrunetonColors, TakramsParametersAreThoseOfSunlight) {
     const std::string recipe =
         "wavelengths = 'best 4'\n"
         "[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6420 km'\nground_albedo = 0.1\n"
@@ -169,7 +174,7 @@ TEST(BrunetonColors, TakramsParametersAreThoseOfSunlight) {
 
 // Where phase functions differ between wavelengths, what a runtime makes of a texel is the colour
 // of what it would make of the wavelengths.
-TEST(BrunetonColors, MieLightIsThatOfItsOwnPhaseFunctions) {
+TEST_F(BrunetonColors, MieLightIsThatOfItsOwnPhaseFunctions) {
     const config::Recipe recipe = recipe_of(
         "preset = 'earth'\n[particles.haze]\npreset = 'haze'\n"
         "[atmosphere.layers.spheres]\nprofile = 'exponential'\nscale_height = '1 km'\n"
@@ -269,7 +274,7 @@ void hold(std::vector<double> errors, const Bars& bars, const std::string& what)
     EXPECT_LE(errors[errors.size() * 9 / 10], bars.ninth_decile) << what;
 }
 
-TEST(BrunetonColors, ProductsOfColoursHoldInTheMedianAlone) {
+TEST_F(BrunetonColors, ProductsOfColoursHoldInTheMedianAlone) {
     ProductsOfColors products;
     for (const double altitude_km : {0.1, 2.0, 10.0}) {
         for (const double sun_deg : {50.0, 20.0, 5.0, 0.0}) {

@@ -1,4 +1,6 @@
 // skybake with its vector kernels held to one instruction set: bake_on_target TARGET bake ...
+// `--list` prints those that this machine has and kernels are compiled for; with any other one Highway
+// would take the scalar kernels, which are among them.
 #include <hwy/targets.h>
 
 #include <cstdint>
@@ -12,8 +14,7 @@
 
 int main(int argc, char** argv) {
     const bool list = argc == 2 && std::strcmp(argv[1], "--list") == 0;
-    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        const std::int64_t target = left & -left;
+    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
         if (list) {
             std::puts(hwy::TargetName(target));
         } else if (argc > 1 && std::strcmp(argv[1], hwy::TargetName(target)) == 0) {

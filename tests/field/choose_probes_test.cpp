@@ -42,7 +42,7 @@ ProbeSpace space_that_sees_once(int edge) {
 }
 
 TEST(ChooseProbes, RefusesASetThatAWrongFilePasses) {
-    constexpr int kEdge = 128;  // more texels than are looked at one by one
+    constexpr int kEdge = 512;  // more texels than are looked at one by one
     const Image2<float> image = spot(3, 5, kEdge);
     const ProbeSet blind = take_probes(texture_of(image), {space_that_sees_once(kEdge)}, 8, {});
     EXPECT_EQ(std::count(blind.missed.begin(), blind.missed.end(), "zeros"), 1);
@@ -73,19 +73,21 @@ TEST(ChooseProbes, TakesTheOnlyPlaceOfASmallTexture) {
               1);
 }
 
-TEST(ChooseProbes, LooksIntoEveryTexelOfASmallTexture) {
-    const Image2<float> image = spot(3, 5);
-    ProbeSpace space;
-    space.place = [](const std::array<double, 3>& wanted) {
-        // Places are known by texel, as those of nearest lookups are: none is next to another.
-        const double u = (std::floor(wanted[0] * 16) + 0.25) / 16;
-        const double v = (std::floor(wanted[1] * 16) + 0.25) / 16;
-        return ProbePlace{{{"x", u}}, {{{u, v, 0.5}}}};
-    };
-    space.wanted = {{0.9, 0.9, 0}, {3.5 / 16, 5.5 / 16, 0}};
-    const ProbeSet set = take_probes(texture_of(image), {space}, 3, {});
-    EXPECT_TRUE(set.missed.empty());
-    EXPECT_EQ(std::count(set.catches.begin(), set.catches.end(), "zeros"), 1);
+TEST(ChooseProbes, LooksIntoEveryTexelOfTexturesThatAreNotLarge) {
+    for (const int edge : {16, 65, 256}) {
+        const Image2<float> image = spot(3, 5, edge);
+        ProbeSpace space;
+        space.place = [edge](const std::array<double, 3>& wanted) {
+            // Places are known by texel, as those of nearest lookups are: none is next to another.
+            const double u = (std::floor(wanted[0] * edge) + 0.25) / edge;
+            const double v = (std::floor(wanted[1] * edge) + 0.25) / edge;
+            return ProbePlace{{{"x", u}}, {{{u, v, 0.5}}}};
+        };
+        space.wanted = {{0.9, 0.9, 0}, {3.5 / edge, 5.5 / edge, 0}};
+        const ProbeSet set = take_probes(texture_of(image), {space}, 3, {});
+        EXPECT_TRUE(set.missed.empty()) << edge;
+        EXPECT_EQ(std::count(set.catches.begin(), set.catches.end(), "zeros"), 1) << edge;
+    }
 }
 
 // Where a fault shows at one place, those next to it are looked at.

@@ -4,7 +4,6 @@
 
 #include <Imath/half.h>
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <algorithm>
 #include <bit>
@@ -12,20 +11,10 @@
 #include <cstring>
 #include <vector>
 
+#include "tests/support/every_target.h"
+
 namespace skybake {
 namespace {
-
-// Calls check() with the kernels held to one instruction set after the other.
-template <class Check>
-void for_each_target(const Check& check) {
-    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        hwy::SetSupportedTargetsForTest(left & -left);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        check();
-        hwy::SetSupportedTargetsForTest(0);
-    }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
 
 float float_of(std::uint32_t bits) { return std::bit_cast<float>(bits); }
 
@@ -50,7 +39,7 @@ std::vector<float> hard_floats() {
 
 TEST(ValueKernel, ConvertsToHalvesAndBackAsImath) {
     const std::vector<float> values = hard_floats();
-    for_each_target([&] {
+    test::on_every_target([&](const char*) {
         std::vector<std::uint16_t> halves(values.size());
         halves_of_floats(values.data(), values.size(), halves.data());
         for (std::size_t i = 0; i < values.size(); ++i) {
@@ -79,7 +68,7 @@ TEST(ValueKernel, RoundsToTheNearestByte) {
         for (int i = 0; i < 4; ++i) value = std::nextafter(value, 0.0f);
         for (int i = 0; i < 8; ++i) values.push_back(value = std::nextafter(value, 1.0f));
     }
-    for_each_target([&] {
+    test::on_every_target([&](const char*) {
         for (std::size_t count = 1; count <= values.size(); count += count < 80 ? 1 : 331) {
             std::vector<std::uint8_t> bytes(count + 1, 7);
             bytes_of_floats(values.data(), count, bytes.data());
@@ -94,7 +83,7 @@ TEST(ValueKernel, RoundsToTheNearestByte) {
 
 // One value among zeros, at each place of arrays of each length, is seen.
 TEST(ValueKernel, SeesEachValue) {
-    for_each_target([&] {
+    test::on_every_target([&](const char*) {
         for (std::size_t count = 1; count <= 80; ++count) {
             std::vector<float> values(count, 0.0f);
             ASSERT_TRUE(are_zeros(values.data(), count));
@@ -126,7 +115,7 @@ TEST(ValueKernel, AddsAndCountsAsFromValueToValue) {
     values[kCount - 1] = 0.75f;  // which no whole vector holds
     std::array<double, LaneSummary::kLanes> sums{};
     for (std::size_t i = 0; i < kCount; ++i) sums[i % LaneSummary::kLanes] += double{values[i]};
-    for_each_target([&] {
+    test::on_every_target([&](const char*) {
         LaneSummary lanes;
         add_values(values.data(), 64, lanes);
         add_values(values.data() + 64, kCount - 64, lanes);

@@ -274,5 +274,20 @@ TEST(PngAndDds, RefuseDamagedFiles) {
     }
 }
 
+// Found by fuzzing: a text of 1.9 GB in a file of some hundred bytes was given its memory first.
+TEST(Png, HasNoChunkLargerThanItsFile) {
+    const TemporaryFolder folder;
+    std::string bytes =
+        written(folder, FileFormat::png, plain_volume({9, 7, 3}, 3, PixelType::unorm16), 1);
+    const std::size_t name = bytes.find("iTXt");
+    ASSERT_NE(name, std::string::npos);
+    bytes.replace(name - 4, 4, "rrrr");
+    testing::write_bytes(folder / "large_chunk", bytes);
+    const auto outcome = format_of(FileFormat::png).inspect(folder / "large_chunk");
+    ASSERT_EQ(testing::first_code(outcome.diagnostics), "E0304");
+    EXPECT_NE(outcome.diagnostics[0].message.find("longer than the file"), std::string::npos)
+        << outcome.diagnostics[0].message;
+}
+
 }  // namespace
 }  // namespace skybake

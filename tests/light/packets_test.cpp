@@ -3,13 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "bakers/assets/registry.h"
-#include "bakers/math/intermediates.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/shared_bakes.h"
 #include "tests/support/volumes.h"
 
 namespace skybake::test {
@@ -21,16 +20,6 @@ const std::string kAll = "['430 nm', '470 nm', '520 nm', '550 nm', '580 nm', '62
 
 config::Recipe earth(const std::string& section, const std::string& wavelengths) {
     return recipe_of("preset = 'earth'\n" + section, {"wavelengths=" + wavelengths});
-}
-
-// Bakes a section; of equal recipes it computes shared light once.
-Baked baked(const config::Recipe& recipe, std::size_t section, Intermediates& shared) {
-    const config::Bake& bake = recipe.parameters.bakes.at(section);
-    auto outcome =
-        bake_asset(recipe, bake,
-                   {.threads = 2, .certification = Certification::off, .intermediates = &shared});
-    EXPECT_TRUE(outcome.value) << bake.name;
-    return outcome.value ? std::move(*outcome.value) : Baked{};
 }
 
 std::vector<std::vector<float>> texels_of(const Baked& baked) {
@@ -61,14 +50,15 @@ const std::vector<std::string> kSections = {
 };
 
 TEST(PacketsOfTables, AreTheTablesOfTheirWavelengthsBitForBit) {
-    Intermediates shared(std::int64_t{1} << 30);
+    SharedBakes bakes;
     for (const std::string& section : kSections) {
         const config::Recipe all = earth(section, kAll);
         ASSERT_EQ(all.parameters.bakes.size(), kPackets.size()) << section;
         std::vector<std::vector<std::vector<float>>> texels;
         for (std::size_t packet = 0; packet < kPackets.size(); ++packet) {
-            const Baked part = baked(all, packet, shared);
-            const Baked alone = baked(earth(section, kPackets[packet]), 0, shared);
+            const config::Recipe one = earth(section, kPackets[packet]);
+            const Baked part = bakes.baked(all, all.parameters.bakes.at(packet));
+            const Baked alone = bakes.baked(one, one.parameters.bakes.at(0));
             EXPECT_EQ(part.channel_names, names(packet == 0 ? 4 : 2)) << section;
             EXPECT_EQ(part.conventions.wavelengths_nm, alone.conventions.wavelengths_nm);
             texels.push_back(texels_of(part));
@@ -102,14 +92,15 @@ TEST(PacketsOfTables, ShareTheirLight) {
 TEST(PacketsOfTables, AddUpToColours) {
     const std::string section =
         "[bake.sky_view]\nsize = [8, 8]\nsun_elevations = ['20 deg']\n[color]\n";
-    Intermediates shared(std::int64_t{1} << 30);
-    const Baked color = baked(earth(section, kAll), 0, shared);
+    SharedBakes bakes;
+    const config::Recipe colors = earth(section, kAll);
+    const Baked color = bakes.baked(colors, colors.parameters.bakes.at(0));
     const config::Recipe recipe = earth(section + "space = 'none'\n", kAll);
     ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
     const auto wanted = texels_of(color);
     std::vector<std::vector<double>> sum(3, std::vector<double>(wanted[0].size()));
     for (std::size_t packet = 0; packet < 2; ++packet) {
-        const Baked part = baked(recipe, packet, shared);
+        const Baked part = bakes.baked(recipe, recipe.parameters.bakes.at(packet));
         const auto light = texels_of(part);
         const std::vector<double>& weights = part.conventions.color->weights;
         ASSERT_EQ(weights.size(), 3 * light.size());

@@ -8,8 +8,9 @@
 #include "bakers/assets/registry.h"
 #include "config/presets/presets.h"
 #include "tests/support/atmospheres.h"
+#include "tests/support/shared_bakes.h"
 
-namespace skybake {
+namespace skybake::test {
 namespace {
 
 // Sizes are small, and keys without a default are given; everything else is as it is by default.
@@ -44,12 +45,13 @@ class PresetDefaults : public ::testing::TestWithParam<std::string_view> {};
 TEST_P(PresetDefaults, BakeEveryAsset) {
     std::string text = "preset = \"" + std::string(GetParam()) + "\"\n" + all_assets;
     const bool has_layers =
-        !test::recipe_of(text, three).parameters.atmosphere.layers.empty();  // the vacuum has none
+        !recipe_of(text, three).parameters.atmosphere.layers.empty();  // the vacuum has none
     if (has_layers) text += of_layers;
-    const config::Recipe recipe = test::recipe_of(text, three);
+    const config::Recipe recipe = recipe_of(text, three);
     ASSERT_EQ(recipe.parameters.bakes.size(), has_layers ? 8U : 7U);
+    SharedBakes bakes;
     for (const config::Bake& bake : recipe.parameters.bakes) {
-        const auto baked = bake_asset(recipe, bake, {.certification = Certification::off});
+        const auto baked = bakes.outcome(recipe, bake);
         EXPECT_TRUE(baked.value) << bake.name;
         for (const config::Diagnostic& found : baked.diagnostics) {
             EXPECT_EQ(found.severity, config::Severity::warning)
@@ -62,4 +64,4 @@ INSTANTIATE_TEST_SUITE_P(AllPresets, PresetDefaults, ::testing::ValuesIn(config:
                          [](const auto& of) { return std::string(of.param); });
 
 }  // namespace
-}  // namespace skybake
+}  // namespace skybake::test

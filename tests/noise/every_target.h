@@ -1,31 +1,14 @@
-// The vector kernels on every instruction set of the machine, held against the specification.
+// The vector kernels of noise on every instruction set, held against the specification.
 #pragma once
 
 #include <fmt/format.h>
-#include <hwy/targets.h>
 
 #include <string>
 
 #include "tests/noise/noises.h"
+#include "tests/support/every_target.h"
 
 namespace skybake::test {
-
-// Calls check(name) with the kernels held to one instruction set after the other.
-template <class Check>
-void on_every_target(const Check& check) {
-    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        const std::int64_t target = left & -left;
-        hwy::SetSupportedTargetsForTest(target);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        check(hwy::TargetName(target));
-        hwy::SetSupportedTargetsForTest(0);
-    }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-}
-
-inline int target_count() {
-    return std::popcount(static_cast<std::uint64_t>(hwy::SupportedTargets()));
-}
 
 // Values that differ in a bit, and words on the first of them.
 struct Mismatches {

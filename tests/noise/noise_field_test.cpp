@@ -27,7 +27,9 @@ void expect_specified(const config::Noise& noise, const std::array<int, 3>& size
 }
 
 TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
-    EXPECT_GE(test::target_count(), 2);
+    int targets = 0;
+    test::on_every_target([&](const char*) { ++targets; });
+    EXPECT_GE(targets, 2);
     for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
         expect_specified(noise, {33, 20, 11}, {{}, {33, 20, 11}});
     }

@@ -10,6 +10,7 @@
 
 #include "bakers/occupancy/nearest_voxel.h"
 #include "tests/occupancy/distance_reference.h"
+#include "tests/support/every_target.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -165,11 +166,9 @@ TEST(DistanceTransform, DoesNotDependOnThreadsOrVectors) {
     const VoxelBits bits = bits_of(volume, 0);
     const std::vector<float> wanted = squares_of(bits, grid, CellKind::touched);
     EXPECT_EQ(squares_of(bits, grid, CellKind::touched, 3), wanted);
-    for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-        hwy::SetSupportedTargetsForTest(target);
-        EXPECT_EQ(squares_of(bits, grid, CellKind::touched), wanted) << hwy::TargetName(target);
-    }
-    hwy::SetSupportedTargetsForTest(0);
+    test::on_every_target([&](const char* target) {
+        EXPECT_EQ(squares_of(bits, grid, CellKind::touched), wanted) << target;
+    });
 }
 
 // The search that judges the distances of files, at any place.

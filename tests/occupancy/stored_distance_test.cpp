@@ -3,7 +3,6 @@
 #include "bakers/occupancy/stored_distance.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 #include <rapidcheck.h>
 
 #include <algorithm>
@@ -16,6 +15,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/occupancy/distance_volume.h"
 #include "tests/occupancy/distance_trial.h"
+#include "tests/support/every_target.h"
 
 namespace skybake::occupancy {
 namespace {
@@ -53,17 +53,15 @@ TEST(DistanceCode, OfARowIsThatOfEachDistance) {
         const DistanceCode code({-200, 700}, {11, 9.7, 4.1}, type);
         std::vector<float> wanted;
         for (const float square : squares) wanted.push_back(code.outside(square));
-        for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-            hwy::SetSupportedTargetsForTest(target);
+        test::on_every_target([&](const char* target) {
             for (const std::size_t count : {squares.size(), std::size_t{1}, std::size_t{13}}) {
                 std::vector<float> found(squares.size(), -1);
                 code.outside(squares.data(), count, found.data());
                 std::vector<float> expected(squares.size(), -1);
                 std::copy_n(wanted.begin(), count, expected.begin());
-                EXPECT_EQ(found, expected) << hwy::TargetName(target);
+                EXPECT_EQ(found, expected) << target;
             }
-        }
-        hwy::SetSupportedTargetsForTest(0);
+        });
     }
 }
 

@@ -3,13 +3,13 @@
 #include "bakers/light/path_tracer/path_batch.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -181,15 +181,11 @@ TEST(PathBatch, WalksAsPathsWalkSingly) {
              {&points, static_cast<const ScrambledPoints*>(nullptr)}) {
             const std::vector<PathResult> expected = walk_singly(walker, scene, even, kPaths);
             flights += sum_of(expected).flights;
-            for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-                hwy::SetSupportedTargetsForTest(left & -left);
-                hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+            test::on_every_target([&](const char* target) {
                 const std::vector<PathResult> found = walk_together(walker, scene, even, kPaths);
                 EXPECT_EQ(first_difference(found, expected), kPaths)
-                    << scene.name << ", " << hwy::TargetName(left & -left);
-                hwy::SetSupportedTargetsForTest(0);
-                hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-            }
+                    << scene.name << ", " << target;
+            });
         }
     }
     EXPECT_GT(flights, 10000);

@@ -1,7 +1,6 @@
 #include "bakers/air/particles/lorenz_mie.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "bakers/math/quadrature.h"
 #include "tests/phase/lorenz_mie_reference.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -303,22 +303,26 @@ TEST(LorenzMie, ManySpheresAtOnceAreThoseOneByOne) {
             std::vector<double> sizes;
             for (double x = 1e-3; x < 2e3 && sizes.size() < 19; x *= factor) sizes.push_back(x);
             for (double x = 1e3; sizes.size() < 37; x *= 1 + 1e-3 * factor) sizes.push_back(x);
-            for (const std::int64_t target : hwy::SupportedAndGeneratedTargets()) {
-                hwy::SetSupportedTargetsForTest(target);
+            std::vector<MieTerms> wanted;
+            std::vector<MieEfficiencies> wanted_efficiencies;
+            for (const double size : sizes) {
+                const MieCoefficients c = mie_coefficients(size, index);
+                wanted.push_back(mie_terms(c));
+                wanted_efficiencies.push_back(mie_efficiencies(c));
+            }
+            test::on_every_target([&](const char* target) {
                 std::vector<MieTerms> terms(sizes.size());
                 std::vector<MieEfficiencies> efficiencies(sizes.size());
                 mie_series(sizes, index, terms, efficiencies);
                 for (std::size_t i = 0; i < sizes.size(); ++i) {
-                    const MieCoefficients c = mie_coefficients(sizes[i], index);
-                    const MieEfficiencies q = mie_efficiencies(c);
-                    EXPECT_EQ(terms[i], mie_terms(c)) << sizes[i];
-                    EXPECT_EQ(efficiencies[i].extinction, q.extinction) << sizes[i];
-                    EXPECT_EQ(efficiencies[i].scattering, q.scattering) << sizes[i];
-                    EXPECT_EQ(efficiencies[i].absorption, q.absorption) << sizes[i];
-                    EXPECT_EQ(efficiencies[i].mean_cosine, q.mean_cosine) << sizes[i];
+                    const MieEfficiencies& q = wanted_efficiencies[i];
+                    EXPECT_EQ(terms[i], wanted[i]) << target << sizes[i];
+                    EXPECT_EQ(efficiencies[i].extinction, q.extinction) << target << sizes[i];
+                    EXPECT_EQ(efficiencies[i].scattering, q.scattering) << target << sizes[i];
+                    EXPECT_EQ(efficiencies[i].absorption, q.absorption) << target << sizes[i];
+                    EXPECT_EQ(efficiencies[i].mean_cosine, q.mean_cosine) << target << sizes[i];
                 }
-            }
-            hwy::SetSupportedTargetsForTest(0);
+            });
         }
     }
 }
@@ -345,13 +349,7 @@ TEST(LorenzMie, SameBitsOnEveryTargetAndAnyNumberOfThreads) {
         EXPECT_EQ(made.back_parallel, wanted.back_parallel);
     };
     expect_same(summed(3));
-    for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-        hwy::SetSupportedTargetsForTest(left & -left);
-        hwy::GetChosenTarget().Update(hwy::SupportedTargets());
-        expect_same(summed(1));
-        hwy::SetSupportedTargetsForTest(0);
-    }
-    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+    test::on_every_target([&](const char*) { expect_same(summed(1)); });
 }
 
 // Series that end after few terms, none of them small: at odd and at even n, at both angles.

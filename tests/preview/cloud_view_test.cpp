@@ -6,49 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "bakers/render/cloud_camera.h"
-#include "bakers/render/cloud_framing.h"
-#include "bakers/march/sun_leaps.h"
 #include "tests/noise/every_target.h"
-#include "tests/preview/clouds.h"
+#include "tests/preview/cloud_views.h"
 #include "tests/preview/skies.h"
 #include "tests/support/cloud_view_reference.h"
 
 namespace skybake {
 namespace {
 
-using test::cloud_of;
-using test::clumped_voxels;
-
-enum Result { kSunAtBase, kSunAtTop, kFromSky, kFromGround, kTransmittance, kDistance };
-
-CloudMedium medium_of(const config::Cloud& cloud, const std::array<int, 3>& size,
-                      const std::vector<float>& voxels, int cell = 4) {
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, cell, 1);
-    return medium;
-}
-
-bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
-}
-
-// A picture from below or from above, of a small cloud.
-CloudViewSettings small_view(const CloudMedium& medium, const SunDirection& sun) {
-    CloudViewSettings settings = framed_view(medium, sun, 20, 12);
-    settings.reach_m = 4 * std::max(medium.extent_m[0], medium.extent_m[1]);
-    return settings;
-}
-
-// Evenly, whatever RapidCheck's size.
-double any_of(double from, double to) {
-    const int share = *rc::gen::resize(100, rc::gen::inRange(0, 1 << 20));
-    return from + (to - from) * share / static_cast<double>(1 << 20);
-}
-int any_count(int from, int to) { return static_cast<int>(any_of(from, to + 1)); }
+using namespace test;
 
 struct Scene {
     CloudMedium medium;
@@ -164,76 +132,6 @@ TEST(CloudView, IsTheDefinition) {
     }
 }
 
-// A homogeneous layer, seen from below.
-struct Slab {
-    CloudMedium medium;
-    CloudViewSettings settings;
-    double height = 600;
-    double sigma = 0;
-
-    Slab(double tau, const SunDirection& sun) : sigma(tau / height) {
-        config::Cloud cloud = cloud_of({1000, 1000, height}, 500);
-        cloud.extinction_scale.per_meter = sigma;
-        const std::array<int, 3> size = {8, 8, 6};
-        medium = medium_of(cloud, size, std::vector<float>(8 * 8 * 6, 1.0F));
-        settings = small_view(medium, sun);
-        settings.camera.elevation_degrees = 50;
-        settings.step_m = 0.5;
-        settings.light_step_m = 0.5;
-    }
-};
-
-TEST(CloudView, LetsThroughWhatBeerSays) {
-    for (const double tau : {0.01, 0.5, 3.0}) {
-        const Slab slab(tau, {40, 70});
-        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
-        const CameraRays rays(slab.settings.camera, view.width, view.height);
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const double length = slab.height / rays.through(x, y)[2];
-                // Samples within the layer: one more or less than its length in steps.
-                // Each of its floats rounds by 2^-24, exp by twice as much.
-                const double rounding = length / slab.settings.step_m * 0x1p-22;
-                EXPECT_NEAR(-std::log(double{view.texel(x, y)[kTransmittance]}),
-                            slab.sigma * length, slab.sigma * slab.settings.step_m + rounding);
-            }
-        }
-    }
-}
-
-// The octaves' integral over a slab of optical depth tau, the light leaving it at its base:
-//   b^n p_n / mu  integral over depth t from 0 to tau of exp(-(tau - t) / mu - a^n t / mu_s).
-double slab_radiance(double tau, double mu, double mu_sun, double offset) {
-    double sum = 0;
-    double a = 1;
-    for (const OctavePhase& octave : octave_phases()) {
-        const double rate = 1 / mu - a / mu_sun;
-        const double integral = std::exp(-tau / mu) * (std::exp(tau * rate) - 1) / rate;
-        sum += octave.brightness * phase_value(octave.phase, offset) * integral / mu;
-        a *= kOctaveHalving;
-    }
-    return sum;
-}
-
-TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
-    for (const double tau : {0.02, 1.0, 6.0}) {
-        const Slab slab(tau, {65, 170});
-        const glm::dvec3 sun = direction_of(65, 170);
-        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
-        const CameraRays rays(slab.settings.camera, view.width, view.height);
-        for (int y = 0; y < view.height; ++y) {
-            for (int x = 0; x < view.width; ++x) {
-                const glm::dvec3 ray = rays.through(x, y);
-                const double wanted =
-                    slab_radiance(tau, ray[2], sun[2], one_minus_cosine(ray, sun));
-                const double made =
-                    double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
-                EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
-            }
-        }
-    }
-}
-
 // Under a white sky and above white ground nothing is brighter than they are.
 RC_GTEST_PROP(CloudView, GivesNoMoreThanAWhiteFurnace, ()) {
     const Scene scene = any_scene();
@@ -244,129 +142,6 @@ RC_GTEST_PROP(CloudView, GivesNoMoreThanAWhiteFurnace, ()) {
         RC_ASSERT(seen[kTransmittance] <= 1.0F);
         RC_ASSERT(seen[kFromSky] + seen[kFromGround] + seen[kTransmittance] <= 1.0F + 1e-5F);
     }
-}
-
-// What a slab sends back of the sun's light, by Gauss-like sums over directions.
-double plane_albedo(double tau, double mu_sun) {
-    const auto octaves = octave_phases();
-    const double sun_level = std::sqrt(1 - mu_sun * mu_sun);
-    constexpr int kMus = 64;
-    constexpr int kAzimuths = 128;
-    double sum = 0;
-    for (int i = 0; i < kMus; ++i) {
-        const double mu = (i + 0.5) / kMus;
-        for (int j = 0; j < kAzimuths; ++j) {
-            const double azimuth = M_PI * (j + 0.5) / kAzimuths;
-            // From the way of the light, down, to that of the eye's light, up.
-            const double cosine =
-                -mu * mu_sun + std::sqrt(1 - mu * mu) * sun_level * std::cos(azimuth);
-            double radiance = 0;
-            double a = 1;
-            for (const OctavePhase& octave : octaves) {
-                const double rate = 1 / mu + a / mu_sun;
-                radiance += octave.brightness * phase_value(octave.phase, 1 - cosine) *
-                            (1 - std::exp(-tau * rate)) / (rate * mu);
-                a *= kOctaveHalving;
-            }
-            sum += radiance * mu * (1.0 / kMus) * (2 * M_PI / kAzimuths);
-        }
-    }
-    return sum / mu_sun;
-}
-
-TEST(CloudLight, OctavesSendBackLessThanComesInFromTwentyDegreesUp) {
-    for (const double elevation : {20.0, 35.0, 90.0}) {
-        for (const double tau : {0.1, 1.0, 10.0, 1000.0}) {
-            EXPECT_LT(plane_albedo(tau, sine_of_degrees(elevation)), 1.0)
-                << elevation << ' ' << tau;
-        }
-    }
-    EXPECT_NEAR(plane_albedo(20, 1), 0.37, 0.01);
-}
-
-TEST(DropletPhase, IntegratesToOneWithItsMeanCosine) {
-    for (const double diameter : {5.0, 12.0, 50.0}) {
-        for (const double eccentricity : {1.0, 0.5, 0.0}) {
-            const DropletPhase phase = widened(droplet_phase(diameter), eccentricity);
-            // offset = 2 x^6: dense where the forward peak is.
-            constexpr int kSteps = 200000;
-            double sum = 0;
-            double moment = 0;
-            for (int i = 0; i < kSteps; ++i) {
-                const double x = (i + 0.5) / kSteps;
-                const double offset = 2 * std::pow(x, 6);
-                const double weight = 2 * M_PI * 12 * std::pow(x, 5) / kSteps;
-                sum += weight * phase_value(phase, offset);
-                moment += weight * phase_value(phase, offset) * (1 - offset);
-            }
-            EXPECT_NEAR(sum, 1, 1e-4);
-            EXPECT_NEAR(moment, mean_cosine(phase), 1e-4);
-        }
-    }
-}
-
-// Bohren's 2 / (2 + (1 - g) tau).
-TEST(CloudLight, DiffuseShareOfASlabIsTwoStreamTheorys) {
-    for (const double tau : {0.0, 1.0, 30.0}) {
-        const Slab slab(tau, {40, 70});
-        const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
-        const DiffuseShare share = diffuse_share(slab.medium, 1, 1);
-        EXPECT_NEAR(share.through, 2 / (2 + (1 - g) * tau), 1e-9);
-        const float lowest = share.from_sky.values[static_cast<std::size_t>(
-            share.from_sky.plane() + share.from_sky.row() + 1)];
-        EXPECT_NEAR(double{lowest}, 2 / (2 + (1 - g) * tau * (1 - 0.5 / 6)), 1e-6);
-    }
-}
-
-// Every sample that is left out is in an empty cell.
-RC_GTEST_PROP(SunLeaps, LeaveOutEmptyCellsAlone, ()) {
-    const int cell = *rc::gen::element(1, 2, 4);
-    const std::array<int, 3> size = {cell * any_count(1, 12), cell * any_count(1, 12),
-                                     any_count(1, 24)};
-    const auto voxels =
-        clumped_voxels(size, static_cast<std::uint32_t>(any_count(0, 1 << 20)), 0.1);
-    const CloudMedium medium = medium_of(cloud_of({1000, 1000, 500}), size, voxels, cell);
-    const LeapGrid& grid = medium.leaps;
-    const glm::dvec3 step = {any_of(-2, 2), any_of(-2, 2), *rc::gen::element(-1.5, 0.0, 0.01, 0.7)};
-    const auto leaps = sun_leaps(grid, size, step, 40, 1);
-    for (int i = 0; i < 200; ++i) {
-        const std::array<double, 3> place = {any_of(0, 1) * size[0], any_of(0, 1) * size[1],
-                                             any_of(0, 1) * size[2]};
-        const auto reach_at = [&](double k, bool& inside) {
-            std::array<int, 3> index{};
-            for (std::size_t a = 0; a < 3; ++a) {
-                const double at = std::floor(place[a] + k * step[a]);
-                const int voxel = static_cast<int>(at);
-                if (a == 2) inside = voxel >= 0 && voxel < size[2];
-                index[a] = (a < 2 ? occupancy::wrapped(voxel, size[a])
-                                  : occupancy::clamped(voxel, size[a])) /
-                           cell;
-            }
-            return occupancy::index_of(grid.cells, index[0], index[1], index[2]);
-        };
-        bool inside = true;
-        const float leap = leaps[reach_at(0, inside)];
-        RC_ASSERT((leap < 0) == (grid.reach[reach_at(0, inside)] < 0));
-        for (int k = 1; k <= std::min(static_cast<int>(leap), 40); ++k) {
-            const std::size_t there = reach_at(k, inside);
-            RC_ASSERT(!inside || grid.reach[there] >= 0);
-        }
-    }
-}
-
-// Straight up from an empty plane below an empty one nothing is met.
-TEST(SunLeaps, SeeFartherThanTheNearestCell) {
-    const std::array<int, 3> size = {16, 16, 16};
-    std::vector<float> voxels(16 * 16 * 16);
-    voxels[occupancy::index_of(size, 1, 1, 1)] = 1;
-    const CloudMedium medium = medium_of(cloud_of({1000, 1000, 1000}), size, voxels, 2);
-    const auto leaps = sun_leaps(medium.leaps, size, {0, 0, 0.5}, 100, 1);
-    const auto at = [&](int x, int y, int z) {
-        return leaps[occupancy::index_of(medium.leaps.cells, x, y, z)];
-    };
-    EXPECT_EQ(at(0, 0, 0), -1);
-    EXPECT_EQ(at(0, 0, 4), 100);
-    EXPECT_EQ(at(4, 4, 0), 100);
 }
 
 TEST(CloudView, ShowsSkyWhereThereIsNoCloud) {

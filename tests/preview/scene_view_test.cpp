@@ -4,70 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
-#include "bakers/render/cloud_framing.h"
-#include "bakers/render/sky_view.h"
 #include "tests/noise/every_target.h"
-#include "tests/preview/clouds.h"
-#include "tests/preview/skies.h"
+#include "tests/preview/scenes.h"
 #include "tests/support/scene_reference.h"
 
 namespace skybake {
 namespace {
 
-using test::cloud_of;
-using test::clumped_voxels;
-
-CloudMedium medium_of(const std::array<double, 3>& extent_m, double base_m,
-                      const std::array<int, 3>& size, const std::vector<float>& voxels,
-                      double extinction_per_m = 0.01) {
-    config::Cloud cloud = cloud_of(extent_m, base_m);
-    cloud.extinction_scale.per_meter = extinction_per_m;
-    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
-    medium.leaps = leaps_of_voxels(medium, 2, 1);
-    return medium;
-}
-
-CloudMedium clumps(const std::array<double, 3>& extent_m, double base_m,
-                   const std::array<int, 3>& size, std::uint32_t seed, double filled = 0.3) {
-    return medium_of(extent_m, base_m, size, clumped_voxels(size, seed, filled));
-}
-
-// Three layers: two that overlap in altitude and one far above, of tiles of different sizes.
-struct ThreeLayers {
-    CloudMedium low = clumps({1200, 900, 600}, 500, {12, 9, 6}, 3);
-    CloudMedium overlapping = clumps({700, 1100, 500}, 800, {7, 11, 5}, 4);
-    CloudMedium high = clumps({2000, 1500, 300}, 2500, {10, 15, 4}, 5);
-
-    explicit ThreeLayers(bool varied = false) {
-        for (CloudMedium* medium : {&low, &overlapping, &high}) {
-            if (varied) medium->variation = varied_tiles(*medium);
-        }
-    }
-    std::vector<SceneLayer> layers(double step_m) const {
-        return {{&low, step_m, step_m, 8000, false},
-                {&overlapping, step_m, step_m, 8000, false},
-                {&high, step_m, step_m, 8000, false}};
-    }
-};
-
-SceneFrame frame_from(const glm::dvec3& position, double elevation_degrees, int width = 6,
-                      int height = 4) {
-    SceneFrame frame;
-    frame.width = width;
-    frame.height = height;
-    frame.camera.position_m = position;
-    frame.camera.azimuth_degrees = 33;
-    frame.camera.elevation_degrees = elevation_degrees;
-    return frame;
-}
-
-bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
-}
+using namespace test;
 
 void expect_definition(const ThreeLayers& three, const SunDirection& sun, const SceneFrame& frame) {
     const std::vector<SceneLayer> layers = three.layers(4);
@@ -193,17 +139,6 @@ TEST(SceneView, LeapingThreadsAndTargetsChangeNoBit) {
     }
 }
 
-const test::Sky& earth() {
-    static const test::Sky sky = test::sky_of("earth_hillaire");
-    return sky;
-}
-
-Image2<float> picture_of(const std::vector<SceneLayer>& layers, const SunDirection& sun,
-                         const SceneFrame& frame) {
-    SceneRenderer renderer(layers, {earth().medium, earth().tables}, sun, 1);
-    return renderer.render(frame, 1).radiance;
-}
-
 double greatest_difference(const Image2<float>& a, const Image2<float>& b) {
     double most = 0;
     for (std::size_t i = 0; i < a.texels.size(); ++i) {
@@ -226,46 +161,6 @@ TEST(SceneView, OrderOfLayersDoesNotMatter) {
     EXPECT_GT(greatest_difference(picture_of(layers, {20, 80}, frame), first), 1e-3);
 }
 
-// What has no extinction is not seen, and casts no shadow.
-TEST(SceneView, TransparentLayersGiveTheClearSky) {
-    const CloudMedium low =
-        medium_of({1000, 1000, 500}, 800, {4, 4, 4}, std::vector<float>(64, 1.0F), 0);
-    const CloudMedium high =
-        medium_of({1500, 900, 500}, 4000, {4, 4, 4}, std::vector<float>(64, 0.0F));
-    for (const double elevation : {60.0, 5.0, 0.0, -4.0}) {
-        SceneFrame frame = frame_from({0, 0, 300}, 0, 96, 72);
-        frame.ground = true;
-        const Image2<float> made = picture_of(
-            {{&low, 40, 40, 9000, false}, {&high, 40, 40, 9000, false}}, {elevation, 80}, frame);
-        const CameraRays rays(frame.camera, frame.width, frame.height);
-        for (int y = 6; y < frame.height; y += 12) {
-            for (int x = 6; x < frame.width; x += 12) {
-                // The sky along this ray alone: a panorama of one pixel.
-                const glm::dvec3 ray = rays.through(x, y);
-                SkyView view;
-                view.projection = SkyProjection::panorama;
-                view.width = view.height = 1;
-                view.camera_altitude_km = 0.3;
-                view.sun_elevation_degrees = elevation;
-                const double up = std::asin(ray.z) * 180 / M_PI;
-                if (std::fabs(up) < 2) continue;  // the table's rows cannot show the horizon's edge
-                view.lowest_degrees = up - 1e-3;
-                view.highest_degrees = up + 1e-3;
-                const double turn = std::atan2(ray.y, ray.x) * 180 / M_PI - 80;
-                view.width = 720;
-                const Image2<float> sky = render_sky(earth().medium, earth().tables, view, 1);
-                const int column =
-                    static_cast<int>(std::floor(std::fmod(turn + 180 + 720, 360) * 2));
-                for (int c = 0; c < 3; ++c) {
-                    const double wanted = sky.texel(column, 0)[c];
-                    EXPECT_NEAR(made.texel(x, y)[c], wanted, 0.03 * wanted + 1e-5)
-                        << elevation << " " << up;
-                }
-            }
-        }
-    }
-}
-
 // A layer that nobody can see changes nothing.
 TEST(SceneView, AnEmptyLayerChangesNothing) {
     const ThreeLayers three;
@@ -278,81 +173,6 @@ TEST(SceneView, AnEmptyLayerChangesNothing) {
         {{&empty, 30, 30, 9000, false}, {&three.low, 20, 20, 8000, false}}, {20, 80}, frame);
     // The air's table spans the farther reach.
     EXPECT_LT(greatest_difference(alone, both), 2e-4);
-}
-
-// Under an overcast no direct sun is left: f = D (E_sun + E_sky) / (E_sun + E_sky) = D, which two-stream
-// theory gives as 2 / (2 + (1 - g) tau).
-TEST(SceneView, GroundUnderAnOvercastHasTheLightThatPasses) {
-    const double height = 500;
-    for (const double tau : {8.0, 40.0}) {
-        const CloudMedium slab = medium_of({1000, 1000, height}, 1000, {4, 4, 64},
-                                           std::vector<float>(4 * 4 * 64, 1.0F), tau / height);
-        const std::vector<SceneLayer> layers = {{&slab, 10, 10, 9000, false}};
-        SceneFrame frame = frame_from({0, 0, 2}, -40, 8, 6);
-        frame.ground = true;
-        const SunDirection sun = {30, 80};
-        const Image2<float> shaded = picture_of(layers, sun, frame);
-        frame.ground = false;
-        const Image2<float> bright = picture_of(layers, sun, frame);
-        const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
-        const double passes = 2 / (2 + (1 - g) * tau);
-        for (std::size_t i = 0; i < shaded.texels.size(); ++i) {
-            EXPECT_NEAR(double{shaded.texels[i]} / bright.texels[i], passes, 0.01) << tau;
-        }
-    }
-}
-
-// Half of the ground lies in the shadow of an opaque block, and the sun stands at the zenith.
-TEST(SceneView, ShadowsLieUnderTheirClouds) {
-    const std::array<int, 3> size = {16, 4, 4};
-    std::vector<float> voxels(16 * 4 * 4, 0.0F);
-    for (std::size_t i = 0; i < voxels.size(); ++i) voxels[i] = i % 16 < 8 ? 1.0F : 0.0F;
-    const CloudMedium block = medium_of({1600, 1600, 400}, 1000, size, voxels, 0.1);
-    const SceneMarch march({{&block, 10, 10, 9000, false}}, {90, 0}, true, true, 1);
-    // Beside seven clear voxels, the density falls linearly from 1 to 0 over one on each side, where the
-    // mean of exp(-40 v) is 1 / 40. The mean is taken at 32 points.
-    EXPECT_NEAR(march.direct(0), (7 + 2.0 / 40) / 16, 0.5 / 32);
-    SceneFrame frame = frame_from({800, 800, 500}, -90, 32, 32);
-    frame.camera.azimuth_degrees = 0;
-    frame.camera.horizontal_field_degrees = 60;
-    frame.ground = true;
-    const Image2<float> results = march.march(frame, 1, nullptr).results;
-    const CameraRays rays(frame.camera, 32, 32);
-    for (int y = 0; y < 32; ++y) {
-        for (int x = 0; x < 32; ++x) {
-            const glm::dvec3 ray = rays.through(x, y);
-            const double at = 800 - ray.x / ray.z * 500;
-            if (std::fabs(at - 800) < 60) continue;
-            EXPECT_NEAR(results.texel(x, y)[7], at < 800 ? 0 : 1, 1e-3) << at;
-        }
-    }
-}
-
-TEST(SceneView, FadesWithinTheReach) {
-    const CloudMedium slab =
-        medium_of({1000, 1000, 500}, 1000, {4, 4, 4}, std::vector<float>(64, 1.0F), 0.02);
-    SceneFrame frame = frame_from({0, 0, 2}, 8, 4, 64);
-    const Image2<float> results =
-        SceneMarch({{&slab, 20, 20, 10000, true}}, {40, 80}, true, true, 1)
-            .march(frame, 1, nullptr)
-            .results;
-    const CameraRays rays(frame.camera, 4, 64);
-    double before = -1;
-    for (int y = 63; y >= 0; --y) {  // upwards
-        const double z = rays.through(2, y).z;
-        if (z <= 0) continue;
-        const double through = results.texel(2, y)[6];
-        if (1000 / z > 10000) {
-            EXPECT_EQ(through, 1) << z;
-        }
-        if (1500 / z < 6700) {
-            EXPECT_LT(through, 1e-3) << z;
-        }
-        if (before >= 0) {
-            EXPECT_LE(through, before + 1e-6) << z;
-        }
-        before = through;
-    }
 }
 
 // Pictures of one renderer are those of a renderer for each: what it keeps depends on no camera.

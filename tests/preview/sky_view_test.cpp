@@ -1,7 +1,6 @@
 #include "bakers/render/sky_view.h"
 
 #include <gtest/gtest.h>
-#include <hwy/targets.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
@@ -12,6 +11,7 @@
 #include "bakers/render/sky_rays.h"
 #include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -25,19 +25,20 @@ const test::Sky& earth() {
 // mappings of both tables, both contents, one channel.
 test::Sky peculiar_sky() {
     return test::sky_of(
-        "mars_rgb", {"wavelengths=[\"550 nm\"]", "atmosphere.ground_albedo=1",
-                 "atmosphere.layers.rayleigh.scattering=\"2.5e-7 /m\"",
-                 "atmosphere.layers.dust.scattering=\"4e-5 /m\"",
-                 "atmosphere.layers.dust.single_scattering_albedo=0.9",
-                 "atmosphere.layers.dust.phase=\"henyey_greenstein\"",
-                 "atmosphere.layers.dust.g=-0.7", "atmosphere.layers.cloud.profile=\"slab\"",
-                 "atmosphere.layers.cloud.bottom_altitude=\"20 km\"",
-                 "atmosphere.layers.cloud.top_altitude=\"21 km\"",
-                 "atmosphere.layers.cloud.scattering=\"1e-4 /m\"",
-                 "atmosphere.layers.cloud.phase=\"isotropic\"", "bake.transmittance.mapping=\"ue\"",
-                 "bake.transmittance.content=\"optical_depth\"",
-                 "bake.multiple_scattering.mapping=\"twilight\"",
-                 "bake.multiple_scattering.max_texel_error=0.02"});
+        "mars_rgb",
+        {"wavelengths=[\"550 nm\"]", "atmosphere.ground_albedo=1",
+         "atmosphere.layers.rayleigh.scattering=\"2.5e-7 /m\"",
+         "atmosphere.layers.dust.scattering=\"4e-5 /m\"",
+         "atmosphere.layers.dust.single_scattering_albedo=0.9",
+         "atmosphere.layers.dust.phase=\"henyey_greenstein\"", "atmosphere.layers.dust.g=-0.7",
+         "atmosphere.layers.cloud.profile=\"slab\"",
+         "atmosphere.layers.cloud.bottom_altitude=\"20 km\"",
+         "atmosphere.layers.cloud.top_altitude=\"21 km\"",
+         "atmosphere.layers.cloud.scattering=\"1e-4 /m\"",
+         "atmosphere.layers.cloud.phase=\"isotropic\"", "bake.transmittance.mapping=\"ue\"",
+         "bake.transmittance.content=\"optical_depth\"",
+         "bake.multiple_scattering.mapping=\"twilight\"",
+         "bake.multiple_scattering.max_texel_error=0.02"});
 }
 
 // Views that reach the hard places: sun on the horizon, below it and in the zenith, camera on the
@@ -65,14 +66,10 @@ TEST(SkyView, HasTheSameBitsOnEveryTargetAsItsSpecification) {
         for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
             const Image2<float> wanted = render_sky_scalar(sky.medium, sky.tables, view, 1);
             EXPECT_GT(largest(wanted), 0);
-            for (std::int64_t left = hwy::SupportedTargets(); left != 0; left &= left - 1) {
-                hwy::SetSupportedTargetsForTest(left & -left);
-                hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+            test::on_every_target([&](const char* target) {
                 EXPECT_EQ(render_sky(sky.medium, sky.tables, view, 1).texels, wanted.texels)
-                    << hwy::TargetName(left & -left);
-                hwy::SetSupportedTargetsForTest(0);
-            }
-            hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+                    << target;
+            });
         }
     }
 }

@@ -33,18 +33,12 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
-    volume.bake_seconds = voxels.bake_seconds;
     const double wisp_height = cloud.detail.empty() ? kUsualWispHeight : cloud.wisp_height;
     return bake_cloud_distance({voxels, filtered_threshold(cloud)}, asset, wisp_height, options,
                                std::move(volume));
-}
-
-std::vector<Need> needs(const Parameters& parameters, const CloudDistanceBake& asset,
-                        Certification) {
-    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 Estimate estimate(const Parameters& parameters, const CloudDistanceBake& asset) {
@@ -129,9 +123,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
     function.value = "texture(distances, (p - corner) / box)";
     AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, std::move(function))}};
     lookup.functions.push_back(distance_function(ends, box));
-    // A march sums densities as they are stored.
-    if (cloud.channels == config::CloudChannels::density &&
-        cloud.threshold_at == config::ThresholdAt::bake) {
+    if (is_marched_as_stored(cloud)) {
         const std::string tile =
             fmt::format("    vec3 tile = {};\n", glsl_vector(extent_m_of(cloud)));
         lookup.functions.push_back(trace_function(ends, box + tile));
@@ -142,21 +134,17 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
 // The volume of a draft has fewer voxels, which a larger cell may not divide.
 void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 
-std::vector<InputFile> inputs(const Parameters& parameters, const CloudDistanceBake& asset) {
-    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
-}
-
 }  // namespace
 
 const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
     static const Baker<CloudDistanceBake> row = {.version = 2,
                                                  .bake = bake,
                                                  .estimate = estimate,
-                                                 .needs = needs,
+                                                 .needs = needs_of_source<CloudDistanceBake>,
                                                  .places = places,
                                                  .lookup = lookup,
                                                  .draft = draft,
-                                                 .inputs = inputs};
+                                                 .inputs = inputs_of_source<CloudDistanceBake>};
     return row;
 }
 

@@ -37,13 +37,12 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
     const cloud_light::CloudLayer layer = cloud_light::make_layer(
         voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
     if (options.cancelled()) return {};
-    volume.bake_seconds = voxels.bake_seconds;
     if (!asset.max_error) {
         return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
     }
@@ -52,10 +51,6 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     CloudLightBake chosen = asset;
     chosen.cell = *cell.value;
     return bake_cloud_light(voxels, layer, chosen, options, std::move(volume));
-}
-
-std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
-    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 // Guesses of the solver and what it makes of them.
@@ -150,21 +145,17 @@ void draft(CloudLightBake& asset, int) {
     asset.max_error.reset();
 }
 
-std::vector<InputFile> inputs(const Parameters& parameters, const CloudLightBake& asset) {
-    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
-}
-
 }  // namespace
 
 const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
     static const Baker<config::CloudLightBake> row = {.version = 4,
                                                       .bake = bake,
                                                       .estimate = estimate,
-                                                      .needs = needs,
+                                                      .needs = needs_of_source<CloudLightBake>,
                                                       .places = places,
                                                       .lookup = lookup,
                                                       .draft = draft,
-                                                      .inputs = inputs};
+                                                      .inputs = inputs_of_source<CloudLightBake>};
     return row;
 }
 

@@ -162,12 +162,7 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
-        return trace_of_sky(std::move(air), samples, asset.orders, true);
-    };
-    return TracedLight{light_channels(parameters), places_of(samples),
-                       light_looked_up(places_in, std::move(at)),
-                       traces_of_packets(parameters, trace_of)};
+    return traced_sky(parameters, samples, asset.orders, light_looked_up(places_in, std::move(at)));
 }
 
 void draft(EnvironmentBake& asset, int) {

@@ -33,15 +33,10 @@ Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud& cloud = cloud_named(parameters, of.cloud);
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
+    const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
-    volume.bake_seconds = voxels.bake_seconds;
     return bake_occupancy({voxels, filtered_threshold(cloud)}, asset, options, std::move(volume));
-}
-
-std::vector<Need> needs(const Parameters& parameters, const OccupancyBake& asset, Certification) {
-    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
 }
 
 Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
@@ -150,9 +145,7 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
     const std::string full = full_leap(asset);
     if (full.empty()) return lookup;
     lookup.functions.push_back(leap_function(cell, full, box));
-    // A march sums densities as they are stored.
-    if (cloud.channels == config::CloudChannels::density &&
-        cloud.threshold_at == config::ThresholdAt::bake) {
+    if (is_marched_as_stored(cloud)) {
         lookup.functions.push_back(march_function(cell, full, box));
     }
     return lookup;
@@ -160,21 +153,17 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
 
 void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 
-std::vector<InputFile> inputs(const Parameters& parameters, const OccupancyBake& asset) {
-    return cloud_volume_inputs(parameters, source_volume(parameters, asset.of));
-}
-
 }  // namespace
 
 const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
     static const Baker<config::OccupancyBake> row = {.version = 4,
                                                      .bake = bake,
                                                      .estimate = estimate,
-                                                     .needs = needs,
+                                                     .needs = needs_of_source<OccupancyBake>,
                                                      .places = places,
                                                      .lookup = lookup,
                                                      .draft = draft,
-                                                     .inputs = inputs};
+                                                     .inputs = inputs_of_source<OccupancyBake>};
     return row;
 }
 

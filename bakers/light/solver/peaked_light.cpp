@@ -28,6 +28,29 @@ constexpr int kLastOrders = 2;
 int zenith_nodes_of_first(int degree, int least) { return std::max(least, degree * 3 / 4); }
 int zenith_nodes_of_last(int degree, int least) { return std::max(least, degree / 2); }
 
+// Returns the moments that refining begins with: those of the first solution, and beyond its degree
+// those of light scattered once.
+LightField completed(const LightField& solution, LightField once) {
+    copy_moments(solution, once);
+    return once;
+}
+
+// Where a channel's mean is below 0, which no light is, all its moments become those of `before`.
+void keep_where_negative(const LightField& before, LightField& refined) {
+    const std::size_t size = refined.sun_size();
+    for (std::size_t i = 0; i < refined.moments.size(); i += size) {
+        for (std::size_t c = 0; c < kMaxChannels; ++c) {
+            if (refined.moments[i + c] >= 0) continue;
+            for (std::size_t k = i + c; k < i + size; k += kChannelSlots) {
+                refined.moments[k] = before.moments[k];
+            }
+        }
+    }
+    for (std::size_t i = 0; i < refined.sky_irradiance.size(); ++i) {
+        if (refined.sky_irradiance[i] < 0) refined.sky_irradiance[i] = before.sky_irradiance[i];
+    }
+}
+
 }  // namespace
 
 void add_forward_light(const SkyMedium& medium, const SkyMedium& scaled, SolvedLight& light) {
@@ -77,8 +100,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         gather_first_light(medium, phases, fans, sunlight, light.suns, settings.degree,
                            first.at(level, 0), irradiance_of(first, level));
     });
-    LightField last = first;
-    copy_moments(light.light, last);
+    LightField last = completed(light.light, first);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
         const auto before = reading.blocks_of<float>(last, threads);
@@ -93,6 +115,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         last = std::move(next);
         ++light.applications;
     }
+    keep_where_negative(completed(light.light, std::move(first)), last);
     light.light = std::move(last);
 }
 

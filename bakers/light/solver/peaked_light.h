@@ -12,6 +12,12 @@
 // moments of the first solution, and beyond its degree those of b; K scatters once more. Thus light
 // scattered twice or three times is as exact as the higher degree, and an error of the first
 // solution is scattered twice before it is seen.
+//
+// A series of moments that stops at a degree waves around a peak. By night, where the only light
+// comes through thick air from a bright horizon, these waves may be larger than the light that is
+// scattered to other directions, and sum to a mean below 0: to -1e-14 within a layer of an optical
+// depth of 10, where moments to degree 16 in place of 8 find +1e-13. There the first solution, of a
+// medium without peaks, stays.
 #pragma once
 
 #include "bakers/air/medium.h"

@@ -13,6 +13,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/png/png_chunks.h"
 
 namespace skybake {
 namespace {
@@ -166,6 +167,7 @@ class Reader {
 
     // Throws if the header or a chunk before the samples is damaged.
     FileFacts open() {
+        check_chunk_lengths(position_.file);
         png_read_info(png_, info_);
         FileFacts facts;
         facts.image_size = {png_get_image_width(png_, info_), png_get_image_height(png_, info_)};

@@ -1,0 +1,158 @@
+// Homogeneous layers of cloud against closed forms: Beer's law, two streams, octaves of scattering.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "bakers/render/cloud_camera.h"
+#include "bakers/render/cloud_view.h"
+#include "tests/preview/cloud_views.h"
+
+namespace skybake {
+namespace {
+
+using namespace test;
+
+// A homogeneous layer, seen from below.
+struct Slab {
+    CloudMedium medium;
+    CloudViewSettings settings;
+    double height = 600;
+    double sigma = 0;
+
+    Slab(double tau, const SunDirection& sun) : sigma(tau / height) {
+        config::Cloud cloud = cloud_of({1000, 1000, height}, 500);
+        cloud.extinction_scale.per_meter = sigma;
+        const std::array<int, 3> size = {8, 8, 6};
+        medium = medium_of(cloud, size, std::vector<float>(8 * 8 * 6, 1.0F));
+        settings = small_view(medium, sun);
+        settings.camera.elevation_degrees = 50;
+        settings.step_m = 0.5;
+        settings.light_step_m = 0.5;
+    }
+};
+
+TEST(CloudView, LetsThroughWhatBeerSays) {
+    for (const double tau : {0.01, 0.5, 3.0}) {
+        const Slab slab(tau, {40, 70});
+        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
+        const CameraRays rays(slab.settings.camera, view.width, view.height);
+        for (int y = 0; y < view.height; ++y) {
+            for (int x = 0; x < view.width; ++x) {
+                const double length = slab.height / rays.through(x, y)[2];
+                // Samples within the layer: one more or less than its length in steps.
+                // Each of its floats rounds by 2^-24, exp by twice as much.
+                const double rounding = length / slab.settings.step_m * 0x1p-22;
+                EXPECT_NEAR(-std::log(double{view.texel(x, y)[kTransmittance]}),
+                            slab.sigma * length, slab.sigma * slab.settings.step_m + rounding);
+            }
+        }
+    }
+}
+
+// The octaves' integral over a slab of optical depth tau, the light leaving it at its base:
+//   b^n p_n / mu  integral over depth t from 0 to tau of exp(-(tau - t) / mu - a^n t / mu_s).
+double slab_radiance(double tau, double mu, double mu_sun, double offset) {
+    double sum = 0;
+    double a = 1;
+    for (const OctavePhase& octave : octave_phases()) {
+        const double rate = 1 / mu - a / mu_sun;
+        const double integral = std::exp(-tau / mu) * (std::exp(tau * rate) - 1) / rate;
+        sum += octave.brightness * phase_value(octave.phase, offset) * integral / mu;
+        a *= kOctaveHalving;
+    }
+    return sum;
+}
+
+TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
+    for (const double tau : {0.02, 1.0, 6.0}) {
+        const Slab slab(tau, {65, 170});
+        const glm::dvec3 sun = direction_of(65, 170);
+        const Image2<float> view = march_view(slab.medium, slab.settings, 1).results;
+        const CameraRays rays(slab.settings.camera, view.width, view.height);
+        for (int y = 0; y < view.height; ++y) {
+            for (int x = 0; x < view.width; ++x) {
+                const glm::dvec3 ray = rays.through(x, y);
+                const double wanted =
+                    slab_radiance(tau, ray[2], sun[2], one_minus_cosine(ray, sun));
+                const double made =
+                    double{view.texel(x, y)[kSunAtBase]} + double{view.texel(x, y)[kSunAtTop]};
+                EXPECT_NEAR(made, wanted, 0.01 * wanted) << tau;
+            }
+        }
+    }
+}
+
+// What a slab sends back of the sun's light, by Gauss-like sums over directions.
+double plane_albedo(double tau, double mu_sun) {
+    const auto octaves = octave_phases();
+    const double sun_level = std::sqrt(1 - mu_sun * mu_sun);
+    constexpr int kMus = 64;
+    constexpr int kAzimuths = 128;
+    double sum = 0;
+    for (int i = 0; i < kMus; ++i) {
+        const double mu = (i + 0.5) / kMus;
+        for (int j = 0; j < kAzimuths; ++j) {
+            const double azimuth = M_PI * (j + 0.5) / kAzimuths;
+            // From the way of the light, down, to that of the eye's light, up.
+            const double cosine =
+                -mu * mu_sun + std::sqrt(1 - mu * mu) * sun_level * std::cos(azimuth);
+            double radiance = 0;
+            double a = 1;
+            for (const OctavePhase& octave : octaves) {
+                const double rate = 1 / mu + a / mu_sun;
+                radiance += octave.brightness * phase_value(octave.phase, 1 - cosine) *
+                            (1 - std::exp(-tau * rate)) / (rate * mu);
+                a *= kOctaveHalving;
+            }
+            sum += radiance * mu * (1.0 / kMus) * (2 * M_PI / kAzimuths);
+        }
+    }
+    return sum / mu_sun;
+}
+
+TEST(CloudLight, OctavesSendBackLessThanComesInFromTwentyDegreesUp) {
+    for (const double elevation : {20.0, 35.0, 90.0}) {
+        for (const double tau : {0.1, 1.0, 10.0, 1000.0}) {
+            EXPECT_LT(plane_albedo(tau, sine_of_degrees(elevation)), 1.0)
+                << elevation << ' ' << tau;
+        }
+    }
+    EXPECT_NEAR(plane_albedo(20, 1), 0.37, 0.01);
+}
+
+TEST(DropletPhase, IntegratesToOneWithItsMeanCosine) {
+    for (const double diameter : {5.0, 12.0, 50.0}) {
+        for (const double eccentricity : {1.0, 0.5, 0.0}) {
+            const DropletPhase phase = widened(droplet_phase(diameter), eccentricity);
+            // offset = 2 x^6: dense where the forward peak is.
+            constexpr int kSteps = 200000;
+            double sum = 0;
+            double moment = 0;
+            for (int i = 0; i < kSteps; ++i) {
+                const double x = (i + 0.5) / kSteps;
+                const double offset = 2 * std::pow(x, 6);
+                const double weight = 2 * M_PI * 12 * std::pow(x, 5) / kSteps;
+                sum += weight * phase_value(phase, offset);
+                moment += weight * phase_value(phase, offset) * (1 - offset);
+            }
+            EXPECT_NEAR(sum, 1, 1e-4);
+            EXPECT_NEAR(moment, mean_cosine(phase), 1e-4);
+        }
+    }
+}
+
+// Bohren's 2 / (2 + (1 - g) tau).
+TEST(CloudLight, DiffuseShareOfASlabIsTwoStreamTheorys) {
+    for (const double tau : {0.0, 1.0, 30.0}) {
+        const Slab slab(tau, {40, 70});
+        const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
+        const DiffuseShare share = diffuse_share(slab.medium, 1, 1);
+        EXPECT_NEAR(share.through, 2 / (2 + (1 - g) * tau), 1e-9);
+        const float lowest = share.from_sky.values[static_cast<std::size_t>(
+            share.from_sky.plane() + share.from_sky.row() + 1)];
+        EXPECT_NEAR(double{lowest}, 2 / (2 + (1 - g) * tau * (1 - 0.5 / 6)), 1e-6);
+    }
+}
+
+}  // namespace
+}  // namespace skybake

@@ -1,0 +1,46 @@
+// Clouds in memory with the views of them that tests march, and random numbers for them.
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <vector>
+
+#include "bakers/render/cloud_framing.h"
+#include "bakers/render/cloud_view.h"
+#include "tests/preview/clouds.h"
+
+namespace skybake::test {
+
+// The channels of a marched view.
+enum Result { kSunAtBase, kSunAtTop, kFromSky, kFromGround, kTransmittance, kDistance };
+
+inline CloudMedium medium_of(const config::Cloud& cloud, const std::array<int, 3>& size,
+                             const std::vector<float>& voxels, int cell = 4) {
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), size, 1, 1);
+    medium.leaps = leaps_of_voxels(medium, cell, 1);
+    return medium;
+}
+
+inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
+    return a.texels.size() == b.texels.size() &&
+           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
+}
+
+// A picture from below or from above, of a small cloud.
+inline CloudViewSettings small_view(const CloudMedium& medium, const SunDirection& sun) {
+    CloudViewSettings settings = framed_view(medium, sun, 20, 12);
+    settings.reach_m = 4 * std::max(medium.extent_m[0], medium.extent_m[1]);
+    return settings;
+}
+
+// Evenly, whatever RapidCheck's size.
+inline double any_of(double from, double to) {
+    const int share = *rc::gen::resize(100, rc::gen::inRange(0, 1 << 20));
+    return from + (to - from) * share / static_cast<double>(1 << 20);
+}
+inline int any_count(int from, int to) { return static_cast<int>(any_of(from, to + 1)); }
+
+}  // namespace skybake::test
