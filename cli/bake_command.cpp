@@ -148,7 +148,7 @@ Command bake_command() {
                     options::prune("remove unchanged files of assets that left the recipe"),
                     options::force("overwrite files that skybake did not write")},
         .examples = {{"skybake bake earth.toml", "writes ./out"},
-                     {"skybake bake earth.toml --set atmosphere.layers.mie.g=0.76 -o haze",
+                     {"skybake bake earth.toml --set atmosphere.layers.aerosol.g=0.76 -o haze",
                       "changes one value"},
                      {"skybake bake earth.toml --only transmittance --certify full",
                       "measures the error of one table at every texel"},

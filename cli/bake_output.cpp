@@ -308,7 +308,11 @@ void BakeReporter::waits() {
 
 void BakeReporter::planned(const FolderPlan& plan) {
     if (json_) console_.result(plan_event(plan));
-    console_.note(reasons_text(plan));
+    if (console_.display().verbose) {
+        console_.detail(plan_text(plan));
+    } else {
+        console_.note(reasons_text(plan));
+    }
     for (const PlannedAsset& asset : plan.assets) {
         if (asset.stale()) stale_.push_back(asset.bake->name);
     }

@@ -146,7 +146,7 @@ ExitCode run_cache(const Invocation& invocation, Console& console) {
 
 Command cache_command() {
     return {.name = "cache",
-            .brief = "look after the asset cache",
+            .brief = "manage the asset cache",
             .summary = "inspect, verify and trim the asset cache",
             .arguments = {{.name = "stats|gc|verify",
                            .help = "show its contents, remove old assets, or check its files",

@@ -67,7 +67,7 @@ const std::vector<OptionRow>& global_options() {
         options::help("show this help, or the help of a command"),
         options::version("show the version"),
         options::quiet("print only errors and warnings"),
-        options::verbose("print more"),
+        options::verbose("print the plan of a bake as well"),
         options::json("print results and failures as JSON Lines on stdout"),
         options::color("when to colour messages", "auto"),
         options::diagnostics("how to print errors and warnings", "human"),

@@ -51,7 +51,7 @@ Command explain_command() {
         .arguments = {{.name = "name",
                        .help = "a key's path or its tail, a table, or a code (default: all keys)",
                        .required = false}},
-        .examples = {{"skybake explain atmosphere.layers.mie.g", "shows its range and default"},
+        .examples = {{"skybake explain atmosphere.layers.aerosol.g", "shows its range and default"},
                      {"skybake explain scale_height", "finds a key without its path"},
                      {"skybake explain noise.shape.channels", "lists the keys of a table"},
                      {"skybake explain E0102", "explains an error and its remedy"}},

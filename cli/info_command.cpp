@@ -213,29 +213,36 @@ ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
     return ExitCode::done;
 }
 
-// --- Files without a description ----------------------------------------------------------------
-
-ExitCode refuse_plain_file(const fs::path& path, const Format& format, Console& console) {
-    const char* content = format.read != nullptr ? "texels alone" : "references alone";
-    config::Diagnostic diagnostic = file_error(
-        "E0304", path.string(),
-        fmt::format("`{}` holds {} and does not describe itself", path.string(), content));
-    diagnostic.label = "the manifest.json beside it describes it";
-    return console.report({&diagnostic, 1});
-}
-
 // --- One file of another format ------------------------------------------------------------------
+
+void show_entry(const fs::path& path, const ManifestAsset& asset, const ManifestFile& file,
+                bool json, Console& console) {
+    console.result(json
+                       ? event_line({{"event", "file"},
+                                     {"path", path.string()},
+                                     {"asset", Json::parse(file_entry_json(asset, file))}})
+                       : fmt::format("{}\n", path.string()) + lines_text(entry_lines(asset, file)));
+}
 
 ExitCode show_file(const fs::path& path, bool json, Console& console) {
     const auto entry = entry_of_file(path);
     if (!entry.value) return console.report(entry.diagnostics);
-    const ManifestFile& file = entry.value->files[0];
-    console.result(json ? event_line({{"event", "file"},
-                                      {"path", path.string()},
-                                      {"asset", Json::parse(file_entry_json(*entry.value, file))}})
-                        : fmt::format("{}\n", path.string()) +
-                              lines_text(entry_lines(*entry.value, file)));
+    show_entry(path, *entry.value, entry.value->files[0], json, console);
     return ExitCode::done;
+}
+
+// Shows what the manifest says of a file that says nothing of itself.
+ExitCode show_plain_file(const fs::path& path, const Format& format, bool json, Console& console) {
+    if (const auto found = described_by_manifest(path)) {
+        show_entry(path, found->asset, found->file, json, console);
+        return ExitCode::done;
+    }
+    const char* content = format.read != nullptr ? "texels alone" : "references alone";
+    config::Diagnostic diagnostic = file_error(
+        "E0304", path.string(),
+        fmt::format("`{}` holds {} and does not describe itself", path.string(), content));
+    diagnostic.label = "no manifest.json beside it describes it";
+    return console.report({&diagnostic, 1});
 }
 
 // --- One folder ---------------------------------------------------------------------------------
@@ -329,10 +336,15 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
         const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
         return show_manifest(folder, json, console);
     }
+    if (path.extension() == ".toml") {
+        return console.report(std::array{usage_error(
+            fmt::format("`{}` is a recipe, and info describes baked files", path.string()),
+            "`skybake show` shows its values")});
+    }
     if (path.extension() == ".vdb") return show_vdb(path, json, console);
     const Format* format = find_format(path.extension().string().substr(path.has_extension()));
     if (format && !format->has_metadata && fs::is_regular_file(path, error)) {
-        return refuse_plain_file(path, *format, console);
+        return show_plain_file(path, *format, json, console);
     }
     const bool is_other = format && format->format != config::FileFormat::exr;
     if (is_other && format->has_metadata) return show_file(path, json, console);
@@ -342,26 +354,22 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command info_command() {
-    return {
-        .name = "info",
-        .brief = "describe baked files",
-        .summary = "describe a baked file or the folder of a bake",
-        .arguments = {{.name = "path",
-                       .help =
-                           "an EXR, PNG or VDB file, a folder of a bake, or its manifest.json"}},
-        .options =
-            {options::lookup(
-                 "print a shader's functions that read this file, which may be of any format"),
-             options::language("what they are written in", "glsl")},
-        .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
-                     {"skybake info out/transmittance.exr",
-                      "shows the mapping, units and parameters of a file"},
-                     {"skybake info --lookup out/transmittance.exr",
-                      "prints the file's lookup with its own radii and sizes"},
-                     {"skybake info --lookup --language hlsl out/transmittance.exr",
-                      "prints it for Direct3D"}},
-        .exit_codes = {ExitCode::io},
-        .run = run_info};
+    return {.name = "info",
+            .brief = "describe baked files",
+            .summary = "describe a baked file or the folder of a bake",
+            .arguments = {{.name = "path",
+                           .help = "a baked file, the folder of a bake, or its manifest.json"}},
+            .options = {options::lookup("print a shader's functions that read this file"),
+                        options::language("write them in this language", "glsl")},
+            .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
+                         {"skybake info out/transmittance.exr",
+                          "shows the mapping, units and parameters of a file"},
+                         {"skybake info --lookup out/transmittance.exr",
+                          "prints the file's lookup with its own radii and sizes"},
+                         {"skybake info --lookup --language hlsl out/transmittance.exr",
+                          "prints it for Direct3D"}},
+            .exit_codes = {ExitCode::io},
+            .run = run_info};
 }
 
 }  // namespace skybake::cli

@@ -29,23 +29,6 @@ using config::Outcome;
 
 // --- What is known of the file ------------------------------------------------------------------
 
-// An asset, and which of its files.
-struct DescribedFile {
-    ManifestAsset asset;
-    ManifestFile file;
-};
-
-std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
-    const auto manifest = read_manifest(path.has_parent_path() ? path.parent_path() : ".");
-    if (!manifest.value) return std::nullopt;
-    for (const ManifestAsset& asset : manifest.value->assets) {
-        for (const ManifestFile& file : asset.files) {
-            if (fs::path(file.path) == path.filename()) return DescribedFile{asset, file};
-        }
-    }
-    return std::nullopt;
-}
-
 Outcome<DescribedFile> described(const fs::path& path) {
     std::error_code error;
     if (fs::is_directory(path, error) || path.filename() == manifest_name) {
@@ -163,6 +146,17 @@ std::string heading(const DescribedFile& described, const fs::path& path, const 
 }
 
 }  // namespace
+
+std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
+    const auto manifest = read_manifest(path.has_parent_path() ? path.parent_path() : ".");
+    if (!manifest.value) return std::nullopt;
+    for (const ManifestAsset& asset : manifest.value->assets) {
+        for (const ManifestFile& file : asset.files) {
+            if (fs::path(file.path) == path.filename()) return DescribedFile{asset, file};
+        }
+    }
+    return std::nullopt;
+}
 
 ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, Console& console) {
     const auto file = described(path);

@@ -2,11 +2,23 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
+#include "bakers/io/manifest/manifest.h"
 #include "bakers/shading/shading_language.h"
 #include "cli/console.h"
 
 namespace skybake::cli {
+
+// An asset, and which of its files.
+struct DescribedFile {
+    ManifestAsset asset;
+    ManifestFile file;
+};
+
+// Returns what the manifest.json beside the file says of it, or nothing if there is no such manifest
+// or it does not list the file.
+std::optional<DescribedFile> described_by_manifest(const std::filesystem::path& path);
 
 // Prints the lookup of the file's asset in that language with the numbers of its bake filled in,
 // below a comment that says what a runtime must know of the file. A file that carries no metadata is

@@ -87,12 +87,14 @@ std::string misplaced_option(std::string_view word, const Command& command) {
 config::Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
                                   const std::string& help) {
     const std::string shown = word.substr(0, word.find('='));
-    std::vector<std::string> names;
-    for (const OptionRow& option : options) names.push_back(fmt::format("--{}", option.name));
-    const std::vector<std::string_view> known(names.begin(), names.end());
-    std::string hint = shown.starts_with("--") ? config::did_you_mean(shown, known) : std::string();
-    if (hint.empty()) hint = fmt::format("`{}` lists the options", help);
-    return usage_error(fmt::format("unknown option `{}`", shown), std::move(hint));
+    std::vector<std::string_view> known;
+    for (const OptionRow& option : options) known.push_back(option.name);
+    // The dashes are no part of the names, or all names would be near to each other.
+    const auto nearest =
+        shown.starts_with("--") ? config::nearest_name(shown.substr(2), known) : std::nullopt;
+    return usage_error(fmt::format("unknown option `{}`", shown),
+                       nearest ? fmt::format("did you mean {}?", dashed(*nearest))
+                               : fmt::format("`{}` lists the options", help));
 }
 
 // Returns the command that an option before all commands was meant for: the command that the words

@@ -139,8 +139,9 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     console.result(console.display().json ? previewed_event(paths, elapsed.count())
                                           : fmt::format("{}\n", fmt::join(paths, "\n")));
-    console.note(fmt::format("{} pictures in {:.1f} s: open {}\n", paths.size() - 1,
-                             elapsed.count(), paths.back()));
+    const std::string made =
+        paths.size() > 1 ? fmt::format("{} pictures", paths.size() - 1) : "a page";
+    console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed.count(), paths.back()));
     return ExitCode::done;
 }
 

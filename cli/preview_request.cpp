@@ -147,15 +147,15 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
     }
     check_live(invocation, request, problems);
     if (request.subject == Subject::recipe) return;
-    const auto refuse = [&](const auto& option) {
+    const std::string baked = config::printable(request.paths[0].string());
+    const auto refuse = [&](const auto& option, std::string_view instead) {
         if (!invocation.has(option)) return;
-        problems.push_back(usage_error(
-            fmt::format("--{} works only with a recipe", option.name),
-            fmt::format("`{}` is baked already", config::printable(request.paths[0].string()))));
+        problems.push_back(usage_error(fmt::format("--{} works only with a recipe", option.name),
+                                       fmt::format("`{}` is baked already{}", baked, instead)));
     };
-    refuse(options::set);
-    refuse(options::only);
-    refuse(options::watch);
+    refuse(options::set, "");
+    refuse(options::only, "; preview the files of those assets instead");
+    refuse(options::watch, "");
 }
 
 // Returns the options for pictures: suns, exposure, camera and size.

@@ -235,7 +235,7 @@ Command show_command() {
                        .required = false}},
         .options = {set_row()},
         .examples = {{"skybake show earth.toml", "shows all values and the zenith optical depths"},
-                     {"skybake show earth.toml atmosphere.layers.mie", "shows one layer"},
+                     {"skybake show earth.toml atmosphere.layers.aerosol", "shows one layer"},
                      {"skybake show clouds.toml noise.shape", "shows a noise and its preset"},
                      {"skybake show earth.toml --set preset=mars", "tries another preset"}},
         .exit_codes = {ExitCode::io},

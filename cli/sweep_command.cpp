@@ -302,8 +302,8 @@ Command sweep_command() {
                     cache_row(), server_row(),
                     options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
                     options::force("overwrite files that skybake did not write")},
-        .examples = {{"skybake sweep sky.toml --vary clouds.c.coverage=0.2:0.8:4 "
-                      "--vary noise.n.seed=1,2",
+        .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.coverage=0.2:0.8:4 "
+                      "--vary noise.billows.seed=1,2",
                       "bakes 8 variants"},
                      {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},
                      {"skybake sweep sky.toml --emit slurm > sweep.sh",

@@ -44,7 +44,7 @@ inline constexpr Field layers_field{.key = "layers",
                                     .documentation =
                                         "layers of the atmosphere that scatter; by default every "
                                         "one, and all of them always attenuate",
-                                    .hint = "[\"mie\"]",
+                                    .hint = "for example [\"aerosol\"]",
                                     .selector = "orders",
                                     .selected_by = single_orders};
 

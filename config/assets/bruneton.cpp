@@ -130,7 +130,7 @@ const std::array bruneton_table = {
                    .kind = Kind::text_list,
                    .documentation = "layers whose first order is kept apart; by default those with "
                                     "phase functions other than rayleigh and isotropic",
-                   .hint = "[\"mie\"]",
+                   .hint = "for example [\"aerosol\"]",
                    .selector = "table",
                    .selected_by = by_nu},
                   &BrunetonBake::mie_layers},

@@ -86,7 +86,7 @@ const std::array cloud_light_table = {
          .range = sun_range,
          .required = true,
          .documentation = "one, three or four suns, each with a channel; sun_radiance takes one",
-         .hint = "[\"60 deg\", \"30 deg\", \"10 deg\"]",
+         .hint = "for example [\"60 deg\", \"30 deg\", \"10 deg\"]",
          .selector = "contents",
          .selected_by = of_suns},
         &CloudLightBake::sun_elevations},
@@ -129,7 +129,7 @@ const std::array cloud_light_table = {
                      .range = lookup_error_range,
                      .documentation = "in place of cell, asks for the fewest texels of which the "
                                       "RMS error of lookups is within this share of the range",
-                     .hint = "\"2 %\"",
+                     .hint = "for example \"2 %\"",
                      .exclusive_group = "size",
                      .selector = "contents",
                      .selected_by = of_depths},

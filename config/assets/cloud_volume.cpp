@@ -36,7 +36,7 @@ const std::array cloud_volume_table = {
                       .kind = Kind::voxels,
                       .range = voxel_range,
                       .documentation = "voxels along x, y and z, which is up",
-                      .hint = "[512, 512, 128]",
+                      .hint = "for example [512, 512, 128]",
                       .exclusive_group = "size",
                       .exclusive_side = "counted"},
                      &CloudVolumeBake::size},
@@ -55,7 +55,7 @@ const std::array cloud_volume_table = {
                       .range = voxel_size_range,
                       .documentation = "edge of a cubic voxel, in place of size; the cloud's "
                                        "extent is rounded up to whole voxels",
-                      .hint = "\"12 m\"",
+                      .hint = "for example \"12 m\"",
                       .exclusive_group = "size",
                       .exclusive_side = "measured",
                       .only_shown = true},

@@ -93,7 +93,7 @@ const std::array environment_table = {
          .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
                           "sky, or a list of them, one for each layer; without it, the sky is "
                           "clear",
-         .hint = "[\"cumulus\", \"cirrus\"]"},
+         .hint = "for example [\"cumulus\", \"cirrus\"]"},
         &EnvironmentBake::clouds},
     EnvironmentField{
         needing_clouds({.key = "camera_x",

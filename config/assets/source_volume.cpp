@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "config/sections/files.h"
+#include "config/sections/frames.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -33,9 +34,29 @@ std::vector<std::string_view> volume_names(const RecipeSoFar& recipe) {
     return names;
 }
 
+// Returns "v_0001 to v_0012" of a sequence of volumes, or nothing if there is none of that name.
+std::string frames_of_sequence(std::span<const std::string_view> names, const std::string& name) {
+    std::vector<std::string_view> frames;
+    for (const std::string_view other : names) {
+        const std::string whole(other);
+        if (sequence_name(whole) == name && whole != name) frames.push_back(other);
+    }
+    const int count = static_cast<int>(frames.size());
+    if (count == 0 || frames.front() != frame_name(name, 1, count)) return "";
+    return fmt::format("{} to {}", frames.front(), frames.back());
+}
+
 void report_no_volume(const DecodedSection& bake, std::string_view key, const RecipeSoFar& recipe,
                       const std::string& name, bool is_other_asset, Decoder& decoder) {
     const std::vector<std::string_view> names = volume_names(recipe);
+    if (const std::string frames = frames_of_sequence(names, name); !frames.empty()) {
+        decoder.diagnostics.error(
+            "E0133", bake.at(key).source->place,
+            fmt::format("`{}` must name one frame of [bake.{}], which has several",
+                        join_path(bake.path, key), shorten(name)),
+            fmt::format("this recipe has {}", frames));
+        return;
+    }
     std::string label = did_you_mean(name, names);
     if (label.empty() && names.empty()) {
         label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
@@ -111,8 +132,8 @@ void report_untiled(const DecodedSection& bake, const CloudVolumeBake& volume, i
     const std::string of = shorten(*text_of(bake.at("of")));
     decoder.diagnostics.error(
         "E0150", said.source ? said.source->place : bake.at("of").source->place,
-        fmt::format("cells of {} voxels do not tile the {} voxels of `{}` along {}", cell,
-                    volume.size[axis], of, "xy"[axis]),
+        fmt::format("cells of {} voxels do not tile the {} voxel{} of `{}` along {}", cell,
+                    volume.size[axis], volume.size[axis] == 1 ? "" : "s", of, "xy"[axis]),
         fmt::format("give `{}` a size that {} divides, or a `cell` that divides the size", of,
                     cell));
 }

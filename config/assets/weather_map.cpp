@@ -95,14 +95,15 @@ const std::array weather_map_table = {
                      .selector = "content",
                      .selected_by = of_amounts},
                     &WeatherMapBake::edge},
-    WeatherMapField{{.key = "yields_to",
-                     .kind = Kind::text_list,
-                     .documentation = "for each channel, another one whose finished values are "
-                                      "taken from its noise, or \"\"",
-                     .hint = "[\"G\", \"\", \"\"]: low clouds where there are no middle ones",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::yields_to},
+    WeatherMapField{
+        {.key = "yields_to",
+         .kind = Kind::text_list,
+         .documentation = "for each channel, another one whose finished values are "
+                          "taken from its noise, or \"\"",
+         .hint = "with [\"G\", \"\", \"\"] there are low clouds where there are no middle ones",
+         .selector = "content",
+         .selected_by = of_amounts},
+        &WeatherMapBake::yields_to},
     WeatherMapField{{.key = "streaks",
                      .kind = share_kind,
                      .range = streak_range,

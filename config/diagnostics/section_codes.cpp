@@ -43,23 +43,26 @@ constexpr std::array section_table = {
                    "asset = \"cloud_volume\"\ncloud = \"c\"\n"
                    "size = [64, 64, 16]",
                    usage},
-    DiagnosticCode{"E0133", "occupancy or light without a cloud volume",
-                   "`of` names the [bake.NAME] with asset = \"cloud_volume\" whose empty cells are "
-                   "marked, or whose light is found. The recipe has no bake of that name, or that "
-                   "bake makes another asset.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.o]\n"
-                   "asset = \"occupancy\"\nof = \"c\"",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.o]\n"
-                   "asset = \"occupancy\"\nof = \"v\"",
-                   usage},
+    DiagnosticCode{
+        "E0133", "an asset of a cloud volume or a sequence that the recipe does not have",
+        "`of` names the [bake.NAME] that an asset is made of: with asset = "
+        "\"cloud_volume\" for occupancy, distances and light, and with `frames` for a "
+        "flipbook. `clouds` of an environment names cloud volumes, and of a sequence one "
+        "frame, such as NAME_0001. The recipe has no bake of that name, or that bake "
+        "makes another asset.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.o]\n"
+        "asset = \"occupancy\"\nof = \"c\"",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.o]\n"
+        "asset = \"occupancy\"\nof = \"v\"",
+        usage},
     DiagnosticCode{"E0134", "no such channel of the cloud volume",
                    "A cloud volume has the channel Y; with channels = \"noise\" it has those of "
                    "its noise, if there are several and they are not packed.",

@@ -107,8 +107,9 @@ std::string explain_field(const Section& section, const Field& field) {
     text += wrap(field.documentation, "  ", explanation_width) + '\n';
     text += field.choices.empty() ? line("takes", field.kind.words)
                                   : line("choices", explain_choices(field));
-    const std::string range = with_hint(describe_range(field), field.hint);
-    if (!range.empty()) text += line("range", range);
+    const std::string range = describe_range(field);
+    const std::string bounds = with_hint(range, field.hint);
+    if (!bounds.empty()) text += line(range.empty() ? "note" : "range", bounds);
     text += line("default", describe_default(field));
     if (!field.selector.empty()) {
         text += line("only with", fmt::format("{} = \"{}\"", field.selector,

@@ -104,7 +104,7 @@ std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
         CloudMapField{{.key = "channel",
                        .kind = Kind::text,
                        .documentation = "channel of the picture; its first by default",
-                       .hint = "\"R\""},
+                       .hint = "for example \"R\""},
                       &CloudMap::channel},
         CloudMapField{{.key = "wrap",
                        .kind = Kind::choice,

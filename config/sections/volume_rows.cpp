@@ -53,13 +53,13 @@ constexpr std::string_view of_raw[] = {"raw"};
 constexpr std::string_view of_slices[] = {"slices"};
 
 const std::array volume_table = {
-    VolumeField{
-        {.key = "file",
-         .kind = Kind::text,
-         .required = true,
-         .documentation = "the volume's file, or the name of its slices with their number",
-         .hint = "\"cloud.vdb\" or \"slice_%03d.exr\"; relative to the folder of the recipe"},
-        &VolumeFile::file},
+    VolumeField{{.key = "file",
+                 .kind = Kind::text,
+                 .required = true,
+                 .documentation = "the volume's file, or the name of its slices with their number",
+                 .hint = "for example \"cloud.vdb\" or \"slice_%03d.exr\"; relative to the folder "
+                         "of the recipe"},
+                &VolumeFile::file},
     VolumeField{{.key = "format",
                  .kind = Kind::choice,
                  .choices = volume_format_choices,
@@ -77,7 +77,7 @@ const std::array volume_table = {
     VolumeField{{.key = "channel",
                  .kind = Kind::text,
                  .documentation = "channel of the pictures; their first by default",
-                 .hint = "\"R\"",
+                 .hint = "for example \"R\"",
                  .selector = "format",
                  .selected_by = of_slices},
                 &VolumeFile::channel},

@@ -45,6 +45,20 @@ class Bake : public ::testing::Test {
                                            "transmittance.exr"};
 };
 
+// Without -v a first bake gives no reasons, since there is one for all of them.
+TEST_F(Bake, ShowsItsPlanIfItIsVerbose) {
+    const std::vector<std::string> one = {"--only", "transmittance", "--certify", "off"};
+    EXPECT_FALSE(contains(bake(one).error, "not baked yet"));
+    fs::remove_all(out_);
+    const Result first = bake({one[0], one[1], one[2], one[3], "-v"});
+    EXPECT_EQ(first.code, 0);
+    EXPECT_TRUE(contains(first.error, "not baked yet")) << first.error;
+    const Result again = bake({one[0], one[1], one[2], one[3], "--verbose"});
+    EXPECT_TRUE(contains(again.error, "transmittance.exr              up to date\n"))
+        << again.error;
+    EXPECT_EQ(again.out, first.out);
+}
+
 TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
     EXPECT_EQ(bake().code, 0);
     const Result warm = bake();

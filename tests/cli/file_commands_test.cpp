@@ -71,6 +71,37 @@ TEST(InfoCommand, TellsWhatIsMissing) {
     EXPECT_EQ(event["missing"], json::parse(R"(["second.exr"])"));
 }
 
+// A file of bare texels says nothing of itself: the manifest beside it does.
+TEST(InfoCommand, ShowsBareTexelsByTheirManifest) {
+    const TemporaryFolder folder;
+    const std::string recipe = (folder / "noise.toml").string();
+    testing::write_bytes(recipe,
+                         "[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 2\n"
+                         "[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\n"
+                         "formats = [\"bin\", \"ktx2\"]\n");
+    const std::string out = (folder / "out").string();
+    ASSERT_EQ(run_words({"bake", recipe, "-o", out, "-q"}).code, 0);
+    const Result texels = run_words({"info", out + "/n.bin"});
+    const Result ktx2 = run_words({"info", out + "/n.ktx2"});
+    EXPECT_EQ(texels.code, 0) << texels.error;
+    EXPECT_EQ(texels.out.substr(texels.out.find('\n')), ktx2.out.substr(ktx2.out.find('\n')));
+    const json event = json::parse(run_words({"info", out + "/n.bin", "--json"}).out);
+    EXPECT_EQ(event["asset"]["name"], "n");
+    std::filesystem::remove(out + "/manifest.json");
+    const Result alone = run_words({"info", out + "/n.bin"});
+    EXPECT_EQ(alone.code, 3);
+    EXPECT_TRUE(contains(alone.error, "E0304")) << alone.error;
+}
+
+TEST(InfoCommand, SaysThatARecipeIsNoBakedFile) {
+    const TemporaryFolder folder;
+    testing::write_bytes(folder / "earth.toml", "preset = \"earth\"\n");
+    const Result result = run_words({"info", (folder / "earth.toml").string()});
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(contains(result.error, "earth.toml` is a recipe")) << result.error;
+    EXPECT_TRUE(contains(result.error, "`skybake show` shows its values")) << result.error;
+}
+
 TEST(InfoCommand, SaysWhatItCannotRead) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "a.exr", "not an image");

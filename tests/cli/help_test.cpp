@@ -1,5 +1,6 @@
 #include "cli/command.h"
 
+#include <regex>
 #include <set>
 
 #include "cli/table_printer.h"
@@ -29,6 +30,27 @@ TEST(Help, EachCommandFitsAPageAndHasAnExample) {
             EXPECT_FALSE(option.help.empty()) << name << " --" << option.name;
         }
     }
+}
+
+// Whoever tries an example that sets a key, shows one or explains one has the recipe that `init`
+// writes, in which the key has to be.
+TEST(Help, ExamplesNameKeysOfTheFirstRecipe) {
+    const testing::TemporaryFolder folder;
+    const std::string recipe = (folder / "earth.toml").string();
+    ASSERT_EQ(run_words({"init", recipe}).code, 0);
+    const std::regex key(R"(atmosphere[a-z_.]+)");
+    int count = 0;
+    for (const Command& command : commands()) {
+        for (const Example& example : command.examples) {
+            const std::string words(example.command);
+            std::smatch found;
+            if (!std::regex_search(words, found, key)) continue;
+            ++count;
+            const testing::Result shown = run_words({"show", recipe, found.str()});
+            EXPECT_EQ(shown.code, 0) << words << "\n" << shown.error;
+        }
+    }
+    EXPECT_GE(count, 3);
 }
 
 TEST(Help, HasNoWordsThatReadersStumbleOver) {

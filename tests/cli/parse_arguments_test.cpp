@@ -127,6 +127,14 @@ TEST(ParseArguments, SuggestsTheNearestName) {
     EXPECT_EQ(complaint({"--versoin"}), "unknown option `--versoin`; did you mean `--version`?");
 }
 
+// The two dashes, which all options have, do not make two names alike.
+TEST(ParseArguments, SuggestsNoOptionForDashesAlone) {
+    EXPECT_EQ(complaint({"bake", "a", "--only", "x"}),
+              "unknown option `--only`; `skybake bake --help` lists the options");
+    EXPECT_EQ(complaint({"bake", "a", "--fxxce"}),
+              "unknown option `--fxxce`; did you mean `--force`?");
+}
+
 TEST(ParseArguments, SaysWhatIsMissingOrTooMuch) {
     EXPECT_EQ(complaint({"bake"}),
               "`skybake bake` needs <recipe>; for example skybake bake earth.toml");

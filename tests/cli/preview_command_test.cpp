@@ -256,6 +256,16 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
     EXPECT_FALSE(fs::exists(scene.out));
 }
 
+TEST(PreviewCommand, SaysHowToShowOneAssetOfAFolder) {
+    const Scene scene;
+    scene.bake();
+    const Result refused = scene.preview({scene.baked, "--only", "volume"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(contains(refused.error, "preview the files of those assets instead"))
+        << refused.error;
+    EXPECT_EQ(scene.preview({scene.baked + "/volume.exr"}).code, 0);
+}
+
 // Before anything is baked, and of what is baked already.
 TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
     const Scene scene;

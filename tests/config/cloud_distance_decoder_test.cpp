@@ -83,6 +83,8 @@ TEST(CloudDistanceDecoder, TexelsTileTheVolume) {
     EXPECT_EQ(only_diagnostic(recipe("[24, 16, 8]", 16)).code, "E0150");
     // One texel for half a tile would repeat with another period.
     EXPECT_EQ(only_diagnostic(recipe("[8, 16, 8]", 16)).code, "E0150");
+    EXPECT_EQ(only_diagnostic(recipe("[1, 16, 8]", 16)).message,
+              "cells of 16 voxels do not tile the 1 voxel of `v` along x");
     valid(recipe("[32, 16, 8]", 16));
 }
 

@@ -77,6 +77,20 @@ TEST(EnvironmentDecoder, TargetsOfCubesRefuseOtherMappings) {
               Codes{"E0160 5:11"});
 }
 
+// A sequence is baked as one asset for each frame: an environment shows one of them.
+TEST(EnvironmentDecoder, CloudsAreOneFrameOfASequence) {
+    const std::string moving =
+        "[noise.n]\nperiod = 12\n[noise.n.channels.Y]\ntype = 'perlin'\nfrequency = 2\n"
+        "[clouds.c]\nnoise = 'n'\nextent = ['8 km', '8 km', '4 km']\n"
+        "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 16, 8]\nframes = 12\n";
+    const auto refused = parse(around + "clouds = 'v'\n" + moving).diagnostics;
+    ASSERT_EQ(codes_and_places(refused), Codes{"E0133 4:10"});
+    EXPECT_EQ(refused[0].message,
+              "`bake.environment.clouds` must name one frame of [bake.v], which has several");
+    EXPECT_EQ(refused[0].label, "this recipe has v_0001 to v_0012");
+    EXPECT_EQ(faults(around + "clouds = 'v_0003'\n" + moving), Codes{});
+}
+
 TEST(EnvironmentDecoder, CloudsAreAVolumeOfTheRecipe) {
     const EnvironmentBake bake =
         environment_of(around + "clouds = 'v'\ncamera_x = '2 km'\nsamples = 3" + cloud);

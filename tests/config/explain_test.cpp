@@ -78,6 +78,23 @@ TEST(Explain, SpeaksInTheUnitsOfTheKey) {
     EXPECT_FALSE(mentions(explain("refractive_index"), "0.8"));
 }
 
+// A hint stands behind the range, where a value alone would look like one more bound.
+TEST(Explain, HintsThatAreExamplesSaySo) {
+    for (const Section& section : sections()) {
+        for (const Field& field : section.fields) {
+            const std::string_view hint = field.hint;
+            const bool is_value =
+                hint.starts_with('[') || (hint.starts_with('"') && hint != "\"\"");
+            const bool has_verb = hint.find(" is ") != hint.npos ||
+                                  hint.find(" goes ") != hint.npos ||
+                                  hint.find(" removes ") != hint.npos;
+            EXPECT_TRUE(!is_value || has_verb) << section.path << " " << field.key << ": " << hint;
+        }
+    }
+    EXPECT_TRUE(mentions(explain("bake.environment.clouds"),
+                         "note      for example [\"cumulus\", \"cirrus\"]"));
+}
+
 TEST(Explain, EveryCodeAndEveryKeyIsExplained) {
     for (const DiagnosticCode& code : diagnostic_codes()) {
         EXPECT_TRUE(mentions(explain(code.code), code.title)) << code.code;

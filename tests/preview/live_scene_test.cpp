@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/math/half_conversion.h"
@@ -140,6 +141,17 @@ TEST(LiveScene, TakesTheViewFromTheOptions) {
         EXPECT_EQ(view["sun_azimuth"], 30);
         EXPECT_EQ(view["exposure"], 2);
         EXPECT_EQ(view["tone_curve"], "agx");
+    }
+}
+
+// The slider begins at -180 degrees. The sun of an evening, found by --at, is at 90 degrees less its
+// azimuth from north, and stands there under another number.
+TEST(LiveScene, TurnsTheSunIntoTheRangeOfItsSlider) {
+    for (const auto& [given, shown] :
+         {std::pair{-206.3, 153.7}, {-360.0, 0.0}, {270.0, -90.0}, {105.0, 105.0}}) {
+        PreviewOptions options;
+        options.sun_azimuth_deg = given;
+        EXPECT_NEAR(scene_of(kSky, options)["view"]["sun_azimuth"].get<double>(), shown, 1e-9);
     }
 }
 

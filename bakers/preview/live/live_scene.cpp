@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -112,7 +113,7 @@ Json view_json(const PreviewOptions& options, const CloudCamera& camera, double 
             {"pitch", camera.elevation_degrees},
             {"fov", camera.horizontal_field_degrees},
             {"sun_elevation", sun_deg},
-            {"sun_azimuth", options.sun_azimuth_deg.value_or(105)},
+            {"sun_azimuth", std::remainder(options.sun_azimuth_deg.value_or(105), 360)},
             {"exposure", options.exposure_stops ? Json(*options.exposure_stops) : Json(nullptr)},
             {"tone_curve", curves[curve]},
             {"top", 1000 * thickness_km}};

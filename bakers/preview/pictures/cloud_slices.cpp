@@ -254,9 +254,10 @@ PreviewPicture slice_picture(const CloudMedium& medium, const PreviewAsset& volu
     picture.group = "slices";
     picture.tab = place_of(medium, axis, at);
     picture.titled = true;
-    picture.caption = fmt::format("The picture shows {} as the file stores it, in channel {}.",
-                                  medium.optics.has_edge ? "Value before its threshold" : "Density",
-                                  volume.entry.channels.front());
+    picture.caption =
+        fmt::format("The picture shows {} as the file stores it, in channel {}.",
+                    medium.optics.has_edge ? "the value before its threshold" : "density",
+                    volume.entry.channels.front());
     picture.picture =
         false_colour_chart(field, scale_of(field, value_title(medium)), picture.title,
                            axis_km(medium.extent_m, medium.base_m, axes[0]),
