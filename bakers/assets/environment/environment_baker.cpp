@@ -195,7 +195,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 9,
+    static const Baker<EnvironmentBake> row = {.version = 10,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,
