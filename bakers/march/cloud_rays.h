@@ -37,8 +37,8 @@ inline constexpr float kOpaque = 0x1p-10F;
 
 // Samples share their light with the one before if the optical depth of their step is at most the first, or
 // the transmittance before them at most the second (cloud_points-inl.h). With 1/8 and 1/16, a picture of a
-// cloud of 256 voxels takes 5 % more samples towards the sun than with light for every other sample, and has
-// two fifths of its error; with light for every sample it takes 74 % more and has a third.
+// cloud of 256 voxels takes as many samples towards the sun as with light for every other sample, and has half
+// of its error; with light for every sample it takes 74 % more and has a third.
 inline constexpr float kSharedDepth = 0x1p-3F;
 inline constexpr float kSharedBehind = 0x1p-4F;
 
