@@ -40,7 +40,7 @@ inline constexpr float kOpaque = 0x1p-10F;
 // cloud of 256 voxels takes as many samples towards the sun as with light for every other sample, and has half
 // of its error; with light for every sample it takes 74 % more and has a third.
 inline constexpr float kSharedDepth = 0x1p-3F;
-inline constexpr float kSharedBehind = 0x1p-4F;
+inline constexpr float kSharedBehind = 0x1p-6F;
 
 // A block of rays, one lane each.
 struct RayBlock {

@@ -9,7 +9,7 @@ uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it
 uniform vec4 share_of[CLOUDS];  // blocks along x, y and z, and where they begin in the table along z
 
 const int OCTAVES = 8;
-const float OPAQUE = 0.0009765625, SHARED_DEPTH = 0.125, SHARED_BEHIND = 0.0625;
+const float OPAQUE = 0.0009765625, SHARED_DEPTH = 0.125, SHARED_BEHIND = 0.015625;
 
 int fetches = 0;
 
