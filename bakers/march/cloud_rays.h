@@ -36,9 +36,10 @@ namespace skybake {
 inline constexpr float kOpaque = 0x1p-10F;
 
 // Samples share their light with the one before if the optical depth of their step is at most the first, or
-// the transmittance before them at most the second (cloud_points-inl.h). With 1/8 and 1/16, a picture of a
-// cloud of 256 voxels takes as many samples towards the sun as with light for every other sample, and has half
-// of its error; with light for every sample it takes 74 % more and has a third.
+// the transmittance before them at most the second (cloud_points-inl.h). With 1/8 and 1/64, a picture of a
+// cloud of 256 voxels takes a fifth more samples towards the sun than with light for every other sample, and
+// has half of its error. With 1/8 and 1/16 it takes no more, but slabs of an optical depth of 6 are 2.4 % too dark
+// from below.
 inline constexpr float kSharedDepth = 0x1p-3F;
 inline constexpr float kSharedBehind = 0x1p-6F;
 
