@@ -30,6 +30,7 @@ struct LightPoints {
     std::vector<float> tile_x, tile_y;  // where that begins
     std::vector<float> weight;          // the share of its light that reaches the eye
     std::vector<float> jitter;          // of samples towards the sun
+    std::vector<float> extinction;      // at the point, in 1/m
     std::vector<float> tau;             // optical depth towards the sun
     std::vector<std::uint32_t> ray;
 
@@ -155,8 +156,16 @@ class Lighting {
     alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
 };
 
-// Chooses the samples of a packet of rays at which light is evaluated. If samples k and k + 1 are
-// both in cloud and k is even, sample k + 1 uses the light of sample k.
+// A sample in cloud as its ray meets it: number k, with the optical depth of its step, and the
+// transmittance before it.
+struct LitSample {
+    FloatLanes k, extinction, depth, transmittance, weight;
+};
+
+// Chooses the samples of a packet of rays at which light is evaluated. A sample that follows one in cloud
+// uses the light of the point before it if the eye sees little of the difference: if at most the share
+// kSharedBehind of its light comes through, or if k is odd and the optical depth of its step is at most
+// kSharedDepth.
 class PointCollector {
   public:
     PointCollector(const RayBlock& rays, LightPoints& points, std::size_t first_ray)
@@ -164,24 +173,28 @@ class PointCollector {
         for (float& k : last_k_) k = -2;  // no sample follows it
     }
 
-    void add(const Place& at, FloatLanes k, FloatLanes weight, FloatMask lit) {
+    void add(const Place& at, const LitSample& sample, FloatMask lit) {
         alignas(64) float values[5][FloatLanes::kCount];
+        alignas(64) float extinctions[FloatLanes::kCount];
+        alignas(64) float shares[FloatLanes::kCount];
         alignas(64) float tiles[2][FloatLanes::kCount];
         at.tile_x.store(tiles[0]);
         at.tile_y.store(tiles[1]);
         at.x.store(values[0]);
         at.y.store(values[1]);
         at.z.store(values[2]);
-        zero_unless(lit, weight).store(values[3]);
-        k.store(values[4]);
+        zero_unless(lit, sample.weight).store(values[3]);
+        sample.k.store(values[4]);
+        sample.extinction.store(extinctions);
+        sharing(sample).store(shares);
         for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
             if (values[3][lane] == 0) continue;
-            const bool odd = (static_cast<std::int32_t>(values[4][lane]) & 1) != 0;
-            if (odd && last_k_[lane] + 1 == values[4][lane]) {
+            const bool follows = last_k_[lane] + 1 == values[4][lane];
+            last_k_[lane] = values[4][lane];
+            if (follows && shares[lane] != 0) {
                 points_.weight[last_point_[lane]] += values[3][lane];
                 continue;
             }
-            last_k_[lane] = values[4][lane];
             last_point_[lane] = points_.size();
             points_.x.push_back(values[0][lane]);
             points_.y.push_back(values[1][lane]);
@@ -191,10 +204,20 @@ class PointCollector {
             points_.weight.push_back(values[3][lane]);
             points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
             points_.jitter.push_back(rays_.light_jitter[first_ray_ + lane]);
+            points_.extinction.push_back(extinctions[lane]);
         }
     }
 
   private:
+    // Returns 1 in the lanes whose sample shares the light of the point before it, if it follows.
+    static FloatLanes sharing(const LitSample& sample) {
+        const FloatLanes half = sample.k * FloatLanes(0.5F);
+        const FloatMask odd = floor_of(half) < half;
+        const FloatMask thin = odd & (sample.depth <= FloatLanes(kSharedDepth));
+        const FloatLanes if_thin = select(thin, FloatLanes(1.0F), FloatLanes(0.0F));
+        return select(sample.transmittance <= FloatLanes(kSharedBehind), FloatLanes(1.0F), if_thin);
+    }
+
     const RayBlock& rays_;
     LightPoints& points_;
     std::size_t first_ray_;

@@ -81,10 +81,10 @@ class LayerPacket {
   private:
     void add(const Place& at, FloatLanes k, FloatLanes t, FloatLanes sigma, FloatMask lit,
              FloatLanes& transmittance) {
-        const FloatLanes through =
-            exponential_of_negative(FloatLanes(0.0F) - sigma * FloatLanes(march_.step_m));
+        const FloatLanes depth = sigma * FloatLanes(march_.step_m);
+        const FloatLanes through = exponential_of_negative(FloatLanes(0.0F) - depth);
         const FloatLanes weight = transmittance * (FloatLanes(1.0F) - through);
-        collector_.add(at, k, weight, lit);
+        collector_.add(at, {k, sigma, depth, transmittance, weight}, lit);
         opacity_ = opacity_ + zero_unless(lit, weight);
         distance_ = distance_ + zero_unless(lit, weight * t);
         transmittance = select(lit, transmittance * through, transmittance);

@@ -16,7 +16,10 @@
 //
 // Each layer has samples of its own distance. The samples of all layers along a ray are taken in the
 // order of their distances, and a sample's light is attenuated by all samples before it, of whatever
-// layer. Towards the sun, the optical depths of all layers are added.
+// layer. Towards the sun, the optical depths of all layers are added. Their samples are at
+// s_k = (k + jitter) * light_step from the point; from the point, where the extinction is known, to the second
+// sample the trapezoidal rule is used, so that the depth hardly depends on the jitter where the point is deep
+// in cloud.
 #pragma once
 
 #include <array>
@@ -31,6 +34,14 @@ namespace skybake {
 
 // Below this transmittance, about a quarter of 1/255, nothing behind the cloud shows in 8 bits.
 inline constexpr float kOpaque = 0x1p-10F;
+
+// Samples share their light with the one before if the optical depth of their step is at most the first, or
+// the transmittance before them at most the second (cloud_points-inl.h). With 1/8 and 1/64, a picture of a
+// cloud of 256 voxels takes a fifth more samples towards the sun than with light for every other sample, and
+// has half of its error. With 1/8 and 1/16 it takes no more, but slabs of an optical depth of 6 are 2.4 % too dark
+// from below.
+inline constexpr float kSharedDepth = 0x1p-3F;
+inline constexpr float kSharedBehind = 0x1p-6F;
 
 // A block of rays, one lane each.
 struct RayBlock {

@@ -41,12 +41,18 @@ double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
     return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
 }
 
+double voxel_edge_m(const CloudMedium& medium) {
+    return exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
+                                 medium.meters_per_voxel(2)) /
+                       3);
+}
+
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
     MarchSteps steps;
-    steps.step_m = exponential(logarithm(medium.meters_per_voxel(0) * medium.meters_per_voxel(1) *
-                                         medium.meters_per_voxel(2)) /
-                               3);
-    steps.light_step_m = std::max(steps.step_m, sun_march_length_m(medium, sun) / kSunSamples);
+    const double edge_m = voxel_edge_m(medium);
+    const bool deep = medium.optics.extinction_per_m * edge_m > kDeepVoxel;
+    steps.step_m = deep ? edge_m / 2 : edge_m;
+    steps.light_step_m = std::max(edge_m, sun_march_length_m(medium, sun) / kSunSamples);
     const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
     steps.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
     return steps;

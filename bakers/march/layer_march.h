@@ -69,8 +69,16 @@ struct MarchSteps {
     bool sunlit = true;   // false: no marches towards the sun
 };
 
-// Returns steps of the length of a voxel's edge, the geometric mean of its three, and a reach beyond
-// which a layer that repeats shows no more.
+// The geometric mean of a voxel's three edges.
+double voxel_edge_m(const CloudMedium& medium);
+
+// Rays take two samples for each voxel where the optical depth along its edge, at density 1, is above this.
+// A draft's voxels are so deep: most of what a ray sees of a cloud lies in one or two of them, and with one
+// sample each the cloud's light had the grain of their jitter.
+inline constexpr double kDeepVoxel = 3;
+
+// Returns steps of the length of a voxel's edge, along rays of half of it if voxels are deep, and a reach
+// beyond which a layer that repeats shows no more.
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun);
 
 // Layers of clouds as rays from one place see them. They may overlap in altitude.

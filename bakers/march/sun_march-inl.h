@@ -111,10 +111,32 @@ class SunMarches {
         const float first = frame_.enters ? first_within(lane) : 0.0F;
         if (first < 0) return;
         lanes_.point[lane] = point;
-        lanes_.tau[lane] = 0;
+        lanes_.tau[lane] = frame_.enters ? 0 : depth_before_first(lane, points_.extinction[point]);
         lanes_.k[lane] = first;
         lanes_.end[lane] = first + march_.light_samples;
         lanes_.was_empty[lane] = frame_.enters ? 1.0F : 0.0F;
+    }
+
+    // Returns the optical depth from a point in cloud to its first sample, as far as it follows from the
+    // extinction at the point: half of it, or all of it if the layer ends before that sample.
+    float depth_before_first(std::size_t lane, float extinction) const {
+        const float climb = march_.light_direction[2] * march_.light_step_m;
+        const float to_face =
+            climb > 0 ? static_cast<float>(march_.medium->volume.size[2]) - lanes_.z[lane]
+                      : 0 - lanes_.z[lane];
+        const float jitter = lanes_.jitter[lane];
+        const bool ends = climb != 0 && to_face / climb < jitter;
+        return extinction * march_.light_step_m * (ends ? to_face / climb : 0.5F * jitter);
+    }
+
+    // Returns the length that a sample stands for, in steps: from half the way to the point or to the sample
+    // before it, to half the way to the next.
+    FloatLanes steps_of_sample() const {
+        const FloatLanes one(1.0F);
+        if (frame_.enters) return one;
+        const FloatLanes half(0.5F);
+        const FloatLanes of_first = half + half * FloatLanes::load(lanes_.jitter);
+        return select(progress_.k < half, of_first, one);
     }
 
     // Returns the first sample at a height within the layer and, if that does not repeat, within its
@@ -192,7 +214,7 @@ class SunMarches {
         }
         counts_.light_samples += count_of(going);
         const FloatLanes sigma = extinction(*march_.medium, at, going);
-        tau_ = tau_ + sigma * FloatLanes(march_.light_step_m);
+        tau_ = tau_ + sigma * FloatLanes(march_.light_step_m) * steps_of_sample();
         step_on(going, sigma, progress_);
         return going & (progress_.k < end);
     }

@@ -21,8 +21,7 @@ struct CameraRequest {
     std::optional<double> field_degrees;    // across the picture
 };
 
-// Chooses the settings of a view. Steps are one voxel long (the cube root of its volume); towards a
-// low sun they are longer, so that there are at most kSunSamples. If the volume repeats, the camera
+// Chooses the settings of a view, with usual_steps. If the volume repeats, the camera
 // sees much of the layer and the reach is some tiles; if it does not repeat, the camera has the
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,

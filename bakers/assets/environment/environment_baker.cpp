@@ -38,6 +38,10 @@ Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
     });
     return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
         Baked table = labelled_light_table(parameters, std::move(label));
+        // The lights tell the lux of colours.
+        if (found.makes_colors()) {
+            table.conventions.color = color_convention(*parameters.color, {}, true);
+        }
         const Outcome<std::vector<CloudMedium>> media =
             clouds_of_environment(parameters, asset, options, table.details);
         if (!media.value) return Outcome<Baked>{{}, media.diagnostics};
@@ -190,7 +194,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 9,
+    static const Baker<EnvironmentBake> row = {.version = 10,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,

@@ -9,7 +9,7 @@ uniform vec2 fade[CLOUDS];      // the distances between which a layer fades; it
 uniform vec4 share_of[CLOUDS];  // blocks along x, y and z, and where they begin in the table along z
 
 const int OCTAVES = 8;
-const float OPAQUE = 0.0009765625;
+const float OPAQUE = 0.0009765625, SHARED_DEPTH = 0.125, SHARED_BEHIND = 0.015625;
 
 int fetches = 0;
 
@@ -55,11 +55,19 @@ float first_towards_sun(int layer, vec3 p, float jitter) {
     return first;
 }
 
-// The optical depth of a layer from `place` towards the sun.
-float depth_in_layer(int layer, vec3 place, float jitter, bool is_inside) {
+// The optical depth from a place in cloud to its first sample, as far as it follows from the extinction there.
+float depth_before_first(int layer, vec3 p, float sigma, float jitter) {
+    float climb = sun.z * sun_step[layer], to_face = climb > 0.0 ? TILE[layer].z - p.z : -p.z;
+    return sigma * sun_step[layer] * (climb != 0.0 && to_face / climb < jitter ? to_face / climb : 0.5 * jitter);
+}
+
+// The optical depth of a layer from `place` towards the sun. Inside of the layer, `sigma` is the extinction there, and
+// the trapezoidal rule leads from there to the second sample.
+float depth_in_layer(int layer, vec3 place, float sigma, float jitter, bool is_inside) {
     vec3 p = place - vec3(0.0, 0.0, BASE[layer]);
-    float first = is_inside ? 0.0 : first_towards_sun(layer, p, jitter), depth = 0.0;
+    float first = is_inside ? 0.0 : first_towards_sun(layer, p, jitter);
     if (first < 0.0) return 0.0;
+    float depth = is_inside ? depth_before_first(layer, p, sigma, jitter) : 0.0;
     bool was_empty = !is_inside;
     for (float k = first; k < first + sun_samples[layer];) {
         vec3 at = p + sun * ((k + jitter) * sun_step[layer]);
@@ -70,9 +78,9 @@ float depth_in_layer(int layer, vec3 place, float jitter, bool is_inside) {
         }
         float empty = was_empty ? empty_samples(layer, at, sun, sun_step[layer]) : 0.0;
         if (empty == 0.0) {
-            float sigma = extinction_at(layer, at);
-            depth += sigma * sun_step[layer];
-            was_empty = sigma == 0.0;
+            float here = extinction_at(layer, at);
+            depth += here * sun_step[layer] * (is_inside && k == 0.0 ? 0.5 + 0.5 * jitter : 1.0);
+            was_empty = here == 0.0;
         }
         k += max(empty, 1.0);
     }
@@ -80,9 +88,9 @@ float depth_in_layer(int layer, vec3 place, float jitter, bool is_inside) {
 }
 
 // The optical depth of all layers from a place in one of them, or below all of them (-1), towards the sun.
-float depth_to_sun(int inside, vec3 place, float jitter) {
+float depth_to_sun(int inside, vec3 place, float sigma, float jitter) {
     float depth = 0.0;
-    for (int layer = 0; layer < CLOUDS; ++layer) depth += depth_in_layer(layer, place, jitter, layer == inside);
+    for (int layer = 0; layer < CLOUDS; ++layer) depth += depth_in_layer(layer, place, sigma, jitter, layer == inside);
     return depth;
 }
 
@@ -122,8 +130,9 @@ struct Cloud {
 };
 
 // The light at p, where a ray meets sunlight by `octaves`.
-vec4 light_at(int layer, vec3 p, float jitter, float octaves[OCTAVES]) {
-    float depth = depth_to_sun(layer, p + vec3(0.0, 0.0, BASE[layer]), jitter), sunlit = 0.0, height = p.z / TILE[layer].z;
+vec4 light_at(int layer, vec3 p, float sigma, float jitter, float octaves[OCTAVES]) {
+    float depth = depth_to_sun(layer, p + vec3(0.0, 0.0, BASE[layer]), sigma, jitter);
+    float sunlit = 0.0, height = p.z / TILE[layer].z;
     for (int n = 0; n < OCTAVES; ++n, depth *= 0.5) sunlit += octaves[n] * exp(-depth);
     return vec4(sunlit * (1.0 - height), sunlit * height, 0.5 * diffuse_shares(layer, p));
 }
@@ -157,11 +166,12 @@ void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float octaves[OCT
     float sigma = extinction_at(layer, p) * faded(layer, t);
     samples.was_empty = sigma == 0.0;
     if (sigma > 0.0) {
-        // Two samples in a row share their light.
-        if (mod(samples.k, 2.0) < 0.5 || samples.lit_k + 1.0 != samples.k) {
-            samples.lit_k = samples.k;
-            samples.light = light_at(layer, p, noise.y, octaves);
+        // A sample shares the light of the one before it if the eye sees little of the difference (cloud_points-inl.h).
+        bool thin = mod(samples.k, 2.0) > 0.5 && sigma * stride <= SHARED_DEPTH;
+        if (samples.lit_k + 1.0 != samples.k || (!thin && through > SHARED_BEHIND)) {
+            samples.light = light_at(layer, p, sigma, noise.y, octaves);
         }
+        samples.lit_k = samples.k;
         float passed = exp(-sigma * stride), weight = through * (1.0 - passed);
         cloud.sources += weight * samples.light;
         cloud.distance += weight * t;
@@ -204,5 +214,5 @@ float sunlight_on_ground(vec3 camera, vec3 ray, float jitter, float mean_sunligh
     float way = camera.z / max(-ray.z, 1e-9), farthest = 0.0;
     for (int layer = 0; layer < CLOUDS; ++layer) farthest = max(farthest, reach[layer]);
     if (sun.z <= 0.0 || way > farthest) return mean_sunlight;
-    return exp(-depth_to_sun(-1, vec3(camera.xy + way * ray.xy, 0.0), jitter));
+    return exp(-depth_to_sun(-1, vec3(camera.xy + way * ray.xy, 0.0), 0.0, jitter));
 }

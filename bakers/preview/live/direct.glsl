@@ -8,5 +8,5 @@ void main() {
     ivec2 texel = ivec2(gl_FragCoord.xy);
     int layer = texel.y / POINTS;
     vec2 place = (vec2(texel.x, texel.y % POINTS) + 0.5) / float(POINTS) * TILE[layer].xy;
-    color = vec4(exp(-depth_in_layer(layer, vec3(place, BASE[layer]), 0.5, false)));
+    color = vec4(exp(-depth_in_layer(layer, vec3(place, BASE[layer]), 0.0, 0.5, false)));
 }

@@ -50,6 +50,7 @@ LiveJson cloud_json(const LiveCloud& cloud, const SceneLayer& layer, double grea
             {"edge_softness", optics.edge_softness},
             {"backward", (1 - g) / 2},
             {"step", layer.step_m},
+            {"voxel_edge", voxel_edge_m(medium)},
             {"most_sun_samples", kSunSamples},
             {"reach", medium.repeats ? usual_steps(medium, {}).reach_m : 1e6},
             {"farthest_reach", layer.fades ? farthest_reach_m(medium) : 0},

@@ -53,7 +53,7 @@ class LiveClouds {
     steps_of(cloud, view, sun, coarse) {
         const [x, y, height] = cloud.tile, longest = view.single ? Math.hypot(x, y) : Math.max(x, y);
         const slope = Math.abs(sun[2]), march = slope * longest > height ? height / slope : longest;
-        const step = coarse * cloud.step, sun_step = Math.max(step, march / cloud.most_sun_samples);
+        const step = coarse * cloud.step, sun_step = Math.max(coarse * cloud.voxel_edge, march / cloud.most_sun_samples);
         const reach = view.single ? 1e6 : this.reach_of(cloud, view), fades = !view.single && cloud.fade_from !== null;
         return {step, sun_step, sun_samples: Math.ceil(march / sun_step), reach,
             fade: fades ? [cloud.fade_from * reach, reach] : [0, 0]};

@@ -1,0 +1,134 @@
+// The grain of clouds of few voxels, such as those of drafts: how much neighbouring pixels differ by nothing
+// but the jitter of their samples.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "bakers/render/cloud_camera.h"
+#include "bakers/render/cloud_view.h"
+#include "tests/preview/clouds.h"
+#include "tests/support/cloud_view_reference.h"
+
+namespace skybake {
+namespace {
+
+constexpr std::array<int, 3> kSize = {16, 16, 10};
+constexpr double kVoxel_m = 75;
+constexpr int kWidth = 40;
+constexpr int kHeight = 28;
+
+// The density of three balls that grow into each other and have edges of a voxel, in voxels.
+float balls_at(double x, double y, double z) {
+    constexpr std::array<std::array<double, 4>, 3> balls = {
+        {{6.2, 7.1, 4.4, 3.1}, {10.3, 8.7, 3.9, 2.6}, {8.1, 9.2, 6.6, 2.2}}};
+    double density = 0;
+    for (const auto& [at_x, at_y, at_z, radius] : balls) {
+        const double distance = std::hypot(x - at_x, y - at_y, z - at_z);
+        density = std::max(density, std::clamp(radius - distance, 0.0, 1.0));
+    }
+    return static_cast<float>(density);
+}
+
+// A cloud whose voxels have optical depths of 4.5, as those of drafts have.
+CloudMedium draft_cloud() {
+    config::Cloud cloud =
+        test::cloud_of({kSize[0] * kVoxel_m, kSize[1] * kVoxel_m, kSize[2] * kVoxel_m}, 1000);
+    cloud.extinction_scale.per_meter = 0.06;
+    std::vector<float> voxels;
+    for (int z = 0; z < kSize[2]; ++z) {
+        for (int y = 0; y < kSize[1]; ++y) {
+            for (int x = 0; x < kSize[0]; ++x) {
+                voxels.push_back(balls_at(x + 0.5, y + 0.5, z + 0.5));
+            }
+        }
+    }
+    CloudMedium medium = cloud_medium(cloud, voxels.data(), kSize, 1, 1);
+    medium.leaps = leaps_of_voxels(medium, 2, 1);
+    return medium;
+}
+
+CloudViewSettings settings_under(const CloudMedium& medium, const SunDirection& sun) {
+    const MarchSteps steps = usual_steps(medium, sun);
+    CloudViewSettings settings;
+    settings.width = kWidth;
+    settings.height = kHeight;
+    settings.camera = {{-60, 60, 1050}, 45, 12, 60};
+    settings.sun = sun;
+    settings.step_m = steps.step_m;
+    settings.light_step_m = steps.light_step_m;
+    settings.reach_m = 1500;
+    return settings;
+}
+
+// Sunlight that the cloud scatters to each pixel, along the ray through its middle.
+Image2<double> marched(const CloudMedium& medium, const CloudViewSettings& settings) {
+    const Image2<float> results = march_view(medium, settings, 1).results;
+    Image2<double> sunlight(kWidth, kHeight, 1);
+    for (std::size_t i = 0; i < sunlight.texels.size(); ++i) {
+        const float* seen = results.texels.data() + i * MarchedView::kChannels;
+        sunlight.texels[i] = double{seen[0]} + seen[1];
+    }
+    return sunlight;
+}
+
+// The same by sums of 192 midpoints, without jitter.
+Image2<double> in_short_steps(const CloudMedium& medium, const CloudViewSettings& settings) {
+    const DiffuseShare diffuse = diffuse_share(medium, 4, 1);
+    const CameraRays rays(settings.camera, kWidth, kHeight);
+    Image2<double> sunlight(kWidth, kHeight, 1);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            const ReferenceRay ray =
+                reference_ray(medium, diffuse, settings, rays.through(x, y), 192);
+            *sunlight.texel(x, y) = ray.sun_at_base + ray.sun_at_top;
+        }
+    }
+    return sunlight;
+}
+
+// The RMS of a picture, and of what is left of it without the mean of the three by three pixels about each.
+struct Energy {
+    double all = 0;
+    double grain = 0;
+};
+Energy energy_of(const Image2<double>& picture) {
+    Energy energy;
+    double pixels = 0;
+    for (int y = 1; y + 1 < picture.height; ++y) {
+        for (int x = 1; x + 1 < picture.width; ++x) {
+            double mean = 0;
+            for (int k = 0; k < 9; ++k) mean += *picture.texel(x + k % 3 - 1, y + k / 3 - 1) / 9;
+            const double here = *picture.texel(x, y);
+            energy.all += here * here;
+            energy.grain += (here - mean) * (here - mean);
+            ++pixels;
+        }
+    }
+    return {std::sqrt(energy.all / pixels), std::sqrt(energy.grain / pixels)};
+}
+
+// What the march adds to the light of a cloud under a sun, as shares of the light.
+Energy error_under(const SunDirection& sun) {
+    const CloudMedium medium = draft_cloud();
+    const CloudViewSettings settings = settings_under(medium, sun);
+    const Image2<double> fine = in_short_steps(medium, settings);
+    Image2<double> difference = marched(medium, settings);
+    for (std::size_t i = 0; i < fine.texels.size(); ++i) difference.texels[i] -= fine.texels[i];
+    const Energy error = energy_of(difference);
+    const double light = energy_of(fine).all;
+    return {error.all / light, error.grain / light};
+}
+
+TEST(CloudGrain, IsSmallInCloudsOfFewVoxels) {
+    for (const SunDirection sun : {SunDirection{60, 105}, {20, 105}, {6, 105}}) {
+        const Energy error = error_under(sun);
+        EXPECT_LT(error.grain, 0.03) << sun.elevation_degrees;
+        EXPECT_LT(error.all, 0.05) << sun.elevation_degrees;
+    }
+}
+
+}  // namespace
+}  // namespace skybake
