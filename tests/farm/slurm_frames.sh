@@ -3,5 +3,7 @@
 # that of one bake of all.
 #
 #   slurm_frames.sh SKYBAKE     exit code 77, skipped, where Slurm or munge is not installed
-source "$(dirname "$0")/slurm_farm.sh"
-python3 "$(dirname "$0")/frames.py" "$skybake" "$farm/work" slurm
+here=$(cd "$(dirname "$0")" && pwd)
+source "$here/slurm_farm.sh"
+cd "$farm/work"  # where Slurm puts what jobs say
+python3 "$here/frames.py" "$skybake" "$farm/work" slurm
