@@ -78,6 +78,8 @@ std::string layout_line(const ManifestAsset& asset, const ManifestFile& file) {
         return "the faces of a cube texture, which texture(cube, environment_view(dir, up, ahead)) "
                "reads; the functions below read the faces below each other";
     }
+    if (file.texture == TextureParts::layers)
+        return "an array of 2-D textures, a layer for each slice";
     return file.format == "bin" ? "x fastest, then y, then z" : "a texture as it is";
 }
 

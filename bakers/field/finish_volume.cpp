@@ -72,7 +72,11 @@ void hold_voxels(const BakeOptions& options, Baked& volume) {
                                static_cast<int>(volume.channel_names.size()), options);
 }
 
-void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
+namespace {
+
+using NextSize = std::array<int, 3> (*)(const std::array<int, 3>& size);
+
+void add_levels(int count, NextSize next_size, const BakeOptions& options, Baked& volume) {
     // Levels with at most this many floats are kept in memory, so that coarser levels need not make
     // them again.
     constexpr std::int64_t kKeptFloats = 1 << 23;
@@ -80,9 +84,9 @@ void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
     while (static_cast<int>(volume.levels.size()) < count && !options.cancelled()) {
         const Level& finer = volume.levels.back();
         Level level;
-        level.size = next_mip_size(finer.size);
+        level.size = next_size(finer.size);
         level.repeats = finer.repeats;
-        level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size);
+        level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size, level.size);
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
             level.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels,
@@ -91,8 +95,6 @@ void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
         volume.levels.push_back(std::move(level));
     }
 }
-
-namespace {
 
 std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinish& finish,
                                                    const BakeOptions& options, Baked& volume) {
@@ -109,6 +111,14 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
 }
 
 }  // namespace
+
+void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
+    add_levels(count, next_mip_size, options, volume);
+}
+
+void add_slice_levels(int count, const BakeOptions& options, Baked& volume) {
+    add_levels(count, next_slice_size, options, volume);
+}
 
 int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
 

@@ -24,6 +24,9 @@ void hold_voxels(const BakeOptions& options, Baked& volume);
 // Adds levels of detail, each the box mean of the one before, until there are `count` levels.
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume);
 
+// The same, with the means of each slice by itself.
+void add_slice_levels(int count, const BakeOptions& options, Baked& volume);
+
 struct VolumeFinish {
     std::vector<std::array<double, 2>> histogram_ranges;  // one per channel
     VolumeReference reference;                            // empty: no certificate

@@ -148,8 +148,16 @@ std::array<int, 3> next_mip_size(const std::array<int, 3>& size) {
     return {std::max(1, size[0] / 2), std::max(1, size[1] / 2), std::max(1, size[2] / 2)};
 }
 
+std::array<int, 3> next_slice_size(const std::array<int, 3>& size) {
+    return {std::max(1, size[0] / 2), std::max(1, size[1] / 2), size[2]};
+}
+
 MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size)
-    : finer_(std::move(finer)), finer_size_(finer_size), size_(next_mip_size(finer_size)) {}
+    : MipSource(std::move(finer), finer_size, next_mip_size(finer_size)) {}
+
+MipSource::MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size,
+                     const std::array<int, 3>& size)
+    : finer_(std::move(finer)), finer_size_(finer_size), size_(size) {}
 
 void MipSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
     // Takes as many coarse rows and slices at a time as keep the finer voxels within 8 MiB, but at

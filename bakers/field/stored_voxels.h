@@ -50,7 +50,11 @@ class StoredSource : public VoxelSource {
 // The size of the next coarser level: half of each size, rounded down, at least 1.
 std::array<int, 3> next_mip_size(const std::array<int, 3>& size);
 
-// A volume at half the size along each axis: level k + 1 of a mip chain, made from level k.
+// The same for slices that are levels of their own each: their number stays.
+std::array<int, 3> next_slice_size(const std::array<int, 3>& size);
+
+// A volume at half the size along each axis, or along x and y: level k + 1 of a mip chain, made from
+// level k.
 //
 // Each coarse voxel is the mean of the finer voxels that it covers in texture space: voxel i covers
 // [i n/m, (i + 1) n/m) in units of finer voxels, where n and m are the finer and the coarser size.
@@ -60,6 +64,9 @@ std::array<int, 3> next_mip_size(const std::array<int, 3>& size);
 class MipSource : public VoxelSource {
   public:
     MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size);
+    // Makes the level of another size, such as next_slice_size().
+    MipSource(std::shared_ptr<const VoxelSource> finer, const std::array<int, 3>& finer_size,
+              const std::array<int, 3>& size);
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
 
   private:

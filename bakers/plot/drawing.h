@@ -55,7 +55,8 @@ struct PreviewPicture {
     // A page shows pictures of the same group in one place. `tab` names one of them there.
     std::string group = {};
     std::string tab = {};
-    bool titled = false;  // the title stands in the picture
+    bool titled = false;           // the title stands in the picture
+    double frames_per_second = 0;  // of a sequence that plays by itself; 0: it does not
 };
 
 inline PreviewPicture as_plot(PreviewPicture picture) {

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/preview/sequences.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 
@@ -66,6 +67,7 @@ void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
         input.width = (*options.picture_size)[0];
         input.height = (*options.picture_size)[1];
     }
+    input.camera.whole_tile = input.frame.has_value();
     input.single = options.single || options.turntable > 0;
     input.turntable = options.turntable;
     input.progress = options.progress;
@@ -95,6 +97,7 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
         input.volume = &asset;
         add_occupancy(assets, input);
         add_sky(assets, input);
+        if (options.turntable == 0) input.frame = sequence_frame(assets, asset);
     }
     choose_light(options, input);
     choose_frame(options, input);

@@ -28,12 +28,12 @@ void take(std::optional<T>& option, const std::optional<T>& of_recipe) {
 }
 
 void take_camera(const config::PreviewCamera& camera, PreviewOptions& options) {
-    CameraRequest request = options.camera.value_or(CameraRequest());
+    if (!options.camera) options.camera.emplace();
+    CameraRequest& request = *options.camera;
     take(request.position_m, camera.position);
     take(request.heading_degrees, to_degrees(camera.heading));
     take(request.pitch_degrees, to_degrees(camera.pitch));
     take(request.field_degrees, to_degrees(camera.fov));
-    options.camera = request;
 }
 
 // Takes what places the sun. What the command line says about the sun, by a time or by angles,

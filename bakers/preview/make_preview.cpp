@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string_view>
 #include <utility>
 #include <variant>
@@ -15,6 +16,7 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/scene_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
+#include "bakers/preview/sequences.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
@@ -80,6 +82,8 @@ class Preview {
             begin_stage(asset.entry.name);
             page_.assets[i].pictures = pictures_of(asset);
         }
+        if (volumes)
+            std::ranges::move(std::move(sequences_).scenes(), std::back_inserter(page_.scenes));
         return !is_cancelled(options_.progress);
     }
 
@@ -149,10 +153,13 @@ class Preview {
     }
 
     std::vector<PagePicture> pictures_of(const PreviewAsset& asset) {
-        const CloudPreviewInput cloud = cloud_input(assets_, asset, options_);
+        CloudPreviewInput cloud = cloud_input(assets_, asset, options_);
         if (cloud.cloud != nullptr) {
-            return encoder_.encode(cloud_key(cloud),
-                                   [&] { return cloud_pictures(cloud, options_.threads); });
+            sequences_.share_exposures(cloud);
+            auto pictures = encoder_.encode(
+                cloud_key(cloud), [&] { return cloud_pictures(cloud, options_.threads); });
+            if (cloud.frame) sequences_.take(*cloud.frame, pictures);
+            return pictures;
         }
         return encoder_.encode(key_of(asset), [&] { return asset_pictures(asset); });
     }
@@ -164,6 +171,11 @@ class Preview {
              {input.volume, input.occupancy, input.transmittance, input.multiple_scattering}) {
             key += asset != nullptr ? key_of(*asset) : "none\n";
         }
+        if (input.frame) {
+            key += fmt::format("frame {} of {}, {} per second, exposures {}\n", input.frame->index,
+                               input.frame->count, input.frame->per_second,
+                               fmt::join(input.exposures, " "));
+        }
         return key;
     }
 
@@ -171,6 +183,7 @@ class Preview {
     const PreviewOptions& options_;
     PictureEncoder encoder_;
     PreviewPage page_;
+    SequenceScenes sequences_;
     int stage_ = 0;
 };
 

@@ -29,7 +29,8 @@ Json to_json(const PagePicture& picture) {
             {"sequence", picture.sequence},
             {"group", picture.group},
             {"tab", picture.tab},
-            {"titled", picture.titled}};
+            {"titled", picture.titled},
+            {"frames_per_second", picture.frames_per_second}};
 }
 
 Json to_json(const std::vector<PagePicture>& pictures) {

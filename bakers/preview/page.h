@@ -21,10 +21,12 @@ struct PagePicture {
     int height = 0;
     std::string png;  // bytes
     PictureKind kind = PictureKind::image;
-    std::string sequence = {};  // of pictures that are shown as one that turns
-    std::string group = {};     // of pictures that are shown in one place, behind tabs
-    std::string tab = {};       // the name of its tab
-    bool titled = false;        // the title stands in the picture
+    std::string sequence = {};            // of pictures that are shown as one that turns
+    std::string group = {};               // of pictures that are shown in one place, behind tabs
+    std::string tab = {};                 // the name of its tab
+    bool titled = false;                  // the title stands in the picture
+    double frames_per_second = 0;         // of a sequence that plays by itself; 0: it does not
+    std::optional<double> exposure = {};  // as a factor of radiance, in pictures of light
 };
 
 // An asset with its pictures.

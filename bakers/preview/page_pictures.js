@@ -50,13 +50,15 @@ function tabbedFigures(pictures) {
     return whole;
 }
 
-// One picture that turns: by its slider, by dragging, by the arrow keys, or by itself.
+// One picture that turns, or frames that play: by a slider, by dragging, by the arrow keys, or by itself. Frames
+// begin to play at once where readers have not asked their system for less motion.
 function turntable(frames) {
     const image = imageOf(frames[0]);
     const sources = frames.map((frame) => images.get(frame.file).getAttribute('src'));
     sources.forEach((source) => { new Image().src = source; });
+    const perSecond = frames[0].frames_per_second;
     const slider = element('input', {type: 'range', min: 0, max: frames.length - 1, value: 0,
-                                     'aria-label': `Turn: ${frames[0].title}`});
+                                     'aria-label': `${perSecond > 0 ? 'Frame' : 'Turn'}: ${frames[0].title}`});
     const words = element('span');
     let timer = null;
     function show(index) {
@@ -66,17 +68,26 @@ function turntable(frames) {
         image.alt = frames[at].caption;
         words.textContent = frames[at].caption;
     }
+    function step() {
+        if (figure.isConnected) show(Number(slider.value) + 1);
+        else play();
+    }
     function play() {
         if (timer !== null) clearInterval(timer);
-        timer = timer === null ? setInterval(() => show(Number(slider.value) + 1), 1000 / 12) : null;
+        timer = timer === null ? setInterval(step, 1000 / (perSecond || 12)) : null;
         button.textContent = timer === null ? 'Play' : 'Stop';
     }
     const button = element('button', {type: 'button', onclick: play}, 'Play');
     slider.addEventListener('input', () => show(slider.value));
+    // Whoever takes hold of it stops it.
+    const stop = () => { if (timer !== null) play(); };
+    slider.addEventListener('pointerdown', stop);
+    slider.addEventListener('keydown', (event) => { if (event.key !== 'Tab') stop(); });
     // A drag across the whole picture turns it once.
     let held = null;
     image.draggable = false;
     image.addEventListener('pointerdown', (event) => {
+        stop();
         held = {x: event.clientX, index: Number(slider.value)};
         image.setPointerCapture(event.pointerId);
     });
@@ -88,5 +99,6 @@ function turntable(frames) {
         element('div', {class: 'turn'}, button, slider)]);
     figure.classList.add('turntable');
     show(0);
+    if (perSecond > 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches) play();
     return figure;
 }

@@ -68,7 +68,8 @@ std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPictur
         const PreviewPicture& picture = pictures[i];
         result.push_back({picture.name, picture.title, picture.caption, picture.picture.width,
                           picture.picture.height, std::move(*bytes[i].value), picture.kind,
-                          picture.sequence, picture.group, picture.tab, picture.titled});
+                          picture.sequence, picture.group, picture.tab, picture.titled,
+                          picture.frames_per_second, picture.exposure});
     }
     return result;
 }

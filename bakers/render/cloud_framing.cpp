@@ -86,6 +86,11 @@ double farthest_corner_m(const CloudBox& box, const glm::dvec3& from) {
     return farthest;
 }
 
+CloudBox tile_box(const CloudMedium& medium) {
+    return {{0, 0, medium.base_m},
+            {medium.extent_m[0], medium.extent_m[1], medium.base_m + medium.extent_m[2]}};
+}
+
 CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
                        double height_over_width) {
     CloudCamera camera;
@@ -94,7 +99,8 @@ CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
     if (medium.repeats) {
         place_under_layer(medium, camera);
     } else {
-        place_before_box(occupied_box(medium), request, height_over_width, camera);
+        const CloudBox box = request.whole_tile ? tile_box(medium) : occupied_box(medium);
+        place_before_box(box, request, height_over_width, camera);
     }
     camera.elevation_degrees = request.pitch_degrees.value_or(camera.elevation_degrees);
     if (request.position_m) {
@@ -108,10 +114,7 @@ CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
 
 double reach_m(const CloudMedium& medium, const CloudCamera& camera) {
     if (!medium.repeats) {
-        const CloudBox whole = {
-            {0, 0, medium.base_m},
-            {medium.extent_m[0], medium.extent_m[1], medium.base_m + medium.extent_m[2]}};
-        return farthest_corner_m(whole, camera.position_m);
+        return farthest_corner_m(tile_box(medium), camera.position_m);
     }
     return usual_steps(medium, {}).reach_m;
 }

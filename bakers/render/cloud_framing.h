@@ -19,6 +19,8 @@ struct CameraRequest {
     std::optional<double> heading_degrees;  // from +x towards +y
     std::optional<double> pitch_degrees;    // above the horizontal
     std::optional<double> field_degrees;    // across the picture
+    // Whether the whole tile is framed, not what stands in it, which moves from frame to frame.
+    bool whole_tile = false;
 };
 
 // Chooses the settings of a view, with usual_steps. If the volume repeats, the camera

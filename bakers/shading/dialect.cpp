@@ -14,7 +14,7 @@ struct TypeRow {
     std::string_view scalar;
     int components;  // 0 of textures
 };
-constexpr std::array<TypeRow, 10> kTypes = {{
+constexpr std::array<TypeRow, 11> kTypes = {{
     {{"float", "float", "float", "f32", "float"}, "float", 1},
     {{"vec2", "float2", "float2", "vec2f", "vec2"}, "float", 2},
     {{"vec3", "float3", "float3", "vec3f", "vec3"}, "float", 3},
@@ -24,6 +24,10 @@ constexpr std::array<TypeRow, 10> kTypes = {{
     {{"ivec3", "int3", "int3", "vec3i", "ivec3"}, "int", 3},
     {{"bool", "bool", "bool", "bool", "bool"}, "bool", 1},
     {{"sampler2D", "Texture2D", "texture2d<float>", "texture_2d<f32>", "sampler2D"}, "", 0},
+    {{"sampler2DArray", "Texture2DArray", "texture2d_array<float>", "texture_2d_array<f32>",
+      "sampler2DArray"},
+     "",
+     0},
     {{"sampler3D", "Texture3D", "texture3d<float>", "texture_3d<f32>", "sampler3D"}, "", 0},
 }};
 
@@ -56,7 +60,7 @@ struct TextureRow {
 };
 constexpr std::string_view kSizeCall = "textureSize({0}, {2})";
 constexpr std::string_view kSampleCall = "texture({0}, {2})";
-constexpr std::array<TextureRow, 5> kTextureFunctions = {{
+constexpr std::array<TextureRow, 7> kTextureFunctions = {{
     {"texture",
      "sampler2D",
      "vec4",
@@ -67,6 +71,12 @@ constexpr std::array<TextureRow, 5> kTextureFunctions = {{
      "vec4",
      {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
       "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall}},
+    {"texture",
+     "sampler2DArray",
+     "vec4",
+     {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)",
+      "{0}.sample({1}, float2({2}.x, {2}.y), uint({2}.z), metal::level(0.0))",
+      "textureSampleLevel({0}, {1}, {2}.xy, i32({2}.z), 0.0)", kSampleCall}},
     {"texelFetch",
      "sampler3D",
      "vec4",
@@ -77,6 +87,11 @@ constexpr std::array<TextureRow, 5> kTextureFunctions = {{
      "ivec2",
      {kSizeCall, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
       "vec2i(textureDimensions({0}, {2}))", kSizeCall}},
+    {"textureSize",
+     "sampler2DArray",
+     "ivec3",
+     {kSizeCall, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_array_size())",
+      "vec3i(vec2i(textureDimensions({0}, {2})), i32(textureNumLayers({0})))", kSizeCall}},
     {"textureSize",
      "sampler3D",
      "ivec3",

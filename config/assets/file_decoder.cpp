@@ -61,11 +61,12 @@ bool has_format(const DecodedSection& bake, FileFormat format) {
     return std::find(formats.begin(), formats.end(), format) != formats.end();
 }
 
-// Returns the number of levels down to one voxel: log2(longest edge) + 1, where the logarithm is
-// rounded in the same way as sizes are.
+// Returns the number of levels down to one voxel, or to one of each slice: log2(longest edge) + 1, where
+// the logarithm is rounded in the same way as sizes are.
 int levels_of(const VoxelCounts& size, Halving halving) {
     int levels = 1;
-    int edge = *std::max_element(size.begin(), size.end());
+    const auto end = halving == Halving::down_within_slices ? size.begin() + 2 : size.end();
+    int edge = *std::max_element(size.begin(), end);
     while (edge > 1) {
         edge = (edge + (halving == Halving::up ? 1 : 0)) / 2;
         ++levels;

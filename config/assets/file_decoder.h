@@ -36,8 +36,9 @@ void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& d
 // Reports a pixel type that codes blocks (E0131) where `what`, as in "a table", cannot have it.
 void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& decoder);
 
-// Says whether halving the size of one level rounds down or up to get that of the next.
-enum class Halving { down, up };
+// Says whether halving the size of one level rounds down or up to get that of the next. Slices that are
+// halved by themselves keep their number.
+enum class Halving { down, up, down_within_slices };
 
 // Fills in the number of `mips`. It makes images an atlas where the recipe does not give a `layout`
 // and a stack would be higher than engines import (files.h). Columns and levels beyond what the

@@ -30,6 +30,13 @@ using FlipbookField = Row<FlipbookBake>;
 constexpr Range length_range{1, 16384};
 constexpr Range slice_range{0, 16383};
 
+constexpr std::array mapping_choices = {
+    Choice{FlipbookMapping::frames, "frames",
+           "a 3-D texture with a slice for each frame, which has one level"},
+    Choice{FlipbookMapping::layers, "layers",
+           "an array of 2-D textures with a layer for each frame, which may have `mips`"},
+};
+
 const std::array flipbook_table = {
     FlipbookField{asset_field, {}},
     FlipbookField{{.key = "of",
@@ -51,6 +58,12 @@ const std::array flipbook_table = {
          .documentation = "which slice of volumes, counted from 0 along z; by default the "
                           "middle one"},
         &FlipbookBake::slice},
+    FlipbookField{{.key = "mapping",
+                   .kind = Kind::choice,
+                   .choices = mapping_choices,
+                   .fallback = R"("frames")",
+                   .documentation = "what DDS and KTX2 files hold the frames as"},
+                  &FlipbookBake::mapping},
 };
 
 template <class Frame>
@@ -120,9 +133,23 @@ std::size_t channels_of(const Bake& frame, const Parameters& recipe) {
     return noise.pack == NoisePacking::none ? noise.channels.size() : 1;
 }
 
-// Fills in `length` and `slice`. It reports a name that is no sequence's (E0133), a
-// slice that the volume does not have and levels, which would mix frames (E0110), and faults of the
-// files of any volume (file_decoder.h).
+// Reports levels of a 3-D texture, which would mix frames (E0110). All sheets of levels get the columns of
+// the first one.
+void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (number_of(bake, "mips") < 2) return;
+    if (choice_of<FlipbookMapping>(bake.at("mapping")) != FlipbookMapping::layers) {
+        report_range(bake, "mips",
+                     fmt::format("`{}`: levels of a 3-D texture would mix frames",
+                                 join_path(bake.path, "mips")),
+                     "`mapping = \"layers\"` has levels that keep frames apart", decoder);
+    }
+    if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::atlas) return;
+    derive_unless_given(bake, "columns",
+                        double{1} * slice_sheet(size, SheetLayout::atlas, 0).columns);
+}
+
+// Fills in `length` and `slice`. It reports a name that is no sequence's (E0133), a slice that the volume
+// does not have (E0110), and faults of the levels and of the files of any volume (file_decoder.h).
 void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     check_pixel_type(bake, decoder);
     const std::string* name = text_of(bake.at("of"));
@@ -146,13 +173,8 @@ void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
     }
     const VoxelCounts size = {width, height, number_of(bake, "length")};
     if (width < 1 || size[2] < 1) return;
-    resolve_files(bake, size, Halving::down, decoder);
-    if (number_of(bake, "mips") > 1) {
-        report_range(
-            bake, "mips",
-            fmt::format("`{}`: levels of detail would mix frames", join_path(bake.path, "mips")),
-            "a flipbook has one level", decoder);
-    }
+    resolve_files(bake, size, Halving::down_within_slices, decoder);
+    resolve_levels(bake, size, decoder);
     const bool is_whole = !decoder.diagnostics.has_errors();
     const std::size_t channels = is_whole ? channels_of(*first, recipe.parameters) : 1;
     check_voxel_count(bake, size, channels, bake.at("of").source->place, decoder);
@@ -183,7 +205,8 @@ std::array<int, 3> frame_size(const Bake& frame) {
 const AssetKind& asset_kind(Tag<FlipbookBake>) {
     static const auto rows = with_file_fields(
         flipbook_table, {.formats = R"(["png"])",
-                         .mips = "number of levels of detail, which is 1: others would mix frames",
+                         .mips = "number of levels of detail of each frame by itself, which "
+                                 "`mapping = \"layers\"` may have",
                          .pixel_type = R"("unorm8")",
                          .layout = R"("atlas")"});
     static const AssetKind kind = make_asset_kind<FlipbookBake>(

@@ -10,10 +10,15 @@
 
 namespace skybake::config {
 
+// What DDS and KTX2 files hold the frames as: the slices of a 3-D texture, or the layers of an array of
+// 2-D textures.
+enum class FlipbookMapping { frames, layers };
+
 struct FlipbookBake : AssetFiles {
     std::string sequence;  // NAME of a [bake.NAME] with `frames`
     int length = 0;        // frames in the file
     int slice = 0;         // of a volume, counted from 0
+    FlipbookMapping mapping = FlipbookMapping::frames;
 };
 
 const AssetKind& asset_kind(Tag<FlipbookBake>);

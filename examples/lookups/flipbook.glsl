@@ -8,6 +8,18 @@ vec4 flipbook(sampler3D table, vec2 uv, float frame) {
     return texture(table, vec3(uv, (frame + 0.5) / frames));
 }
 
+// From an array of 2-D textures, whose mips keep frames apart. Use a sampler that filters and repeats along u and
+// v. If the frames are no loop, keep frame from 0 to the number of the last one.
+vec4 flipbook_layers(sampler2DArray table, vec2 uv, float frame) {
+    float frames = float(textureSize(table, 0).z);
+    float low = floor(frame);
+    float first = low - frames * floor((low + 0.5) / frames);
+    float second = low + 1.0 - frames * floor((low + 1.5) / frames);
+    vec4 before = texture(table, vec3(uv, first));
+    vec4 after = texture(table, vec3(uv, second));
+    return mix(before, after, frame - low);
+}
+
 // One frame of a sheet of cells.x columns and cells.y rows, which begins at the top left and goes on to the
 // right, as Unreal's SubUV and Unity's texture sheets do. Texels are taken one by one, so that no filter mixes
 // the edges of a frame with its neighbours on the sheet.

@@ -45,7 +45,7 @@ func texture_of(asked: Dictionary, is_reversed: bool) -> Texture:
 			for c in 4:
 				turned[floats.size() - 4 - i + c] = floats[i + c]
 		bytes = turned.to_byte_array()
-	if asked.flat:
+	if asked.kind == "2D":
 		return ImageTexture.create_from_image(
 			Image.create_from_data(asked.size[0], asked.size[1], false, Image.FORMAT_RGBAF, bytes))
 	var slices: Array[Image] = []
@@ -53,6 +53,10 @@ func texture_of(asked: Dictionary, is_reversed: bool) -> Texture:
 	for z in int(asked.size[2]):
 		slices.append(Image.create_from_data(
 			asked.size[0], asked.size[1], false, Image.FORMAT_RGBAF, bytes.slice(z * length, (z + 1) * length)))
+	if asked.kind == "2DArray":
+		var layers := Texture2DArray.new()
+		layers.create_from_images(slices)
+		return layers
 	var texture := ImageTexture3D.new()
 	texture.create(Image.FORMAT_RGBAF, asked.size[0], asked.size[1], asked.size[2], false, slices)
 	return texture

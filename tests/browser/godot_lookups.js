@@ -4,7 +4,7 @@
 // which must not pass.
 //   node godot_lookups.js PROGRAM FOLDER PRINTED_LOOKUP_TESTS PRINTED_FOLDER
 const {answers_of_godot, floats_of, write_byte} = require('./godot_project.js');
-const {call_of, flat_textures, misses, noted_functions, signature_of, typed, widened} = require('./lookup_calls.js');
+const {call_of, misses, noted_functions, signature_of, texture_kinds, typed, widened} = require('./lookup_calls.js');
 const fs = require('node:fs');
 const path = require('node:path');
 
@@ -14,12 +14,12 @@ const work = fs.mkdtempSync(path.join(folder, 'godot-lookups-'));
 // A shader whose pixel (4 c + b, i) is byte b of channel c of call i.
 function shader_of(one, code) {
     const signature = signature_of(code, one.function);
-    const flat = flat_textures(signature);
+    const kinds = texture_kinds(signature);
     const call = call_of(one, signature, (k) => typed(one.types[k], `texelFetch(given, ivec2(${k}, at.y), 0)`));
     const wraps = (i) => one.textures[i].repeats.some(Boolean) ? 'repeat_enable' : 'repeat_disable';
-    return {flat, text: `shader_type canvas_item;
+    return {kinds, text: `shader_type canvas_item;
 render_mode unshaded, blend_disabled;
-${flat.map((is_flat, i) => `uniform sampler${is_flat ? 2 : 3}D t${i} : filter_linear, ${wraps(i)};`).join('\n')}
+${kinds.map((kind, i) => `uniform sampler${kind} t${i} : filter_linear, ${wraps(i)};`).join('\n')}
 uniform sampler2D given : filter_nearest;
 ${code}
 void fragment() {
@@ -36,11 +36,11 @@ async function main() {
         textures.every(({repeats}) => repeats.every((one) => one === repeats[0])));
     const files = {};
     const asked = functions.map((one) => {
-        const {flat, text} = shader_of(one, fs.readFileSync(path.join(printed_folder, 'godot', `${one.file}.godot`), 'utf8'));
+        const {kinds, text} = shader_of(one, fs.readFileSync(path.join(printed_folder, 'godot', `${one.file}.godot`), 'utf8'));
         for (const {texture} of one.textures) files[`${texture}.f32`] = fs.readFileSync(path.join(work, `${texture}.f32`));
         return {shader: text, rows: one.calls.length, columns: Math.max(one.types.length, 1),
                 given: one.calls.flatMap(({given}) => given),
-                textures: one.textures.map(({texture, size}, i) => ({file: `${texture}.f32`, size, flat: flat[i]}))};
+                textures: one.textures.map(({texture, size}, i) => ({file: `${texture}.f32`, size, kind: kinds[i]}))};
     });
     const {answers, complaints} = await answers_of_godot(work, folder, 'godot_lookups.gd', asked, files);
     const wrong = misses(functions, answers.map(({found}) => floats_of(found)));

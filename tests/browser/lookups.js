@@ -9,7 +9,7 @@ const {execFileSync, spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 const {browser_with_a_page} = require('./page_of.js');
-const {call_of, flat_textures, misses, noted_functions, signature_of, typed, widened} = require('./lookup_calls.js');
+const {call_of, misses, noted_functions, signature_of, texture_kinds, typed, widened} = require('./lookup_calls.js');
 
 const [, , , folder, language, printed_tests, printed_folder] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, 'lookups-'));
@@ -21,14 +21,15 @@ const is_installed = (program, option) => spawnSync(program, [option]).error ===
 function glsl_shader(one, code) {
     const signature = signature_of(code, one.function);
     const call = call_of(one, signature, (k) => typed(one.types[k], `texelFetch(given, ivec2(${k}, i), 0)`));
-    const flat = flat_textures(signature);
-    return {flat, text: `#version 300 es
+    const kinds = texture_kinds(signature);
+    return {kinds, text: `#version 300 es
 precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp sampler3D;
+precision highp sampler2DArray;
 ${code}
-${flat.map((is_flat, i) => `uniform ${is_flat ? 'sampler2D' : 'sampler3D'} t${i};`).join('\n')}
+${kinds.map((kind, i) => `uniform sampler${kind} t${i};`).join('\n')}
 uniform sampler2D given;
 out vec4 found;
 void main() {
@@ -41,10 +42,10 @@ void main() {
 function hlsl_shader(one, code) {
     const signature = signature_of(code, one.function);
     const call = call_of(one, signature, (k) => typed(one.types[k], `given.Load(int3(${k}, i, 0))`));
-    const flat = flat_textures(signature);
+    const kinds = texture_kinds(signature);
     const name = path.join(work, one.key.replace(' ', '.'));
     fs.writeFileSync(`${name}.hlsl`, `${code}
-${flat.map((is_flat, i) => `${is_flat ? 'Texture2D' : 'Texture3D'} t${i} : register(t${i});
+${kinds.map((kind, i) => `Texture${kind} t${i} : register(t${i});
 SamplerState t${i}_sampler : register(s${i});`).join('\n')}
 Texture2D given : register(t8);
 float4 main(float4 at : SV_Position) : SV_Target {
@@ -54,18 +55,18 @@ float4 main(float4 at : SV_Position) : SV_Target {
 `);
     execFileSync('glslangValidator', ['-D', '-V', '-S', 'frag', '-e', 'main', '-o', `${name}.spv`, `${name}.hlsl`]);
     const text = execFileSync('spirv-cross', ['--es', '--version', '300', `${name}.spv`], {encoding: 'utf8'});
-    return {flat, text: text.replaceAll('mediump', 'highp')};
+    return {kinds, text: text.replaceAll('mediump', 'highp')};
 }
 
 function wgsl_shader(one, code) {
     const signature = signature_of(code, one.function);
     const call = call_of(one, signature, (k) => typed(one.types[k], `given[${one.types.length} * i + ${k}]`)
         .replace(/\bint\(/, 'i32('));
-    const flat = flat_textures(signature);
-    return {flat, text: `${code}
+    const kinds = texture_kinds(signature);
+    return {kinds, text: `${code}
 @group(0) @binding(0) var<storage, read> given: array<vec4f>;
 @group(0) @binding(1) var<storage, read_write> found: array<vec4f>;
-${flat.map((is_flat, i) => `@group(0) @binding(${2 + 2 * i}) var t${i}: texture_${is_flat ? '2d' : '3d'}<f32>;
+${kinds.map((kind, i) => `@group(0) @binding(${2 + 2 * i}) var t${i}: texture_${kind.replace('Array', '_array').toLowerCase()}<f32>;
 @group(0) @binding(${3 + 2 * i}) var t${i}_sampler: sampler;`).join('\n')}
 @compute @workgroup_size(64) fn main(@builtin(global_invocation_id) id: vec3u) {
     let i = i32(id.x);
@@ -90,8 +91,8 @@ async function results_of(page, {shader, run}, functions) {
     const found = [], reversed = [];
     for (const one of functions) {
         const code = fs.readFileSync(path.join(printed_folder, language, `${one.file}.${language}`), 'utf8');
-        const {text, flat} = shader(one, code);
-        const textures = one.textures.map((texture, i) => ({...texture, is_flat: flat[i]}));
+        const {text, kinds} = shader(one, code);
+        const textures = one.textures.map((texture, i) => ({...texture, kind: kinds[i]}));
         const job = {name: one.key, text, textures, rows: one.calls.length, columns: one.types.length,
             given: one.calls.flatMap(({given}) => given)};
         const results = await page.evaluate(([name, job]) => window.results_of(window[name], job), [run, job]);

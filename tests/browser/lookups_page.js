@@ -40,11 +40,13 @@ function compiled(type, text) {
     return shader;
 }
 
-function texture_of({size, repeats, is_flat, texels}, unit, filter) {
-    const target = is_flat ? gl.TEXTURE_2D : gl.TEXTURE_3D;
+const targets = {'2D': gl.TEXTURE_2D, '3D': gl.TEXTURE_3D, '2DArray': gl.TEXTURE_2D_ARRAY};
+
+function texture_of({size, repeats, kind, texels}, unit, filter) {
+    const target = targets[kind];
     gl.activeTexture(gl.TEXTURE0 + unit);
     gl.bindTexture(target, gl.createTexture());
-    if (is_flat) gl.texImage2D(target, 0, gl.RGBA32F, size[0], size[1], 0, gl.RGBA, gl.FLOAT, texels);
+    if (kind === '2D') gl.texImage2D(target, 0, gl.RGBA32F, size[0], size[1], 0, gl.RGBA, gl.FLOAT, texels);
     else gl.texImage3D(target, 0, gl.RGBA32F, ...size, 0, gl.RGBA, gl.FLOAT, texels);
     [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T, gl.TEXTURE_WRAP_R].forEach(
         (axis, i) => gl.texParameteri(target, axis, repeats[i] ? gl.REPEAT : gl.CLAMP_TO_EDGE));
@@ -61,7 +63,7 @@ window.run_in_webgl = ({name, text, textures, rows, columns, given}) => {
     if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(`${name}: ${gl.getProgramInfoLog(program)}`);
     gl.useProgram(program);
     textures.forEach((texture, i) => texture_of(texture, i, gl.LINEAR));
-    texture_of({size: [columns, rows], repeats: [], is_flat: true, texels: new Float32Array(given)}, textures.length, gl.NEAREST);
+    texture_of({size: [columns, rows], repeats: [], kind: '2D', texels: new Float32Array(given)}, textures.length, gl.NEAREST);
     // SPIRV-Cross names a texture after itself and each of its samplers: SPIRV_Cross_Combinedt0t0_sampler.
     for (let i = 0; i < gl.getProgramParameter(program, gl.ACTIVE_UNIFORMS); ++i) {
         const uniform = gl.getActiveUniform(program, i).name;
@@ -91,12 +93,14 @@ function buffer_of(gpu, numbers, usage) {
     return buffer;
 }
 
-function view_of(gpu, {size, is_flat, texels}) {
-    const dimension = is_flat ? '2d' : '3d';
+const view_dimensions = {'2D': '2d', '3D': '3d', '2DArray': '2d-array'};
+
+function view_of(gpu, {size, kind, texels}) {
+    const dimension = kind === '3D' ? '3d' : '2d';
     const texture = gpu.createTexture({size, dimension, format: 'rgba32float',
         usage: GPUTextureUsage.TEXTURE_BINDING | GPUTextureUsage.COPY_DST});
     gpu.queue.writeTexture({texture}, texels, {bytesPerRow: 16 * size[0], rowsPerImage: size[1]}, size);
-    return texture.createView();
+    return texture.createView({dimension: view_dimensions[kind]});
 }
 
 function sampler_of(gpu, {repeats}) {
@@ -116,7 +120,7 @@ window.run_in_webgpu = async ({name, text, textures, rows, given}) => {
         [{buffer: {type: 'read-only-storage'}}, {buffer: buffer_of(gpu, given, GPUBufferUsage.STORAGE)}],
         [{buffer: {type: 'storage'}}, {buffer: found}],
         ...textures.flatMap((one) => [
-            [{texture: {viewDimension: one.is_flat ? '2d' : '3d'}}, view_of(gpu, one)],
+            [{texture: {viewDimension: view_dimensions[one.kind]}}, view_of(gpu, one)],
             [{sampler: {}}, sampler_of(gpu, one)]]),
     ];
     const layout = gpu.createBindGroupLayout({entries: bound.map(([entry], binding) => ({binding, visibility, ...entry}))});

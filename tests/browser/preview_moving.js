@@ -8,6 +8,32 @@ const {execFileSync, spawn} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
 
+const sequence = `
+[noise.full.channels.Y]
+type = "constant"
+value = 1
+[clouds.cumulus]
+noise = "full"
+extent = ["1 km", "1 km", "500 m"]
+base_altitude = "500 m"
+height_profile = { type = "tabulated", table = [[0, 0]] }
+threshold = 0.1
+period = 4
+drift = [1, 0]
+[[clouds.cumulus.towers]]
+shape = "dome"
+foot = ["400 m", "600 m", "0 m"]
+size = ["500 m", "500 m", "400 m"]
+amplitude = 1
+[bake.cumulus]
+asset = "cloud_volume"
+cloud = "cumulus"
+size = [32, 32, 16]
+frames = 4
+frames_per_second = 5
+formats = ["vdb", "usda"]
+`;
+
 const tests = {
     async 'turns a turntable by slider, drag, keys and by itself'(browser) {
         const out = path.join(work, 'turning');
@@ -43,6 +69,54 @@ const tests = {
         await page.waitForTimeout(300);
         assert.equal(await number(), stopped);
         assert.ok(await image.evaluate((shown) => shown.complete && shown.naturalWidth === 64));
+        assert.deepEqual(page.complaints, []);
+    },
+
+    async 'plays the lit frames of a sequence'(browser) {
+        const out = path.join(work, 'sequence');
+        execFileSync(program, ['preview', write('sequence.toml', sequence), '--size', '64x36', '--sun-elevation', '40,8',
+                               '-o', out, '-q']);
+        const file = path.join(out, 'index.html');
+        const number = async (figure) => Number(/_000(\d)\.png$/.exec(await figure.locator('img').getAttribute('src'))[1]);
+        // Whoever asks for less motion sees the first frame until Play is pressed.
+        const still = await open(browser, file, {reducedMotion: 'reduce'});
+        const resting = still.locator('figure.turntable').first();
+        assert.equal(await resting.locator('button').innerText(), 'Play');
+        await still.waitForTimeout(400);
+        assert.equal(await number(resting), 1);
+        await resting.locator('button').focus();
+        await still.keyboard.press('Enter');
+        await until(async () => (await number(resting)) === 3);
+        await still.keyboard.press('Space');
+        const stopped = await number(resting);
+        await still.waitForTimeout(400);
+        assert.equal(await number(resting), stopped);
+        await resting.locator('input[type=range]').focus();
+        await still.keyboard.press('Home');
+        await still.keyboard.press('ArrowRight');
+        assert.equal(await number(resting), 2);
+        assert.match(await resting.innerText(), /Frame 2 of 4\./);
+        assert.deepEqual(still.complaints, []);
+        // For all others it plays, and begins anew after the last frame.
+        const page = await open(browser, file, {reducedMotion: 'no-preference'});
+        const figures = page.locator('figure.turntable');
+        assert.equal(await figures.count(), 2, 'one for each sun');
+        const playing = figures.first();
+        assert.equal(await playing.locator('button').innerText(), 'Stop');
+        for (const frame of [3, 4, 1]) await until(async () => (await number(playing)) === frame);
+        const image = playing.locator('img');
+        assert.ok(await image.evaluate((shown) => shown.complete && shown.naturalWidth === 64));
+        assert.match(await page.locator('section:has(figure.turntable) .lead').innerText(), /4 frames of cumulus, which play at 5 per second/);
+        // A key on the slider stops it.
+        await playing.locator('input[type=range]').focus();
+        await page.keyboard.press('Home');
+        assert.equal(await playing.locator('button').innerText(), 'Play');
+        await page.waitForTimeout(400);
+        assert.equal(await number(playing), 1);
+        // The frames differ, and lie in the section of the sequence alone.
+        const bytes = [1, 2, 3, 4].map((n) => fs.readFileSync(path.join(out, `cumulus_frames_sun_40_000${n}.png`)));
+        assert.equal(new Set(bytes.map((one) => one.toString('base64'))).size, 4);
+        assert.equal(await page.locator('section:has(h2:text-is("cumulus_0001")) figure.scene').count(), 0);
         assert.deepEqual(page.complaints, []);
     },
 

@@ -37,7 +37,7 @@ compile_everywhere() {
         compile "OpenGL 4.5" '#version 450 core\n' "" "$@"
         compile "Vulkan" '#version 450\n' "-V -o /dev/null" "$@"
     fi
-    compile "ES 3.00" '#version 300 es\nprecision highp float;\nprecision highp sampler3D;\n' "" "$@"
+    compile "ES 3.00" '#version 300 es\nprecision highp float;\nprecision highp sampler3D;\nprecision highp sampler2DArray;\n' "" "$@"
 }
 
 count=0

@@ -81,6 +81,37 @@ double difference(const Texture& book, const Texture& sheet, vec2 cells, float l
     return largest;
 }
 
+// The largest difference between the lookups of an array of layers and of the texture, of numbers
+// from -12 to 12.
+double difference_of_layers(const Texture& book, const Texture& layers, float later, float flip) {
+    test::Dice dice;
+    double largest = 0;
+    for (int i = 0; i < 20000; ++i) {
+        const vec2 uv(dice.uniform(-2, 3), dice.uniform(-2, 3));
+        const auto frame = static_cast<float>(dice.uniform(-12, 12));
+        const vec4 wanted = gpu::flipbook_lookups::flipbook({book}, uv, frame);
+        const vec4 found = gpu::flipbook_lookups::flipbook_layers({layers}, vec2(flip * uv.x, uv.y),
+                                                                  frame + later);
+        for (int c = 0; c < 3; ++c) {
+            const double apart = std::fabs(double{wanted[c]} - double{found[c]});
+            if (!(apart <= largest)) largest = apart;
+        }
+    }
+    return largest;
+}
+
+// The sampler of an array does not repeat along the layers.
+TEST(FlipbookLookup, OfLayersIsThatOfTheTexture) {
+    const test::BakedLookup baked = bake_book();
+    const Texture book = texture_of(book_of(baked));
+    Texture layers = book;
+    layers.repeats[2] = false;
+    EXPECT_LT(difference_of_layers(book, layers, 0, 1), 2e-5);
+    EXPECT_GT(difference_of_layers(book, layers, 1, 1), 0.2) << "a frame too late";
+    EXPECT_GT(difference_of_layers(book, layers, -0.5f, 1), 0.1) << "half a frame too early";
+    EXPECT_GT(difference_of_layers(book, layers, 0, -1), 0.2) << "mirrored";
+}
+
 // Of a full sheet, and of one whose last cell is empty and would show.
 TEST(FlipbookLookup, OfASheetIsThatOfTheTexture) {
     const test::BakedLookup baked = bake_book();

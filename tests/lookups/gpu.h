@@ -16,6 +16,7 @@
 // Filtering is exact here: its steps of 1/256 texel are what the tolerance of probes is for.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -103,6 +104,9 @@ struct sampler2D {
 struct sampler3D {
     const Texture& texture;
 };
+struct sampler2DArray {
+    const Texture& texture;
+};
 
 inline Texel texel_of(const std::array<double, 4>& value) {
     return Texel(vec4(value[0], value[1], value[2], value[3]));
@@ -113,11 +117,20 @@ inline Texel texture(const sampler2D& table, const vec2& uv) {
 inline Texel texture(const sampler3D& table, const vec3& uvw) {
     return texel_of(filtered(table.texture, {uvw.x, uvw.y, uvw.z}));
 }
+// The layer is the nearest one (GLSL 4.60, section 8.9).
+inline Texel texture(const sampler2DArray& table, const vec3& at) {
+    const int layers = table.texture.size[2];
+    const double layer = std::clamp(std::floor(double{at.z} + 0.5), 0.0, layers - 1.0);
+    return texel_of(filtered(table.texture, {at.x, at.y, (layer + 0.5) / layers}));
+}
 inline Texel texelFetch(const sampler3D& table, const ivec3& at, int /*level*/) {
     return texel_of(fetched(table.texture, {at.x, at.y, at.z}));
 }
 inline ivec2 textureSize(const sampler2D& table, int /*level*/) {
     return {table.texture.size[0], table.texture.size[1]};
+}
+inline ivec3 textureSize(const sampler2DArray& table, int /*level*/) {
+    return {table.texture.size[0], table.texture.size[1], table.texture.size[2]};
 }
 inline ivec3 textureSize(const sampler3D& table, int /*level*/) {
     return {table.texture.size[0], table.texture.size[1], table.texture.size[2]};

@@ -101,8 +101,10 @@ inline nlohmann::json noted(const Texture& texture) {
 struct Passed {
     const Texture& texture;
     operator gpu::sampler2D() const { return {texture}; }
+    operator gpu::sampler2DArray() const { return {texture}; }
     operator gpu::sampler3D() const { return {texture}; }
     operator metal::texture2d<float>() const { return {{&texture}}; }
+    operator metal::texture2d_array<float>() const { return {{&texture}}; }
     operator metal::texture3d<float>() const { return {{&texture}}; }
 };
 inline Passed passed(const Texture& texture) { return {texture}; }

@@ -535,6 +535,26 @@ TEST(PrintedLookups, WeatherMap) {
     });
 }
 
+TEST(PrintedLookups, Flipbooks) {
+    const auto u = [](const Probe& at) { return coordinate(at, "u"); };
+    const auto v = [](const Probe& at) { return coordinate(at, "v"); };
+    const auto frame = [](const Probe& at) { return coordinate(at, "frame"); };
+    BakedFile("book.ktx2").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(book_ktx2, baked_book, table, u(at), v(at), frame(at));
+    });
+    BakedFile("layered.ktx2").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(layered_ktx2, baked_layered, table, u(at), v(at), frame(at));
+    });
+    // Two loops away.
+    BakedFile("layered.dds").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(layered_dds, baked_layered, table, u(at) + 1.0f, v(at),
+                            frame(at) - 10.0f);
+    });
+    BakedFile("part.dds").holds([&](const Texture& table, const Probe& at) {
+        return SKYBAKE_CALL(part_dds, baked_part, table, u(at), v(at), frame(at));
+    });
+}
+
 vec2 mask_pixel(const Probe& probe) {
     return vec2(coordinate(probe, "x_px"), coordinate(probe, "y_px"));
 }

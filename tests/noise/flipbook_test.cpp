@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 
-#include "bakers/assets/flipbook/flipbook_volume.h"
+#include "bakers/assets/flipbook/flipbook_sequence.h"
 #include "bakers/assets/registry.h"
+#include "bakers/field/stored_voxels.h"
 #include "config/assets/flipbook.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/frames.h"
@@ -146,6 +148,102 @@ TEST(Flipbook, HasProbesThatTellWrongFiles) {
     }
 }
 
+// The mean of 2 x 2 texels of each layer by itself, channel after channel.
+std::vector<float> halved(const std::vector<float>& finer, std::array<int, 3> size) {
+    const auto area = static_cast<std::size_t>(size[0] * size[1]);
+    std::vector<float> means;
+    for (std::size_t plane = 0; plane * area < finer.size(); ++plane) {
+        const float* texels = finer.data() + plane * area;
+        for (int y = 0; y + 1 < size[1]; y += 2) {
+            for (int x = 0; x + 1 < size[0]; x += 2) {
+                const float* at = texels + y * size[0] + x;
+                const double sum =
+                    double{at[0]} + double{at[1]} + double{at[size[0]]} + double{at[size[0] + 1]};
+                means.push_back(static_cast<float>(sum / 4));
+            }
+        }
+    }
+    return means;
+}
+
+// Each level is the mean of the one before, layer by layer, down to one texel; no frame is mixed with
+// another. Of levels of a volume the frames would be.
+TEST(Flipbook, HasLevelsThatKeepFramesApart) {
+    for (const std::string& frames : {volume, map, cloud}) {
+        const config::Recipe recipe =
+            recipe_of(waves + frames + book("mapping = 'layers'\nmips = 3\n"));
+        const Baked flipbook = baked(recipe, recipe.parameters.bakes[6]);
+        const std::size_t channels = flipbook.channel_names.size();
+        EXPECT_EQ(flipbook.mapping, "layers");
+        ASSERT_EQ(flipbook.levels.size(), 3u);
+        for (std::size_t i = 1; i < 3; ++i) {
+            const std::array<int, 3> finer = flipbook.levels[i - 1].size;
+            ASSERT_EQ(flipbook.levels[i].size, (std::array{finer[0] / 2, finer[1] / 2, 6}));
+            const std::vector<float> wanted =
+                halved(values_of(flipbook.levels[i - 1], {{}, finer}, channels), finer);
+            const std::vector<float> found =
+                values_of(flipbook.levels[i], {{}, flipbook.levels[i].size}, channels);
+            ASSERT_EQ(found.size(), wanted.size());
+            double largest = 0;
+            for (std::size_t k = 0; k < found.size(); ++k) {
+                largest = std::max(largest, std::fabs(double{found[k]} - double{wanted[k]}));
+            }
+            EXPECT_LE(largest, 1e-7) << i;
+            const MipSource mixed(flipbook.levels[i - 1].voxels, finer);
+            const std::size_t layer = channels * static_cast<std::size_t>(finer[0] / 2) *
+                                      static_cast<std::size_t>(finer[1] / 2);
+            std::vector<float> other(layer);
+            std::vector<float*> targets;
+            for (std::size_t c = 0; c < channels; ++c) {
+                targets.push_back(other.data() + c * layer / channels);
+            }
+            mixed.fill({{}, {finer[0] / 2, finer[1] / 2, 1}}, targets);
+            EXPECT_NE(
+                values_of(flipbook.levels[i], {{}, {finer[0] / 2, finer[1] / 2, 1}}, channels),
+                other);
+        }
+        EXPECT_FALSE(flipbook.levels[2].probes.empty());
+    }
+}
+
+// Odd edges, one frame, and levels down to one texel.
+TEST(Flipbook, HasLevelsDownToOneTexel) {
+    const std::string odd =
+        "[bake.v]\nasset = 'noise_volume'\nnoise = 'n'\nsize = [7, 5, 3]\nframes = 6\n";
+    const config::Recipe recipe =
+        recipe_of(waves + odd + book("mapping = 'layers'\nmips = 'all'\nlength = 1\n"));
+    const Baked flipbook = baked(recipe, recipe.parameters.bakes[6]);
+    ASSERT_EQ(flipbook.levels.size(), 3u);
+    EXPECT_EQ(flipbook.levels[1].size, (std::array{3, 2, 1}));
+    EXPECT_EQ(flipbook.levels[2].size, (std::array{1, 1, 1}));
+    // Texels of an uneven level are weighed by what they cover, so that the mean stays.
+    const std::vector<float> texels = values_of(flipbook.levels[0], {{}, {7, 5, 1}}, 3);
+    const std::vector<float> last = values_of(flipbook.levels[2], {{}, {1, 1, 1}}, 3);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const auto begin = texels.begin() + static_cast<std::ptrdiff_t>(35 * c);
+        EXPECT_NEAR(last[c], std::accumulate(begin, begin + 35, 0.0) / 35, 1e-6);
+    }
+}
+
+// The probes of layers that are no loop do not ask for what is before the first or after the last.
+TEST(Flipbook, HasProbesWithinLayersThatAreNoLoop) {
+    const auto range_of_frames = [](const std::string& keys) {
+        const config::Recipe recipe = recipe_of(waves + map + book(keys));
+        std::array<double, 2> range{9, -9};
+        for (const Probe& probe : baked(recipe, recipe.parameters.bakes[6]).levels.at(0).probes) {
+            range[0] = std::min(range[0], probe.at.at(2).second);
+            range[1] = std::max(range[1], probe.at.at(2).second);
+        }
+        return range;
+    };
+    const std::array<double, 2> layers = range_of_frames("mapping = 'layers'\nlength = 5\n");
+    EXPECT_GE(layers[0], 0);
+    EXPECT_LE(layers[1], 4);
+    const std::array<double, 2> loop = range_of_frames("mapping = 'layers'\n");
+    EXPECT_LT(loop[0], 0);
+    EXPECT_GT(loop[1], 5);
+}
+
 // Of a smooth motion the middle of two frames is off by the square of the time between them.
 TEST(Flipbook, StatesTheErrorOfBlending) {
     std::array<double, 2> rms{};
@@ -170,7 +268,7 @@ TEST(MovingWeather, CoversTheSameShareAndLoops) {
     for (int frame = 1; frame <= 6; ++frame) {
         BakeOptions options;
         const auto at = [&](int number) {
-            const auto made = bake_frame(config::at_frame(recipe.parameters, number),
+            const auto made = make_frame(config::at_frame(recipe.parameters, number),
                                          recipe.parameters.bakes[0], options);
             return values_of(made.value.value().levels[0], {{}, {20, 16, 1}}, 3);
         };

@@ -83,6 +83,26 @@ TEST(Translation, KeepsCommentsAndLines) {
     }
 }
 
+TEST(Translation, TakesTheLayerOfAnArrayApartWhereALanguageWantsThat) {
+    constexpr const char* kGlsl =
+        "vec4 layer(sampler2DArray t, vec3 p) { return texture(t, p); }\n"
+        "ivec3 edges(sampler2DArray t) { return textureSize(t, 0); }\n";
+    expect(kGlsl, Language::hlsl,
+           "float4 layer(Texture2DArray t, SamplerState t_sampler, float3 p) { return "
+           "t.SampleLevel(t_sampler, p, 0.0); }\n"
+           "int3 edges(Texture2DArray t) { return size_of(t); }\n");
+    expect(kGlsl, Language::msl,
+           "inline float4 layer(texture2d_array<float> t, sampler t_sampler, float3 p) { return "
+           "t.sample(t_sampler, float2(p.x, p.y), uint(p.z), metal::level(0.0)); }\n"
+           "inline int3 edges(texture2d_array<float> t) { return int3(t.get_width(), "
+           "t.get_height(), t.get_array_size()); }\n");
+    expect(kGlsl, Language::wgsl,
+           "fn layer(t: texture_2d_array<f32>, t_sampler: sampler, p: vec3f) -> vec4f { return "
+           "textureSampleLevel(t, t_sampler, p.xy, i32(p.z), 0.0); }\n"
+           "fn edges(t: texture_2d_array<f32>) -> vec3i { return "
+           "vec3i(vec2i(textureDimensions(t, 0)), i32(textureNumLayers(t))); }\n");
+}
+
 TEST(Translation, PassesASamplerWhereATextureIsSampled) {
     constexpr const char* kGlsl =
         "ivec2 edges(sampler2D t) { return textureSize(t, 0); }\n"

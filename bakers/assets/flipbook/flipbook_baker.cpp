@@ -1,4 +1,6 @@
 // The baker of asset = "flipbook".
+#include <fmt/format.h>
+
 #include <utility>
 #include <vector>
 
@@ -35,13 +37,16 @@ AssetPlaces places(const Parameters&, const FlipbookBake& asset, const StoredTex
     });
 }
 
-AssetLookup lookup(const Parameters&, const FlipbookBake&, const StoredTexels& stored) {
+AssetLookup lookup(const Parameters&, const FlipbookBake& asset, const StoredTexels& stored) {
+    const bool are_layers = asset.mapping == config::FlipbookMapping::layers;
     GlslFunction function;
     function.comment =
         "Returns the channels at u and v of a frame, counted from 0; between two numbers the two "
         "frames are blended. All may be any numbers, as frames repeat.";
-    function.arguments = "sampler3D table, float u, float v, float frame";
-    function.value = "flipbook(table, vec2(u, v), frame)";
+    function.arguments = fmt::format("{} table, float u, float v, float frame",
+                                     are_layers ? "sampler2DArray" : "sampler3D");
+    function.value =
+        fmt::format("flipbook{}(table, vec2(u, v), frame)", are_layers ? "_layers" : "");
     return {"flipbook", {with_channels(stored.channels, 4, std::move(function))}};
 }
 

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/flipbook/flipbook_sequence.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
@@ -17,53 +17,12 @@ namespace skybake {
 
 namespace {
 
-using config::Bake;
 using config::FlipbookBake;
+using config::FlipbookMapping;
 using config::Outcome;
 using config::Parameters;
 
-// A layer's values, channel after channel.
-using Layer = std::vector<float>;
-
-Layer layer_of(const VoxelSource& source, const VoxelBox& box, std::size_t channels) {
-    Layer values(channels * static_cast<std::size_t>(box.count()));
-    std::vector<float*> targets;
-    for (std::size_t c = 0; c < channels; ++c) {
-        targets.push_back(values.data() + c * static_cast<std::size_t>(box.count()));
-    }
-    source.fill(box, targets);
-    return values;
-}
-
-// The frames, and what is known of them.
-struct Sequence {
-    const Parameters& parameters;
-    const Bake& first;
-    const FlipbookBake& asset;
-    const BakeOptions& options;
-    std::vector<std::shared_ptr<const VoxelSource>> voxels = {};
-    Baked kind = {};     // the first frame
-    bool loops = false;  // the frame after the last one is the first
-
-    std::vector<config::Diagnostic> read() {
-        for (int frame = 1; frame <= asset.length + 1; ++frame) {
-            Outcome<Baked> baked = bake_frame(config::at_frame(parameters, frame), first, options);
-            if (!baked.value) return std::move(baked.diagnostics);
-            if (frame <= asset.length) voxels.push_back(baked.value->levels.front().voxels);
-            const std::string hash = baked.value->levels.front().content_hash;
-            if (frame == 1) kind = std::move(*baked.value);
-            loops = hash == kind.levels.front().content_hash;
-        }
-        return {};
-    }
-
-    std::array<int, 3> size() const {
-        const auto [width, height, depth] = kind.levels.front().size;
-        return {width, height, asset.length};
-    }
-};
-
-std::vector<AxisMapping> axes_of(const Sequence& sequence) {
+std::vector<AxisMapping> axes_of(const FlipbookSequence& sequence) {
     static constexpr std::array<const char*, 2> kQuantities = {"u", "v"};
     std::vector<AxisMapping> axes(3);
     for (std::size_t i = 0; i < 2; ++i) {
@@ -87,8 +46,12 @@ std::vector<AxisMapping> axes_of(const Sequence& sequence) {
     return axes;
 }
 
-ProbePlace place_of(double frames, const std::array<double, 3>& uvw) {
+// Layers of an array that is no loop are looked up from the first to the last one.
+ProbePlace place_of(const FlipbookSequence& sequence, std::array<double, 3> uvw) {
     const auto within = [](double x) { return x - std::floor(x); };
+    const double frames = sequence.asset.length;
+    const bool are_layers = sequence.asset.mapping == FlipbookMapping::layers;
+    if (are_layers && !sequence.loops) uvw[2] = std::clamp(uvw[2], 0.5 / frames, 1 - 0.5 / frames);
     return {
         {{"u", within(uvw[0])}, {"v", within(uvw[1])}, {"frame", within(uvw[2]) * frames - 0.5}},
         {{uvw}}};
@@ -108,7 +71,7 @@ double range_of_values(const Baked& volume) {
 // were baked between them.
 class FlipbookErrors {
   public:
-    FlipbookErrors(const Sequence& sequence, const Baked& volume)
+    FlipbookErrors(const FlipbookSequence& sequence, const Baked& volume)
         : sequence_(sequence), volume_(volume), range_(range_of_values(volume)) {}
 
     // Returns false once interrupted.
@@ -123,7 +86,7 @@ class FlipbookErrors {
                 texel_);
         if (next == 0 && !sequence_.loops) return true;
         const Outcome<Baked> between =
-            bake_frame(config::after_frame(sequence_.parameters, frame + 1), sequence_.first,
+            make_frame(config::after_frame(sequence_.parameters, frame + 1), sequence_.first,
                        sequence_.options);
         if (!between.value) return false;
         compare(stored, stored_layer(next),
@@ -162,7 +125,7 @@ class FlipbookErrors {
         }
     }
 
-    const Sequence& sequence_;
+    const FlipbookSequence& sequence_;
     const Baked& volume_;
     double range_;
     ErrorStatistics texel_;
@@ -183,7 +146,7 @@ std::vector<int> measured_frames(int length, Certification certification) {
     return frames;
 }
 
-Certificate certificate_of(const Sequence& sequence, const Baked& volume) {
+Certificate certificate_of(const FlipbookSequence& sequence, const Baked& volume) {
     FlipbookErrors errors(sequence, volume);
     for (const int frame : measured_frames(sequence.asset.length, sequence.options.certification)) {
         if (!errors.measure(frame)) break;
@@ -193,49 +156,16 @@ Certificate certificate_of(const Sequence& sequence, const Baked& volume) {
 
 }  // namespace
 
-FrameVoxels::FrameVoxels(std::vector<std::shared_ptr<const VoxelSource>> frames, int slice)
-    : frames_(std::move(frames)), slice_(slice) {}
-
-VoxelBox FrameVoxels::slice_of(const VoxelBox& box) const {
-    return {{box.origin[0], box.origin[1], slice_}, {box.size[0], box.size[1], 1}};
-}
-
-void FrameVoxels::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    const VoxelBox part = slice_of(box);
-    std::vector<float*> targets = channels;
-    for (int z = 0; z < box.size[2]; ++z) {
-        frames_[static_cast<std::size_t>(box.origin[2] + z)]->fill(part, targets);
-        for (float*& target : targets) {
-            if (target != nullptr) target += part.count();
-        }
-    }
-}
-
-bool FrameVoxels::is_empty(const VoxelBox& box) const {
-    const auto begin = frames_.begin() + box.origin[2];
-    return std::all_of(begin, begin + box.size[2],
-                       [&](const auto& frame) { return frame->is_empty(slice_of(box)); });
-}
-
-Outcome<Baked> bake_frame(const Parameters& at_its_time, const Bake& first,
-                          const BakeOptions& options) {
-    BakeOptions own = options;
-    own.certification = Certification::off;
-    own.held_voxel_bytes = 0;
-    own.intermediates = nullptr;
-    return baker_of(first).bake(at_its_time, first, own, {});
-}
-
 Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& bake,
                              const BakeOptions& options, Baked volume) {
-    Sequence sequence{parameters, config::first_frame(parameters, bake), bake, options};
+    FlipbookSequence sequence{parameters, config::first_frame(parameters, bake), bake, options};
     std::vector<config::Diagnostic> problems = sequence.read();
     if (!problems.empty()) return {{}, std::move(problems)};
     if (options.cancelled()) return {};
     const Baked& frame = sequence.kind;
     volume.kind = "flipbook";
     volume.content = fmt::format("{} frames: {}", bake.length, frame.content);
-    volume.mapping = "frames";
+    volume.mapping = bake.mapping == FlipbookMapping::layers ? "layers" : "frames";
     volume.axes = axes_of(sequence);
     volume.channel_names = frame.channel_names;
     set_files(bake, volume);
@@ -248,20 +178,17 @@ Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& b
     level.repeats = repeating_axes(volume.axes);
     level.voxels = std::make_shared<const FrameVoxels>(sequence.voxels, bake.slice);
     volume.levels.push_back(std::move(level));
-    std::vector<std::array<double, 2>> ranges;
-    for (const ValueStatistics& channel : frame.levels.front().statistics) {
-        ranges.push_back(channel.histogram_range);
-    }
+    hold_voxels(options, volume);
+    add_slice_levels(bake.mips, options, volume);
     return finish_volume(
         std::move(volume),
-        {.histogram_ranges = ranges,
+        {.histogram_ranges = sequence.usual_ranges(),
          .reference = {},
          .reference_name = {},
          .measure = [&sequence](const Baked& baked,
                                 const BakeOptions&) { return certificate_of(sequence, baked); },
-         .probe_place = [frames = static_cast<double>(bake.length)](
-                            const std::array<double, 3>& uvw,
-                            int) { return place_of(frames, uvw); }},
+         .probe_place = [&sequence](const std::array<double, 3>& uvw,
+                                    int) { return place_of(sequence, uvw); }},
         options);
 }
 

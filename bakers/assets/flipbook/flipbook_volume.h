@@ -5,9 +5,6 @@
 // have between them.
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/flipbook.h"
@@ -15,25 +12,6 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-// A slice of each frame, one above the other.
-class FrameVoxels : public VoxelSource {
-  public:
-    FrameVoxels(std::vector<std::shared_ptr<const VoxelSource>> frames, int slice);
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
-    bool is_empty(const VoxelBox& box) const override;
-
-  private:
-    VoxelBox slice_of(const VoxelBox& box) const;
-
-    std::vector<std::shared_ptr<const VoxelSource>> frames_;
-    int slice_;
-};
-
-// Bakes one frame of a sequence, whose recipe has been set to its time, without measuring it. The
-// voxels are made on demand.
-config::Outcome<Baked> bake_frame(const config::Parameters& at_its_time, const config::Bake& first,
-                                  const BakeOptions& options);
 
 // Fills all of `volume` except its name and parameters. Returns what the baker of the frames reports,
 // E0401 or E0402 for a texel that the pixel type cannot hold, and neither value nor diagnostics after an

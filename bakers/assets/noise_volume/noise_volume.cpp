@@ -63,15 +63,6 @@ std::vector<std::string> channel_names(const Noise& noise) {
     return names;
 }
 
-std::vector<std::array<double, 2>> histogram_ranges(const Noise& noise) {
-    if (noise.pack != NoisePacking::none) return {{0, 1}};
-    std::vector<std::array<double, 2>> ranges;
-    for (const config::NoiseChannel& channel : noise.channels) {
-        ranges.push_back(noise::nominal_range(channel));
-    }
-    return ranges;
-}
-
 VolumeReference reference_of(const Noise& noise, const std::array<int, 3>& size) {
     const std::array<bool, 3> centered = centered_axes(noise.sampling);
     return [&noise, size, centered](const std::array<double, 3>& uvw) {
@@ -138,8 +129,16 @@ std::size_t distinct_octaves(const NoisePlan& plan) {
 
 }  // namespace
 
-Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
-                                 const BakeOptions& options, Baked volume) {
+std::vector<std::array<double, 2>> usual_ranges(const Noise& noise) {
+    if (noise.pack != NoisePacking::none) return {{0, 1}};
+    std::vector<std::array<double, 2>> ranges;
+    for (const config::NoiseChannel& channel : noise.channels) {
+        ranges.push_back(noise::nominal_range(channel));
+    }
+    return ranges;
+}
+
+Baked make_noise_volume(const Noise& noise, const NoiseVolumeBake& bake, Baked volume) {
     volume.kind = "noise_volume";
     volume.content = "noise, dimensionless; the volume repeats along x, y and z";
     volume.mapping = "tile";
@@ -157,11 +156,17 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
     level.size = bake.size;
     level.voxels = field;
     volume.levels.push_back(std::move(level));
-    add_mip_levels(bake.mips, options, volume);
     volume.seam_error = seam_error(*field, bake.size);
+    return volume;
+}
+
+Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake,
+                                 const BakeOptions& options, Baked volume) {
+    volume = make_noise_volume(noise, bake, std::move(volume));
+    add_mip_levels(bake.mips, options, volume);
     return finish_volume(
         std::move(volume),
-        {.histogram_ranges = histogram_ranges(noise),
+        {.histogram_ranges = usual_ranges(noise),
          .reference = reference_of(noise, bake.size),
          .reference_name = "the noise's definition in double precision, point by point",
          .expensive = false,

@@ -50,6 +50,7 @@ class WeatherModel {
         }
     }
 
+    const Noise& noise() const { return noise_; }
     const std::vector<std::string>& names() const { return names_; }
     const std::vector<CoverRamp>& ramps() const { return ramps_; }
 
@@ -222,17 +223,10 @@ std::string content_of(const WeatherMapBake& bake) {
                : "directions: (1 + unit vector) / 2, dimensionless; the map repeats along x and y";
 }
 
-}  // namespace
-
-std::array<double, 2> weather_map_shift(const Noise& noise, const WeatherMapBake& bake) {
-    if (noise.sampling != config::NoiseSampling::corners) return {0, 0};
-    return {0.5 / bake.size[0], 0.5 / bake.size[1]};
-}
-
-Outcome<Baked> bake_weather_map(const Noise& noise, const WeatherMapBake& bake,
-                                const BakeOptions& options, Baked table) {
+// Makes the table, and has the model know what was found about the texels.
+Outcome<Baked> make_table(WeatherModel& model, const WeatherMapBake& bake,
+                          const BakeOptions& options, Baked table) {
     Outcome<Baked> outcome;
-    WeatherModel model(noise, bake);
     const auto start = std::chrono::steady_clock::now();
     Image2<float> texels = model.make(options, outcome.diagnostics);
     if (options.cancelled()) return {};
@@ -243,11 +237,34 @@ Outcome<Baked> bake_weather_map(const Noise& noise, const WeatherMapBake& bake,
     table.kind = "weather_map";
     table.content = content_of(bake);
     table.mapping = "tile";
-    table.axes = axes_of(noise, bake);
+    table.axes = axes_of(model.noise(), bake);
     table.channel_names = model.names();
     set_files(bake, table);
     if (bake.content == WeatherContent::amounts) add_details(model, texels, table);
     set_image(std::move(texels), table);
+    outcome.value = std::move(table);
+    return outcome;
+}
+
+}  // namespace
+
+std::array<double, 2> weather_map_shift(const Noise& noise, const WeatherMapBake& bake) {
+    if (noise.sampling != config::NoiseSampling::corners) return {0, 0};
+    return {0.5 / bake.size[0], 0.5 / bake.size[1]};
+}
+
+Outcome<Baked> make_weather_map(const Noise& noise, const WeatherMapBake& bake,
+                                const BakeOptions& options, Baked table) {
+    WeatherModel model(noise, bake);
+    return make_table(model, bake, options, std::move(table));
+}
+
+Outcome<Baked> bake_weather_map(const Noise& noise, const WeatherMapBake& bake,
+                                const BakeOptions& options, Baked named) {
+    WeatherModel model(noise, bake);
+    Outcome<Baked> made = make_table(model, bake, options, std::move(named));
+    if (!made.value) return made;
+    Baked& table = *made.value;
     add_mip_levels(bake.mips, options, table);
     const std::array<double, 2> shift = weather_map_shift(noise, bake);
     const std::vector<std::array<double, 2>> ranges(model.names().size(), {0, 1});

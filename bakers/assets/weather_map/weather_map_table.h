@@ -9,7 +9,14 @@
 
 namespace skybake {
 
-// Fills all of `table` except its name and parameters. Returns E0411 if a share cannot be reached,
+// Returns `table`, which comes with name and parameters, with its texels and all else that the map's
+// files state, except levels of detail and what finish_volume adds. Returns E0411 if a share cannot
+// be reached, and neither value nor diagnostics after an interruption.
+config::Outcome<Baked> make_weather_map(const config::Noise& noise,
+                                        const config::WeatherMapBake& bake,
+                                        const BakeOptions& options, Baked table);
+
+// Bakes the same, surveyed and certified. Returns E0411 if a share cannot be reached,
 // and neither value nor diagnostics after an interruption.
 config::Outcome<Baked> bake_weather_map(const config::Noise& noise,
                                         const config::WeatherMapBake& bake,

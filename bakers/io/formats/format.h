@@ -32,9 +32,10 @@ struct FileContent {
     Progress* progress = nullptr;
 };
 
-// What the rows of an image are to a texture. The faces of a cube lie below each other, in the order
-// +x, -x, +y, -y, +z, -z and the orientation that GPUs have.
-enum class TextureParts { none, cube };
+// What an asset is to a texture. The faces of a cube lie below each other in an image, in the order
+// +x, -x, +y, -y, +z, -z and the orientation that GPUs have. The layers of an array of 2-D textures are
+// the slices of a volume.
+enum class TextureParts { none, cube, layers };
 
 // What the manifest says about a file that is to be read.
 struct FileShape {

@@ -142,7 +142,10 @@ std::optional<std::string> texture_obstacle(const Baked& baked, const char* form
         return "the faces of a cube are squares";
     }
     for (std::size_t i = 1; i < baked.levels.size(); ++i) {
-        if (baked.levels[i].size == next_mip_size(baked.levels[i - 1].size)) continue;
+        if (baked.levels[i].size ==
+            next_texture_size(baked.levels[i - 1].size, texture_parts(baked))) {
+            continue;
+        }
         return fmt::format(
             "each level of a {} file has half the size of the one before, rounded down", format);
     }
@@ -150,18 +153,24 @@ std::optional<std::string> texture_obstacle(const Baked& baked, const char* form
 }
 
 TextureParts texture_parts(const Baked& baked) {
-    return baked.mapping == to_string(TextureParts::cube) ? TextureParts::cube : TextureParts::none;
+    return texture_parts_of(baked.mapping).value_or(TextureParts::none);
 }
 
 std::string_view to_string(TextureParts parts) {
-    return parts == TextureParts::cube ? "cube" : "none";
+    constexpr std::array<std::string_view, 3> kWords = {"none", "cube", "layers"};
+    return kWords[static_cast<std::size_t>(parts)];
 }
 
 std::optional<TextureParts> texture_parts_of(std::string_view word) {
-    for (const TextureParts parts : {TextureParts::none, TextureParts::cube}) {
+    for (const TextureParts parts :
+         {TextureParts::none, TextureParts::cube, TextureParts::layers}) {
         if (to_string(parts) == word) return parts;
     }
     return std::nullopt;
+}
+
+std::array<int, 3> next_texture_size(const std::array<int, 3>& size, TextureParts parts) {
+    return parts == TextureParts::layers ? next_slice_size(size) : next_mip_size(size);
 }
 
 bool has_square_faces(std::array<int, 3> size, int levels, TextureParts parts) {
@@ -179,6 +188,10 @@ TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, Tex
     if (parts == TextureParts::cube) {
         extent.faces = faces_of_cube;
         extent.height /= faces_of_cube;
+    }
+    if (parts == TextureParts::layers) {
+        extent.depth = 0;
+        extent.layers = static_cast<std::uint32_t>(size[2]);
     }
     return extent;
 }

@@ -43,17 +43,21 @@ std::optional<std::string> texture_obstacle(const Baked& baked, const char* form
 struct TextureExtent {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
-    std::uint32_t depth = 0;  // 0: the texture is no volume
-    std::uint32_t faces = 1;  // 6: it is a cube, whose faces have the width and the height
+    std::uint32_t depth = 0;   // 0: the texture is no volume
+    std::uint32_t faces = 1;   // 6: it is a cube, whose faces have the width and the height
+    std::uint32_t layers = 0;  // of an array of 2-D textures; 0: the texture is none
     bool operator==(const TextureExtent&) const = default;
 };
 
 TextureParts texture_parts(const Baked& baked);
-std::string_view to_string(TextureParts parts);  // "none", "cube"
+std::string_view to_string(TextureParts parts);  // "none", "cube", "layers"
 std::optional<TextureParts> texture_parts_of(std::string_view word);
 
 // Whether each level of a cube is six squares. Other textures have no faces.
 bool has_square_faces(std::array<int, 3> size, int levels, TextureParts parts);
+
+// Returns the size of the next level. The layers of an array stay.
+std::array<int, 3> next_texture_size(const std::array<int, 3>& size, TextureParts parts);
 
 // Returns the size of a texture whose faces are squares.
 TextureExtent texture_extent(const std::array<int, 3>& size, bool is_volume, TextureParts parts);

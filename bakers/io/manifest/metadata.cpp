@@ -137,6 +137,8 @@ FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
         lines.emplace_back("layout", "upside down: row 0 last");
     } else if (file.texture == TextureParts::cube) {
         lines.emplace_back("layout", "cube of six faces: +x, -x, +y, -y, +z, -z");
+    } else if (file.texture == TextureParts::layers) {
+        lines.emplace_back("layout", "array of 2-D textures, a layer for each slice");
     }
     for (std::size_t i = 0; i < asset.axes.size(); ++i) {
         lines.emplace_back(fmt::format("mapping_{}", "uvw"[i]), axis_line(asset.axes[i]));

@@ -101,6 +101,25 @@ void number_picture(const std::string& asset, std::size_t index, std::size_t cou
     picture.caption = fmt::format("Picture {} of {}. {}", index + 1, count, picture.caption);
 }
 
+// Makes the picture of a frame a part of the sequence that plays.
+void join_frames(const SequenceFrame& frame, PreviewPicture& picture) {
+    const std::string sun = picture.tab;
+    picture.sequence = fmt::format("{}_frames_{}", frame.sequence,
+                                   picture.name.substr(picture.name.rfind("sun_")));
+    picture.name = fmt::format("{}_{:04}", picture.sequence, frame.index + 1);
+    picture.title = fmt::format("{} plays, {}", frame.sequence, sun);
+    picture.caption =
+        fmt::format("Frame {} of {}. {}", frame.index + 1, frame.count, picture.caption);
+    picture.frames_per_second = frame.per_second;
+}
+
+// The exposure that is known before the first picture of a sun is made.
+std::optional<double> known_exposure(const CloudPreviewInput& input, std::size_t sun) {
+    if (input.exposure_stops) return std::exp2(*input.exposure_stops);
+    if (sun < input.exposures.size()) return input.exposures[sun];
+    return std::nullopt;
+}
+
 // Returns the layer that is in all views.
 SceneLayer layer_of(const CloudMedium& medium, const std::vector<CloudViewSettings>& views) {
     SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0, false};
@@ -116,10 +135,10 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
     const std::size_t count = static_cast<std::size_t>(std::max(input.turntable, 1));
     const double share = 1.0 / static_cast<double>(input.suns.size() * count);
     double done = 0;
-    for (const SunDirection& sun : input.suns) {
+    for (std::size_t s = 0; s < input.suns.size(); ++s) {
+        const SunDirection& sun = input.suns[s];
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
-        std::optional<double> exposure;
-        if (input.exposure_stops) exposure = std::exp2(*input.exposure_stops);
+        std::optional<double> exposure = known_exposure(input, s);
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         LitScene scene = {
             input, lighting, cloud.leaps_name,
@@ -131,6 +150,8 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
             exposure = picture.exposure;  // one for all pictures of a turntable
             if (input.turntable > 0) {
                 number_picture(input.volume->entry.name, i, views.size(), views[i], picture);
+            } else if (input.frame) {
+                join_frames(*input.frame, picture);
             }
             pictures.push_back(std::move(picture));
         }

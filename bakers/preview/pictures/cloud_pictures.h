@@ -29,6 +29,14 @@ inline constexpr const char* kEarthLight =
     "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
     "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
 
+// The place of a cloud volume in a sequence.
+struct SequenceFrame {
+    std::string sequence;   // its name
+    int index = 0;          // of the frame, counted from 0
+    int count = 0;          // of all frames that are shown
+    double per_second = 0;  // frames that play
+};
+
 // The input for the pictures. All pointers except `cloud` may be null.
 struct CloudPreviewInput {
     const config::Cloud* cloud = nullptr;                  // the cloud that the volume shows
@@ -44,8 +52,11 @@ struct CloudPreviewInput {
     std::vector<SunDirection> suns = {
         {20, 105}};                        // one lit picture for each; the view's azimuth is 63
     std::optional<double> exposure_stops;  // the exposure is 2 to this power; none: chosen
+    std::vector<double> exposures;  // of each sun, as an earlier frame had them; empty: chosen
     ToneCurve tone_curve = ToneCurve::exponential;
     CameraRequest camera;
+    std::optional<SequenceFrame>
+        frame;            // of volumes whose lit pictures are parts of one that plays
     bool single = false;  // one tile alone, not the layer that it repeats to
     int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;      // of lit pictures
@@ -55,7 +66,7 @@ struct CloudPreviewInput {
 };
 
 // Makes the pictures. For a volume, they are a lit picture for each sun, or a turntable of pictures
-// of one exposure, numbered from 000 on, and the optical depth of
+// of one exposure, numbered from 000 on (those of frames are numbered by their frame), and the optical depth of
 // columns seen from above, and slices, with the cells of the occupancy grid over them if there is
 // one. For a grid alone, they are its slices. Slices go through the places with the most cloud.
 // There are no lit pictures if make_sky_tables (sky_tables.h) refuses the tables, and fewer

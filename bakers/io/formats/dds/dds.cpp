@@ -110,18 +110,22 @@ Header header_of(const Baked& baked) {
         header.capabilities_2 = is_cube_of_six_faces;
         header.miscellaneous = is_texture_cube;
     }
+    if (extent.layers > 0) {
+        header.capabilities |= is_complex;
+        header.array_size = extent.layers;
+    }
     header.dxgi_format = texel_code(dxgi, baked.pixel_type, channels);
     header.dimension = extent.depth == 0 ? texture_2d : texture_3d;
     header.alpha_mode = channels == 4 ? alpha_is_custom : alpha_is_opaque;
     return header;
 }
 
-// Where a level lies: a part of it in each face, whose levels lie one after the other.
+// Where a level lies: a part of it in each face or layer, whose levels lie one after the other.
 struct FacePlaces {
     std::uint64_t first = 0;       // of the level's part in the first face
     std::uint64_t part = 0;        // bytes of the level in a face
     std::uint64_t face = 0;        // bytes of all levels in a face
-    std::array<int, 3> size = {};  // texels of the level, of all faces
+    std::array<int, 3> size = {};  // texels of the level, of all faces or layers
 
     // Returns where byte `at` of the level lies, and how many bytes lie there one after the other.
     std::pair<std::uint64_t, std::uint64_t> place(std::uint64_t at) const {
@@ -129,13 +133,19 @@ struct FacePlaces {
     }
 };
 
-// Returns the places of all levels. `size` is that of the first one, of all faces.
-std::vector<FacePlaces> face_places(std::array<int, 3> size, std::size_t levels, PixelType type,
-                                    std::size_t channels, std::uint32_t faces) {
+// How many faces or layers lie one after the other, with all their levels.
+std::uint32_t parts_of(const TextureExtent& extent) {
+    return extent.layers > 0 ? extent.layers : extent.faces;
+}
+
+// Returns the places of all levels of a texture.
+std::vector<FacePlaces> face_places(const FileShape& shape) {
+    const std::uint32_t parts = parts_of(texture_extent(shape.size, false, shape.parts));
     std::vector<FacePlaces> places;
     std::uint64_t bytes = 0;
-    for (std::size_t i = 0; i < levels; ++i, size = next_mip_size(size)) {
-        const std::uint64_t part = texture_bytes(size, type, channels) / faces;
+    std::array<int, 3> size = shape.size;
+    for (int i = 0; i < shape.levels; ++i, size = next_texture_size(size, shape.parts)) {
+        const std::uint64_t part = texture_bytes(size, shape.pixel_type, shape.channels) / parts;
         places.push_back({header_bytes + bytes, part, 0, size});
         bytes += part;
     }
@@ -180,9 +190,13 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
     const Header header = header_of(content.baked);
     output.write({reinterpret_cast<const char*>(&header), header_bytes});
     const Baked& baked = content.baked;
-    const std::vector<FacePlaces> places = face_places(
-        baked.levels.front().size, baked.levels.size(), baked.pixel_type,
-        baked.channel_names.size(), header.capabilities_2 == is_cube_of_six_faces ? 6 : 1);
+    const std::vector<FacePlaces> places =
+        face_places({.size = baked.levels.front().size,
+                     .channels = baked.channel_names.size(),
+                     .pixel_type = baked.pixel_type,
+                     .grid = {},
+                     .levels = static_cast<int>(baked.levels.size()),
+                     .parts = texture_parts(baked)});
     bool complete = true;
     for (std::size_t level = 0; complete && level < places.size(); ++level) {
         complete =
@@ -205,8 +219,9 @@ std::optional<std::string> strange(const Header& header) {
     const bool is_dx10 = header.size == plain.size && header.format_size == plain.format_size &&
                          header.four_characters == plain.four_characters;
     if (!is_dx10) return "it does not have the header of DX10";
-    if (header.array_size != 1) return "it is an array of textures";
     const bool is_cube = (header.miscellaneous & is_texture_cube) != 0;
+    const bool may_be_array = header.dimension == texture_2d && !is_cube;
+    if (header.array_size != 1 && !may_be_array) return "it is an array of cubes or of volumes";
     if (is_cube != (header.capabilities_2 == is_cube_of_six_faces)) {
         return "its headers disagree on whether it is a cube of six faces";
     }
@@ -239,9 +254,11 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     return {std::move(facts), {}};
 }
 
-TextureExtent extent_of(const Header& header) {
+// A texture by itself is also an array of one.
+TextureExtent extent_of(const Header& header, TextureParts parts) {
+    const bool is_array = parts == TextureParts::layers || header.array_size != 1;
     return {header.width, header.height, header.dimension == texture_3d ? header.depth : 0,
-            header.miscellaneous == is_texture_cube ? 6U : 1U};
+            header.miscellaneous == is_texture_cube ? 6U : 1U, is_array ? header.array_size : 0};
 }
 
 // Whether the header is that of a file of this shape.
@@ -249,7 +266,8 @@ bool fits(const Header& header, const FileShape& shape) {
     const bool has_depth_of_one = header.dimension == texture_3d;
     const TextureExtent extent =
         texture_extent(shape.size, has_depth_of_one || shape.size[2] != 1, shape.parts);
-    return has_square_faces(shape.size, shape.levels, shape.parts) && extent_of(header) == extent &&
+    return has_square_faces(shape.size, shape.levels, shape.parts) &&
+           extent_of(header, shape.parts) == extent &&
            header.levels == static_cast<std::uint32_t>(shape.levels) &&
            header.dxgi_format == texel_code(dxgi, shape.pixel_type, shape.channels);
 }
@@ -261,11 +279,8 @@ Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int le
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
-    const std::vector<FacePlaces> places =
-        face_places(shape.size, static_cast<std::size_t>(shape.levels), shape.pixel_type,
-                    shape.channels, extent_of(*header.value).faces);
-    const FacePlaces& wanted = places[static_cast<std::size_t>(level)];
-    const std::uint64_t bytes = wanted.face * extent_of(*header.value).faces;
+    const FacePlaces wanted = face_places(shape)[static_cast<std::size_t>(level)];
+    const std::uint64_t bytes = wanted.face * parts_of(extent_of(*header.value, shape.parts));
     if (file.value->size() != header_bytes + bytes) return {{}, {other_size(path)}};
     return read_texture(face_input(*file.value, wanted), wanted.size, shape.pixel_type,
                         shape.channels, visit);

@@ -2,7 +2,8 @@
 //
 // The header is that of DX10. A table is a 2-D texture, a volume a 3-D texture, and a table of the
 // faces of a cube a cube texture: +x, -x, +y, -y, +z, -z, in a left-handed system whose y points up
-// and whose z points ahead, each face with its upper row first and followed by its levels. Channels
+// and whose z points ahead, each face with its upper row first and followed by its levels. A volume of layers is an array of 2-D
+// textures, each followed by its levels. Channels
 // are R, RG or RGBA of unorm8, unorm16, half or float; three channels are stored as four, the
 // fourth of which is 1; or blocks of BC4, BC5 or BC6H, slice by slice. Texels of other textures are
 // stored level after level, x fastest, then y, then z. Alpha is a number like the others, and the

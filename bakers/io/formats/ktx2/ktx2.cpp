@@ -171,7 +171,8 @@ class Ktx2File {
     // Returns what the header contains that skybake does not write, in words, or nothing.
     std::optional<std::string> unread() const {
         if (header_.identifier != Ktx2Header{}.identifier) return "it does not begin with `KTX 20`";
-        if (header_.layers != 0) return "it is an array";
+        const bool may_be_array = header_.depth == 0 && header_.faces == 1;
+        if (header_.layers != 0 && !may_be_array) return "it is an array of cubes or of volumes";
         if (header_.faces != 1 && header_.faces != 6) {
             return fmt::format("it has {} faces", header_.faces);
         }
@@ -229,8 +230,8 @@ bool fits_ktx2(const Ktx2Header& header, const FileShape& shape) {
     return has_square_faces(shape.size, shape.levels, shape.parts) &&
            header.vk_format == wanted.vk_format && header.type_size == wanted.type_size &&
            header.width == wanted.width && header.height == wanted.height &&
-           header.depth == wanted.depth && header.faces == wanted.faces &&
-           header.levels == wanted.levels;
+           header.depth == wanted.depth && header.layers == wanted.layers &&
+           header.faces == wanted.faces && header.levels == wanted.levels;
 }
 
 Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int level,
@@ -241,7 +242,7 @@ Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int l
     if (!fits_ktx2(header, shape)) return {{}, {other_size(path)}};
     const LevelPlace& place = file.value->place(level);
     std::array<int, 3> size = shape.size;
-    for (int i = 0; i < level; ++i) size = next_mip_size(size);
+    for (int i = 0; i < level; ++i) size = next_texture_size(size, shape.parts);
     const std::uint64_t bytes = texture_bytes(size, shape.pixel_type, shape.channels);
     const bool is_compressed = header.compression == zstandard;
     if (place.uncompressed_bytes != bytes || (!is_compressed && place.bytes != bytes)) {

@@ -3,7 +3,7 @@
 //
 // A table is a 2-D texture, a volume a 3-D texture, and a table of the faces of a cube a cube texture:
 // +x, -x, +y, -y, +z, -z, in a left-handed system whose y points up and whose z points ahead, each
-// face with its upper row first. Channels are R, RG or RGBA of unorm8, unorm16,
+// face with its upper row first. A volume of layers is an array of 2-D textures. Channels are R, RG or RGBA of unorm8, unorm16,
 // half or float; three channels are stored as four, the fourth of which is 1; or blocks of BC4, BC5
 // or BC6H, slice by slice. Levels are stored from
 // the smallest to the largest, each either as it is or as a Zstandard frame of its own. The key

@@ -149,6 +149,7 @@ Ktx2Header ktx2_header(const TextureExtent& extent, std::size_t stored, PixelTyp
     header.width = extent.width;
     header.height = extent.height;
     header.depth = extent.depth;
+    header.layers = extent.layers;
     header.faces = extent.faces;
     header.levels = static_cast<std::uint32_t>(levels);
     header.descriptor_offset =
