@@ -390,6 +390,21 @@ constexpr std::array codes = {
         "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\namplitude = 1\nlife = [0.4, 0.3, 0.3]",
         usage},
     DiagnosticCode{
+        "E0189", "clear sky that a cloud does not have above it",
+        "contents = \"clear_sky_radiance\" of a cloud_light is the light of the recipe's own sky, "
+        "seen from the top of the cloud's layer. So the recipe needs an atmosphere, the layer must "
+        "end below the top of the air, and the air above it must scatter light. Without an "
+        "atmosphere, contents = \"sky_radiance\" is the light of a uniform sky.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\n[bake.v]\nasset = \"cloud_volume\"\n"
+        "cloud = \"c\"\nsize = [64, 64, 16]\n[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\n"
+        "contents = \"clear_sky_radiance\"\nsun_elevations = \"30 deg\"",
+        "preset = \"earth\"\n[noise.n.channels.Y]\ntype = \"worley\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\n[bake.v]\nasset = \"cloud_volume\"\n"
+        "cloud = \"c\"\nsize = [64, 64, 16]\n[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\n"
+        "contents = \"clear_sky_radiance\"\nsun_elevations = \"30 deg\"",
+        usage},
+    DiagnosticCode{
         "E0143", "atmosphere that the convention cannot express",
         "takram's AtmosphereParameters have three wavelengths and at most three layers: an "
         "exponential one that scatters by Rayleigh's phase function and absorbs nothing, an "
@@ -491,24 +506,26 @@ constexpr std::array codes = {
         "size = [64, 64, 16]\n[bake.d]\n"
         "asset = \"cloud_distance\"\nof = \"v\"\nrange = [\"-250 m\", \"4 km\"]",
         usage},
-    DiagnosticCode{"E0176", "radiance of several suns in one file",
-                   "A cloud_light with `contents = \"sun_radiance\"` holds harmonics of the light "
-                   "of one sun, four coefficients in a file. Other suns are assets of their own.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.l]\n"
-                   "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
-                   "sun_elevations = [\"60 deg\", \"30 deg\", \"10 deg\"]",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.l]\n"
-                   "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
-                   "sun_elevations = [\"30 deg\"]",
-                   usage},
+    DiagnosticCode{
+        "E0176", "radiance of several suns in one file",
+        "A cloud_light with `contents = \"sun_radiance\"` or \"clear_sky_radiance\" holds "
+        "harmonics of the light of one sun or of its sky, four coefficients in a file. "
+        "Other suns are assets of their own.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
+        "sun_elevations = [\"60 deg\", \"30 deg\", \"10 deg\"]",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
+        "sun_elevations = [\"30 deg\"]",
+        usage},
     DiagnosticCode{
         "E0172", "environment that cannot be made",
         "Keys of an environment contradict each other. Clouds are volumes of densities, each of "

@@ -186,6 +186,12 @@ asset = "cloud_light"
 of = "cloud"
 contents = "sky_radiance"
 formats = ["exr"]
+[bake.clear_sky]
+asset = "cloud_light"
+of = "cloud"
+contents = "clear_sky_radiance"
+sun_elevations = ["40 deg"]
+formats = ["exr"]
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"

@@ -12,6 +12,7 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
+#include "bakers/assets/cloud_light/layer_sky.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/source_volume.h"
@@ -40,8 +41,12 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
-    const cloud_light::CloudLayer layer = cloud_light::make_layer(
+    cloud_light::CloudLayer layer = cloud_light::make_layer(
         voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
+    if (options.cancelled()) return {};
+    if (auto problem = cloud_light::add_sky(parameters, asset, volume.name, options, layer)) {
+        return {{}, {*std::move(problem)}};
+    }
     if (options.cancelled()) return {};
     volume.bake_seconds = voxels.bake_seconds;
     if (!asset.max_error) {
@@ -55,7 +60,11 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
-    return needs_of_voxels(parameters, source_volume(parameters, asset.of));
+    std::vector<Need> needs = cloud_light::sky_needs(parameters, asset);
+    for (Need& need : needs_of_voxels(parameters, source_volume(parameters, asset.of))) {
+        needs.push_back(std::move(need));
+    }
+    return needs;
 }
 
 // Guesses of the solver and what it makes of them.
@@ -83,6 +92,9 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     const Estimate voxels = estimate_cloud_volume(parameters, of);
     result.seconds += voxels.seconds / 2;
     result.memory_mib += voxels.memory_mib + 2 * voxels_of(of.size, 1) * sizeof(float) / kMebibyte;
+    if (asset.contents == CloudLightContents::clear_sky_radiance) {
+        result.seconds += seconds_to_solve(config::SkyOrders::all);
+    }
     if (config::is_radiance(asset.contents)) {
         const auto places =
             cloud_light::place_grid(of.size, cloud_light_spacing(asset), false).count;
