@@ -46,9 +46,11 @@ Outcome<CloudLayer> layer_of(const config::Recipe& recipe, const CloudLightBake&
         hold_cloud_volume(cloud_named(recipe.parameters, of.cloud), of, *inputs.value, options, {});
     if (options.cancelled()) return {};
     code_levels(voxels);
-    CloudLayer layer = cloud_light::make_layer(voxels, channel_named(voxels, asked.channel),
-                                               spanned_cloud(recipe.parameters, of), options);
-    if (const auto problem = cloud_light::add_sky(recipe.parameters, asked, name, options, layer)) {
+    const config::Cloud cloud = spanned_cloud(recipe.parameters, of);
+    CloudLayer layer =
+        cloud_light::make_layer(voxels, channel_named(voxels, asked.channel), cloud, options);
+    if (const auto problem =
+            cloud_light::add_sky(recipe.parameters, asked, cloud, name, options, layer)) {
         return {{}, {*problem}};
     }
     if (options.cancelled()) return {};

@@ -59,7 +59,7 @@ const std::string kHaze =
 CloudLayer layer_under_sky(const config::Recipe& recipe) {
     CloudLayer layer = test::layer_of({2, 2, 2}, 0);
     const auto& bake = recipe.parameters.bakes[1].as<config::CloudLightBake>();
-    EXPECT_FALSE(add_sky(recipe.parameters, bake, "l", on(2), layer));
+    EXPECT_FALSE(add_sky(recipe.parameters, bake, recipe.parameters.clouds[0], "l", on(2), layer));
     return layer;
 }
 

@@ -61,9 +61,10 @@ CloudLayer layer_of(const config::Parameters& parameters) {
     Facts details;
     const BakeOptions options = with_threads();
     const auto held = hold_source_volume(parameters, "v", options, details);
-    CloudLayer layer =
-        cloud_light::make_layer(*held.value, 0, spanned_cloud(parameters, of), options);
-    EXPECT_FALSE(cloud_light::add_sky(parameters, light_of(parameters), "l", options, layer));
+    const config::Cloud cloud = spanned_cloud(parameters, of);
+    CloudLayer layer = cloud_light::make_layer(*held.value, 0, cloud, options);
+    EXPECT_FALSE(
+        cloud_light::add_sky(parameters, light_of(parameters), cloud, "l", options, layer));
     return layer;
 }
 

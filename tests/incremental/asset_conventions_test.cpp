@@ -500,6 +500,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
         {"radiance", "m", "", "1/sr", none, none, "+z"},
+        {"clear_sky", "m", "", "1/sr", none, none, "+z"},
         {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());

@@ -41,10 +41,12 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume.details);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
-    cloud_light::CloudLayer layer = cloud_light::make_layer(
-        voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
+    const Cloud cloud = spanned_cloud(parameters, of);
+    cloud_light::CloudLayer layer =
+        cloud_light::make_layer(voxels, channel_named(voxels, asset.channel), cloud, options);
     if (options.cancelled()) return {};
-    if (auto problem = cloud_light::add_sky(parameters, asset, volume.name, options, layer)) {
+    if (auto problem =
+            cloud_light::add_sky(parameters, asset, cloud, volume.name, options, layer)) {
         return {{}, {*std::move(problem)}};
     }
     if (options.cancelled()) return {};

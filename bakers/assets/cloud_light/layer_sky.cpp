@@ -10,13 +10,11 @@
 #include <utility>
 
 #include "bakers/assets/cloud_light/light_values.h"
-#include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_sky.h"
 #include "bakers/assets/environment/wide_sky.h"
 #include "bakers/assets/sky_asset.h"
 #include "bakers/assets/sky_lights.h"
-#include "bakers/assets/source_volume.h"
 #include "bakers/color/color_space.h"
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
@@ -206,10 +204,9 @@ std::vector<Need> sky_needs(const Parameters& parameters, const CloudLightBake& 
 }
 
 std::optional<Diagnostic> add_sky(const Parameters& parameters, const CloudLightBake& bake,
-                                  const std::string& name, const BakeOptions& options,
-                                  CloudLayer& layer) {
+                                  const config::Cloud& cloud, const std::string& name,
+                                  const BakeOptions& options, CloudLayer& layer) {
     if (!has_sky(bake)) return std::nullopt;
-    const config::Cloud cloud = spanned_cloud(parameters, source_volume(parameters, bake.of));
     const double altitude_km = cloud.base_altitude.kilometers() + cloud.extent[2].kilometers();
     const LuminousSky sky(parameters, altitude_km, bake.sun_elevations.front().radians, options);
     if (options.cancelled()) return std::nullopt;

@@ -14,6 +14,7 @@
 #include "bakers/math/intermediates.h"
 #include "config/assets/cloud_light.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::cloud_light {
@@ -22,12 +23,12 @@ namespace skybake::cloud_light {
 std::vector<Need> sky_needs(const config::Parameters& parameters,
                             const config::CloudLightBake& bake);
 
-// Gives a layer the sky of the asset of that name, if its contents are clear_sky_radiance. Returns
+// Gives a cloud's layer the sky of the asset of that name, if its contents are clear_sky_radiance. Returns
 // E0405 if the light of the sky could not be solved for, and E0189 if the sky is black. The layer
 // has no sky after an interruption.
 std::optional<config::Diagnostic> add_sky(const config::Parameters& parameters,
                                           const config::CloudLightBake& bake,
-                                          const std::string& name, const BakeOptions& options,
-                                          CloudLayer& layer);
+                                          const config::Cloud& cloud, const std::string& name,
+                                          const BakeOptions& options, CloudLayer& layer);
 
 }  // namespace skybake::cloud_light
