@@ -26,12 +26,14 @@ bool is_of_solved_light(const Bake& bake) {
     const auto* closure = bake.find<config::MultipleScatteringBake>();
     const auto* irradiance = bake.find<config::IrradianceBake>();
     const auto* bruneton = bake.find<config::BrunetonBake>();
+    const auto* light = bake.find<config::CloudLightBake>();
     return scatters_again(bake.find<config::SkyViewBake>()) ||
            scatters_again(bake.find<config::EnvironmentBake>()) ||
            scatters_again(bake.find<config::AerialPerspectiveBake>()) ||
            (irradiance != nullptr && irradiance->content != config::IrradianceContent::direct) ||
            (closure != nullptr && closure->method == config::MultipleScatteringMethod::solved) ||
-           (bruneton != nullptr && bruneton->table != config::BrunetonTable::transmittance);
+           (bruneton != nullptr && bruneton->table != config::BrunetonTable::transmittance) ||
+           (light != nullptr && light->contents == config::CloudLightContents::clear_sky_radiance);
 }
 
 config::Length thickness_of(const config::Atmosphere& atmosphere) {

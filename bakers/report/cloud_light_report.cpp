@@ -11,6 +11,7 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
+#include "bakers/assets/cloud_light/layer_sky.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
@@ -36,7 +37,7 @@ constexpr int kLightPoints = 4096;
 constexpr int kQuickLightPoints = 512;
 
 Outcome<CloudLayer> layer_of(const config::Recipe& recipe, const CloudLightBake& asked,
-                             const BakeOptions& options) {
+                             const std::string& name, const BakeOptions& options) {
     const auto& of = bake_named(recipe.parameters, asked.of).as<CloudVolumeBake>();
     Facts details;
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);
@@ -45,9 +46,15 @@ Outcome<CloudLayer> layer_of(const config::Recipe& recipe, const CloudLightBake&
         hold_cloud_volume(cloud_named(recipe.parameters, of.cloud), of, *inputs.value, options, {});
     if (options.cancelled()) return {};
     code_levels(voxels);
-    return {cloud_light::make_layer(voxels, channel_named(voxels, asked.channel),
-                                    spanned_cloud(recipe.parameters, of), options),
-            {}};
+    const config::Cloud cloud = spanned_cloud(recipe.parameters, of);
+    CloudLayer layer =
+        cloud_light::make_layer(voxels, channel_named(voxels, asked.channel), cloud, options);
+    if (const auto problem =
+            cloud_light::add_sky(recipe.parameters, asked, cloud, name, options, layer)) {
+        return {{}, {*problem}};
+    }
+    if (options.cancelled()) return {};
+    return {std::move(layer), {}};
 }
 
 // Makes the texels on one thread and adds them with the processor time that they took.
@@ -93,7 +100,7 @@ Outcome<AssetReport> report_cloud_light(const config::Recipe& recipe, const conf
     const BakeOptions with{.threads = options.threads,
                            .progress = options.progress,
                            .intermediates = options.intermediates};
-    const Outcome<CloudLayer> layer = layer_of(recipe, asked, with);
+    const Outcome<CloudLayer> layer = layer_of(recipe, asked, bake.name, with);
     if (!layer.value) return {{}, layer.diagnostics};
     config::Bake subject = bake;
     subject.as<CloudLightBake>().mips = 1;

@@ -48,21 +48,26 @@ constexpr std::array contents_choices = {
            "the direction in which it goes on"},
     Choice{CloudLightContents::sky_radiance, "sky_radiance",
            "light of a uniform sky that the cloud scatters, of all orders, as such harmonics"},
+    Choice{CloudLightContents::clear_sky_radiance, "clear_sky_radiance",
+           "the same of the recipe's clear sky under one sun, for a mean radiance of 1"},
     Choice{CloudLightContents::ground_radiance, "ground_radiance",
            "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
 };
 
-constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance"};
+constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance",
+                                        "clear_sky_radiance"};
 constexpr std::string_view in_harmonics[] = {"optical_depth_harmonics",
                                              "transmittance_harmonics",
                                              "sky_visibility",
                                              "sun_radiance",
                                              "sky_radiance",
+                                             "clear_sky_radiance",
                                              "ground_radiance"};
 constexpr std::string_view of_depths[] = {
     "optical_depth",           "transmittance",           "shadow",
     "optical_depth_harmonics", "transmittance_harmonics", "sky_visibility"};
-constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "ground_radiance"};
+constexpr std::string_view of_radiance[] = {"sun_radiance", "sky_radiance", "clear_sky_radiance",
+                                            "ground_radiance"};
 
 constexpr Field of_light_within(Field field) {
     field.selector = "contents";
@@ -85,7 +90,7 @@ const std::array cloud_light_table = {
          .kind = Kind::angles,
          .range = sun_range,
          .required = true,
-         .documentation = "one, three or four suns, each with a channel; sun_radiance takes one",
+         .documentation = "one, three or four suns, each with a channel; radiance takes one",
          .hint = "for example [\"60 deg\", \"30 deg\", \"10 deg\"]",
          .selector = "contents",
          .selected_by = of_suns},
@@ -160,13 +165,16 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 // Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
 // that the volume does not have (E0134), a number of suns that no file holds (E0129), azimuths that
 // are not one for each sun and a part that the harmonics do not have (E0171), several suns of one
-// file of radiance (E0176), and faults of the files of any volume (file_decoder.h). It warns of
+// file of radiance (E0176), a clear sky that is not above the layer (E0189), and faults of the files of any volume (file_decoder.h). It warns of
 // texels that are not cubes (W0211).
 void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     check_pixel_type(bake, decoder);
     const auto contents = choice_of<CloudLightContents>(bake.at("contents"));
     const std::size_t channels = contents ? check_contents(bake, *contents, decoder) : 1;
     const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
+    if (contents == CloudLightContents::clear_sky_radiance) {
+        check_clear_sky(bake, volume ? find_cloud(*volume, recipe) : nullptr, recipe, decoder);
+    }
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);
     const DecodedField& cell = bake.at("cell");
@@ -184,7 +192,11 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const CloudLightBake& bake) {
-    return reads_of_source_volume(parameters, bake.of);
+    std::vector<Read> reads = reads_of_source_volume(parameters, bake.of);
+    if (bake.contents == CloudLightContents::clear_sky_radiance) {
+        append(reads_of_air(parameters, Roles::all()), reads);
+    }
+    return reads;
 }
 
 }  // namespace

@@ -14,7 +14,7 @@
 namespace skybake::config {
 
 // The first three have a channel for each sun, the others coefficients of spherical harmonics. The last
-// three are radiance of light from the sun, from the sky and from the ground.
+// four are radiance of light from the sun, from a uniform sky, from the recipe's sky and from the ground.
 enum class CloudLightContents {
     optical_depth,
     transmittance,
@@ -24,6 +24,7 @@ enum class CloudLightContents {
     sky_visibility,
     sun_radiance,
     sky_radiance,
+    clear_sky_radiance,
     ground_radiance,
 };
 
@@ -31,7 +32,7 @@ struct CloudLightBake : AssetFiles {
     std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
     std::string channel;  // a channel of that volume; empty: its first
     CloudLightContents contents = CloudLightContents::optical_depth;
-    std::vector<Angle> sun_elevations;  // one, three or four; of sun_radiance one
+    std::vector<Angle> sun_elevations;  // one, three or four; of radiance one
     std::vector<Angle> sun_azimuths;    // from +x towards +y, one for each elevation
     int degree = 1;                     // of the harmonics
     int part = 1;                       // which four of the coefficients, counted from 1
@@ -46,6 +47,12 @@ inline constexpr int most_cloud_light_cell = 64;
 
 constexpr bool is_per_sun(CloudLightContents contents) {
     return contents <= CloudLightContents::shadow;
+}
+
+// Whether the contents depend on where one sun is.
+constexpr bool is_of_one_sun(CloudLightContents contents) {
+    return contents == CloudLightContents::sun_radiance ||
+           contents == CloudLightContents::clear_sky_radiance;
 }
 
 constexpr bool is_radiance(CloudLightContents contents) {

@@ -109,24 +109,26 @@ constexpr std::array asset_table = {
         "size = [64, 64, 16]\n[bake.d]\n"
         "asset = \"cloud_distance\"\nof = \"v\"\nrange = [\"-250 m\", \"4 km\"]",
         usage},
-    DiagnosticCode{"E0176", "radiance of several suns in one file",
-                   "A cloud_light with `contents = \"sun_radiance\"` holds harmonics of the light "
-                   "of one sun, four coefficients in a file. Other suns are assets of their own.",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.l]\n"
-                   "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
-                   "sun_elevations = [\"60 deg\", \"30 deg\", \"10 deg\"]",
-                   "[noise.n.channels.Y]\ntype = \"worley\"\n"
-                   "[clouds.c]\nnoise = \"n\"\n"
-                   "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
-                   "asset = \"cloud_volume\"\ncloud = \"c\"\n"
-                   "size = [64, 64, 16]\n[bake.l]\n"
-                   "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
-                   "sun_elevations = [\"30 deg\"]",
-                   usage},
+    DiagnosticCode{
+        "E0176", "radiance of several suns in one file",
+        "A cloud_light with `contents = \"sun_radiance\"` or \"clear_sky_radiance\" holds "
+        "harmonics of the light of one sun or of its sky, four coefficients in a file. "
+        "Other suns are assets of their own.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
+        "sun_elevations = [\"60 deg\", \"30 deg\", \"10 deg\"]",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n"
+        "[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"6 km\", \"6 km\", \"1.5 km\"]\n[bake.v]\n"
+        "asset = \"cloud_volume\"\ncloud = \"c\"\n"
+        "size = [64, 64, 16]\n[bake.l]\n"
+        "asset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
+        "sun_elevations = [\"30 deg\"]",
+        usage},
     DiagnosticCode{
         "E0172", "environment that cannot be made",
         "Keys of an environment contradict each other. Clouds are volumes of densities, each of "

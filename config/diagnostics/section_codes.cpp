@@ -215,6 +215,21 @@ constexpr std::array section_table = {
         "extent = [\"4 km\", \"4 km\", \"1 km\"]\nperiod = 48\n[[clouds.c.towers]]\n"
         "center = [0.5, 0.5]\nsigma = [0.1, 0.1]\namplitude = 1\nlife = [0.4, 0.3, 0.3]",
         usage},
+    DiagnosticCode{
+        "E0189", "clear sky that a cloud does not have above it",
+        "contents = \"clear_sky_radiance\" of a cloud_light is the light of the recipe's own sky, "
+        "seen from the top of the cloud's layer. So the recipe needs an atmosphere, the layer must "
+        "end below the top of the air, and the air above it must scatter light. Without an "
+        "atmosphere, contents = \"sky_radiance\" is the light of a uniform sky.",
+        "[noise.n.channels.Y]\ntype = \"worley\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\n[bake.v]\nasset = \"cloud_volume\"\n"
+        "cloud = \"c\"\nsize = [64, 64, 16]\n[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\n"
+        "contents = \"clear_sky_radiance\"\nsun_elevations = \"30 deg\"",
+        "preset = \"earth\"\n[noise.n.channels.Y]\ntype = \"worley\"\n[clouds.c]\nnoise = \"n\"\n"
+        "extent = [\"4 km\", \"4 km\", \"1 km\"]\n[bake.v]\nasset = \"cloud_volume\"\n"
+        "cloud = \"c\"\nsize = [64, 64, 16]\n[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\n"
+        "contents = \"clear_sky_radiance\"\nsun_elevations = \"30 deg\"",
+        usage},
 };
 
 }  // namespace

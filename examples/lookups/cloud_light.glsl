@@ -28,8 +28,8 @@ vec4 cloud_harmonics_4(vec3 d) {
 
 // --- Radiance -----------------------------------------------------------------------------------
 //
-// contents = "sun_radiance", "sky_radiance", "ground_radiance". A march through the cloud adds in each step,
-// with the extinction share * sigma in the place of sigma,
+// contents = "sun_radiance", "sky_radiance" or "clear_sky_radiance", "ground_radiance". A march through the
+// cloud adds in each step, with the extinction share * sigma in the place of sigma,
 //
 //   light += passed * (1 - exp(-share * sigma * length)) * scattered;   passed *= exp(-share * sigma * length)
 //   scattered = E * (cloud_first_scattering(phase, depth, share) + sun's harmonics)

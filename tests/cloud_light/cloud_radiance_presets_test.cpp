@@ -91,9 +91,9 @@ CloudLayer layer_of(const PartOfTile& cloud) {
         cloud.preset);
     const config::Parameters& parameters = recipe.value->parameters;
     const auto& of = parameters.bakes[0].as<config::CloudVolumeBake>();
-    Facts details;
+    Baked volume;
     const BakeOptions options = with_threads();
-    const auto held = hold_source_volume(parameters, "v", options, details);
+    const auto held = hold_source_volume(parameters, "v", options, volume);
     return cloud_light::make_layer(*held.value, 0, spanned_cloud(parameters, of), options);
 }
 

@@ -24,7 +24,8 @@ struct LightTextures {
     std::array<int, 3> size{};
     std::vector<std::vector<float>> of_sun;  // coefficients of sun_radiance
     std::vector<std::vector<float>> of_sky;  // and of sky_radiance
-    std::vector<float> forward;              // factors of forward_scattering, if there are any
+    std::vector<std::vector<float>> of_ground;
+    std::vector<float> forward;  // factors of forward_scattering, if there are any
 };
 
 // As asset = "forward_scattering" is made by default.
@@ -96,10 +97,15 @@ inline double marched(const cloud_light::CloudLayer& layer, const LightTextures&
         for (std::size_t c = 0; c < textures.of_sky.size(); ++c) {
             in += sources.sky * values[c] * looked_up(textures.of_sky[c], taps, textures.size);
         }
+        for (std::size_t c = 0; c < textures.of_ground.size(); ++c) {
+            in +=
+                sources.ground * values[c] * looked_up(textures.of_ground[c], taps, textures.size);
+        }
         light += passed * (1 - std::exp(-depth)) * in;
         passed *= std::exp(-depth);
     }
-    return light + passed * (look.z > 0 ? sources.sky : sources.ground);
+    if (look.z < 0) return light + passed * sources.ground;
+    return light + passed * sources.sky * (sources.sky_shape ? sources.sky_shape(look) : 1);
 }
 
 }  // namespace skybake::test

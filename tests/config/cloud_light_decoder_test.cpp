@@ -114,6 +114,38 @@ TEST(CloudLightDecoder, RefusesRadianceThatNoFileHolds) {
     }
 }
 
+TEST(CloudLightDecoder, AClearSkyIsThatOfTheRecipe) {
+    const std::string sky = "contents = 'clear_sky_radiance'\n";
+    const std::string air = "preset = 'earth_hillaire'\n";
+    const auto under = [&](const std::string& keys) { return air + light_recipe(sky + keys); };
+    const Recipe recipe = valid(under("sun_elevations = '30 deg'\nsun_azimuths = '20 deg'\n"));
+    ASSERT_EQ(recipe.parameters.bakes.size(), 2U);
+    const auto& bake = recipe.parameters.bakes[0].as<CloudLightBake>();
+    EXPECT_EQ(bake.contents, CloudLightContents::clear_sky_radiance);
+    EXPECT_EQ(channels_of(bake), 4U);
+    EXPECT_EQ(only_diagnostic(under("")).code, "E0105");
+    EXPECT_EQ(only_diagnostic(under("sun_elevations = ['30 deg', '9 deg']")).code, "E0176");
+    EXPECT_EQ(fault("contents = 'sky_radiance'\nsun_elevations = '30 deg'").code, "E0111");
+}
+
+TEST(CloudLightDecoder, RefusesASkyThatIsNotAboveTheCloud) {
+    const std::string keys = "contents = 'clear_sky_radiance'\nsun_elevations = '30 deg'";
+    const Diagnostic none = fault(keys);
+    EXPECT_EQ(none.code, "E0189");
+    EXPECT_EQ(none.where.line, 4);
+    EXPECT_EQ(none.where.column, 12);
+    // The cloud is 500 m high, and the air 100 km.
+    const auto at = [&](const std::string& base) {
+        return "preset = 'earth_hillaire'\n[bake.l]\nasset = 'cloud_light'\nof = 'v'\n" + keys +
+               "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 8]\n" +
+               cloud_recipe("base_altitude = '" + base + "'\n");
+    };
+    valid(at("99.4 km"));
+    const Diagnostic high = only_diagnostic(at("99.5 km"));
+    EXPECT_EQ(high.code, "E0189");
+    EXPECT_EQ(high.label, "the air ends 100000 m above the ground");
+}
+
 TEST(CloudLightDecoder, SunsStandAboveTheHorizon) {
     for (const char* sun : {"0 deg", "-5 deg", "0.9 deg", "91 deg"}) {
         const Diagnostic found =

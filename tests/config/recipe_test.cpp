@@ -136,6 +136,11 @@ const std::vector<Fault> faults = {
              "sun_elevations = [\"60 deg\", \"30 deg\"]\n"
              "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
      10, 18, 20, "give one elevation, and bake an asset for each sun"},
+    {"E0189",
+     cloud + "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"clear_sky_radiance\"\n"
+             "sun_elevations = \"60 deg\"\n"
+             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
+     9, 12, 20, "give the recipe an atmosphere, for instance preset = \"earth\""},
     {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
      "it loads cloud_volume, noise_volume"},
     {"E0170",
@@ -190,9 +195,9 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
 // What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
 // does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
-    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133",
-                             "E0134", "E0150", "E0171", "E0174", "E0175", "E0176", "W0203",
-                             "W0204", "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
+    for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",
+                             "E0150", "E0171", "E0174", "E0175", "E0176", "E0189", "W0203", "W0204",
+                             "W0208", "W0209", "W0210", "W0211", "W0212", "W0213"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

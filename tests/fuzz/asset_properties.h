@@ -125,8 +125,11 @@ inline void check_asset(const CloudLightBake& asset, const Parameters& parameter
     }
     require(asset.sun_azimuths.empty() || asset.sun_azimuths.size() == asset.sun_elevations.size(),
             "each sun has an azimuth");
-    if (asset.contents == CloudLightContents::sun_radiance) {
+    if (is_of_one_sun(asset.contents)) {
         require(asset.sun_elevations.size() == 1, "radiance is of one sun");
+    }
+    if (asset.contents == CloudLightContents::clear_sky_radiance) {
+        require(parameters.atmosphere.top_radius.meters > 0, "there is a sky");
     }
     require(within(asset.droplet_diameter.meters, 5e-6, 50e-6), "droplets are those of the fit");
     require(within(asset.single_scattering_albedo, 1e-6, 1), "no light is made");

@@ -189,6 +189,12 @@ asset = "cloud_light"
 of = "cloud"
 contents = "sky_radiance"
 formats = ["exr"]
+[bake.clear_sky]
+asset = "cloud_light"
+of = "cloud"
+contents = "clear_sky_radiance"
+sun_elevations = ["40 deg"]
+formats = ["exr"]
 [bake.distance]
 asset = "cloud_distance"
 of = "cloud"
@@ -510,6 +516,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"cells", "m", "", "", none, none, "+z"},
         {"light", "m", "", "", none, none, "+z"},
         {"radiance", "m", "", "1/sr", none, none, "+z"},
+        {"clear_sky", "m", "", "1/sr", none, none, "+z"},
         {"distance", "m", "", "", none, none, "+z"},
     };
     EXPECT_EQ(all.size(), manifest().assets.size());

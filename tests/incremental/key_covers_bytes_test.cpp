@@ -235,6 +235,32 @@ TEST(KeyCoversBytes, WhateverChangesOfClouds) {
                                  "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
 }
 
+// The light of a uniform sky is the same in any air.
+TEST(KeyCoversBytes, AClearSkyIsOfItsAirAndItsSun) {
+    const std::string light =
+        "[bake.uniform]\nasset = 'cloud_light'\nof = 'cloud'\n"
+        "contents = 'sky_radiance'\n";
+    const Recipe before = recipe_of(kCloudySky + light);
+    for (const char* setting :
+         {"atmosphere.ground_albedo=0.4", "atmosphere.layers.mie.g=0.7",
+          "clouds.c.base_altitude='600 m'", "bake.sky_light.sun_elevations=['41 deg']"}) {
+        const auto after = config::parse_recipe(kCloudySky + light, "recipe.toml", kMaps,
+                                                std::vector<std::string>{setting});
+        ASSERT_TRUE(after.value) << setting;
+        for (std::size_t i = 0; i < before.parameters.bakes.size(); ++i) {
+            const config::Bake& bake = before.parameters.bakes[i];
+            const bool is_same =
+                key_of(before, bake) == key_of(*after.value, after.value->parameters.bakes[i]);
+            if (bake.name == "sky_light") {
+                EXPECT_FALSE(is_same) << setting;
+            }
+            if (bake.name == "uniform" && std::string(setting).starts_with("atmosphere")) {
+                EXPECT_TRUE(is_same) << setting;
+            }
+        }
+    }
+}
+
 // Minutes: whatever does not change an environment has it made anew.
 TEST(SlowKeyCoversBytes, WhateverChangesOfCloudySkies) {
     change_every_value(

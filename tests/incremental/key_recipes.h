@@ -187,6 +187,12 @@ extinction_scale = "20 /km"
 asset = "cloud_volume"
 cloud = "c"
 size = [4, 4, 4]
+[bake.sky_light]
+asset = "cloud_light"
+of = "cloud"
+contents = "clear_sky_radiance"
+sun_elevations = ["40 deg"]
+sun_azimuths = ["20 deg"]
 [bake.cloudy]
 asset = "environment"
 orders = "single"

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/air/cloud_optics.h"
+#include "bakers/assets/cloud_light/sky_parts.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/memory.h"
@@ -18,11 +19,18 @@
 
 namespace skybake::cloud_light {
 
+// The radiance of the sky above a layer over its mean. Both functions are of the same sky.
+struct LayerSky {
+    SkyByDirection shape;
+    SkyByDirection reference;  // by other samples and another interpolation
+};
+
 struct CloudLayer {
     std::array<int, 3> size{};
     std::array<double, 3> voxel_m{};  // edges of a voxel in metres
     CloudOptics optics;
     AlignedFloats values;  // as stored, x fastest
+    LayerSky sky;          // empty unless the asset's light is that of a clear sky (layer_sky.h)
 
     // A voxel within the volume.
     float value(int x, int y, int z) const {

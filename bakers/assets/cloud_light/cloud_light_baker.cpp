@@ -12,6 +12,7 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
+#include "bakers/assets/cloud_light/layer_sky.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/source_volume.h"
@@ -40,8 +41,14 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     const Outcome<Baked> held = hold_source_volume(parameters, asset.of, options, volume);
     if (!held.value) return {{}, held.diagnostics};
     const Baked& voxels = *held.value;
-    const cloud_light::CloudLayer layer = cloud_light::make_layer(
-        voxels, channel_named(voxels, asset.channel), spanned_cloud(parameters, of), options);
+    const Cloud cloud = spanned_cloud(parameters, of);
+    cloud_light::CloudLayer layer =
+        cloud_light::make_layer(voxels, channel_named(voxels, asset.channel), cloud, options);
+    if (options.cancelled()) return {};
+    if (auto problem =
+            cloud_light::add_sky(parameters, asset, cloud, volume.name, options, layer)) {
+        return {{}, {*std::move(problem)}};
+    }
     if (options.cancelled()) return {};
     if (!asset.max_error) {
         return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
@@ -51,6 +58,14 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
     CloudLightBake chosen = asset;
     chosen.cell = *cell.value;
     return bake_cloud_light(voxels, layer, chosen, options, std::move(volume));
+}
+
+std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
+    std::vector<Need> needs = cloud_light::sky_needs(parameters, asset);
+    for (Need& need : needs_of_voxels(parameters, source_volume(parameters, asset.of))) {
+        needs.push_back(std::move(need));
+    }
+    return needs;
 }
 
 // Guesses of the solver and what it makes of them.
@@ -78,6 +93,9 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     const Estimate voxels = estimate_cloud_volume(parameters, of);
     result.seconds += voxels.seconds / 2;
     result.memory_mib += voxels.memory_mib + 2 * voxels_of(of.size, 1) * sizeof(float) / kMebibyte;
+    if (asset.contents == CloudLightContents::clear_sky_radiance) {
+        result.seconds += seconds_to_solve(config::SkyOrders::all);
+    }
     if (config::is_radiance(asset.contents)) {
         const auto places =
             cloud_light::place_grid(of.size, cloud_light_spacing(asset), false).count;
@@ -151,7 +169,7 @@ const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
     static const Baker<config::CloudLightBake> row = {.version = 4,
                                                       .bake = bake,
                                                       .estimate = estimate,
-                                                      .needs = needs_of_source<CloudLightBake>,
+                                                      .needs = needs,
                                                       .places = places,
                                                       .lookup = lookup,
                                                       .draft = draft,

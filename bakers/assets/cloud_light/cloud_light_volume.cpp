@@ -79,6 +79,9 @@ std::string meaning_of(const CloudLightBake& bake) {
         case CloudLightContents::sky_radiance:
             return "radiance (1/sr) of scattered light, for a sky of radiance 1, by direction of "
                    "travel";
+        case CloudLightContents::clear_sky_radiance:
+            return "radiance (1/sr) of scattered light, for a clear sky of the mean radiance 1, by "
+                   "direction of travel";
         case CloudLightContents::ground_radiance:
             return "radiance (1/sr) of scattered light, for ground of radiance 1, by direction of "
                    "travel";

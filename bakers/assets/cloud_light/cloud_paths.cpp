@@ -215,11 +215,16 @@ bool CloudPaths::choose_directions(Particle& particle, std::vector<Particle>& wa
     return survives(particle, random);
 }
 
+double CloudPaths::light_from(const glm::dvec3& direction) const {
+    if (direction.z <= 0) return sources_.ground;
+    return sources_.sky_shape ? sources_.sky * sources_.sky_shape(direction) : sources_.sky;
+}
+
 void CloudPaths::walk_on(Particle particle, std::vector<Particle>& waiting, RandomStream& random,
                          TracedRadiance& sum) const {
     do {
         if (!fly(particle.place, particle.direction, random)) {
-            const double light = particle.direction.z > 0 ? sources_.sky : sources_.ground;
+            const double light = light_from(particle.direction);
             (particle.order == 0 ? sum.seen : sum.higher) += particle.weight * light;
             return;
         }

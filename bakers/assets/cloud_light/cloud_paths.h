@@ -21,6 +21,7 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_scattering.h"
+#include "bakers/assets/cloud_light/sky_parts.h"
 #include "bakers/light/path_tracer/path_numbers.h"
 #include "bakers/math/vectors.h"
 
@@ -30,7 +31,8 @@ namespace skybake::cloud_light {
 struct LayerSources {
     double sun = 0;                     // irradiance of a surface that faces the sun
     glm::dvec3 sun_direction{0, 0, 1};  // a unit vector towards it, which rises
-    double sky = 0;                     // radiance of all directions above
+    double sky = 0;                     // radiance of all directions above, but for
+    SkyByDirection sky_shape = {};      // factors of it by direction; empty: 1 everywhere
     double ground = 0;                  // radiance of all directions below
 };
 
@@ -81,6 +83,8 @@ class CloudPaths {
     bool choose_directions(Particle& particle, std::vector<Particle>& waiting,
                            RandomStream& random) const;
     bool survives(Particle& particle, RandomStream& random) const;
+    // The radiance of sky or ground that is seen in a direction.
+    double light_from(const glm::dvec3& direction) const;
     double density_about_sun(const glm::dvec3& direction) const;
 
     const CloudLayer& layer_;

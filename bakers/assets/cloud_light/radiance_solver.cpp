@@ -220,11 +220,15 @@ SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
     const LayerCells cells = mean_cells(layer, places, scaled_cloud.extinction_share, options);
     const CellFields first = first_scattering(layer, places, scaled_cloud, sources, options);
     const RadianceSweep sweep(cells, degree, options);
+    EnteringLight entering{sources.sky, sources.ground};
+    if (sources.sky_shape) {
+        entering.sky_shape = ordinate_radiances(sources.sky_shape, sweep.sky_ordinates());
+    }
     AndersonGuesses guesses(options);
     SolvedRadiance result{CellFields(places.count, first.count()), 0, 1};
     while (result.change > kLargestChange && result.sweeps < kMostSweeps && !options.cancelled()) {
-        CellFields next = scattered_again(result.scattered, first, sweep, scaled_cloud,
-                                          {sources.sky, sources.ground}, options);
+        CellFields next =
+            scattered_again(result.scattered, first, sweep, scaled_cloud, entering, options);
         ++result.sweeps;
         const double size = inner_product(next, next, options);
         CellFields change = next;

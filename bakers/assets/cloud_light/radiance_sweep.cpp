@@ -100,6 +100,14 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
     }
 }
 
+std::vector<SkyDirection> RadianceSweep::sky_ordinates() const {
+    std::vector<SkyDirection> ordinates;
+    for (const Ordinate& ordinate : downward_) {
+        ordinates.push_back({-ordinate.direction, ordinate.solid_angle});
+    }
+    return ordinates;
+}
+
 void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine) {
     const double length = edge_m_[2] / (cosine * nodes_[node].steps);
     parallel_for(size_[2], options_.threads, [&](int z) {
@@ -175,12 +183,12 @@ void RadianceSweep::add_rows(const std::vector<Rays>& rays, int z, int y, CellFi
     }
 }
 
-void RadianceSweep::sweep(const CellFields& sources, double entering, bool rises,
-                          CellFields& sums) const {
+void RadianceSweep::sweep(const CellFields& sources, const std::vector<double>& entering,
+                          bool rises, CellFields& sums) const {
     std::vector<Rays> rays;
     for (Ordinate ordinate : downward_) {
         if (rises) ordinate.direction.z = -ordinate.direction.z;
-        rays.emplace_back(size_, ordinate, entering);
+        rays.emplace_back(size_, ordinate, entering[rays.size()]);
     }
     for (int i = 0; i < size_[2] && !options_.cancelled(); ++i) {
         const int z = rises ? i : size_[2] - 1 - i;
@@ -192,8 +200,10 @@ void RadianceSweep::sweep(const CellFields& sources, double entering, bool rises
 
 CellFields RadianceSweep::radiance(const CellFields& sources, const EnteringLight& entering) const {
     CellFields sums(size_, coefficients_);
-    sweep(sources, entering.sky, false, sums);
-    sweep(sources, entering.ground, true, sums);
+    std::vector<double> sky(downward_.size(), entering.sky);
+    for (std::size_t n = 0; n < entering.sky_shape.size(); ++n) sky[n] *= entering.sky_shape[n];
+    sweep(sources, sky, false, sums);
+    sweep(sources, std::vector<double>(downward_.size(), entering.ground), true, sums);
     return sums;
 }
 

@@ -59,6 +59,7 @@ struct LayerCells {
 struct EnteringLight {
     double sky = 0;
     double ground = 0;
+    std::vector<double> sky_shape = {};  // factors of sky, one for each ordinate; empty: all 1
 };
 
 class RadianceSweep {
@@ -74,6 +75,10 @@ class RadianceSweep {
     // Directions in which rays go.
     std::size_t directions() const { return 2 * downward_.size(); }
 
+    // The directions in which the sky is seen from which rays come, in the order of
+    // EnteringLight::sky_shape.
+    std::vector<SkyDirection> sky_ordinates() const;
+
   private:
     struct Node {  // of the zenith angle
         int steps = 1;
@@ -87,7 +92,8 @@ class RadianceSweep {
     struct Rays;
 
     void fill_passing(const LayerCells& cells, std::size_t node, double cosine);
-    void sweep(const CellFields& sources, double entering, bool rises, CellFields& sums) const;
+    void sweep(const CellFields& sources, const std::vector<double>& entering, bool rises,
+               CellFields& sums) const;
     void cross_plane(const CellFields& sources, int z, Rays& rays) const;
     void step(const Ordinate& ordinate, int z, int y, Rays& rays) const;
     void add_rows(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const;

@@ -20,12 +20,16 @@ using config::CloudLightContents;
 
 namespace {
 
-// Each source has the strength 1.
-LayerSources sources_of(const CloudLightBake& bake) {
+// Each source has the strength 1. `sky` is that above the layer, if it has one.
+LayerSources sources_of(const CloudLightBake& bake, const SkyByDirection& sky) {
     LayerSources sources;
     switch (bake.contents) {
         case CloudLightContents::sky_radiance:
             sources.sky = 1;
+            break;
+        case CloudLightContents::clear_sky_radiance:
+            sources.sky = 1;
+            sources.sky_shape = sky;
             break;
         case CloudLightContents::ground_radiance:
             sources.ground = 1;
@@ -74,8 +78,8 @@ double unshaded_coefficient(const CloudLightBake& bake) {
 std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,
                                                 const CloudLightBake& bake,
                                                 const BakeOptions& options, Facts& details) {
-    const SolvedRadiance solved =
-        solve_radiance(layer, places, scattering_of(bake), bake.degree, sources_of(bake), options);
+    const SolvedRadiance solved = solve_radiance(layer, places, scattering_of(bake), bake.degree,
+                                                 sources_of(bake, layer.sky.shape), options);
     details.emplace_back("sweeps", static_cast<double>(solved.sweeps));
     details.emplace_back("last_change", to_digits(solved.change, 3));
     std::vector<std::vector<float>> values;
@@ -88,7 +92,7 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
 
 VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
                                    int threads) {
-    const LayerSources sources = sources_of(bake);
+    const LayerSources sources = sources_of(bake, layer.sky.reference);
     const auto paths =
         std::make_shared<const CloudPaths>(layer, scattering_of(bake), sources, threads);
     return [&layer, paths, sources, bake,
