@@ -58,9 +58,9 @@ const config::CloudLightBake& light_of(const config::Parameters& parameters) {
 
 CloudLayer layer_of(const config::Parameters& parameters) {
     const auto& of = parameters.bakes[0].as<config::CloudVolumeBake>();
-    Facts details;
+    Baked volume;
     const BakeOptions options = with_threads();
-    const auto held = hold_source_volume(parameters, "v", options, details);
+    const auto held = hold_source_volume(parameters, "v", options, volume);
     const config::Cloud cloud = spanned_cloud(parameters, of);
     CloudLayer layer = cloud_light::make_layer(*held.value, 0, cloud, options);
     EXPECT_FALSE(
