@@ -10,7 +10,7 @@
 #include <utility>
 #include <variant>
 
-#include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/assets/cloud_volume/cloud_files.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/workspace/http_cache.h"
 #include "config/text/key_path.h"

@@ -139,8 +139,9 @@ ExitCode show(const Invocation& invocation, const PreviewRequest& request, Conso
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
     console.result(console.display().json ? previewed_event(paths, elapsed.count())
                                           : fmt::format("{}\n", fmt::join(paths, "\n")));
-    const std::string made =
-        paths.size() > 1 ? fmt::format("{} pictures", paths.size() - 1) : "a page";
+    const std::string made = paths.size() > 1 ? fmt::format("{} picture{}", paths.size() - 1,
+                                                            paths.size() == 2 ? "" : "s")
+                                              : "a page";
     console.note(fmt::format("{} in {:.1f} s: open {}\n", made, elapsed.count(), paths.back()));
     return ExitCode::done;
 }

@@ -77,20 +77,4 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     return outcome;
 }
 
-std::vector<Diagnostic> check_cloud_files(const config::Parameters& parameters) {
-    std::vector<Diagnostic> problems;
-    for (const config::Cloud& cloud : parameters.clouds) {
-        for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
-            if (map->file.empty()) continue;
-            const Outcome<MapImage> image = read_map_image(*map);
-            problems.insert(problems.end(), image.diagnostics.begin(), image.diagnostics.end());
-        }
-    }
-    for (const VolumeFile& volume : parameters.volumes) {
-        const Outcome<SourceVoxels> source = open_volume(volume);
-        problems.insert(problems.end(), source.diagnostics.begin(), source.diagnostics.end());
-    }
-    return problems;
-}
-
 }  // namespace skybake

@@ -17,9 +17,4 @@ config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                           const config::CloudVolumeBake& bake, Facts& details,
                                           Intermediates* shared = nullptr);
 
-// Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
-// and E0304 at the recipe's line.
-[[nodiscard]] std::vector<config::Diagnostic> check_cloud_files(
-    const config::Parameters& parameters);
-
 }  // namespace skybake
