@@ -1,9 +1,11 @@
 // What assets share: made once, freed after the last, and without a trace in the bytes.
 #include "bakers/math/intermediates.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -204,6 +206,49 @@ TEST(Intermediates, AreMadeOnceForSeveralFolders) {
     EXPECT_GT(shared.kept_bytes(), 0);
     expected.clear();
     EXPECT_EQ(shared.kept_bytes(), 0);
+}
+
+// The parts of one set of harmonics are of one solution; another sun or another rounding of the
+// voxels has its own.
+TEST(Intermediates, PartsOfACloudsRadianceShareTheirSolution) {
+    std::string text =
+        "[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 2\n[clouds.c]\nnoise = 'n'\n"
+        "extent = ['1 km', '1 km', '0.5 km']\ncoverage = 0.8\n";
+    for (const char* type : {"half", "float"}) {
+        text += fmt::format(
+            "[bake.{}]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [8, 8, 4]\n"
+            "pixel_type = '{}'\n",
+            type, type);
+    }
+    const auto add = [&text](const char* name, const char* of, int part, int sun) {
+        text += fmt::format(
+            "[bake.{}]\nasset = 'cloud_light'\nof = '{}'\ncontents = 'sun_radiance'\n"
+            "sun_elevations = '{} deg'\ndegree = 3\npart = {}\ncell = 2\n",
+            name, of, sun, part);
+    };
+    add("first", "half", 1, 40);
+    add("second", "half", 2, 40);
+    add("lower", "half", 1, 20);
+    add("rounded", "float", 1, 40);
+    const config::Recipe recipe = testing::recipe_of(text);
+    const testing::TemporaryFolder folder;
+    FolderBake bake;
+    bake.recipe = &recipe;
+    bake.bakes = recipe.parameters.bakes;
+    bake.folder = folder.path() / "plan";
+    const auto plan = plan_folder(bake);
+    ASSERT_TRUE(plan.value);
+    std::multiset<std::size_t> users;
+    for (const PlannedIntermediate& one : plan.value->intermediates()) {
+        if (one.need.name.starts_with("radiance in ")) users.insert(one.users.size());
+    }
+    EXPECT_EQ(users, (std::multiset<std::size_t>{1, 1, 2}));
+    const Hashes whole = baked(folder.path() / "whole", recipe, recipe.parameters.bakes);
+    for (const config::Bake& one : recipe.parameters.bakes) {
+        const Hashes alone = baked(folder.path() / one.name, recipe, {one});
+        EXPECT_EQ(alone.at(one.name), whole.at(one.name)) << one.name;
+    }
+    EXPECT_NE(whole.at("rounded"), whole.at("first"));
 }
 
 TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {

@@ -7,12 +7,14 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "bakers/air/cloud_optics.h"
 #include "bakers/assets/cloud_light/sky_parts.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/vectors.h"
 #include "config/sections/cloud.h"
@@ -31,6 +33,7 @@ struct CloudLayer {
     CloudOptics optics;
     AlignedFloats values;  // as stored, x fastest
     LayerSky sky;          // empty unless the asset's light is that of a clear sky (layer_sky.h)
+    std::optional<NeedKey> solution;  // of its radiance, if assets share it (radiance_volume.h)
 
     // A voxel within the volume.
     float value(int x, int y, int z) const {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_light/layer_sky.h"
+#include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/source_volume.h"
@@ -34,6 +36,12 @@ using config::CloudVolumeBake;
 
 bool is_map(const CloudLightBake& asset) { return asset.contents == CloudLightContents::shadow; }
 
+std::optional<Need> shared_solution(const Parameters& parameters, const CloudLightBake& asset) {
+    const CloudVolumeBake& of = source_volume(parameters, asset.of);
+    const NeedKey voxels = needs_of_voxels(parameters, of).front().key;
+    return cloud_light::solution_need({voxels, of.size, of.pixel_type}, asset);
+}
+
 Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
@@ -50,6 +58,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
         return {{}, {*std::move(problem)}};
     }
     if (options.cancelled()) return {};
+    if (const auto solution = shared_solution(parameters, asset)) layer.solution = solution->key;
     if (!asset.max_error) {
         return bake_cloud_light(voxels, layer, asset, options, std::move(volume));
     }
@@ -62,6 +71,7 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudLightBake& asset,
 
 std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asset, Certification) {
     std::vector<Need> needs = cloud_light::sky_needs(parameters, asset);
+    if (auto solution = shared_solution(parameters, asset)) needs.push_back(*std::move(solution));
     for (Need& need : needs_of_voxels(parameters, source_volume(parameters, asset.of))) {
         needs.push_back(std::move(need));
     }

@@ -1,16 +1,21 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <string>
+#include <utility>
 
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/assets/cloud_light/harmonics.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_solver.h"
+#include "bakers/assets/estimate.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
@@ -19,6 +24,20 @@ using config::CloudLightBake;
 using config::CloudLightContents;
 
 namespace {
+
+// All that a solution depends on, but for what light of the sky does.
+struct SolutionKey {
+    NeedKey voxels;
+    config::PixelType pixel_type{};  // to which the layer's voxels are rounded
+    std::string channel;
+    CloudLightContents contents{};
+    std::array<double, 2> sun{};  // elevation and azimuth in radians
+    int degree = 0;
+    int cell = 0;
+    double droplet_diameter_m = 0;
+    double albedo = 0;
+    bool operator==(const SolutionKey&) const = default;
+};
 
 // Each source has the strength 1. `sky` is that above the layer, if it has one.
 LayerSources sources_of(const CloudLightBake& bake, const SkyByDirection& sky) {
@@ -75,17 +94,48 @@ double unshaded_coefficient(const CloudLightBake& bake) {
     return fluence / (2 * std::sqrt(pi));
 }
 
+std::optional<Need> solution_need(const SourceOfLayer& of, const CloudLightBake& bake) {
+    if (!config::is_radiance(bake.contents)) return std::nullopt;
+    if (bake.contents == CloudLightContents::clear_sky_radiance) return std::nullopt;
+    constexpr double kSecondsPerCoefficient = 9e-7;  // of a place, over all sweeps
+    const PlaceGrid places = place_grid(of.size, cloud_light_spacing(bake), false);
+    const double coefficients = (bake.degree + 1) * (bake.degree + 1) * voxels_of(places.count, 1);
+    SolutionKey key = {of.voxels,
+                       of.pixel_type,
+                       bake.channel,
+                       bake.contents,
+                       {0, 0},
+                       bake.degree,
+                       bake.cell,
+                       bake.droplet_diameter.meters,
+                       bake.single_scattering_albedo};
+    if (bake.contents == CloudLightContents::sun_radiance) {
+        const double azimuth = bake.sun_azimuths.empty() ? 0 : bake.sun_azimuths.front().radians;
+        key.sun = {bake.sun_elevations.front().radians, azimuth};
+    }
+    return Need{NeedKey(std::move(key)), "radiance in " + bake.of,
+                kSecondsPerCoefficient * coefficients, coefficients * sizeof(float) / kMebibyte};
+}
+
 std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,
                                                 const CloudLightBake& bake,
                                                 const BakeOptions& options, Facts& details) {
-    const SolvedRadiance solved = solve_radiance(layer, places, scattering_of(bake), bake.degree,
-                                                 sources_of(bake, layer.sky.shape), options);
-    details.emplace_back("sweeps", static_cast<double>(solved.sweeps));
-    details.emplace_back("last_change", to_digits(solved.change, 3));
+    const auto solve = [&]() -> std::shared_ptr<const SolvedRadiance> {
+        auto solved = std::make_shared<const SolvedRadiance>(
+            solve_radiance(layer, places, scattering_of(bake), bake.degree,
+                           sources_of(bake, layer.sky.shape), options));
+        return options.cancelled() ? nullptr : solved;
+    };
+    const auto solved = layer.solution ? shared_or_made<SolvedRadiance>(options.intermediates,
+                                                                        *layer.solution, solve)
+                                       : solve();
+    if (!solved) return {};
+    details.emplace_back("sweeps", static_cast<double>(solved->sweeps));
+    details.emplace_back("last_change", to_digits(solved->change, 3));
     std::vector<std::vector<float>> values;
     for (std::size_t c = 0; c < config::channels_of(bake); ++c) {
         values.push_back(
-            values_of(solved.scattered, static_cast<std::size_t>(4 * (bake.part - 1)) + c));
+            values_of(solved->scattered, static_cast<std::size_t>(4 * (bake.part - 1)) + c));
     }
     return values;
 }

@@ -1,6 +1,8 @@
 // What the channels of a cloud_light volume of radiance hold, and what they are measured against.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
@@ -9,6 +11,7 @@
 #include "bakers/field/certify.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/facts.h"
+#include "bakers/math/intermediates.h"
 #include "config/assets/cloud_light.h"
 
 namespace skybake::cloud_light {
@@ -20,6 +23,17 @@ ScaledScattering scaled_scattering_of(const config::CloudLightBake& bake);
 // Returns coefficient 0 of the source's own light at a point that no cloud shades: F / (2 sqrt(pi)) of
 // light of the fluence F, which is 1 of the sun and 2 pi of the sky and of the ground.
 double unshaded_coefficient(const config::CloudLightBake& bake);
+
+// The voxels of a cloud volume: what they need, and to what they are rounded.
+struct SourceOfLayer {
+    NeedKey voxels;
+    std::array<int, 3> size{};
+    config::PixelType pixel_type{};
+};
+
+// Returns the solution that the parts of one set of harmonics share. There is none of the light of a
+// clear sky, which each part solves for by itself.
+std::optional<Need> solution_need(const SourceOfLayer& of, const config::CloudLightBake& bake);
 
 // Returns the channels at all places, x fastest: one vector for each channel. Adds how far the solution
 // has converged to `details`. The result does not depend on the number of threads; it is incomplete once
