@@ -126,8 +126,9 @@ TEST_F(VolumeBake, InfoShowsWhatFilesSay) {
     EXPECT_TRUE(contains(folder.out, "12x10x6")) << folder.out;
     EXPECT_FALSE(contains(folder.out, "wavelengths")) << folder.out;
     const Result voxels = run_words({"info", file("wisps.bin")});
-    EXPECT_EQ(voxels.code, 3);
-    EXPECT_TRUE(contains(voxels.error, "manifest.json")) << voxels.error;
+    EXPECT_EQ(voxels.code, 0) << voxels.error;
+    EXPECT_TRUE(contains(voxels.out, "24 x 20 x 12")) << voxels.out;
+    EXPECT_FALSE(contains(voxels.out, "12 x 10 x 6")) << voxels.out;
     EXPECT_EQ(run_words({"info", file("absent.bin")}).code, 3);
 }
 
