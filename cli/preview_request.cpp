@@ -229,10 +229,10 @@ Outcome<CameraRequest> read_camera(const std::string& text) {
     if (text.find_first_not_of(' ') == std::string::npos) {
         outcome.diagnostics.push_back(usage_error("--camera: the text is empty"));
     }
-    for (std::size_t at = text.find_first_not_of(' '); at < text.size();) {
-        const std::size_t end = std::min(text.find(' ', at), text.size());
-        const std::string_view part = std::string_view(text).substr(at, end - at);
-        at = std::min(text.find_first_not_of(' ', end), text.size());
+    for (std::size_t begin = text.find_first_not_of(' '); begin < text.size();) {
+        const std::size_t end = std::min(text.find(' ', begin), text.size());
+        const std::string_view part = std::string_view(text).substr(begin, end - begin);
+        begin = std::min(text.find_first_not_of(' ', end), text.size());
         const std::size_t equals = std::min(part.find('='), part.size());
         const std::string_view value = part.substr(std::min(equals + 1, part.size()));
         if (read_camera_part(part.substr(0, equals), value, *outcome.value)) continue;

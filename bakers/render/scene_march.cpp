@@ -81,15 +81,19 @@ PixelState state_of(const float* texel, int channels) {
     return state;
 }
 
-bool differ(const PixelState& a, const PixelState& b) {
+// Light that rises or falls evenly from pixel to pixel is right with one sample. So a pixel is compared
+// with the mean of the two beside it, from which it differs by half of a step's height.
+bool stands_out(const PixelState& before, const PixelState& here, const PixelState& after) {
     constexpr float kEdge = 1.0F / 16;   // of transmittance
     constexpr float kGrain = 1.0F / 16;  // of sunlight
-    return std::fabs(a.transmittance - b.transmittance) > kEdge ||
-           std::fabs(a.sunlight - b.sunlight) > kGrain * std::max(a.sunlight, b.sunlight);
+    const float mean = 0.5F * (before.sunlight + after.sunlight);
+    return std::fabs(here.transmittance - before.transmittance) > kEdge ||
+           std::fabs(here.transmittance - after.transmittance) > kEdge ||
+           std::fabs(here.sunlight - mean) > 0.5F * kGrain * std::max(here.sunlight, mean);
 }
 
 // Returns the pixels in which clouds are thin or end: light of the sky comes through, or the pixel
-// differs from a neighbour.
+// stands out from its neighbours.
 std::vector<PixelSample> thin_pixels(const Image2<float>& image) {
     constexpr float kThin = 1.0F / 64;
     const auto state = [&](int x, int y) {
@@ -102,9 +106,9 @@ std::vector<PixelSample> thin_pixels(const Image2<float>& image) {
         for (int x = 0; x < image.width; ++x) {
             const PixelState here = state(x, y);
             const float through = here.transmittance;
-            if ((through > kThin && through < 1 - kThin) || differ(here, state(x - 1, y)) ||
-                differ(here, state(x + 1, y)) || differ(here, state(x, y - 1)) ||
-                differ(here, state(x, y + 1))) {
+            if ((through > kThin && through < 1 - kThin) ||
+                stands_out(state(x - 1, y), here, state(x + 1, y)) ||
+                stands_out(state(x, y - 1), here, state(x, y + 1))) {
                 pixels.push_back({x, y, 0});
             }
         }

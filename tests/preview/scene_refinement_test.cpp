@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -65,16 +66,24 @@ struct OneSample {
 
     double through(int x, int y) const { return seen.texel(x, y)[6]; }
     double sunlight(int x, int y) const { return seen.texel(x, y)[0] + seen.texel(x, y)[1]; }
-    bool differ(int x, int y, int i, int j) const {
-        if (i < 0 || j < 0 || i >= seen.width || j >= seen.height) return false;
-        const double brighter = std::max(sunlight(x, y), sunlight(i, j));
-        return std::fabs(through(x, y) - through(i, j)) > 1.0 / 16 ||
-               std::fabs(sunlight(x, y) - sunlight(i, j)) > brighter / 16;
+    // Beside the picture are its outermost pixels.
+    std::array<int, 2> within(int x, int y) const {
+        return {std::clamp(x, 0, seen.width - 1), std::clamp(y, 0, seen.height - 1)};
     }
-    // A 64th of the light or more comes through and is held back, or a neighbour differs by a 16th.
+    // Along a row or a column a neighbour's transmittance is a 16th away, or the sunlight a 32nd of the
+    // greater from the mean of both neighbours'.
+    bool stands_out(int x, int y, int dx, int dy) const {
+        const auto [x0, y0] = within(x - dx, y - dy);
+        const auto [x1, y1] = within(x + dx, y + dy);
+        const double mean = (sunlight(x0, y0) + sunlight(x1, y1)) / 2;
+        return std::fabs(through(x, y) - through(x0, y0)) > 1.0 / 16 ||
+               std::fabs(through(x, y) - through(x1, y1)) > 1.0 / 16 ||
+               std::fabs(sunlight(x, y) - mean) > std::max(sunlight(x, y), mean) / 32;
+    }
+    // A 64th of the light or more comes through and is held back, or the pixel stands out.
     bool thin_or_ends(int x, int y) const {
-        return (through(x, y) > 1.0 / 64 && through(x, y) < 63.0 / 64) || differ(x, y, x - 1, y) ||
-               differ(x, y, x + 1, y) || differ(x, y, x, y - 1) || differ(x, y, x, y + 1);
+        return (through(x, y) > 1.0 / 64 && through(x, y) < 63.0 / 64) || stands_out(x, y, 1, 0) ||
+               stands_out(x, y, 0, 1);
     }
 };
 
