@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -21,16 +20,11 @@ using config::FileFormat;
 using config::Ktx2Compression;
 using config::PixelType;
 using testing::TemporaryFolder;
+using testing::word;
 using testing::written;
 
 constexpr std::array kFormats = {FileFormat::dds, FileFormat::ktx2};
 constexpr int kFaces = 6;
-
-std::uint32_t word(const std::string& bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-}
 
 Baked cube_of(int edge, int channels, PixelType type, int levels = 1) {
     Baked cube = testing::plain_volume({edge, kFaces * edge, 1}, channels, type);

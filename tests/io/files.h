@@ -5,7 +5,9 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -54,6 +56,17 @@ class TemporaryFolder {
   private:
     std::filesystem::path path_;
 };
+
+// Returns the number that stands at a byte of a file, or 0 if the file ends before it does.
+template <class T>
+T number(const std::string& bytes, std::size_t at) {
+    T value{};
+    if (at + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + at, sizeof value);
+    return value;
+}
+inline std::uint32_t word(const std::string& bytes, std::size_t at) {
+    return number<std::uint32_t>(bytes, at);
+}
 
 inline std::string read_bytes(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);

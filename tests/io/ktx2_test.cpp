@@ -17,21 +17,13 @@ namespace {
 using config::FileFormat;
 using config::Ktx2Compression;
 using config::PixelType;
+using testing::number;
 using testing::plain_volume;
 using testing::TemporaryFolder;
+using testing::word;
 using testing::written;
 
 constexpr FileFormat kFormat = FileFormat::ktx2;
-
-template <class T>
-T number(const std::string& bytes, std::size_t at) {
-    T value{};
-    if (at + sizeof value <= bytes.size()) std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-}
-std::uint32_t word(const std::string& bytes, std::size_t at) {
-    return number<std::uint32_t>(bytes, at);
-}
 
 Baked volume_of(const std::array<int, 3>& size, int channels, PixelType type,
                 Ktx2Compression compression = Ktx2Compression::none) {

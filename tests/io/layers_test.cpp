@@ -1,7 +1,6 @@
 // Arrays of 2-D textures in DDS and KTX2 files, read back by their bytes and by the formats' readers.
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,15 +18,10 @@ using config::FileFormat;
 using config::Ktx2Compression;
 using config::PixelType;
 using testing::TemporaryFolder;
+using testing::word;
 using testing::written;
 
 constexpr std::array kFormats = {FileFormat::dds, FileFormat::ktx2};
-
-std::uint32_t word(const std::string& bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-}
 
 Baked layers_of(const std::array<int, 3>& size, int channels, PixelType type, int levels = 1) {
     Baked layers = testing::plain_volume(size, channels, type);

@@ -5,7 +5,6 @@
 
 #include <bit>
 #include <cmath>
-#include <cstring>
 
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
@@ -21,6 +20,7 @@ using testing::plain_volume;
 using testing::sample_voxel;
 using testing::stored;
 using testing::TemporaryFolder;
+using testing::word;
 using testing::written;
 using testing::wrong_values;
 
@@ -101,12 +101,6 @@ TEST(Png, NamesNoColourSpace) {
 }
 
 // --- DDS ----------------------------------------------------------------------------------------
-
-std::uint32_t word(const std::string& bytes, std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return value;
-}
 
 // Offsets of Microsoft's documentation of DDS_HEADER and DDS_HEADER_DXT10, after the magic word.
 TEST(Dds, HasTheHeaderOfDx10) {
