@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Installs what skybake needs on Debian 12, as root or with sudo. It does nothing if all is installed.
 #   examples/install_packages.sh            installs what building and running need
-#   examples/install_packages.sh --tests    also for the tests, those of pages only if npm is installed
-#   examples/install_packages.sh --browser  also for those of pages: Debian's npm needs some 300 packages
+#   examples/install_packages.sh --tests    also for the tests of the first tier
+#   examples/install_packages.sh --more     also for Clang and browsers; where npm is missing, some 300 more
 #   examples/install_packages.sh --all      also for all others: Blender, Slurm and more, some 400 packages
 set -euo pipefail
 
@@ -13,18 +13,18 @@ packages=(
     libopenimageio-dev libopenvdb-dev libpango1.0-dev libpng-dev libtbb-dev libtomlplusplus-dev libxxhash-dev
     libzstd-dev nlohmann-json3-dev pkg-config zlib1g-dev
 )
-if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
+mode=${1:-}
+if [[ $mode == --tests || $mode == --more || $mode == --all ]]; then
     packages+=(
-        clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev
-        librapidcheck-dev libsquish-dev locales-all make openexr python3 python3-jsonschema
+        glslang-tools libboost-dev libgtest-dev librapidcheck-dev libsquish-dev locales-all make openexr
+        python3 python3-jsonschema
     )
-    if command -v npm >/dev/null; then
-        packages+=(chromium spirv-cross)
-    elif [[ "$1" != --tests ]]; then
-        packages+=(chromium nodejs npm spirv-cross)
+    if [[ $mode != --tests ]]; then
+        packages+=(chromium clang-14 libbenchmark-dev libclang-rt-14-dev spirv-cross)
+        command -v npm >/dev/null || packages+=(nodejs npm)
     fi
     # These are for tests of the files in other programs and of sweeps on a farm.
-    if [[ "$1" == --all ]]; then
+    if [[ $mode == --all ]]; then
         packages+=(
             blender buildah dpkg-dev ffmpeg fish groff libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
             munge nginx-light openimageio-tools python3-numpy python3-openvdb python3-yaml slurm-wlm zsh

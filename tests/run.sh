@@ -1,34 +1,63 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds them and runs them through CTest. At the end it prints the time
-# that each label and folder took, and every test that was skipped or left out.
-#   tests/run.sh          runs all tests but those labelled `slow`, with the programs that are installed
-#   tests/run.sh --all    runs those too, and installs every program that a test uses
+# that each step, label and folder took, and every test that was skipped or left out.
+#   tests/run.sh          runs the first tier: laws, references, hard cases and golden hashes, in ten
+#                         minutes on two cores
+#   tests/run.sh --more   runs the second tier: compilers, farms, browsers, consumers, long random cases
+#   tests/run.sh --all    runs all tests, the slow ones as well, and installs every program that one uses
 #   tests/run.sh --hard   runs only the hard cases, and prints their table
+# tests/README.md says what each tier protects.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-
-if [[ "${1:-}" == --all ]]; then
-    examples/install_packages.sh --all
-else
-    examples/install_packages.sh --tests
-fi
-# Without line numbers, which nobody reads here and which take a twentieth of the time.
-cmake --preset dev -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON \
-    -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O2 -DNDEBUG" >/dev/null
-cmake --build --preset dev
+folder=build/quickstart
 jobs=$(nproc)
 
-# run OPTION...: of ctest; ends with its exit code
-run() {
-    local code=0
-    ctest --test-dir build/dev --output-on-failure -j "$jobs" --output-junit results.xml \
-        --test-output-size-passed 16384 "$@" || code=$?
-    tests/summary.py build/dev build/dev/results.xml || echo "tests/summary.py failed" >&2
+mode=${1:-}
+packages=--tests
+benchmarks=OFF
+filter=()
+case $mode in
+    "") filter=(-LE 'slow|more|browser|consumers|farm') ;;
+    --more) packages=--more benchmarks=ON filter=(-L 'more|browser|consumers|farm' -LE slow) ;;
+    --all) packages=--all benchmarks=ON ;;
+    --hard) filter=(-L hard) ;;
+    *) echo "tests/run.sh [--more|--all|--hard]" >&2; exit 2 ;;
+esac
+
+# step NAME COMMAND...: notes the seconds of the clock and of the processors for the table at the end
+steps=()
+step() {
+    local name=$1 code=0 begin=$SECONDS before after
+    shift
+    before=$(processor_seconds)
+    "$@" || code=$?
+    after=$(processor_seconds)
+    steps+=("$name" $((SECONDS - begin)) $((after - before)))
     return "$code"
 }
-case "${1:-}" in
-    --all) run ;;
-    --hard) ctest --test-dir build/dev --output-on-failure -j "$jobs" -L hard | grep -E '\(bound |^total |tests passed|tests failed' ;;
-    "") run -LE slow ;;
-    *) echo "tests/run.sh [--all|--hard]" >&2; exit 2 ;;
-esac
+# The seconds of processors that this shell's children have taken.
+processor_seconds() {
+    local fields
+    read -ra fields </proc/$$/stat
+    echo $(((fields[15] + fields[16]) / $(getconf CLK_TCK)))
+}
+configure_and_build() {
+    cmake --preset quickstart -DSKYBAKE_TESTS=ON -DSKYBAKE_BENCHMARKS=$benchmarks \
+        -DSKYBAKE_WARNINGS_AS_ERRORS=${CI:+ON} >/dev/null
+    cmake --build $folder
+}
+run() {
+    ctest --test-dir $folder --output-on-failure -j "$jobs" --output-junit results.xml \
+        --test-output-size-passed 16384 "${filter[@]}"
+}
+
+step install examples/install_packages.sh $packages
+step build configure_and_build
+code=0
+if [[ $mode == --hard ]]; then
+    run | grep -E '\(bound |^total |tests passed|tests failed' || code=$?
+else
+    step test run || code=$?
+    tests/summary.py $folder $folder/results.xml "${steps[@]}" || code=$?
+fi
+exit "$code"

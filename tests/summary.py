@@ -2,10 +2,11 @@
 """What a run of the tests took, and what it did not test.
 
     ctest --test-dir BUILD ... --output-junit RESULTS
-    tests/summary.py BUILD RESULTS
+    tests/summary.py BUILD RESULTS [STEP WALL_SECONDS PROCESSOR_SECONDS]...
 
-Prints the time of each label and of each folder of tests/, the slowest tests, and last, so that
-nobody overlooks it, every test that was skipped or left out, with the reason that it gave.
+Prints the time of each label and of each folder of tests/, the slowest tests, the steps of the run, and
+last, so that nobody overlooks it, every test that was skipped or left out, with the reason that it
+gave. Ends with 1 if the second tier names a test that is none.
 """
 
 import json
@@ -17,6 +18,8 @@ from collections import defaultdict
 from pathlib import Path
 
 SLOWEST = 20
+BUDGET = 600  # seconds of the first tier on two idle cores
+SECOND_TIER = Path(__file__).parent / "second_tier/label.cmake"
 # What tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
 REASON = re.compile(r"^(.*(?:skipped: |not tested).*|(?<=: Skipped\n).*)$", re.M)
 
@@ -26,9 +29,10 @@ class Test:
 
     def __init__(self, name, properties):
         self.name = name
-        self.labels = properties.get("LABELS", [])
         folders = Path(properties.get("WORKING_DIRECTORY", "")).parts
         self.room = folders[folders.index("tests") + 1] if "tests" in folders[:-1] else "tests"
+        # The folder is a label, too, but it has a table of its own.
+        self.labels = [label for label in properties.get("LABELS", []) if label != self.room]
 
 
 def known_tests(build):
@@ -80,6 +84,22 @@ def slowest(results):
     return lines
 
 
+def steps_table(words):
+    """The steps of a run, and their sum beside the budget of the first tier."""
+    if not words:
+        return []
+    steps = [(name, int(wall), int(cores)) for name, wall, cores in zip(*[iter(words)] * 3)]
+    sums = ("sum", sum(step[1] for step in steps), sum(step[2] for step in steps))
+    lines = [f"\n{'step':<24}{'seconds':>8}{'of all cores':>14}"]
+    lines += [f"{name:<24}{wall:>8}{cores:>14}" for name, wall, cores in [*steps, sums]]
+    return lines + [f"{'budget, two idle cores':<24}{BUDGET:>8}{2 * BUDGET:>14}"]
+
+
+def unknown_in_second_tier(tests):
+    names = re.findall(r"^    (\S+)$", SECOND_TIER.read_text(), re.M)
+    return [name for name in names if name not in tests]
+
+
 def not_tested(tests, results):
     lines = []
     for result in results:
@@ -98,15 +118,17 @@ def not_tested(tests, results):
     return ["\n" + "=" * 100, "THIS RUN DID NOT TEST EVERYTHING:", *lines, "=" * 100]
 
 
-def summary(tests, results):
-    return "\n".join(times(tests, results) + slowest(results) + not_tested(tests, results))
-
-
 def main():
-    build, path = sys.argv[1:]
+    build, path, *steps = sys.argv[1:]
+    tests = known_tests(build)
     results = [Result(case) for case in xml.parse(path).getroot().iter("testcase")]
-    print(summary(known_tests(build), results))
+    print("\n".join(times(tests, results) + slowest(results) + steps_table(steps)
+                    + not_tested(tests, results)))
+    unknown = unknown_in_second_tier(tests)
+    for name in unknown:
+        print(f"{SECOND_TIER}: there is no test {name}")
+    return 1 if unknown else 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Drives a skybake program through Chromium by a script of this folder.
-#   tests/browser/run.sh preview_page.js build/dev/cli/skybake build/dev/tests/browser [ARGUMENTS]
+#   tests/browser/run.sh preview_page.js build/quickstart/cli/skybake build/quickstart/tests/browser [ARGUMENTS]
 # Ends with 77 where that cannot be done here.
 set -euo pipefail
 script=$1

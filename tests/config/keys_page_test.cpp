@@ -2,7 +2,7 @@
 // generated from (config/fields/fields.h). A failure means that a table has changed and the page
 // has not:
 //
-//   SKYBAKE_UPDATE_GOLDEN=1 build/dev/tests/config/config_tests --gtest_filter='KeysPage.*'
+//   SKYBAKE_UPDATE_GOLDEN=1 build/quickstart/tests/config/config_tests --gtest_filter='KeysPage.*'
 //
 // writes it anew.
 #include <fmt/format.h>

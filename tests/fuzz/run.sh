@@ -7,7 +7,7 @@ cd "$(dirname "$0")/../.."
 
 fuzzers=(recipe units setting reader)
 seconds=$((${1:-60} / 2))
-examples/install_packages.sh --tests
+examples/install_packages.sh --more
 cmake --preset fuzz -DSKYBAKE_PRECOMPILED_HEADERS=ON -DSKYBAKE_BATCHES=ON >/dev/null
 cmake --build --preset fuzz --target "${fuzzers[@]/%/_fuzzer}"
 pids=()

@@ -4,7 +4,7 @@
 // wrong, or raise the baker's version (its file NAME_baker.cpp), so that no cache serves the old
 // bytes, and write the file anew:
 //
-//   SKYBAKE_UPDATE_GOLDEN=1 build/dev/tests/golden/golden_tests
+//   SKYBAKE_UPDATE_GOLDEN=1 build/quickstart/tests/golden/golden_tests
 //
 // which refuses a changed hash whose version was not raised.
 #include <fmt/format.h>

@@ -1,0 +1,3 @@
+set_tests_properties(
+    bytes.compilers
+    PROPERTIES LABELS more)
