@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "config/text/key_path.h"
 #include "config/text/text.h"
 
 namespace skybake::config {
@@ -13,14 +14,14 @@ namespace {
 constexpr std::size_t most_diagnostics = 1000;
 constexpr std::size_t longest_line = 1000;
 
-// Whether a terminal and a JSON document can take the text as it is: it is UTF-8 and has no control
-// characters except tabs.
-bool can_be_shown(std::string_view line) {
+// Returns the line as a terminal and a JSON document can take it. Tabs stay; if there is anything else
+// that is no text, all of that is escaped.
+std::string shown(std::string_view line) {
     const bool has_control = std::any_of(line.begin(), line.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && c != '\t') || byte == 0x7f;
     });
-    return line.size() <= longest_line && !has_control && !find_invalid_utf8(line);
+    return has_control || find_invalid_utf8(line) ? printable(line) : std::string(line);
 }
 
 std::string_view line_of(std::string_view text, int line) {
@@ -92,7 +93,7 @@ SourceRange source_range(const Place& place) {
     range.length = place.length;
     if (place.line > 0) {
         const std::string_view line = line_of(place.source->text, place.line);
-        if (can_be_shown(line)) range.line_text = line;
+        if (line.size() <= longest_line) range.line_text = shown(line);
     }
     return range;
 }

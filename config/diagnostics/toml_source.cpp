@@ -3,6 +3,9 @@
 #define TOML_HEADER_ONLY 0
 #include <toml++/toml.h>
 
+#include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 
 #include "config/text/key_path.h"
@@ -115,12 +118,44 @@ bool has_decimal_comma(std::string_view value) {
                (value.find_first_of("+-") == 0 ? 1U : 0U);
 }
 
-// Returns better words than the parser's for the most common mistakes: a quantity without its
-// quotes, a comma as a decimal point, and an integer that is too large for TOML.
+bool contains_any(std::string_view line, std::span<const std::string_view> parts) {
+    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
+        return line.find(part) != std::string_view::npos;
+    });
+}
+
+constexpr std::array<std::string_view, 8> typographic_quotes = {
+    "\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u201a", "\u00ab", "\u00bb"};
+
+// Returns words for texts that were written by, or for, other programs, or an empty text.
+std::string advice_on_origin(const Source& source, std::string_view line) {
+    const std::string_view text = source.text;
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    if (first != std::string_view::npos && text[first] == '{') {
+        return "this looks like JSON; recipes are TOML: preset = \"earth\"";
+    }
+    for (std::size_t at = text.find('\r'); at != std::string_view::npos; at = text.find('\r', at + 1)) {
+        if (at + 1 == text.size() || text[at + 1] != '\n') {
+            return "lines end with a carriage return alone, as on an old Mac: save with line feeds";
+        }
+    }
+    if (contains_any(line, typographic_quotes)) return "a typographic quote: write the plain one, \"";
+    constexpr std::array<std::string_view, 2> blanks = {"\u00a0", "\u202f"};
+    if (contains_any(line, blanks)) return "a no-break space: write a plain one";
+    const std::size_t colon = line.find(':');
+    if (line.find('=') == std::string_view::npos && colon != std::string_view::npos) {
+        return "this looks like YAML; recipes are TOML: preset = \"earth\"";
+    }
+    return "";
+}
+
+// Returns better words than the parser's for the most common mistakes: text of another kind, a
+// quantity without its quotes, a comma as a decimal point, and an integer that is too large for TOML.
 std::string advice(const Place& place) {
     const std::string line = source_range(place).line_text;
+    const std::string origin = advice_on_origin(*place.source, line);
     const std::size_t equals = line.find('=');
-    if (equals == std::string::npos) return "";
+    if (!origin.empty() || equals == std::string::npos) return origin;
     std::string_view value = std::string_view(line).substr(equals + 1);
     value = value.substr(0, value.find('#'));
     while (!value.empty() && (value.front() == ' ' || value.front() == '\t')) {
@@ -151,7 +186,8 @@ bool check_encoding(const Source& source, std::string_view text, DiagnosticList&
                                 digits[byte >> 4] + digits[byte & 15] + " at offset " +
                                 std::to_string(*invalid);
     Place place = place_at(source, text, *invalid);
-    diagnostics.error("E0100", place, message, "a recipe is TOML text in UTF-8");
+    diagnostics.error("E0100", place, message,
+                      "a recipe is TOML text: save it as UTF-8 in your editor");
     return false;
 }
 

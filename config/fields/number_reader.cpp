@@ -56,6 +56,17 @@ std::string list_units(Dimension dimension) {
     return text;
 }
 
+// Says what to write in place of a unit that there is not.
+std::string words_for_unit(std::string_view name, Dimension wanted) {
+    if (name.starts_with(',')) return "write a decimal point, not a comma";
+    if (name.starts_with("..")) return "a range is written FIRST:LAST:COUNT, such as 0.1:0.5:5";
+    if (const auto meant = unit_meant(name, wanted)) {
+        return fmt::format("units are case sensitive: write `{}`", *meant);
+    }
+    const std::string list = list_units(wanted);
+    return list.empty() ? "expected a number without a unit" : "the units here are " + list;
+}
+
 void report_quantity(const Reader& reader, const Value& value, const QuantityError& error,
                      Dimension wanted) {
     using ErrorKind = QuantityError::Kind;
@@ -69,11 +80,7 @@ void report_quantity(const Reader& reader, const Value& value, const QuantityErr
             break;
         case ErrorKind::unknown_unit: {
             message = fmt::format("`{}` has an unknown unit: `{}`", reader.path, part);
-            const std::vector<std::string_view> names = unit_names(wanted);
-            label = error.part.starts_with(',') ? "write a decimal point, not a comma"
-                                                : did_you_mean(error.part, names);
-            if (label.empty() && !names.empty()) label = "the units here are " + list_units(wanted);
-            if (label.empty()) label = "expected a number without a unit";
+            label = words_for_unit(error.part, wanted);
             break;
         }
         case ErrorKind::too_large:

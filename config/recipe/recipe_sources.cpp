@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/presets/presets.h"
@@ -229,6 +232,20 @@ class Loader {
                            std::move(label));
     }
 
+    // Returns "did you mean `earth.toml`?" if there is a recipe of a similar name beside `path`.
+    static std::string recipe_meant(const fs::path& path) {
+        std::error_code ignored;
+        if (fs::exists(path, ignored)) return "";
+        const fs::path folder = path.has_parent_path() ? path.parent_path() : ".";
+        std::set<std::string> files;
+        for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+            if (entry.path().extension() == ".toml") files.insert(entry.path().filename().string());
+        }
+        const std::vector<std::string_view> names(files.begin(), files.end());
+        const std::string words = did_you_mean(path.filename().string(), names);
+        return words.empty() && files.size() == 1 ? fmt::format("there is `{}`", *files.begin()) : words;
+    }
+
     void report_unreadable(const fs::path& path, const FileError& error, const Place& asked_at) {
         result_.complete = false;
         const std::string name = printable(path.string());
@@ -238,7 +255,8 @@ class Loader {
                                fmt::format("at most {} MiB are read", most_recipe_bytes >> 20));
         } else {
             diagnostics_.error("E0300", asked_at,
-                               fmt::format("cannot read `{}`: {}", name, error.reason));
+                               fmt::format("cannot read `{}`: {}", name, error.reason),
+                               recipe_meant(path));
         }
     }
 

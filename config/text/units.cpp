@@ -38,10 +38,13 @@ constexpr std::array units = {
     Unit{"km", Dimension::length, 3},
     Unit{"/m", Dimension::inverse_length, 0},
     Unit{"/km", Dimension::inverse_length, -3},
+    Unit{"/Mm", Dimension::inverse_length, -6},  // of aerosol science
     Unit{"1/m", Dimension::inverse_length, 0, alias},
     Unit{"1/km", Dimension::inverse_length, -3, alias},
+    Unit{"1/Mm", Dimension::inverse_length, -6, alias},
     Unit{"m^-1", Dimension::inverse_length, 0, alias},
     Unit{"km^-1", Dimension::inverse_length, -3, alias},
+    Unit{"Mm^-1", Dimension::inverse_length, -6, alias},
     Unit{"/m3", Dimension::number_density, 0},
     Unit{"/cm3", Dimension::number_density, 6},
     Unit{"1/m3", Dimension::number_density, 0, alias},
@@ -56,6 +59,7 @@ constexpr std::array units = {
     Unit{"/m2", Dimension::column_density, 0},
     Unit{"/cm2", Dimension::column_density, 4},
     Unit{"DU", Dimension::column_density, 16, true, 26867},  // of Dobson
+    Unit{"atm-cm", Dimension::column_density, 19, alias, 26867},  // a thousand of Dobson's
     Unit{"1/m2", Dimension::column_density, 0, alias},
     Unit{"1/cm2", Dimension::column_density, 4, alias},
     Unit{"m^-2", Dimension::column_density, 0, alias},
@@ -263,6 +267,29 @@ std::vector<std::string_view> unit_spellings(Dimension dimension) {
         if (unit.dimension == dimension) names.push_back(unit.name);
     }
     return names;
+}
+
+namespace {
+
+// Letters in lower case, in the order of the alphabet.
+std::string letters_of(std::string_view name) {
+    std::string letters(name);
+    for (char& c : letters) {
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    }
+    std::sort(letters.begin(), letters.end());
+    return letters;
+}
+
+}  // namespace
+
+std::optional<std::string_view> unit_meant(std::string_view name, Dimension dimension) {
+    // M is mega, and m is milli: they differ by nine powers of ten.
+    if (name.find('M') != std::string_view::npos) return std::nullopt;
+    for (const std::string_view unit : unit_spellings(dimension)) {
+        if (letters_of(unit) == letters_of(name)) return unit;
+    }
+    return std::nullopt;
 }
 
 std::string number_to_string(double value) { return shifted_to_string(value, 0); }

@@ -49,6 +49,10 @@ std::string_view dimension_name(Dimension dimension);
 std::vector<std::string_view> unit_names(Dimension dimension);
 std::vector<std::string_view> unit_spellings(Dimension dimension);
 
+// Returns the unit of which a name differs in nothing but the case or the order of its letters, or none.
+// A name with a capital M has none, as mega and milli differ by nine powers of ten.
+std::optional<std::string_view> unit_meant(std::string_view name, Dimension dimension);
+
 // These return canonical spellings: the shortest decimal that reads back as the same double, in one
 // unit. Equal values have equal spellings. Values must be finite.
 std::string number_to_string(double value);                    // "0.8"

@@ -164,12 +164,17 @@ TEST(FieldReader, ReadsWhatCloudsAreMadeOf) {
 }
 
 TEST(FieldReader, SuggestsUnits) {
-    const ReadResult result = read(length, "\"8 mkm\"");
+    const ReadResult result = read(length, "\"8 Km\"");
     ASSERT_EQ(result.diagnostics.size(), 1u);
-    EXPECT_EQ(result.diagnostics[0].message, "`key` has an unknown unit: `mkm`");
-    EXPECT_EQ(result.diagnostics[0].label, "did you mean `mm`?");
-    EXPECT_EQ(read(length, "\"8 furlongs\"").diagnostics[0].label,
-              "the units here are nm, um, mm, cm, m, km");
+    EXPECT_EQ(result.diagnostics[0].message, "`key` has an unknown unit: `Km`");
+    EXPECT_EQ(result.diagnostics[0].label, "units are case sensitive: write `km`");
+    EXPECT_EQ(read(length, "\"0.1..0.5\"").diagnostics[0].label,
+              "a range is written FIRST:LAST:COUNT, such as 0.1:0.5:5");
+    // Units of other sizes are no hints: a megametre is no millimetre, a mile neither.
+    for (const char* text : {"\"8 furlongs\"", "\"5 mi\"", "\"5 Mm\"", "\"5 dm\"", "\"8 mkm\""}) {
+        EXPECT_EQ(read(length, text).diagnostics[0].label, "the units here are nm, um, mm, cm, m, km")
+            << text;
+    }
 }
 
 TEST(FieldReader, ReportsEveryItemOfAList) {

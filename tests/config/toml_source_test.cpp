@@ -89,13 +89,31 @@ TEST(TomlSource, KnowsADecimalComma) {
     EXPECT_EQ(errors_of("a = 1,2,3\n").at(0).label, "");
 }
 
+TEST(TomlSource, KnowsTextsOfOtherPrograms) {
+    struct Slip {
+        const char* text;
+        const char* label;
+    };
+    for (const auto& [text, label] : {
+             Slip{"a = \u201c8 km\u201d\n", "a typographic quote: write the plain one, \""},
+             Slip{"a =\u00a01 2\n", "a no-break space: write a plain one"},
+             Slip{"preset: earth\n", "this looks like YAML; recipes are TOML: preset = \"earth\""},
+             Slip{"{\"preset\": \"earth\"}\n", "this looks like JSON; recipes are TOML: preset = \"earth\""},
+             Slip{"a = 1\rb = 2\r",
+                  "lines end with a carriage return alone, as on an old Mac: save with line feeds"},
+         }) {
+        EXPECT_EQ(errors_of(text).at(0).label, label) << text;
+    }
+}
+
 TEST(TomlSource, ReportsTextThatIsNotUtf8) {
     const auto errors = errors_of("a = 1\nb = \"\xff\"\n");
     ASSERT_EQ(errors.size(), 1u);
     EXPECT_EQ(errors[0].code, "E0100");
     EXPECT_EQ(errors[0].where.line, 2);
     EXPECT_EQ(errors[0].where.column, 6);
-    EXPECT_EQ(errors[0].where.line_text, "");
+    EXPECT_EQ(errors[0].where.line_text, "b = \"\\xff\"");
+    EXPECT_EQ(errors[0].label, "a recipe is TOML text: save it as UTF-8 in your editor");
     EXPECT_EQ(errors[0].message, "`test.toml` is not UTF-8 text: byte 0xff at offset 11");
     EXPECT_EQ(errors_of(std::string("\x7f"
                                     "ELF\0\1",

@@ -46,6 +46,8 @@ TEST(Units, ReadsLengthsExactly) {
     EXPECT_EQ(value_of("0.001 km"), 1.0);
     EXPECT_EQ(value_of("680 nm"), 6.8e-7);
     EXPECT_EQ(value_of("550 nm"), 5.5e-7);
+    EXPECT_EQ(value_of("58 /Mm"), 5.8e-5);
+    EXPECT_EQ(value_of("0.3 atm-cm"), value_of("300 DU"));
     EXPECT_EQ(value_of("0.44 um"), 4.4e-7);
     EXPECT_EQ(value_of("0.44 \u00b5m"), 4.4e-7);
     EXPECT_EQ(value_of("0.44 \u03bcm"), 4.4e-7);
