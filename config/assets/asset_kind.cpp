@@ -144,13 +144,6 @@ void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& deco
 
 using Names = std::vector<std::string>;
 
-const DecodedField* find_decoded(const DecodedSection& section, std::string_view key) {
-    const auto found =
-        std::find_if(section.fields.begin(), section.fields.end(),
-                     [&](const DecodedField& decoded) { return decoded.field->key == key; });
-    return found == section.fields.end() ? nullptr : &*found;
-}
-
 // Whether the recipe has a layer of that name. The layer may be at fault or switched off.
 bool is_in_recipe(const Table& root, const std::string& name) {
     const Entry* atmosphere = find_entry(root, "atmosphere");
