@@ -11,14 +11,6 @@
 #include "config/text/key_path.h"
 
 namespace skybake::config {
-
-const DecodedField* find_decoded(const DecodedSection& section, std::string_view key) {
-    const auto found =
-        std::find_if(section.fields.begin(), section.fields.end(),
-                     [&](const DecodedField& decoded) { return decoded.field->key == key; });
-    return found == section.fields.end() ? nullptr : &*found;
-}
-
 namespace {
 
 // Whether the channels of an asset are wavelengths of the recipe.

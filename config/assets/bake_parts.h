@@ -4,7 +4,6 @@
 
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "config/assets/asset_kind.h"
@@ -17,9 +16,6 @@ struct OpenBake {
     const AssetKind* kind = nullptr;
     DecodedSection section;
 };
-
-// Returns a key's field of a section, or null if the section has no such key.
-const DecodedField* find_decoded(const DecodedSection& section, std::string_view key);
 
 // Replaces bakes by their parts where they have any. Packets are called NAME_1, NAME_2 ... and frames
 // NAME_0001, NAME_0002 ... An asset that is made from a sequence is divided like it, unless it takes
