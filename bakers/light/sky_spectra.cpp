@@ -35,8 +35,8 @@ constexpr SolverSettings kFewNodes = {.degree = 2,
 
 // The camera, the suns and the views. The views under each second sun are measured, not fitted.
 constexpr double kCameraShare = 0.02;  // of the air's thickness
-constexpr std::array kSuns_deg = {80.0, 60.0, 40.0, 25.0, 15.0, 9.0,  6.0,  4.0,
-                                  2.5,  1.0,  0.0,  -1.0, -2.0, -3.0, -4.0, -5.0};
+constexpr std::array kSuns_deg = {80.0, 60.0, 40.0, 25.0, 15.0, 9.0,  6.0,  4.0, 2.5,
+                                  1.0,  0.0,  -1.0, -2.0, -3.0, -4.0, -5.0, -6.0};
 constexpr std::array kViews_deg = {1.0, 4.0, 12.0, 30.0, 60.0, 88.0, -20.0};
 constexpr std::array kAzimuths_deg = {3.0, 40.0, 110.0, 175.0};
 

@@ -64,14 +64,13 @@ config::Parameters random_air(std::mt19937& generator, const std::string& wavele
     const std::string recipe = fmt::format(
         "wavelengths = '{}'\n[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\n"
         "ground_albedo = {}\n[atmosphere.layers.air]\ngas = 'air'\npressure = '{} hPa'\n"
-        "profile = 'exponential'\nscale_height = '{} km'\nphase = 'rayleigh'\n"
-        "[atmosphere.layers.ozone]\ngas = 'ozone'\ncolumn = '{} DU'\nprofile = 'tent'\n"
-        "center_altitude = '22 km'\nhalf_width = '{} km'\n[atmosphere.layers.haze]\n"
+        "profile = 'standard'\nphase = 'rayleigh'\n"
+        "[atmosphere.layers.ozone]\ngas = 'ozone'\ncolumn = '{} DU'\nprofile = 'standard'\n"
+        "[atmosphere.layers.haze]\n"
         "optical_depth = {}\nangstrom_exponent = {}\nsingle_scattering_albedo = {}\n"
         "profile = 'exponential'\nscale_height = '{} km'\nphase = 'cornette_shanks'\ng = {}\n",
-        wavelengths, uniform(0, 0.8), uniform(550, 1040), uniform(7.3, 8.6), uniform(100, 500),
-        uniform(12, 19), optical_depth, uniform(0, 2), uniform(0.8, 1), uniform(0.6, 4),
-        uniform(0.5, 0.8));
+        wavelengths, uniform(0, 0.8), uniform(550, 1040), uniform(100, 500), optical_depth,
+        uniform(0, 2), uniform(0.8, 1), uniform(0.6, 4), uniform(0.5, 0.8));
     return recipe_of(recipe).parameters;
 }
 
