@@ -37,6 +37,11 @@ SkyColors colors(const config::Parameters& parameters) {
                       {.threads = 2});
 }
 
+struct Bar {
+    const char* wavelengths;
+    double median, ninth_decile, disc;
+};
+
 // Those of the mountain's air, whose spectra are solved for once: its gases are known at any wavelength.
 SkyColors mountain_colors(const std::string& wavelengths) {
     const config::Parameters wanted = mountain(wavelengths);
@@ -45,11 +50,6 @@ SkyColors mountain_colors(const std::string& wavelengths) {
     found.error = skies.error(wanted.wavelengths, *wanted.color, found.weights);
     return found;
 }
-
-struct Bar {
-    const char* wavelengths;
-    double median, ninth_decile, disc;
-};
 
 // The first two are goals, of the sun's disc too; three wavelengths are what they are.
 TEST(SkyColors, FewWavelengthsComeNearWholeSpectra) {
