@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bakers/io/files/to_string.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/table_printer.h"

@@ -9,6 +9,7 @@
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/tower_life.h"
+#include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_reference.h"
 
 namespace skybake::cloud {
@@ -28,8 +29,7 @@ struct Covariance {
 };
 
 Covariance covariance_of(const Tower& tower) {
-    const double c = std::cos(tower.rotation.radians);
-    const double s = std::sin(tower.rotation.radians);
+    const auto [s, c] = sine_and_cosine(tower.rotation.radians);
     const double rho = tower.correlation;
     const double u = tower.sigma[0];
     const double v = tower.sigma[1];
@@ -65,7 +65,7 @@ double images_of(const Tower& tower, const std::array<double, 2>& place) {
             const double y = from[1] - j;
             const double across = x - c.xy / c.yy * y;
             return tower.amplitude *
-                   std::exp(-(y * y / c.yy + across * across * c.yy / c.determinant) / 2);
+                   exponential(-(y * y / c.yy + across * across * c.yy / c.determinant) / 2);
         });
     }
     // Waves have the inverse of the covariance, over (2 pi)^2.
@@ -76,7 +76,7 @@ double images_of(const Tower& tower, const std::array<double, 2>& place) {
     const double scale = 2 * pi * std::sqrt(c.determinant) * tower.amplitude;
     return sum_within(waves, kReach, {0, 0}, [&](double i, double j) {
         const double q = c.xx * i * i + 2 * c.xy * i * j + c.yy * j * j;
-        return scale * std::exp(-2 * pi * pi * q) * std::cos(2 * pi * (i * from[0] + j * from[1]));
+        return scale * exponential(-2 * pi * pi * q) * cosine_of_turns(i * from[0] + j * from[1]);
     });
 }
 
@@ -120,9 +120,9 @@ double dome_reference(std::span<const Dome> domes, const std::array<double, 2>& 
                                                      place[1] - axis_y - j * tile[1]);
                 const std::complex<double> own =
                     from_axis / std::complex<double>(dome.direction[0], dome.direction[1]);
-                const double distance =
-                    std::hypot(s, own.real() / dome.radii[0], own.imag() / dome.radii[1]);
-                greatest = std::max(greatest, dome.amplitude * (1 - distance * distance));
+                const double x = own.real() / dome.radii[0];
+                const double y = own.imag() / dome.radii[1];
+                greatest = std::max(greatest, dome.amplitude * (1 - (s * s + x * x + y * y)));
             }
         }
     }
@@ -131,7 +131,8 @@ double dome_reference(std::span<const Dome> domes, const std::array<double, 2>& 
 
 double height_profile_reference(const config::HeightProfile& profile, double h) {
     if (profile.type == HeightProfileType::thesis) {
-        return -std::expm1(-profile.bottom_sharpness * h) * std::exp(-profile.top_falloff * h);
+        return (1 - exponential(-profile.bottom_sharpness * h)) *
+               exponential(-profile.top_falloff * h);
     }
     if (profile.type == HeightProfileType::blended) return blended(h, profile.cloud_type);
     return height_profile(profile, h);

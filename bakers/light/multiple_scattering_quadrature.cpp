@@ -37,7 +37,7 @@ const std::vector<QuadratureLevel>& quadrature_levels() {
 }
 
 double lookups_per_texel(const QuadratureLevel& level) {
-    return 2.0 * level.zenith_nodes * 8 / std::cbrt(level.ray_tolerance);
+    return 2.0 * level.zenith_nodes * 8 * exponential(logarithm(level.ray_tolerance) / -3);
 }
 
 std::vector<double> quadrature_altitudes_km(const Medium& medium) {

@@ -35,8 +35,8 @@ constexpr SolverSettings kFewNodes = {.degree = 2,
 
 // The camera, the suns and the views. The views under each second sun are measured, not fitted.
 constexpr double kCameraShare = 0.02;  // of the air's thickness
-constexpr std::array kSuns_deg = {80.0, 60.0, 40.0, 25.0, 15.0, 9.0,  6.0,  4.0,
-                                  2.5,  1.0,  0.0,  -1.0, -2.0, -3.0, -4.0, -5.0};
+constexpr std::array kSuns_deg = {80.0, 60.0, 40.0, 25.0, 15.0, 9.0,  6.0,  4.0, 2.5,
+                                  1.0,  0.0,  -1.0, -2.0, -3.0, -4.0, -5.0, -6.0};
 constexpr std::array kViews_deg = {1.0, 4.0, 12.0, 30.0, 60.0, 88.0, -20.0};
 constexpr std::array kAzimuths_deg = {3.0, 40.0, 110.0, 175.0};
 
@@ -99,45 +99,10 @@ class PacketLight {
     SkyIntegrator integrator_, sun_;
 };
 
-// Replaces a tabulated profile, each entry of which is a kink that costs time, by a smooth one with
-// the same column, mean altitude and, of gases above the ground, spread. Spectra depend on columns.
-void take_smooth_profile(config::Layer& layer) {
-    double column = 0;
-    double first = 0;  // moments over altitude, in m
-    double second = 0;
-    for (std::size_t i = 0; i + 1 < layer.table.size(); ++i) {
-        const double low = layer.table[i].altitude.meters;
-        const double high = layer.table[i + 1].altitude.meters;
-        const double middle = (low + high) / 2;
-        const double part =
-            (high - low) * (layer.table[i].density + layer.table[i + 1].density) / 2;
-        column += part;
-        first += part * middle;
-        second += part * middle * middle;
-    }
-    const double mean = first / column;
-    const bool is_at_ground = layer.table.front().density >= layer.table.back().density &&
-                              layer.table.front().density > 0.5;
-    layer.table.clear();
-    if (is_at_ground) {
-        layer.profile = config::Profile::exponential;
-        layer.scale_height = {mean};
-        return;
-    }
-    // The variance of a tent is a sixth of its half width squared.
-    layer.profile = config::Profile::tent;
-    layer.center_altitude = {mean};
-    layer.half_width = {std::sqrt(6 * std::max(second / column - mean * mean, 1.0))};
-}
-
 config::Atmosphere air_of_spectra(const config::Atmosphere& atmosphere,
                                   const std::vector<config::Length>& given,
                                   const std::vector<config::Length>& wanted) {
-    config::Atmosphere smooth = atmosphere;
-    for (config::Layer& layer : smooth.layers) {
-        if (layer.gas && layer.profile == config::Profile::tabulated) take_smooth_profile(layer);
-    }
-    config::Atmosphere air = config::atmosphere_at(smooth, given, wanted);
+    config::Atmosphere air = config::atmosphere_at(atmosphere, given, wanted);
     for (config::Layer& layer : air.layers) layer.particles.step = kStepOfSpheres;
     return air;
 }

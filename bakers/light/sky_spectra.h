@@ -1,7 +1,7 @@
 // Spectra of a sky in many directions under many suns, and of the sun itself, for fitting colours.
 //
-// Only their shapes matter, so they are solved for with few nodes, with smooth profiles in place of
-// tabulated ones, and with spheres interpolated between every fiftieth nm.
+// Only their shapes matter, so they are solved for with few nodes, and with spheres interpolated between
+// every fiftieth nm.
 #pragma once
 
 #include <array>

@@ -35,8 +35,9 @@ RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
 }
 
 double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
-    const double longest = medium.repeats ? std::max(medium.extent_m[0], medium.extent_m[1])
-                                          : std::hypot(medium.extent_m[0], medium.extent_m[1]);
+    const double x = medium.extent_m[0];
+    const double y = medium.extent_m[1];
+    const double longest = medium.repeats ? std::max(x, y) : std::sqrt(x * x + y * y);
     const double slope = std::fabs(sine_of_degrees(sun.elevation_degrees));
     return slope * longest > medium.extent_m[2] ? medium.extent_m[2] / slope : longest;
 }

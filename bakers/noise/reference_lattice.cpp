@@ -105,9 +105,8 @@ void for_points(const Lattice& lattice, const glm::dvec3& place, const Take& tak
         for (int j = -2; j <= 2; ++j) {
             for (int i = -2; i <= 2; ++i) {
                 const CellPoint point = lattice.point(cell[0] + i, cell[1] + j, cell[2] + k);
-                take(std::hypot(cell[0] + i + point.x - position[0],
-                                cell[1] + j + point.y - position[1],
-                                cell[2] + k + point.z - position[2]),
+                const glm::dvec3 at = cell + glm::dvec3(i, j, k);
+                take(glm::distance(at + glm::dvec3(point.x, point.y, point.z), position),
                      point.height);
             }
         }

@@ -191,7 +191,8 @@ MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, do
                   Skipping skipping, const OccupiedCells& cells,
                   const std::vector<std::uint8_t>& leaps) {
     assert(step > 0 && length >= 0);
-    assert(std::fabs(std::hypot(ray.direction[0], ray.direction[1], ray.direction[2]) - 1) < 1e-6);
+    [[maybe_unused]] const auto& d = ray.direction;
+    assert(std::fabs(d[0] * d[0] + d[1] * d[1] + d[2] * d[2] - 1) < 2e-6);
     March march(volume, ray, length, step);
     if (skipping == Skipping::none) return march.straight();
     return march.skipping(skipping, cells, leaps);

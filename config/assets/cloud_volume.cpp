@@ -75,7 +75,9 @@ std::optional<Length> usual_voxel_size(const Cloud& cloud) {
     double longest = 0;
     for (const Length& extent : cloud.extent) longest = std::max(longest, extent.meters);
     if (longest <= 0) return std::nullopt;
-    const double decade = std::pow(10, std::floor(std::log10(longest / most_voxels)));
+    double decade = 1;
+    while (decade > longest / most_voxels) decade /= 10;
+    while (decade * 10 <= longest / most_voxels) decade *= 10;
     for (const double digits : {1.0, 1.25, 2.0, 2.5, 5.0, 10.0, 12.5, 20.0, 25.0, 50.0}) {
         const Length edge{digits * decade};
         if (edge.meters >= longest / most_voxels && divides(cloud, edge)) return edge;

@@ -29,12 +29,34 @@ double logarithm(double x) {
     return exponent * ln_2_high + (exponent * ln_2_low + 2 * s * sum + 2 * s);
 }
 
+namespace {
+
+// e^x = (1 + rest) 2^doublings
+struct Power {
+    double rest = 0;
+    int doublings = 0;
+};
+
+Power power_of_e(double x) {
+    const double doublings = std::floor(x / std::numbers::ln2 + 0.5);
+    const double r = (x - doublings * ln_2_high) - doublings * ln_2_low;
+    double rest = 0;
+    for (int k = 16; k >= 1; --k) rest = r / k * (1 + rest);
+    return {rest, static_cast<int>(doublings)};
+}
+
+}  // namespace
+
 double exponential(double x) {
-    const double halvings = std::floor(x / std::numbers::ln2 + 0.5);
-    const double rest = (x - halvings * ln_2_high) - halvings * ln_2_low;
-    double sum = 0;
-    for (int k = 16; k >= 1; --k) sum = rest / k * (1 + sum);
-    return std::ldexp(1 + sum, static_cast<int>(halvings));
+    const Power power = power_of_e(x);
+    return std::ldexp(1 + power.rest, power.doublings);
+}
+
+double exponential_less_one(double x) {
+    if (x < -40) return -1;  // e^-40 is below half a unit in the last place of 1
+    const Power power = power_of_e(x);
+    // The difference is 0 where e^x is near 1, so that the rest keeps its digits.
+    return std::ldexp(power.rest + (1 - std::ldexp(1, -power.doublings)), power.doublings);
 }
 
 double power(double base, double exponent) { return exponential(exponent * logarithm(base)); }

@@ -10,6 +10,9 @@ double logarithm(double x);
 
 double exponential(double x);
 
+// Returns e^x - 1, also where x is near 0; x may be as far below 0 as it likes.
+double exponential_less_one(double x);
+
 // Returns base^exponent; the base must be above 0.
 double power(double base, double exponent);
 

@@ -11,6 +11,7 @@
 
 #include "config/fields/section_decoder.h"
 #include "config/optics/aerosol_components.h"
+#include "config/optics/elementary.h"
 #include "config/optics/standard_profiles.h"
 #include "config/sections/aerosol_spheres.h"
 #include "config/sections/sections.h"
@@ -54,7 +55,8 @@ double density_column(const Layer& layer, Length thickness) {
     const double top = thickness.meters;
     switch (layer.profile) {
         case Profile::exponential:
-            return -layer.scale_height.meters * std::expm1(-top / layer.scale_height.meters);
+            return -layer.scale_height.meters *
+                   exponential_less_one(-top / layer.scale_height.meters);
         case Profile::tent:
             return tent_column(layer.center_altitude.meters, layer.half_width.meters, top);
         case Profile::slab:

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "config/assets/multiple_scattering.h"
+#include "config/optics/standard_profiles.h"
 #include "config/sections/atmosphere.h"
 #include "tests/config/recipes.h"
 
@@ -48,17 +49,36 @@ TEST(Presets, TheEarthHasItsLightSolved) {
     EXPECT_EQ(second_order("earth_hillaire").mapping, MultipleScatteringMapping::hillaire);
 }
 
-// Zenith optical depths of gases against the figures of the sources, at a wavelength of 550 nm: 0.0968
-// (Bucholtz) and 0.02647 (300 DU of ozone).
+// Zenith optical depths at a wavelength of 550 nm against the figures of the sources: 0.0968 (Bucholtz),
+// 0.02647 for 300 DU of ozone, and 0.151 (OPAC, continental average).
 TEST(Presets, TheEarthHasMeasuredAir) {
     const Recipe recipe = valid(std::string(find_preset("earth")->text),
                                 {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"});
-    const Parameters& earth = recipe.parameters;
-    const double air_m = 8000 * (1 - std::exp(-100.0 / 8));
-    EXPECT_NEAR(find_layer(earth, "air")->scattering[1].per_meter * air_m / 0.0968, 1, 2e-3);
-    EXPECT_NEAR(find_layer(earth, "ozone")->extinction[1].per_meter * 19e3 / 0.02647, 1, 1e-3);
-    EXPECT_NEAR(find_layer(earth, "aerosol")->extinction[1].per_meter * 2000, 0.064, 1e-6);
+    const auto depth = [&](const char* layer) {
+        return zenith_optical_depth(*find_layer(recipe.parameters, layer),
+                                    recipe.parameters.atmosphere)[1];
+    };
+    EXPECT_NEAR(depth("air") / 0.0968, 1, 2e-3);
+    EXPECT_NEAR(depth("ozone") / (0.02647 / 300 * 345), 1, 1e-3);
+    EXPECT_NEAR(depth("aerosol"), 0.151, 1e-6);
     EXPECT_EQ(preset("earth").wavelengths.size(), 4U);
+}
+
+// Dusk is made by the air at 30 to 60 km, of which an exponential of 8 km has twice as much. At 40 km the
+// US Standard Atmosphere 1976 has 3.9957e-3 kg/m3, under 10 332 kg/m2 of air.
+TEST(Presets, MeasuredEarthsHaveTheStandardProfiles) {
+    for (const char* name : {"earth", "earth_clear_mountain", "earth_desert_dust", "earth_maritime",
+                             "earth_urban_haze"}) {
+        const Parameters parameters = preset(name);
+        for (const char* gas : {"air", "ozone"}) {
+            const Layer& layer = *find_layer(parameters, gas);
+            const auto standard = standard_profile(layer.gas->gas);
+            ASSERT_EQ(layer.table.size(), standard.size()) << name;
+            EXPECT_EQ(layer.table.at(5).density, standard[5].relative_density) << name;
+        }
+    }
+    const auto air = standard_profile(Gas::air);
+    EXPECT_NEAR(profile_at(air, 40e3) / profile_depth_m(air) / (3.9957e-3 / 10332), 1, 0.01);
 }
 
 TEST(Presets, TheExampleIsThePreset) {

@@ -46,7 +46,7 @@ TEST(Wavelengths, BestOnesAscendAndSpanWhatEyesSee) {
         EXPECT_GT(nm.back(), 600);
         EXPECT_LT(nm.back(), 720);
     }
-    EXPECT_EQ(nm_of("'best 4'"), nm_of("['445 nm', '523 nm', '571 nm', '636 nm']"));
+    EXPECT_EQ(nm_of("'best 4'"), nm_of("['446 nm', '524 nm', '577 nm', '642 nm']"));
     EXPECT_EQ(faults("wavelengths = 'best 5'\n" + grey_air), Codes{"E0104 1:15"});
 }
 

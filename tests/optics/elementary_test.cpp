@@ -15,6 +15,11 @@ TEST(Elementary, FunctionsAreThoseOfTheLibraryToFifteenDigits) {
     for (double x = -60; x < 60; x += 0.173) {
         EXPECT_NEAR(exponential(x) / std::exp(x), 1, 2e-15) << x;
     }
+    for (double x = 1e-12; x < 60; x *= 1.37) {
+        EXPECT_NEAR(exponential_less_one(x) / std::expm1(x), 1, 2e-15) << x;
+        EXPECT_NEAR(exponential_less_one(-x) / std::expm1(-x), 1, 2e-15) << x;
+    }
+    EXPECT_EQ(exponential_less_one(-1e300), -1);
     for (double base = 0.3; base < 3; base += 0.09) {
         for (double exponent = -5; exponent < 5; exponent += 0.31) {
             EXPECT_NEAR(power(base, exponent) / std::pow(base, exponent), 1, 5e-15)

@@ -94,9 +94,8 @@ AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
         "length 1. The direction must lie in front of it.";
     picture.result = "vec2";
     picture.arguments = "vec3 dir, vec3 forward, vec3 right, vec3 up";
-    picture.value =
-        fmt::format("aerial_picture(dir, forward, right, up, {}, {})",
-                    glsl_number(std::tan(asset.fov.radians / 2)), glsl_number(asset.aspect));
+    picture.value = fmt::format("aerial_picture(dir, forward, right, up, {}, {})",
+                                glsl_number(picture_reach(asset)), glsl_number(asset.aspect));
     picture.suffix = "_picture";
     return {"aerial_perspective",
             {with_channels(stored.channels, has_light || is_of_4 ? 4 : 3, std::move(function)),
@@ -171,7 +170,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 10,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 11,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

@@ -9,6 +9,10 @@
 
 namespace skybake {
 
+double picture_reach(const config::AerialPerspectiveBake& bake) {
+    return sine_of(bake.fov.radians / 2) / cosine_of(bake.fov.radians / 2);
+}
+
 AerialCamera::AerialCamera(const config::AerialPerspectiveBake& bake)
     : sun_(sun_at_elevation(bake.sun_elevation.radians)),
       altitude_km_(bake.altitude.kilometers()),
@@ -18,7 +22,7 @@ AerialCamera::AerialCamera(const config::AerialPerspectiveBake& bake)
     const double rise = sine_of(bake.pitch.radians);
     const double ahead = cosine_of(bake.heading.radians);
     const double aside = sine_of(bake.heading.radians);
-    const double tangent = sine_of(bake.fov.radians / 2) / cosine_of(bake.fov.radians / 2);
+    const double tangent = picture_reach(bake);
     const double across = tangent * bake.aspect;
     forward_ = {level * ahead, level * aside, rise};
     right_ = {-across * aside, across * ahead, 0};

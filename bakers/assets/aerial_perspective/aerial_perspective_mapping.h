@@ -30,6 +30,9 @@ struct ViewDirection {
     double azimuth_cosine = 1;  // any value where the direction is vertical
 };
 
+// Returns the tangent of half the vertical field of view.
+double picture_reach(const config::AerialPerspectiveBake& bake);
+
 class AerialCamera {
   public:
     explicit AerialCamera(const config::AerialPerspectiveBake& bake);

@@ -91,8 +91,9 @@ void add_low_of_frame(const float* values, const std::vector<Wave>& roots_x,
             column[y] = coefficient(row.data(), 1, roots_x, wrapped(k, width));
         }
         for (int l = -most_y; l <= most_y; ++l) {
-            const double frequency =
-                std::hypot(k / static_cast<double>(width), l / static_cast<double>(height));
+            const double across = k / static_cast<double>(width);
+            const double up = l / static_cast<double>(height);
+            const double frequency = std::sqrt(across * across + up * up);
             if ((k == 0 && l == 0) || frequency >= kLowFrequency) continue;
             power.low += std::norm(coefficient(column.data(), 1, roots_y, wrapped(l, height)));
             ++power.low_count;

@@ -106,7 +106,7 @@ double streaked_reference(const std::function<double(double x, double y)>& noise
     for (int i = 0; i <= kIntervals; ++i) {
         const double s = kLengths * i / kIntervals;
         const double rule = i == 0 || i == kIntervals ? 1 : i % 2 == 1 ? 4 : 2;
-        const double weight = rule * std::exp(-s);
+        const double weight = rule * exponential(-s);
         sum += weight * noise(x - s * streaks.length * streaks.direction[0],
                               y - s * streaks.length * streaks.direction[1]);
         weights += weight;
