@@ -49,13 +49,19 @@ void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
 }
 
 void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
-    const double azimuth = options.sun_azimuth_deg.value_or(input.suns.front().azimuth_degrees);
+    const double heading = input.camera.heading_degrees.value_or(kHeading);
+    const double azimuth = options.sun_azimuth_deg.value_or(heading + kSunBesideView);
     std::vector<double> elevations = options.sun_elevations_deg;
     if (elevations.empty()) elevations = {input.suns.front().elevation_degrees};
     input.suns.clear();
     for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
+    input.last_is_against = !options.sun_azimuth_deg && !options.draft && !input.frame &&
+                            options.turntable == 0;
+    if (input.last_is_against) {
+        input.suns.push_back({elevations.front(), heading + kSunAgainstView});
+    }
     input.exposure_stops = options.exposure_stops;
-    input.tone_curve = options.tone_curve.value_or(ToneCurve::exponential);
+    input.tone_curve = options.tone_curve.value_or(ToneCurve::film);
 }
 
 // Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its
@@ -99,8 +105,8 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
         add_sky(assets, input);
         if (options.turntable == 0) input.frame = sequence_frame(assets, asset);
     }
-    choose_light(options, input);
     choose_frame(options, input);
+    choose_light(options, input);
     return input;
 }
 

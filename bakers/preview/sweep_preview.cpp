@@ -40,7 +40,7 @@ std::array<int, 2> size_of(const PreviewOptions& options) {
 }
 
 ToneCurve curve_of(const PreviewOptions& options) {
-    return options.tone_curve.value_or(ToneCurve::exponential);
+    return options.tone_curve.value_or(ToneCurve::film);
 }
 
 // Returns the exposure. The one chosen for the first picture is used for all.
@@ -82,7 +82,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const SkyMedium medium = make_sky_medium(atmosphere);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     const double exposure = exposure_of(tables.value->screen.shown(radiance), options);
-    add_sun(medium, *tables.value, view, options.glare.value_or(Glare::eye), radiance);
+    add_sun(medium, *tables.value, view, options.glare.value_or(Glare::none), radiance);
     return Thumbnail{tone_mapped(tables.value->screen.shown(radiance), exposure, curve_of(options)),
                      light_words(options, exposure, view.sun_elevation_degrees)};
 }
@@ -114,6 +114,7 @@ std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptio
         input.width = 2 * size_of(options)[0];
         input.height = 2 * size_of(options)[1];
         input.draft = true;
+        input.suns.resize(1);
         auto pictures = cloud_pictures(input, options.threads);
         if (pictures.empty()) continue;
         Thumbnail slices{std::move(pictures.front().picture), ""};

@@ -12,6 +12,13 @@ using config::ToneCurve;
 // Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the curve, and
 // converts to sRGB. Values must be finite; negative values become black.
 //
+// The default curve, film, has the toe, the straight part and the shoulder of Uchimura 2017 ("HDR Theory
+// and Practice", CEDEC) with his values; grey light from 0.22 to 0.532 is shown as it is. It is applied
+// to the greatest channel, and the others keep their ratios to it, so that an orange sun's glow does not
+// turn yellow, as it does where each channel has a curve of its own. As in the Khronos PBR Neutral tone
+// mapper (2024), the share 1 - 1 / (1 + 0.15 (light - shown)) of white is mixed in, where both are
+// the greatest channel's: 1 % for a cloud just below white, half for light eight times as bright.
+//
 // Before the curve, colours near the border of what a screen shows, and beyond it, are drawn within
 // it, as the Reference Gamut Compression of the Academy Color Encoding System 1.3 does in its own
 // primaries: the sun near the horizon has less than no blue in sRGB, and a sun without blue within
@@ -22,10 +29,10 @@ using config::ToneCurve;
 // byte is less than 1 off, and black and white stay black and white. The thresholds depend on a pixel's
 // place alone.
 Picture tone_mapped(const Image2<float>& radiance, double exposure,
-                    ToneCurve curve = ToneCurve::exponential);
+                    ToneCurve curve = ToneCurve::film);
 
-// The text for captions: "1 - exp(-exposure L)".
-const char* tone_curve_name(ToneCurve curve = ToneCurve::exponential);
+// The text for captions: "film".
+const char* tone_curve_name(ToneCurve curve = ToneCurve::film);
 
 // A rule by which an exposure is chosen: it brings a quantile of luminance to `share` of white, as the
 // curve shows grey, and is then multiplied by `factor`.
@@ -53,18 +60,18 @@ inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.8};
 
 // Returns the exposure that the rule chooses; 1 if the quantile is black.
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
-                   ToneCurve curve = ToneCurve::exponential);
+                   ToneCurve curve = ToneCurve::film);
 
 inline double exposure_for(const Image2<float>& radiance,
-                           ToneCurve curve = ToneCurve::exponential) {
+                           ToneCurve curve = ToneCurve::film) {
     return exposure_by(kWholePicture, radiance, curve);
 }
 inline double cloud_exposure_for(const Image2<float>& radiance,
-                                 ToneCurve curve = ToneCurve::exponential) {
+                                 ToneCurve curve = ToneCurve::film) {
     return exposure_by(kCloudPicture, radiance, curve);
 }
 inline double sky_exposure_for(const Image2<float>& radiance,
-                               ToneCurve curve = ToneCurve::exponential) {
+                               ToneCurve curve = ToneCurve::film) {
     return exposure_by(kSkyPicture, radiance, curve);
 }
 

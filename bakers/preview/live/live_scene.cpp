@@ -81,14 +81,19 @@ Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions
 
 // --- The view ------------------------------------------------------------------------------------
 
+// The names of tone curves, in the order of ToneCurve.
+constexpr std::array kCurves = {"film", "exponential", "aces", "agx"};
+
 // Returns the exposed light that each curve shows as `share` of white, times a factor.
 Json light_json(double share, double factor) {
     Image2<float> grey(1, 1, 1);
     grey.texels[0] = 1;
     const ExposureRule rule = {1, share, factor};
-    return {{"exponential", exposure_by(rule, grey, ToneCurve::exponential)},
-            {"aces", exposure_by(rule, grey, ToneCurve::aces)},
-            {"agx", exposure_by(rule, grey, ToneCurve::agx)}};
+    Json light;
+    for (std::size_t i = 0; i < kCurves.size(); ++i) {
+        light[kCurves[i]] = exposure_by(rule, grey, static_cast<ToneCurve>(i));
+    }
+    return light;
 }
 
 // Returns the rule by which the page chooses exposures: they make the quantile of luminance as bright as
@@ -105,17 +110,18 @@ Json exposure_json(const ExposureRule& rule) {
 Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
     const double sun_deg =
         options.sun_elevations_deg.empty() ? 20 : options.sun_elevations_deg.front();
-    constexpr std::array curves = {"exponential", "aces", "agx"};
-    const auto curve =
-        static_cast<std::size_t>(options.tone_curve.value_or(ToneCurve::exponential));
+    const auto curve = static_cast<std::size_t>(options.tone_curve.value_or(ToneCurve::film));
+    const double azimuth_deg =
+        options.sun_azimuth_deg.value_or(camera.azimuth_degrees + kSunBesideView);
     return {{"position", {camera.position_m.x, camera.position_m.y, camera.position_m.z}},
             {"heading", camera.azimuth_degrees},
             {"pitch", camera.elevation_degrees},
             {"fov", camera.horizontal_field_degrees},
             {"sun_elevation", sun_deg},
-            {"sun_azimuth", std::remainder(options.sun_azimuth_deg.value_or(105), 360)},
+            {"sun_azimuth", std::remainder(azimuth_deg, 360)},
+            {"glare", options.glare.value_or(Glare::none) != Glare::none},
             {"exposure", options.exposure_stops ? Json(*options.exposure_stops) : Json(nullptr)},
-            {"tone_curve", curves[curve]},
+            {"tone_curve", kCurves[curve]},
             {"top", 1000 * thickness_km}};
 }
 
