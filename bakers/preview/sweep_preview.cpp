@@ -21,6 +21,7 @@
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
+#include "bakers/render/white_balance.h"
 
 namespace skybake {
 
@@ -64,7 +65,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (!transmittance || !scattering || !assets.recipe) return std::nullopt;
-    const auto tables = make_sky_tables(*transmittance, *scattering);
+    auto tables = make_sky_tables(*transmittance, *scattering);
     if (!tables.value) return std::nullopt;
     SkyView view;
     view.projection = SkyProjection::panorama;
@@ -80,6 +81,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.camera_altitude_km = std::min(options.altitude_m.value_or(200) / 1000, thickness_km);
     view.sun_elevation_degrees = sun_elevation_deg(options);
     const SkyMedium medium = make_sky_medium(atmosphere);
+    tables.value->screen = daylight_screen({medium, *tables.value}, options.threads);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     const double exposure = exposure_of(tables.value->screen.shown(radiance), options);
     add_sun(medium, *tables.value, view, options.glare.value_or(Glare::none), radiance);

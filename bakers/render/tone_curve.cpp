@@ -70,12 +70,13 @@ float film_of(float light) {
 }
 
 Rgb film_of(const Rgb& light) {
-    constexpr float kWhitening = 0.15F;
+    constexpr float kWhitening = 0.15F, kChannelwise = 0.15F;
     const float greatest = std::max({light.r, light.g, light.b});
     if (greatest <= 0) return Rgb(0);
     const float shown = film_of(greatest);
     const float white = 1 - 1 / (1 + kWhitening * (greatest - shown));
-    return shown * glm::mix(light / greatest, Rgb(1), white);
+    const Rgb kept = shown * glm::mix(light / greatest, Rgb(1), white);
+    return glm::mix(kept, Rgb(film_of(light.r), film_of(light.g), film_of(light.b)), kChannelwise);
 }
 
 Rgb exponential_of(const Rgb& light) {

@@ -14,10 +14,12 @@ using config::ToneCurve;
 //
 // The default curve, film, has the toe, the straight part and the shoulder of Uchimura 2017 ("HDR Theory
 // and Practice", CEDEC) with his values; grey light from 0.22 to 0.532 is shown as it is. It is applied
-// to the greatest channel, and the others keep their ratios to it, so that an orange sun's glow does not
-// turn yellow, as it does where each channel has a curve of its own. As in the Khronos PBR Neutral tone
-// mapper (2024), the share 1 - 1 / (1 + 0.15 (light - shown)) of white is mixed in, where both are
-// the greatest channel's: 1 % for a cloud just below white, half for light eight times as bright.
+// to the greatest channel, and the others keep their ratios to it, so that an orange glow does not turn
+// yellow, as it does where each channel has a curve of its own. As in the Khronos PBR Neutral tone
+// mapper (2024), the share 1 - 1 / (1 + 0.15 (light - shown)) of white is mixed in, both being the greatest
+// channel's: 5 % for a cloud just below white, half for light eight times as bright. White alone turns
+// orange to pink, so 15 % of the result has the curve on each channel: hues of sunsets and skies stay within
+// 10 degrees of Oklab over six stops, where 1 - exp(-light) turns them by 40.
 //
 // Before the curve, colours near the border of what a screen shows, and beyond it, are drawn within
 // it, as the Reference Gamut Compression of the Academy Color Encoding System 1.3 does in its own
@@ -62,16 +64,13 @@ inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.8};
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
                    ToneCurve curve = ToneCurve::film);
 
-inline double exposure_for(const Image2<float>& radiance,
-                           ToneCurve curve = ToneCurve::film) {
+inline double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kWholePicture, radiance, curve);
 }
-inline double cloud_exposure_for(const Image2<float>& radiance,
-                                 ToneCurve curve = ToneCurve::film) {
+inline double cloud_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kCloudPicture, radiance, curve);
 }
-inline double sky_exposure_for(const Image2<float>& radiance,
-                               ToneCurve curve = ToneCurve::film) {
+inline double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kSkyPicture, radiance, curve);
 }
 

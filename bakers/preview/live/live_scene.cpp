@@ -14,6 +14,7 @@
 #include "bakers/preview/live/live_clouds.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/live/live_textures.h"
+#include "bakers/render/white_balance.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
 
@@ -49,7 +50,8 @@ bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
                        [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
 }
 
-std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets) {
+std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets,
+                                  int threads) {
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (transmittance == nullptr || scattering == nullptr || !has_section(recipe, *transmittance) ||
@@ -58,8 +60,10 @@ std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAss
     }
     auto tables = make_sky_tables(*transmittance, *scattering);
     if (!tables.value) return std::nullopt;
-    return LiveLight{&recipe, transmittance, scattering,
-                     make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
+    LiveLight light{&recipe, transmittance, scattering,
+                    make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
+    light.tables.screen = daylight_screen({light.medium, light.tables}, threads);
+    return light;
 }
 
 // Bakes the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
@@ -169,13 +173,13 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
                               "show the folder of a bake, or a recipe")}};
     }
     std::string light_name = "the recipe's atmosphere";
-    std::optional<LiveLight> light = light_of(*assets.recipe, assets);
+    std::optional<LiveLight> light = light_of(*assets.recipe, assets, options.threads);
     std::optional<BakedLight> baked;
     if (!light) {
         auto made = bake_light(assets, options);
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
-        light = light_of(baked->recipe, baked->assets);
+        light = light_of(baked->recipe, baked->assets, options.threads);
         light_name = read_air(assets)
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";

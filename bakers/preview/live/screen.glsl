@@ -28,7 +28,8 @@ vec3 film(vec3 light) {
     float greatest = max(max(light.r, light.g), light.b);
     if (greatest <= 0.0) return vec3(0.0);
     float bright = film(greatest);
-    return bright * mix(light / greatest, vec3(1.0), 1.0 - 1.0 / (1.0 + 0.15 * (greatest - bright)));
+    vec3 kept = bright * mix(light / greatest, vec3(1.0), 1.0 - 1.0 / (1.0 + 0.15 * (greatest - bright)));
+    return mix(kept, vec3(film(light.r), film(light.g), film(light.b)), 0.15);
 }
 
 vec3 aces(vec3 light) {
