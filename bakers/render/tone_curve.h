@@ -51,9 +51,9 @@ struct ExposureRule {
 // Of tables and other pictures without a sky: nothing but the brightest hundredth is lost.
 inline constexpr ExposureRule kWholePicture = {0.99, 0.85, 1, false};
 
-// Of pictures with clouds: they are the brightest part, and their shades must be visible. The 99th
-// percentile becomes 0.78 of white by the exponential curve.
-inline constexpr ExposureRule kCloudPicture = {0.99, 0.85, 0.8, false};
+// Of pictures with clouds: sunlit cloud is the brightest part, and lies just below white, at 235 to 245 of
+// 255 by the default curve, where photographers put it.
+inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false};
 
 // Of clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
 // is so much brighter than its sky that this would burn out the light around it; so no more than a
