@@ -40,8 +40,15 @@ inline const Option<ToneCurve> tone_curve{
     "tone-curve",
     0,
     "CURVE",
-    {{"exponential", ToneCurve::exponential}, {"aces", ToneCurve::aces}, {"agx", ToneCurve::agx}}};
-inline const Option<Glare> glare{"glare", 0, "KIND", {{"eye", Glare::eye}, {"none", Glare::none}}};
+    {{"film", ToneCurve::film},
+     {"exponential", ToneCurve::exponential},
+     {"aces", ToneCurve::aces},
+     {"agx", ToneCurve::agx}}};
+inline const Option<Glare> glare{
+    "glare",
+    0,
+    "KIND",
+    {{"none", Glare::none}, {"camera", Glare::camera}, {"eye", Glare::eye}}};
 inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude};  // in metres
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/preview/check_options.h"
 #include "bakers/preview/sequences.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
@@ -49,13 +50,23 @@ void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
 }
 
 void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
-    const double azimuth = options.sun_azimuth_deg.value_or(input.suns.front().azimuth_degrees);
+    const double heading = input.camera.heading_degrees.value_or(kHeading);
+    const double azimuth = options.sun_azimuth_deg.value_or(heading + kSunBesideView);
     std::vector<double> elevations = options.sun_elevations_deg;
     if (elevations.empty()) elevations = {input.suns.front().elevation_degrees};
     input.suns.clear();
     for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
     input.exposure_stops = options.exposure_stops;
-    input.tone_curve = options.tone_curve.value_or(ToneCurve::exponential);
+    input.tone_curve = options.tone_curve.value_or(ToneCurve::film);
+}
+
+// Adds a picture against the light, unless somebody has placed the sun, or has many pictures made.
+void add_light_against(const PreviewOptions& options, CloudPreviewInput& input) {
+    input.last_is_against =
+        !options.sun_azimuth_deg && !options.draft && !input.frame && options.turntable == 0;
+    if (!input.last_is_against) return;
+    const double heading = input.camera.heading_degrees.value_or(kHeading);
+    input.suns.push_back({input.suns.front().elevation_degrees, heading + kSunAgainstView});
 }
 
 // Chooses the camera and the size of pictures. For a draft, the size is at most 768 along its
@@ -99,8 +110,9 @@ CloudPreviewInput cloud_input(const PreviewAssets& assets, const PreviewAsset& a
         add_sky(assets, input);
         if (options.turntable == 0) input.frame = sequence_frame(assets, asset);
     }
-    choose_light(options, input);
     choose_frame(options, input);
+    choose_light(options, input);
+    if (!has_scene(lit_pictures_of(assets), options)) add_light_against(options, input);
     return input;
 }
 
@@ -118,6 +130,9 @@ std::vector<CloudPreviewInput> scene_input(const PreviewAssets& assets,
         } else if (input.volume->voxels.size() > same->volume->voxels.size()) {
             *same = std::move(input);
         }
+    }
+    for (CloudPreviewInput& layer : layers) {
+        if (!layer.last_is_against) add_light_against(options, layer);
     }
     return layers;
 }

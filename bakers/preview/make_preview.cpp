@@ -100,8 +100,8 @@ class Preview {
             sky.sun_elevations_degrees = options_.sun_elevations_deg;
         }
         sky.exposure_stops = options_.exposure_stops;
-        sky.tone_curve = options_.tone_curve.value_or(ToneCurve::exponential);
-        sky.glare = options_.glare.value_or(Glare::eye);
+        sky.tone_curve = options_.tone_curve.value_or(ToneCurve::film);
+        sky.glare = options_.glare.value_or(Glare::none);
         if (options_.altitude_m) sky.camera_altitude_km = *options_.altitude_m / 1000;
         sky.progress = options_.progress;
         sky.intermediates = options_.intermediates;

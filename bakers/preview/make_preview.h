@@ -33,10 +33,11 @@ struct LitPictures {
 struct PreviewOptions {
     std::vector<double> sun_elevations_deg;  // of skies and lit clouds; empty: a chosen few
     std::optional<double> exposure_stops;    // 0: an exposure of 1; none: chosen for each picture
-    std::optional<ToneCurve> tone_curve;     // of skies and lit clouds; none: exponential
-    std::optional<Glare> glare;              // of the sun in skies; none: an eye's
+    std::optional<ToneCurve> tone_curve;     // of skies and lit clouds; none: film
+    std::optional<Glare> glare;              // of the sun in skies; none: no glare
     std::optional<double> altitude_m;        // of the camera that looks at the sky
-    std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y
+    std::optional<double> sun_azimuth_deg;   // of lit clouds, from +x towards +y; none:
+                                             // kSunBesideView from the heading
     std::optional<config::Moment> at;        // places the sun, together with `place`
     std::optional<EarthPlace> place;
     std::optional<CameraRequest> camera;             // of lit clouds

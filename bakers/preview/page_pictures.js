@@ -19,13 +19,15 @@ function imageOf(picture) {
     const image = images.get(picture.file);
     return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
 }
-// A title that stands in the picture does not stand below it too.
+// A title that stands in the picture does not stand below it too. A caption's second line is folded.
 function figureOf(picture, content) {
+    const [caption, more] = picture.caption.split('\n');
     return element('figure',
         {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
          class: picture.kind},
         ...content, element('figcaption', {},
-            picture.titled ? null : element('b', {}, picture.title), picture.caption));
+            picture.titled ? null : element('b', {}, picture.title), caption,
+            more ? element('details', {}, element('summary', {}, 'How it was made'), more) : null));
 }
 // Pictures of one sequence are a turntable, those of one group are tabs of one figure, and every
 // other picture is a figure of its own.

@@ -21,6 +21,7 @@
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
+#include "bakers/render/white_balance.h"
 
 namespace skybake {
 
@@ -40,7 +41,7 @@ std::array<int, 2> size_of(const PreviewOptions& options) {
 }
 
 ToneCurve curve_of(const PreviewOptions& options) {
-    return options.tone_curve.value_or(ToneCurve::exponential);
+    return options.tone_curve.value_or(ToneCurve::film);
 }
 
 // Returns the exposure. The one chosen for the first picture is used for all.
@@ -64,7 +65,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (!transmittance || !scattering || !assets.recipe) return std::nullopt;
-    const auto tables = make_sky_tables(*transmittance, *scattering);
+    auto tables = make_sky_tables(*transmittance, *scattering);
     if (!tables.value) return std::nullopt;
     SkyView view;
     view.projection = SkyProjection::panorama;
@@ -80,9 +81,10 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.camera_altitude_km = std::min(options.altitude_m.value_or(200) / 1000, thickness_km);
     view.sun_elevation_degrees = sun_elevation_deg(options);
     const SkyMedium medium = make_sky_medium(atmosphere);
+    tables.value->screen = daylight_screen({medium, *tables.value}, options.threads);
     Image2<float> radiance = render_sky(medium, *tables.value, view, options.threads);
     const double exposure = exposure_of(tables.value->screen.shown(radiance), options);
-    add_sun(medium, *tables.value, view, options.glare.value_or(Glare::eye), radiance);
+    add_sun(medium, *tables.value, view, options.glare.value_or(Glare::none), radiance);
     return Thumbnail{tone_mapped(tables.value->screen.shown(radiance), exposure, curve_of(options)),
                      light_words(options, exposure, view.sun_elevation_degrees)};
 }
@@ -114,6 +116,7 @@ std::optional<Thumbnail> cloud_picture(const PreviewAssets& assets, PreviewOptio
         input.width = 2 * size_of(options)[0];
         input.height = 2 * size_of(options)[1];
         input.draft = true;
+        input.suns.resize(1);
         auto pictures = cloud_pictures(input, options.threads);
         if (pictures.empty()) continue;
         Thumbnail slices{std::move(pictures.front().picture), ""};

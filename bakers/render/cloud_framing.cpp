@@ -12,8 +12,6 @@ namespace skybake {
 
 namespace {
 
-// The heading is no simple fraction of a turn, so that tiles do not line up in the picture.
-constexpr double kHeading = 63;
 constexpr double kField = 50;
 // The eye height of somebody who stands on the ground.
 constexpr double kLowest_m = 2;

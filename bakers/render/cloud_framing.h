@@ -12,6 +12,9 @@
 
 namespace skybake {
 
+// The heading is no simple fraction of a turn, so that tiles do not line up in the picture.
+inline constexpr double kHeading = 63;
+
 // The camera settings that the user asks for. Missing settings are chosen.
 struct CameraRequest {
     // x and y from the tile's corner, and z as the altitude above the ground.

@@ -9,6 +9,7 @@
 #include <glm/matrix.hpp>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include "bakers/color/color_space.h"
 #include "bakers/color/spectral_color.h"
@@ -95,6 +96,23 @@ Image2<float> ScreenColor::shown(const Image2<float>& light) const {
         }
     }
     return colors;
+}
+
+ScreenColor ScreenColor::with_white(const Image2<float>& light, std::string name) const {
+    const Image2<float> color = shown(light);
+    if (color.channels != 3) return *this;
+    const glm::dmat3 to_xyz_of_srgb = to_xyz(ColorSpace::linear_srgb);
+    const glm::dvec3 white =
+        to_xyz_of_srgb * glm::dvec3(color.texels[0], color.texels[1], color.texels[2]);
+    if (!(white.y > 0)) return *this;
+    const glm::dmat3 adapted = from_xyz(ColorSpace::linear_srgb) *
+                               bradford(white / white.y, to_xyz_of_srgb * glm::dvec3(1)) *
+                               to_xyz_of_srgb;
+    ScreenColor result = *this;
+    if (result.weights_.empty()) result.weights_ = columns_of(glm::dmat3(1));
+    for (glm::dvec3& weight : result.weights_) weight = adapted * weight;
+    result.white_ = std::move(name);
+    return result;
 }
 
 std::string ScreenColor::words() const {

@@ -31,6 +31,10 @@ class ScreenColor {
     // have negative components. NaN in any channel makes the texel NaN.
     Image2<float> shown(const Image2<float>& light) const;
 
+    // Returns the same with another white: the colour of a texel of light becomes grey, of the same
+    // luminance, by Bradford's adaptation. Black and light without colours leave it as it is.
+    ScreenColor with_white(const Image2<float>& light, std::string name) const;
+
     // Returns what captions say of it, as a part of a sentence: "channels are shown as linear sRGB,
     // in which sunlight outside the atmosphere is white".
     std::string words() const;

@@ -96,15 +96,15 @@ SkyDifference sky_difference(const Image2<float>& picture, const Image2<float>& 
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             if (coverage_at(view, x, y) < 0.5) continue;
-            double furthest = 0;
+            double sum = 0;
             for (int c = 0; c < picture.channels; ++c) {
                 const double error =
                     relative_error(double{picture.texel(x, y)[c]}, double{reference.texel(x, y)[c]},
                                    largest[static_cast<std::size_t>(c)]);
                 statistics.add(error);
-                if (std::fabs(error) > std::fabs(furthest)) furthest = error;
+                sum += error;
             }
-            *difference.relative.texel(x, y) = static_cast<float>(furthest);
+            *difference.relative.texel(x, y) = static_cast<float>(sum / picture.channels);
         }
     }
     difference.error = statistics.figures();

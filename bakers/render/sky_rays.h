@@ -50,9 +50,9 @@ double coverage_at(const SkyView& view, int x, int y);
 
 // The difference between two pictures of the sky.
 struct SkyDifference {
-    // An image of one channel: for each pixel, the signed relative difference of the channel that
-    // differs most, as a share of max(reference, 1e-3 of the channel's largest value). Row 0 is at
-    // the top; pixels outside of a dome are 0.
+    // An image of one channel: for each pixel, the mean over the channels of the signed relative
+    // difference, as a share of max(reference, 1e-3 of the channel's largest value). Row 0 is at the
+    // top; pixels outside of a dome are 0.
     Image2<float> relative;
     ErrorFigures error;  // over all channels of the pixels whose middles are shown
 };

@@ -24,6 +24,7 @@ constexpr double kPointFromRadii = 10;
 constexpr int kRings = 32;
 constexpr int kSpokes = 48;
 constexpr double kWidestGlare = std::numbers::pi / 2;
+constexpr double kScatteredByLens = 0.01;
 
 double angle_to_sun(const SkyDirection& direction) {
     return 2 * std::asin(std::min(1.0, std::sqrt(0.5 * direction.one_minus_cosine)));
@@ -90,8 +91,8 @@ Spectrum light_of_disc(const SeenSun& sun) {
     return light;
 }
 
-// Returns the share of the light that the veil takes: its integral over the half sphere that an eye
-// sees.
+// Returns the share of the light that an eye's veil takes: its integral over the half sphere that the
+// eye sees.
 double share_of_veil() {
     constexpr int kSteps = 2000;
     double share = 0;
@@ -100,18 +101,18 @@ double share_of_veil() {
         const double u = (i + 0.5) / kSteps;
         const double angle = kWidestGlare * u * u * u;
         const double width = kWidestGlare * 3 * u * u / kSteps;
-        share +=
-            2 * std::numbers::pi * std::sin(angle) * width * glare_veil(angle / kRadiansPerDegree);
+        share += std::numbers::pi * std::sin(2 * angle) * width *
+                 glare_veil(angle / kRadiansPerDegree);
     }
     return share;
 }
 
-// The veil of a disc of even brightness around its middle, in 1/sr. Pictures share one, which
+// An eye's veil of a disc of even brightness around its middle, in 1/sr. Pictures share one, which
 // takes 400 000 values of glare_veil to make.
-class VeilOfDisc {
+class EyesVeil {
   public:
-    static const VeilOfDisc& shared() {
-        static const VeilOfDisc veil;
+    static const EyesVeil& shared() {
+        static const EyesVeil veil;
         return veil;
     }
 
@@ -121,13 +122,13 @@ class VeilOfDisc {
         const double steps = angle / kStep;
         const auto step = static_cast<std::size_t>(steps);
         if (step + 1 >= near_.size()) {
-            return glare_veil(std::min(angle, kWidestGlare) / kRadiansPerDegree);
+            return glare_veil(angle / kRadiansPerDegree);
         }
         return std::lerp(near_[step], near_[step + 1], steps - static_cast<double>(step));
     }
 
   private:
-    VeilOfDisc() {
+    EyesVeil() {
         for (std::size_t i = 0; i < near_.size(); ++i) {
             const double angle = kStep * static_cast<double>(i);
             for_each_disc_point([&](double across, double up, double weight) {
@@ -146,13 +147,27 @@ class VeilOfDisc {
 // The sun and its glare, as pictures add them.
 struct Sun {
     const SeenSun& seen;
-    const VeilOfDisc* veil;  // null: no glare
-    Spectrum whole;          // the light that is scattered
+    Glare glare;
+    Spectrum whole;  // the light that is scattered
+
+    // The angle from the sun beyond which it adds nothing.
+    double reach() const { return glare == Glare::none ? kDiscRadius : kWidestGlare; }
+
+    double scattered() const {
+        if (glare == Glare::none) return 0;
+        return glare == Glare::eye ? EyesVeil::shared().share_of_light() : kScatteredByLens;
+    }
+
+    // The veil is per illuminance of the picture's plane, or the pupil's, which faces the pixel.
+    double veil(double angle) const {
+        if (glare == Glare::none || angle >= kWidestGlare) return 0;
+        const double toward_source = glare == Glare::eye ? EyesVeil::shared().at(angle)
+                                                         : lens_veil(angle / kRadiansPerDegree);
+        return std::cos(angle) * toward_source;
+    }
 
     Spectrum radiance(const SkyDirection& direction) const {
-        const Spectrum disc = seen.radiance(direction);
-        if (!veil) return disc;
-        return (1 - veil->share_of_light()) * disc + whole * veil->at(angle_to_sun(direction));
+        return (1 - scattered()) * seen.radiance(direction) + whole * veil(angle_to_sun(direction));
     }
 };
 
@@ -211,12 +226,19 @@ double glare_veil(double degrees) {
            2.5e-3 * kPigmentation;
 }
 
+double lens_veil(double degrees) {
+    constexpr double kCore = kDiscRadius * kDiscRadius;
+    static const double scale = kScatteredByLens / (std::numbers::pi * std::log(1 + 1 / kCore));
+    const double sine = std::sin(degrees * kRadiansPerDegree);
+    return scale / (sine * sine + kCore);
+}
+
 void add_sun(const SkyMedium& medium, const SkyTables& tables, const SkyView& view, Glare glare,
              Image2<float>& radiance) {
     const SeenSun seen = seen_sun(medium, tables, view);
-    const VeilOfDisc* veil = glare == Glare::eye ? &VeilOfDisc::shared() : nullptr;
-    const Sun sun{seen, veil, veil ? light_of_disc(seen) : Spectrum{}};
-    const double radii = veil ? kPointFromRadii : 1;
+    const bool has_veil = glare != Glare::none;
+    const Sun sun{seen, glare, has_veil ? light_of_disc(seen) : Spectrum{}};
+    const double radii = has_veil ? kPointFromRadii : 1;
     const double near = radii * kDiscRadius + widest_pixel(view);
     const auto points =
         static_cast<int>(std::ceil(kPointsPerRadius * widest_pixel(view) / kDiscRadius));
@@ -225,7 +247,7 @@ void add_sun(const SkyMedium& medium, const SkyTables& tables, const SkyView& vi
             const std::optional<SkyDirection> direction = direction_at(view, x, y);
             if (!direction) continue;
             const double angle = angle_to_sun(*direction);
-            if (angle > near && !veil) continue;
+            if (angle > std::max(near, sun.reach())) continue;
             const Spectrum light =
                 angle > near ? sun.radiance(*direction) : mean_over_pixel(sun, x, y, points);
             for (int c = 0; c < radiance.channels; ++c) {

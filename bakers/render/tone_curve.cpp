@@ -57,6 +57,28 @@ float threshold(int x, int y) {
 // Scene-linear light, which is not negative, as shown by each curve.
 using Rgb = glm::vec3;
 
+// Returns what the default curve shows of grey light.
+float film_of(float light) {
+    constexpr float kStraightFrom = 0.22F, kStraightTo = 0.532F, kToe = 1.33F;
+    if (light >= kStraightTo) {
+        return 1 - (1 - kStraightTo) * std::exp((kStraightTo - light) / (1 - kStraightTo));
+    }
+    if (light >= kStraightFrom) return light;
+    const float place = light / kStraightFrom;
+    const float toe = kStraightFrom * std::pow(place, kToe);
+    return std::lerp(toe, light, place * place * (3 - 2 * place));
+}
+
+Rgb film_of(const Rgb& light) {
+    constexpr float kWhitening = 0.15F, kChannelwise = 0.15F;
+    const float greatest = std::max({light.r, light.g, light.b});
+    if (greatest <= 0) return Rgb(0);
+    const float shown = film_of(greatest);
+    const float white = 1 - 1 / (1 + kWhitening * (greatest - shown));
+    const Rgb kept = shown * glm::mix(light / greatest, Rgb(1), white);
+    return glm::mix(kept, Rgb(film_of(light.r), film_of(light.g), film_of(light.b)), kChannelwise);
+}
+
 Rgb exponential_of(const Rgb& light) {
     // std::expm1 in float, so that the compiler can vectorise it.
     return {-std::expm1(-light.r), -std::expm1(-light.g), -std::expm1(-light.b)};
@@ -128,6 +150,8 @@ Rgb shown_by(ToneCurve curve, const Rgb& exposed) {
     const Rgb within = in_gamut(glm::clamp(exposed, -kBrightest, kBrightest));
     const Rgb light = glm::max(within, 0.0F);
     switch (curve) {
+        case ToneCurve::film:
+            return film_of(light);
         case ToneCurve::exponential:
             return exponential_of(light);
         case ToneCurve::aces:
@@ -204,6 +228,8 @@ Picture tone_mapped(const Image2<float>& radiance, double exposure, ToneCurve cu
 
 const char* tone_curve_name(ToneCurve curve) {
     switch (curve) {
+        case ToneCurve::film:
+            return "film";
         case ToneCurve::exponential:
             return "1 - exp(-exposure L)";
         case ToneCurve::aces:

@@ -12,6 +12,15 @@ using config::ToneCurve;
 // Multiplies scene-linear RGB (or one channel, shown as grey) by `exposure`, applies the curve, and
 // converts to sRGB. Values must be finite; negative values become black.
 //
+// The default curve, film, has the toe, the straight part and the shoulder of Uchimura 2017 ("HDR Theory
+// and Practice", CEDEC) with his values; grey light from 0.22 to 0.532 is shown as it is. It is applied
+// to the greatest channel, and the others keep their ratios to it, so that an orange glow does not turn
+// yellow, as it does where each channel has a curve of its own. As in the Khronos PBR Neutral tone
+// mapper (2024), the share 1 - 1 / (1 + 0.15 (light - shown)) of white is mixed in, both being the greatest
+// channel's: 5 % for a cloud just below white, half for light eight times as bright. White alone turns
+// orange to pink, so 15 % of the result has the curve on each channel: hues of sunsets and skies stay within
+// 10 degrees of Oklab over six stops, where 1 - exp(-light) turns them by 40.
+//
 // Before the curve, colours near the border of what a screen shows, and beyond it, are drawn within
 // it, as the Reference Gamut Compression of the Academy Color Encoding System 1.3 does in its own
 // primaries: the sun near the horizon has less than no blue in sRGB, and a sun without blue within
@@ -22,10 +31,10 @@ using config::ToneCurve;
 // byte is less than 1 off, and black and white stay black and white. The thresholds depend on a pixel's
 // place alone.
 Picture tone_mapped(const Image2<float>& radiance, double exposure,
-                    ToneCurve curve = ToneCurve::exponential);
+                    ToneCurve curve = ToneCurve::film);
 
-// The text for captions: "1 - exp(-exposure L)".
-const char* tone_curve_name(ToneCurve curve = ToneCurve::exponential);
+// The text for captions: "film".
+const char* tone_curve_name(ToneCurve curve = ToneCurve::film);
 
 // A rule by which an exposure is chosen: it brings a quantile of luminance to `share` of white, as the
 // curve shows grey, and is then multiplied by `factor`.
@@ -42,9 +51,9 @@ struct ExposureRule {
 // Of tables and other pictures without a sky: nothing but the brightest hundredth is lost.
 inline constexpr ExposureRule kWholePicture = {0.99, 0.85, 1, false};
 
-// Of pictures with clouds: they are the brightest part, and their shades must be visible. The 99th
-// percentile becomes 0.78 of white by the exponential curve.
-inline constexpr ExposureRule kCloudPicture = {0.99, 0.85, 0.8, false};
+// Of pictures with clouds: sunlit cloud is the brightest part, and lies just below white, at 235 to 245 of
+// 255 by the default curve, where photographers put it.
+inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false};
 
 // Of clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
 // is so much brighter than its sky that this would burn out the light around it; so no more than a
@@ -53,18 +62,15 @@ inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.8};
 
 // Returns the exposure that the rule chooses; 1 if the quantile is black.
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,
-                   ToneCurve curve = ToneCurve::exponential);
+                   ToneCurve curve = ToneCurve::film);
 
-inline double exposure_for(const Image2<float>& radiance,
-                           ToneCurve curve = ToneCurve::exponential) {
+inline double exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kWholePicture, radiance, curve);
 }
-inline double cloud_exposure_for(const Image2<float>& radiance,
-                                 ToneCurve curve = ToneCurve::exponential) {
+inline double cloud_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kCloudPicture, radiance, curve);
 }
-inline double sky_exposure_for(const Image2<float>& radiance,
-                               ToneCurve curve = ToneCurve::exponential) {
+inline double sky_exposure_for(const Image2<float>& radiance, ToneCurve curve = ToneCurve::film) {
     return exposure_by(kSkyPicture, radiance, curve);
 }
 

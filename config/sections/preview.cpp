@@ -20,13 +20,15 @@ constexpr Range field_of_view_range{std::numbers::pi / 180, 160 * std::numbers::
 constexpr Range stops_range{-32, 32};  // beyond this, every pixel is black or white
 
 constexpr std::array tone_curve_choices = {
+    Choice{ToneCurve::film, "film", "a toe and a shoulder that keep hues; the brightest turns white"},
     Choice{ToneCurve::exponential, "exponential", "1 - exp(-light), of each channel"},
     Choice{ToneCurve::aces, "aces", "a fit to the film-like curve of ACES; bright turns white"},
     Choice{ToneCurve::agx, "agx", "the base look of AgX, which keeps the hues of bright colours"},
 };
 constexpr std::array glare_choices = {
-    Choice{Glare::eye, "eye", "an eye scatters the sun's light around its disc"},
     Choice{Glare::none, "none", "the disc alone"},
+    Choice{Glare::camera, "camera", "a lens scatters a hundredth of the sun's light"},
+    Choice{Glare::eye, "eye", "an eye scatters two thirds of it, most of it by less than a degree"},
 };
 
 // Reads a text that parse_moment understands.
@@ -81,7 +83,7 @@ const std::array preview_table = {
                   .kind = Kind::angle,
                   .range = whole_turn,
                   .documentation = "where the sun of clouds stands, from +x towards +y",
-                  .hint = "without it, the azimuth is 105 deg",
+                  .hint = "without it, the sun stands 112 deg to the left of the view",
                   .exclusive_group = sun,
                   .exclusive_side = by_angles},
                  &Preview::sun_azimuth},
@@ -114,13 +116,13 @@ const std::array preview_table = {
                   .kind = Kind::choice,
                   .choices = tone_curve_choices,
                   .documentation = "how light becomes the brightness of a screen",
-                  .hint = "without it, the curve is exponential"},
+                  .hint = "without it, the curve is film"},
                  &Preview::tone_curve},
     PreviewField{{.key = "glare",
                   .kind = Kind::choice,
                   .choices = glare_choices,
                   .documentation = "what light lies around the sun's disc in pictures of skies",
-                  .hint = "without it, the glare is that of an eye"},
+                  .hint = "without it, there is no glare"},
                  &Preview::glare},
 };
 

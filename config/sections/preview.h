@@ -14,6 +14,9 @@ namespace skybake::config {
 
 // How scene-linear light with an exposure becomes display-linear light in [0, 1].
 enum class ToneCurve {
+    // A toe, a straight part and a shoulder for the greatest channel, which the others follow, so that
+    // hues stay; what is far brighter than white turns white (bakers/render/tone_curve.h).
+    film,
     // 1 - exp(-light), of each channel.
     exponential,
     // The fit by Stephen Hill to the Reference Rendering Transform and Output Device Transform of
@@ -25,8 +28,8 @@ enum class ToneCurve {
     agx,
 };
 
-// The light of the sun's disc that pictures of the sky scatter around it.
-enum class Glare { none, eye };
+// The light of the sun's disc that a lens or an eye scatters around it in pictures of the sky.
+enum class Glare { none, camera, eye };
 
 // The camera of pictures of clouds. Settings that are not given are chosen. Angles are in radians.
 struct PreviewCamera {
@@ -47,8 +50,8 @@ struct Preview {
     std::optional<double> latitude;     // radians, positive in the north
     std::optional<double> longitude;    // radians, positive in the east
     std::optional<double> exposure;     // in stops
-    ToneCurve tone_curve = ToneCurve::exponential;
-    Glare glare = Glare::eye;
+    ToneCurve tone_curve = ToneCurve::film;
+    Glare glare = Glare::none;
 };
 
 // The pictures of light that a preview has.

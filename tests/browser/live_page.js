@@ -106,11 +106,16 @@ const tests = {
         }, [view, ...size]);
         const at_sun = {...views.clear_sky, heading: 105, pitch: 20, fov: 20};
         const dark = await mean(at_sun), bright = await mean({...at_sun, disc: true});
-        // The disc and what the eye scatters within 1.5 degrees hold nearly all of the sunlight.
         const pixel = (2 * Math.tan(10 * Math.PI / 180) / size[0]) ** 2;
         const sunlight = (bright.mean - dark.mean) * pixel * size[0] * size[1];
-        console.log(`    the disc and its glare bring ${sunlight.toFixed(3)} of the sun's light`);
+        console.log(`    the disc brings ${sunlight.toFixed(3)} of the sun's light`);
         assert.ok(sunlight > 0.3 && sunlight < 1 && bright.most > 1000 * dark.most);
+        // A lens scatters a hundredth of what the disc has, and nothing where the sun is behind it.
+        const veiled = await mean({...at_sun, glare: true});
+        console.log(`    glare brightens the sky about the sun by ${((veiled.mean / dark.mean - 1) * 100).toFixed(1)} %`);
+        assert.ok(veiled.mean > 1.05 * dark.mean && veiled.most < 0.1 * bright.most);
+        const behind = {...views.clear_sky, heading: 105 + 180, fov: 40};
+        assert.deepEqual(await mean({...behind, glare: true, disc: true}), await mean(behind));
         const ground = {...views.above, position: [0, 0, 900], pitch: -45, sun_elevation: 60, shadow: false};
         const lit = await mean(ground), shaded = await mean({...ground, shadow: true});
         console.log(`    the ground has ${(shaded.mean / lit.mean).toFixed(3)} of its light below the clouds`);
@@ -125,7 +130,7 @@ const tests = {
             await page.keyboard.press('Tab');
             reached.add(await page.evaluate(() => document.activeElement.id || document.activeElement.tagName));
         }
-        for (const id of ['picture', 'sun_elevation', 'sun_azimuth', 'disc', 'extinction', 'shadow', 'single', 'exposure',
+        for (const id of ['picture', 'sun_elevation', 'sun_azimuth', 'disc', 'glare', 'extinction', 'shadow', 'single', 'exposure',
             'auto', 'tone_curve', 'fov', 'camera', 'home', 'SUMMARY']) assert.ok(reached.has(id), `${id} of ${[...reached]}`);
         const first = await view();
         await page.focus('#sun_elevation');

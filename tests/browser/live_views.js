@@ -14,7 +14,7 @@ const patience = 1800000;  // ms; nothing here is a test of time, this ends what
 const bound = 2.55;
 // Small pictures have four samples for each pixel in the preview, and so here.
 const size = [96, 54];
-const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 3.5, disc: false, shadow: true};
+const common = {heading: 63, fov: 70, sun_azimuth: 105, exposure: 3.5, disc: false, glare: false, shadow: true};
 
 function write(name, text) {
     const file = path.join(work, name);
@@ -65,8 +65,8 @@ async function open(browser, file, options = {}) {
 const places = [[0, 0], [0.35, 0], [-0.175, 0.303], [-0.175, -0.303]];
 const samples = places.map(([x, y], i) => ({offset: [x, -y], rank: i / 4 / 0.618034}));
 
-// A view as the page draws it, with the renderer's samples: their mean light, in bytes by the exponential curve and the
-// Reference Gamut Compression of ACES 1.3. The page's own bytes of the samples must be those of their light, but for the
+// A view as the page draws it, with the renderer's samples: their mean light, in bytes by the default curve (of Uchimura
+// 2017, with the path to white of Khronos PBR Neutral) and the Reference Gamut Compression of ACES 1.3. The page's own bytes of the samples must be those of their light, but for the
 // dither.
 const drawn = (page, view) => page.evaluate(([view, width, height, samples]) => {
     const threshold = [0.815, 0.803, 0.88], limit = [1.147, 1.264, 1.312], power = 1.2;
@@ -77,11 +77,19 @@ const drawn = (page, view) => page.evaluate(([view, width, height, samples]) => 
         const x = (distance - threshold[c]) / scale;
         return threshold[c] + scale * x / (1 + x ** power) ** (1 / power);
     };
-    const byte = (linear, i, light) => {
+    const film = (x) => {
+        if (x >= 0.532) return 1 - 0.468 * Math.exp((0.532 - x) / 0.468);
+        const place = Math.min(x / 0.22, 1), linear = place * place * (3 - 2 * place);
+        return linear * x + (1 - linear) * 0.22 * place ** 1.33;
+    };
+    const byte = (_, i, light) => {
         if ((i & 3) === 3) return 255;
-        const greatest = Math.max(...light.slice(i & ~3, (i & ~3) + 3));
-        const within = greatest > 0 ? greatest * (1 - compressed((greatest - linear) / greatest, i & 3)) : linear;
-        const shown = 1 - Math.exp(-Math.max(within, 0) * 2 ** view.exposure);
+        const pixel = light.slice(i & ~3, (i & ~3) + 3), greatest = Math.max(...pixel);
+        const exposed = (linear, c) => 2 ** view.exposure *
+            Math.max(greatest > 0 ? greatest * (1 - compressed((greatest - linear) / greatest, c)) : linear, 0);
+        const own = exposed(pixel[i & 3], i & 3), most = Math.max(...Array.from(pixel, exposed), 0);
+        const peak = film(most), colored = 1 / (1 + 0.15 * (most - peak));
+        const shown = most > 0 ? 0.85 * peak * (colored * own / most + 1 - colored) + 0.15 * film(own) : 0;
         return 255 * (shown <= 0.0031308 ? 12.92 * shown : 1.055 * shown ** (1 / 2.4) - 0.055);
     };
     const means = new Array(4 * width * height).fill(0);

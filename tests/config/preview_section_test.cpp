@@ -48,7 +48,7 @@ sun_elevation = ["20 deg", "-4 deg"]
 sun_azimuth = "150 deg"
 exposure = 2.5
 tone_curve = "agx"
-glare = "none"
+glare = "camera"
 [preview.camera]
 position = ["2 km", "-3 km", "200 m"]
 heading = "120 deg"
@@ -65,7 +65,7 @@ fov = "40 deg"
     EXPECT_DOUBLE_EQ(preview->sun_azimuth.value(), 150 * degree);
     EXPECT_EQ(preview->exposure, 2.5);
     EXPECT_EQ(preview->tone_curve, ToneCurve::agx);
-    EXPECT_EQ(preview->glare, Glare::none);
+    EXPECT_EQ(preview->glare, Glare::camera);
     EXPECT_EQ(preview->camera.position, (std::array<double, 3>{2000, -3000, 200}));
     EXPECT_DOUBLE_EQ(preview->camera.heading.value(), 120 * degree);
     EXPECT_DOUBLE_EQ(preview->camera.pitch.value(), -5 * degree);

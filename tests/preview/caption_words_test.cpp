@@ -13,7 +13,7 @@ TEST(CaptionWords, TellAnExposureInTheUnitOfTheOption) {
     EXPECT_EQ(exposure_text(0.5), "exposure 0.5 (-1.0 stops)");
     EXPECT_EQ(exposure_text(1), "exposure 1 (+0.0 stops)");
     EXPECT_EQ(exposure_text(std::exp2(12)), "exposure 4096 (+12.0 stops)");
-    EXPECT_EQ(tone_text(2), "exposure 2 (+1.0 stops), tone curve 1 - exp(-exposure L)");
+    EXPECT_EQ(tone_text(2), "exposure 2 (+1.0 stops), tone curve film");
 }
 
 TEST(CaptionWords, TellWhereTheSunStands) {

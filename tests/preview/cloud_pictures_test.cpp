@@ -94,7 +94,7 @@ TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     EXPECT_EQ(pictures[0].picture.height, 36);
     EXPECT_TRUE(says(pictures[0], "Leaping by grid"));
     EXPECT_TRUE(says(pictures[0], "the preset earth"));
-    EXPECT_TRUE(says(pictures[0], "1 - exp"));
+    EXPECT_TRUE(says(pictures[0], "tone curve film"));
 }
 
 TEST(CloudPictures, OfADraftAreFewAndSmall) {
@@ -157,13 +157,13 @@ TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
     input.width = 768;
     input.height = 432;
     PreviewPicture fine = cloud_pictures(input, 2).front();
-    EXPECT_TRUE(says(fine, "one sample per pixel")) << fine.caption;
+    EXPECT_TRUE(says(fine, "one ray per pixel")) << fine.caption;
     for (int i = 0; i < 3; ++i) fine.picture = quartered(fine.picture);
     input.draft = true;
     input.width = 192;
     input.height = 108;
     const PreviewPicture draft = cloud_pictures(input, 2).front();
-    EXPECT_TRUE(says(draft, "4 samples per pixel")) << draft.caption;
+    EXPECT_TRUE(says(draft, "4 rays per pixel")) << draft.caption;
     ASSERT_EQ(draft.picture.rgb.size(), fine.picture.rgb.size());
     EXPECT_LT(mean_difference(draft.picture, fine.picture), 2);
 }

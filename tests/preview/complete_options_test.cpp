@@ -31,7 +31,7 @@ PreviewOptions complete(const PreviewOptions& given, const std::string& preview,
 constexpr const char* kAll =
     "size = [1920, 1080]\nsingle = true\naltitude = '2 km'\nsun_elevation = ['20 deg', '-4 deg']\n"
     "sun_azimuth = '150 deg'\nexposure = 2.5\ntone_curve = 'agx'\nglare = "
-    "'none'\n[preview.camera]\n"
+    "'camera'\n[preview.camera]\n"
     "position = ['2 km', '-3 km', '200 m']\nheading = '120 deg'\n";
 
 TEST(CompleteOptions, TakeWhatTheRecipeSays) {
@@ -44,7 +44,7 @@ TEST(CompleteOptions, TakeWhatTheRecipeSays) {
     EXPECT_NEAR(options.sun_azimuth_deg.value(), 150, 1e-12);
     EXPECT_EQ(options.exposure_stops, 2.5);
     EXPECT_EQ(options.tone_curve, ToneCurve::agx);
-    EXPECT_EQ(options.glare, Glare::none);
+    EXPECT_EQ(options.glare, Glare::camera);
     EXPECT_EQ(options.camera->position_m, (std::array<double, 3>{2000, -3000, 200}));
     EXPECT_NEAR(options.camera->heading_degrees.value(), 120, 1e-12);
     EXPECT_FALSE(options.camera->pitch_degrees);

@@ -118,7 +118,8 @@ TEST(LiveScene, HasThePicturesRuleOfExposure) {
         Image2<float> grey(1, 1, 1);
         grey.texels[0] = 0.5F;
         for (const auto& [name, curve] :
-             {std::pair{"aces", ToneCurve::aces}, std::pair{"agx", ToneCurve::agx}}) {
+             {std::pair{"film", ToneCurve::film}, std::pair{"aces", ToneCurve::aces},
+              std::pair{"agx", ToneCurve::agx}}) {
             EXPECT_NEAR(exposure["light"][name], 0.5 * exposure_by(rule, grey, curve), 1e-6);
         }
     }
@@ -141,6 +142,21 @@ TEST(LiveScene, TakesTheViewFromTheOptions) {
         EXPECT_EQ(view["sun_azimuth"], 30);
         EXPECT_EQ(view["exposure"], 2);
         EXPECT_EQ(view["tone_curve"], "agx");
+    }
+}
+
+// Nobody has placed the sun: it stands beside the view, wherever that looks. The glare is off.
+TEST(LiveScene, HasTheSunBesideTheViewWithoutGlare) {
+    for (const double heading : {10.0, 300.0}) {
+        PreviewOptions options;
+        options.camera = CameraRequest{std::nullopt, heading, {}, {}};
+        for (const std::string& text : {kSky, kSky + kCloud}) {
+            const json view = scene_of(text, options)["view"];
+            const double turn = view["sun_azimuth"].get<double>() - heading - kSunBesideView;
+            EXPECT_NEAR(std::remainder(turn, 360), 0, 1e-9) << heading;
+            EXPECT_EQ(view["glare"], false);
+            EXPECT_EQ(view["tone_curve"], "film");
+        }
     }
 }
 

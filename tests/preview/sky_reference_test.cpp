@@ -53,6 +53,15 @@ TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
         EXPECT_GT(near.marching.rms, 0) << sun;
         EXPECT_LT(near.marching.rms, 0.5 * near.difference.error.rms) << sun;
     }
+    // The blue of the zenith is that of the solved sky.
+    const SkyView day = test::dome(9, 0.2, 30);
+    const auto red_over_blue = [&](const Image2<float>& radiance) {
+        const Image2<float> shown = better.tables.screen.shown(radiance);
+        return double{shown.texel(4, 4)[0]} / double{shown.texel(4, 4)[2]};
+    };
+    const double solved_ratio = red_over_blue(render_sky_reference(light, day, 2));
+    EXPECT_NEAR(red_over_blue(render_sky(better.medium, better.tables, day, 2)) / solved_ratio, 1,
+                0.05);
 }
 
 // The march that counts as exact: with half the steps it is the same within what its comment says.

@@ -88,6 +88,46 @@ TEST(GlareVeil, IsThatOfTheDisabilityGlareEquation) {
 }
 
 // All of the light is somewhere: the function of CIE 135/1 with its narrowest term integrates to 1.
+// A lens scatters a hundredth, which is over the half sphere of directions from which light falls on a
+// picture, and by the inverse square of the angle's sine (KenKnight 1984).
+TEST(LensVeil, ScattersAHundredthByTheInverseSquare) {
+    double light = 0;
+    constexpr int kSteps = 100000;
+    for (int i = 0; i < kSteps; ++i) {
+        const double u = (i + 0.5) / kSteps;
+        const double degrees = 90 * u * u * u;
+        light += std::numbers::pi * std::sin(2 * degrees * kRadians) * lens_veil(degrees) * 90 * 3 *
+                 u * u / kSteps * kRadians;
+    }
+    EXPECT_NEAR(light, 0.01, 1e-6);
+    EXPECT_NEAR(lens_veil(4) / lens_veil(8),
+                std::pow(std::sin(8 * kRadians) / std::sin(4 * kRadians), 2), 0.02);
+}
+
+// All glare is before the sun: from 90 degrees on, pictures with it and without it are the same. The panorama
+// is at all azimuths around a sun of 30 degrees, so it has texels at 150 degrees from the sun.
+TEST(Glare, IsNoneFromARightAngleOn) {
+    const SkyView view = panorama(90, 45, -90, 90, 30);
+    const Image2<float> plain = picture_of(view, Glare::none);
+    for (const Glare glare : {Glare::camera, Glare::eye}) {
+        const Image2<float> veiled = picture_of(view, glare);
+        int behind = 0;
+        for (int y = 0; y < view.height; ++y) {
+            for (int x = 0; x < view.width; ++x) {
+                const double cosine = direction_at(view, x, y)->cosine_to_sun;
+                const float added = *veiled.texel(x, y) - *plain.texel(x, y);
+                if (cosine <= 0) {
+                    EXPECT_EQ(added, 0) << x << ", " << y;
+                    behind += cosine < -0.86 ? 1 : 0;
+                } else if (cosine < 0.99) {
+                    EXPECT_GT(added, 0) << x << ", " << y;
+                }
+            }
+        }
+        EXPECT_GT(behind, 50);
+    }
+}
+
 TEST(GlareVeil, AndTheNarrowestTermAreAllOfTheLight) {
     const double of_age = 1 - 0.08 * std::pow(25 / 70.0, 4);
     double light = 0;
@@ -114,7 +154,9 @@ TEST(SunDisc, HoldsTheSunsLight) {
 TEST(SunDisc, HoldsTheSunsLightWithItsGlare) {
     const SkyView view = panorama(1800, 900, -90, 90, 30);
     const double disc = light_of(picture_of(view, Glare::none), view);
-    EXPECT_NEAR(light_of(picture_of(view, Glare::eye), view) / disc, 1, 0.02);
+    for (const Glare glare : {Glare::camera, Glare::eye}) {
+        EXPECT_NEAR(light_of(picture_of(view, glare), view) / disc, 1, 0.02);
+    }
 }
 
 TEST(SunDisc, IsCutByTheHorizon) {

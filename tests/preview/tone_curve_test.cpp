@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace skybake {
 namespace {
@@ -17,6 +18,8 @@ Image2<float> texel(std::vector<float> values) {
 }
 
 constexpr int kEdge = 64;
+constexpr std::array kCurves = {ToneCurve::film, ToneCurve::exponential, ToneCurve::aces,
+                                ToneCurve::agx};
 
 // A picture of one colour, whose pixels have many thresholds.
 Picture field(const std::vector<float>& values, double exposure,
@@ -84,7 +87,7 @@ TEST(ToneMapped, HasEvenThresholds) {
 }
 
 TEST(ToneMapped, OfTheEndsIsBlackAndWhite) {
-    for (const ToneCurve curve : {ToneCurve::exponential, ToneCurve::aces, ToneCurve::agx}) {
+    for (const ToneCurve curve : kCurves) {
         const std::vector<float> ends = {-1, 0, 1e30F};
         for (const float light : ends) {
             const Picture picture = field({light}, 1, curve);
@@ -100,15 +103,19 @@ TEST(ToneMapped, OfTheEndsIsBlackAndWhite) {
 }
 
 // What the curves' authors say of middle grey: the Academy's transform shows 0.18 as a tenth of white,
-// AgX as half of a screen's range with a gamma of 2.2. Both are fits of a few per cent.
+// AgX as half of a screen's range with a gamma of 2.2. Both are fits of a few per cent. Uchimura's straight
+// part shows grey as it is.
 TEST(ToneMapped, ShowsMiddleGreyAsPublished) {
     EXPECT_NEAR(shown(0.18, ToneCurve::aces), 0.10, 0.01);
     EXPECT_NEAR(shown(0.18, ToneCurve::agx), std::pow(0.5, 2.2), 0.01);
     EXPECT_NEAR(shown(0.18, ToneCurve::exponential), 1 - std::exp(-0.18), 1e-3);
+    for (const double grey : {0.22, 0.36, 0.53}) {
+        EXPECT_NEAR(shown(grey, ToneCurve::film), grey, 1e-3);
+    }
 }
 
 TEST(ToneMapped, BrightensWithLightAndKeepsGreyGrey) {
-    for (const ToneCurve curve : {ToneCurve::exponential, ToneCurve::aces, ToneCurve::agx}) {
+    for (const ToneCurve curve : kCurves) {
         double last = 0;
         for (float light = 0.001F; light < 30; light *= 1.3F) {
             const Picture picture = field({light, light, light}, 1, curve);
@@ -167,14 +174,63 @@ TEST(ToneMapped, DesaturatesBrightColorsByFilmLikeCurves) {
     EXPECT_LT(spread(ToneCurve::agx), 0.8 * spread(ToneCurve::exponential));
 }
 
+// The hue in degrees by Oklab (Ottosson 2020).
+double hue_of(const std::array<double, 3>& linear) {
+    const auto [r, g, b] = linear;
+    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b);
+    const double m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b);
+    const double s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+    return std::atan2(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
+                      1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s) *
+           180 / std::numbers::pi;
+}
+
+std::array<double, 3> linear_shown(const std::vector<float>& light, double exposure,
+                                   ToneCurve curve) {
+    const Picture picture = field(light, exposure, curve);
+    std::array<double, 3> linear;
+    for (std::size_t c = 0; c < 3; ++c) linear[c] = linear_of(mean_of(picture, c) / 255);
+    return linear;
+}
+
+// How far the hue turns, either way, while light grows from a quarter of white by six stops.
+double most_turn(const std::array<double, 3>& light, ToneCurve curve) {
+    double most = 0;
+    for (double stops = -2; stops <= 4; stops += 0.5) {
+        const std::vector<float> texel = {static_cast<float>(light[0]),
+                                          static_cast<float>(light[1]),
+                                          static_cast<float>(light[2])};
+        const double hue = hue_of(linear_shown(texel, std::exp2(stops), curve));
+        most = std::max(most, std::fabs(std::remainder(hue - hue_of(light), 360.0)));
+    }
+    return most;
+}
+
+// A sunset stays orange, a sky blue and Mars butterscotch however bright they are: with a curve on each
+// channel they turn to lemon and to cyan by 35 degrees and more.
+TEST(ToneMapped, KeepsHuesOfAllBrightnesses) {
+    constexpr std::array<std::array<double, 3>, 4> kLights = {
+        {{1, 0.45, 0.12}, {1, 0.62, 0.3}, {0.24, 0.5, 1}, {1, 0.6, 0.34}}};
+    for (const auto& light : kLights) {
+        EXPECT_LT(most_turn(light, ToneCurve::film), 10) << light[1];
+        EXPECT_GT(most_turn(light, ToneCurve::exponential), 30) << light[1];
+    }
+}
+
+// Where the picture's greatest channel is not compressed, ratios of light are those of the picture.
+TEST(ToneMapped, ShowsTheChromaticityOfABlueSky) {
+    const std::array<double, 3> sky = linear_shown({0.12F, 0.25F, 0.5F}, 1, ToneCurve::film);
+    EXPECT_NEAR(sky[0] / sky[2], 0.24, 0.05 * 0.24);
+    EXPECT_NEAR(sky[1] / sky[2], 0.5, 0.05 * 0.5);
+}
+
 TEST(ExposureFor, BringsThe99thPercentileTo85Percent) {
     Image2<float> image(1000, 1, 3);
     for (int x = 0; x < 1000; ++x) {
         const float value = x < 980 ? 1.0F : x < 992 ? 4.0F : 1e6F;  // a sun in 8 of 1000 texels
         std::fill_n(image.texel(x, 0), 3, value);
     }
-    EXPECT_NEAR(1 - std::exp(-exposure_for(image) * 4), 0.85, 1e-6);
-    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+    for (const ToneCurve curve : kCurves) {
         EXPECT_NEAR(shown(exposure_for(image, curve) * 4, curve), 0.85, 2e-3);
     }
     EXPECT_EQ(exposure_for(texel({0, 0, 0})), 1);
@@ -189,14 +245,12 @@ TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
         const float value = x < 500 ? 0.0F : x < 980 ? 2.0F : 1e6F;
         std::fill_n(image.texel(x, 0), 3, value);
     }
-    EXPECT_NEAR(1 - std::exp(-sky_exposure_for(image) * 2), 0.25, 1e-6);
-    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+    for (const ToneCurve curve : kCurves) {
         EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 2, curve), 0.25, 2e-3);
     }
     // A tenth of the sky is so bright that the median would burn it out.
     for (int x = 950; x < 1000; ++x) std::fill_n(image.texel(x, 0), 3, 50.0F);
-    EXPECT_NEAR(1 - std::exp(-sky_exposure_for(image) * 50), 0.8, 1e-6);
-    for (const ToneCurve curve : {ToneCurve::aces, ToneCurve::agx}) {
+    for (const ToneCurve curve : kCurves) {
         EXPECT_NEAR(shown(sky_exposure_for(image, curve) * 50, curve), 0.8, 2e-3);
     }
     EXPECT_EQ(sky_exposure_for(texel({0, 0, 0})), 1);

@@ -17,6 +17,8 @@
         extinction: (value) => `× ${(2 ** value).toFixed(2)}`,
     };
 
+    const checks = ['disc', 'glare', 'shadow', 'single'];
+
     function first_view(scene) {
         const {view} = scene;
         return {...view, exposure: view.exposure ?? 3, extinction: 1, disc: true, shadow: true,
@@ -33,7 +35,7 @@
         }
         byId('tone_curve').value = page.view.tone_curve;
         byId('auto').checked = page.auto;
-        for (const name of ['disc', 'shadow', 'single']) byId(name).checked = page.view[name];
+        for (const name of checks) byId(name).checked = page.view[name];
     }
 
     // Text in the form that --camera reads.
@@ -64,7 +66,7 @@
         page.auto = target.checked;
         changed(true);
     });
-    for (const name of ['disc', 'shadow', 'single']) {
+    for (const name of checks) {
         byId(name).addEventListener('change', ({target}) => {
             page.view[name] = target.checked;
             changed();

@@ -181,7 +181,7 @@ class LiveRenderer {
             ...Object.fromEntries(this.textures), sun, camera: view.position,
             forward: direction(view.pitch, view.heading), right: direction(0, view.heading - 90),
             up: direction(view.pitch + 90, view.heading), size: [width, height],
-            tan_half_fov: Math.tan(0.5 * view.fov * radians), has_disc: view.disc, has_shadow: view.shadow,
+            tan_half_fov: Math.tan(0.5 * view.fov * radians), has_disc: view.disc, has_glare: view.glare, has_shadow: view.shadow,
             offset: [0, 0], rank: 0, weight: 1,
         };
         if (!this.clouds) return values;
@@ -264,7 +264,7 @@ class LiveRenderer {
         this.run(this.programs.screen, {frame: null, width, height}, {
             fine, rough: this.targets.get('rough') || fine, size: [width, height],
             rows_done: this.passes > 0 ? height : this.rows, exposure: 2 ** view.exposure,
-            curve: {integer: ['exponential', 'aces', 'agx'].indexOf(view.tone_curve)}});
+            curve: {integer: ['film', 'exponential', 'aces', 'agx'].indexOf(view.tone_curve)}});
     }
 
     // The pixels of a picture as floats: linear light, and reads of the cloud and its grid.

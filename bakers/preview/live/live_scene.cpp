@@ -14,6 +14,7 @@
 #include "bakers/preview/live/live_clouds.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/live/live_textures.h"
+#include "bakers/render/white_balance.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
 
@@ -49,7 +50,8 @@ bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
                        [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
 }
 
-std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets) {
+std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets,
+                                  int threads) {
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (transmittance == nullptr || scattering == nullptr || !has_section(recipe, *transmittance) ||
@@ -58,8 +60,10 @@ std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAss
     }
     auto tables = make_sky_tables(*transmittance, *scattering);
     if (!tables.value) return std::nullopt;
-    return LiveLight{&recipe, transmittance, scattering,
-                     make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
+    LiveLight light{&recipe, transmittance, scattering,
+                    make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
+    light.tables.screen = daylight_screen({light.medium, light.tables}, threads);
+    return light;
 }
 
 // Bakes the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
@@ -81,14 +85,19 @@ Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions
 
 // --- The view ------------------------------------------------------------------------------------
 
+// The names of tone curves, in the order of ToneCurve.
+constexpr std::array kCurves = {"film", "exponential", "aces", "agx"};
+
 // Returns the exposed light that each curve shows as `share` of white, times a factor.
 Json light_json(double share, double factor) {
     Image2<float> grey(1, 1, 1);
     grey.texels[0] = 1;
     const ExposureRule rule = {1, share, factor};
-    return {{"exponential", exposure_by(rule, grey, ToneCurve::exponential)},
-            {"aces", exposure_by(rule, grey, ToneCurve::aces)},
-            {"agx", exposure_by(rule, grey, ToneCurve::agx)}};
+    Json light;
+    for (std::size_t i = 0; i < kCurves.size(); ++i) {
+        light[kCurves[i]] = exposure_by(rule, grey, static_cast<ToneCurve>(i));
+    }
+    return light;
 }
 
 // Returns the rule by which the page chooses exposures: they make the quantile of luminance as bright as
@@ -105,17 +114,18 @@ Json exposure_json(const ExposureRule& rule) {
 Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
     const double sun_deg =
         options.sun_elevations_deg.empty() ? 20 : options.sun_elevations_deg.front();
-    constexpr std::array curves = {"exponential", "aces", "agx"};
-    const auto curve =
-        static_cast<std::size_t>(options.tone_curve.value_or(ToneCurve::exponential));
+    const auto curve = static_cast<std::size_t>(options.tone_curve.value_or(ToneCurve::film));
+    const double azimuth_deg =
+        options.sun_azimuth_deg.value_or(camera.azimuth_degrees + kSunBesideView);
     return {{"position", {camera.position_m.x, camera.position_m.y, camera.position_m.z}},
             {"heading", camera.azimuth_degrees},
             {"pitch", camera.elevation_degrees},
             {"fov", camera.horizontal_field_degrees},
             {"sun_elevation", sun_deg},
-            {"sun_azimuth", std::remainder(options.sun_azimuth_deg.value_or(105), 360)},
+            {"sun_azimuth", std::remainder(azimuth_deg, 360)},
+            {"glare", options.glare.value_or(Glare::none) != Glare::none},
             {"exposure", options.exposure_stops ? Json(*options.exposure_stops) : Json(nullptr)},
-            {"tone_curve", curves[curve]},
+            {"tone_curve", kCurves[curve]},
             {"top", 1000 * thickness_km}};
 }
 
@@ -163,13 +173,13 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
                               "show the folder of a bake, or a recipe")}};
     }
     std::string light_name = "the recipe's atmosphere";
-    std::optional<LiveLight> light = light_of(*assets.recipe, assets);
+    std::optional<LiveLight> light = light_of(*assets.recipe, assets, options.threads);
     std::optional<BakedLight> baked;
     if (!light) {
         auto made = bake_light(assets, options);
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
-        light = light_of(baked->recipe, baked->assets);
+        light = light_of(baked->recipe, baked->assets, options.threads);
         light_name = read_air(assets)
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";

@@ -3,7 +3,7 @@
 uniform vec3 camera, forward, right, up;                                    // camera in metres
 uniform vec2 size, offset;                                                  // of the picture, in pixels
 uniform float tan_half_fov, weight, rank;
-uniform bool has_disc, has_shadow;
+uniform bool has_disc, has_glare, has_shadow;
 uniform float ground_through, mean_sunlight;                                // of the sky's light, and of the sun's directly
 uniform highp sampler2D before, light_table;
 out vec4 color;
@@ -38,6 +38,15 @@ Light cloud_light(int layer, Cloud cloud, float h, vec3 ray, Air air) {
 }
 #endif
 
+// The light that the lens scatters, of the sunlight that the clouds let through to the camera.
+Light glare_at(float h, vec3 ray) {
+    Light seen = sunlight(h, (R + h) * sun.z) * lens_veil(ray);
+#ifdef CLOUDS_OF_RECIPE
+    seen *= exp(-depth_to_sun(-1, camera, 0.0, 0.5));
+#endif
+    return seen;
+}
+
 void main() {
     vec2 place = (2.0 * (gl_FragCoord.xy + offset) - size) / size.x * tan_half_fov;
     vec3 ray = normalize(forward + place.x * right + place.y * up);
@@ -57,7 +66,7 @@ void main() {
         light += air.through * ground * ground_light((R + h) * sun.z + air.end * dot(ray, sun));
     } else if (has_disc) {
         float angle_of_pixel = 2.0 * tan_half_fov / size.x;
-        light += sun_disc(ray, air.through, angle_of_pixel);
+        light += (has_glare ? 0.99 : 1.0) * sun_disc(ray, air.through, angle_of_pixel);
     }
 #ifdef CLOUDS_OF_RECIPE
     light *= through;
@@ -66,6 +75,7 @@ void main() {
     }
     reads = float(fetches);
 #endif
+    if (has_glare) light += glare_at(h, ray);
     color = vec4(shown(light), reads);
     if (weight < 1.0) color = mix(texelFetch(before, ivec2(gl_FragCoord.xy), 0), color, weight);
 }

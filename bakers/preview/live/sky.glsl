@@ -91,17 +91,19 @@ Light through_air(float h, vec3 ray, float reach) {
     return exp(-depth * width / 6.0);
 }
 
-// The sun's disc and the light of it that an eye scatters around it (bakers/render/sun_disc.h), for sunlight
-// `seen`. `wide` is at least the angle of a pixel, so that the disc has no jagged edge.
+// The sun's disc (bakers/render/sun_disc.h), for sunlight `seen`. `wide` is at least the angle of a pixel, so that the
+// disc has no jagged edge.
 const float SUN = 4.651e-3;                                                 // the disc's radius
 Light sun_disc(vec3 ray, Light seen, float wide) {
-    float angle = length(ray - sun), degrees_off = min(angle, 1.5) * 57.29578;
+    float angle = length(ray - sun);
     float inside = 1.0 - smoothstep(SUN - 0.5 * wide, SUN + 0.5 * wide, angle);
     float mu = sqrt(max(1.0 - angle * angle / (SUN * SUN), 0.0));
     Light disc = inside / (PI * SUN * SUN) * (1.0 + 0.5 * LIMB) * pow(Light(max(mu, 0.05)), LIMB);
-    float a = degrees_off / 0.045, t = 1.0 + degrees_off * degrees_off * 100.0;
-    float veil = 1.5e5 * 0.99870 / pow(1.0 + a * a, 1.5) +
-                 1.02604 * (400.0 / t + 3e-8 * degrees_off * degrees_off + 0.5 * (1300.0 / pow(t, 1.5) + 0.8 / sqrt(t))) +
-                 1.25e-3;
-    return seen * (disc / 3.0 + veil);
+    return seen * disc;
+}
+
+// What a lens scatters of sunlight, in 1/sr.
+float lens_veil(vec3 ray) {
+    float cosine = max(dot(ray, sun), 0.0), sine = length(cross(ray, sun));
+    return 0.01 / (PI * log(1.0 + 1.0 / (SUN * SUN))) * cosine / (sine * sine + SUN * SUN);
 }

@@ -82,7 +82,7 @@ std::vector<PreviewPicture> distance_pictures(const PreviewAsset& asset);
 std::string exposure_text(double exposure);
 
 // Returns the same with the tone curve (tone_curve.h).
-std::string tone_text(double exposure, ToneCurve curve = ToneCurve::exponential);
+std::string tone_text(double exposure, ToneCurve curve = ToneCurve::film);
 
 // Returns "sun 20 degrees above the horizon", "sun 4 degrees below the horizon" or "sun on the
 // horizon".

@@ -10,6 +10,8 @@
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"
+#include "bakers/preview/pictures/asset_pictures.h"
+#include "bakers/render/white_balance.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -18,10 +20,13 @@ namespace {
 
 std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
                                     const PreviewAsset& transmittance,
-                                    const PreviewAsset& multiple_scattering, std::string name) {
+                                    const PreviewAsset& multiple_scattering, std::string name,
+                                    int threads) {
     auto tables = make_sky_tables(transmittance, multiple_scattering);
     if (!tables.value) return std::nullopt;
-    return Lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
+    Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
+    lighting.tables.screen = daylight_screen(lighting.atmosphere(), threads);
+    return lighting;
 }
 
 std::optional<Lighting> earth_lighting(int threads) {
@@ -33,7 +38,7 @@ std::optional<Lighting> earth_lighting(int threads) {
     const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
     if (!baked.value) return std::nullopt;
     return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
-                       *baked.value->of_kind("multiple_scattering"), "the preset earth");
+                       *baked.value->of_kind("multiple_scattering"), "the preset earth", threads);
 }
 
 }  // namespace
@@ -44,8 +49,17 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
         return earth_lighting(threads);
     }
     return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
-                       "the recipe's atmosphere");
+                       "the recipe's atmosphere", threads);
 }
+
+namespace {
+
+// Whether the sun is the first again, before the camera.
+bool is_against(const CloudPreviewInput& input, const SunDirection& sun) {
+    return input.last_is_against && &sun == &input.suns.back();
+}
+
+}  // namespace
 
 bool holds_voxels(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
@@ -87,11 +101,18 @@ Refinement refinement_of(int width, int height) {
 }
 
 std::string samples_text(const SceneFrame& frame, int refined_pixels) {
-    if (frame.refinement == Refinement::all) return fmt::format("{} samples per pixel", kSamples);
+    if (frame.refinement == Refinement::all) return fmt::format("{} rays per pixel", kSamples);
     const double pixels = static_cast<double>(frame.width) * frame.height;
-    return fmt::format(
-        "one sample per pixel, and {} in the {:.0f} % of pixels where clouds are thin", kSamples,
-        100 * refined_pixels / pixels);
+    return fmt::format("one ray per pixel, and {} in the {:.0f} % of pixels with thin cloud",
+                       kSamples, 100 * refined_pixels / pixels);
+}
+
+std::string sun_words(const CloudPreviewInput& input, const SunDirection& sun) {
+    return sun_text(sun.elevation_degrees) + (is_against(input, sun) ? ", against the light" : "");
+}
+
+std::string sun_name(const CloudPreviewInput& input, const SunDirection& sun) {
+    return sun_stem(sun.elevation_degrees) + (is_against(input, sun) ? "_against" : "");
 }
 
 // Azimuths grow from +x towards +y, which is to the left.

@@ -28,10 +28,11 @@ bool holds_voxels(const PreviewAsset& asset);
 // Returns the cloud with the extent of its volume.
 std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input);
 
-// What captions say of copies of tiles that vary, without the end of the sentence.
+// What captions say of copies of tiles that vary.
 inline constexpr const char* kCopiesText =
-    "Each copy of a tile but the first begins at another voxel, and copies run into each other "
-    "over an eighth of their edge, so that no pattern repeats";
+    "Each copy of a tile but the first begins at another voxel, and neighbours overlap by an "
+    "eighth of "
+    "their edge, so that no pattern repeats.";
 
 // A medium with its leaps, and where they come from. The copies of a medium that repeats vary.
 struct LeapingMedium {
@@ -44,7 +45,11 @@ LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud
 // Returns which pixels of a picture get more samples.
 Refinement refinement_of(int width, int height);
 
-// Returns how many samples pixels have, as part of a caption.
+// Returns the title of the picture of one of the input's suns, and the end of the file's name.
+std::string sun_words(const CloudPreviewInput& input, const SunDirection& sun);
+std::string sun_name(const CloudPreviewInput& input, const SunDirection& sun);
+
+// Returns how many rays pixels have, as part of a caption.
 std::string samples_text(const SceneFrame& frame, int refined_pixels);
 
 // Says where the sun is for somebody who looks along the camera's heading.

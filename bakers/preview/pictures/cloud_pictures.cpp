@@ -39,6 +39,7 @@ std::vector<CloudViewSettings> views_of(const CloudPreviewInput& input, const Cl
 struct LitScene {
     const CloudPreviewInput& input;
     const Lighting& lighting;
+    const SunDirection& sun;  // one of the input's
     const std::string& leaps_name;
     SceneRenderer renderer;
 };
@@ -53,22 +54,21 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "The picture shows {}. {}The light is that of {} with the {}, {}; it is shown with {}. The "
-        "camera "
-        "is `{}`. Rays have {}, {:.3g} m steps along the view and {:.3g} m steps towards the sun, "
-        "and "
-        "the light has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel "
-        "takes "
-        "{:.0f} lookups of the volume and {:.0f} of the grid.",
-        scene.input.single ? "one tile alone with its shadow on the ground"
-                           : "the layer that the tile repeats to with its shadows on the ground",
-        scene.input.single ? "" : fmt::format("{}. ", kCopiesText), scene.lighting.name,
-        sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
-        tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
-        samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
-        settings.light_step_m, kOctaves, scene.leaps_name,
+        "{}. The sky is that of {}, with the {}, {}; {}.\n"
+        "The camera is `{}`. There is {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
+        "Light "
+        "has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel takes "
+        "{:.0f} "
+        "lookups of the volume and {:.0f} of the grid.{}",
+        scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"
+                           : "The tile is repeated to the horizon and casts shadows on the ground",
+        scene.lighting.name, sun_text(settings.sun.elevation_degrees),
+        beside_view(settings.sun, settings.camera), tone_text(exposure, scene.input.tone_curve),
+        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
+        settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
-        static_cast<double>(fetches.cells) / pixels);
+        static_cast<double>(fetches.cells) / pixels,
+        scene.input.single ? "" : fmt::format(" {}", kCopiesText));
 }
 
 // Renders one view. Without `exposure`, one is chosen for this picture.
@@ -78,16 +78,16 @@ PreviewPicture lit_picture(LitScene& scene, const CloudViewSettings& settings,
     const Image2<float> shown = scene.lighting.tables.screen.shown(view.radiance);
     const ToneCurve curve = scene.input.tone_curve;
     if (!exposure) exposure = cloud_exposure_for(shown, curve);
-    const double elevation = settings.sun.elevation_degrees;
     PreviewPicture picture;
-    picture.name = fmt::format("{}_lit_{}", scene.input.volume->entry.name, sun_stem(elevation));
-    picture.title = fmt::format("Lit, {}", sun_text(elevation));
+    picture.tab = sun_words(scene.input, scene.sun);
+    picture.name =
+        fmt::format("{}_lit_{}", scene.input.volume->entry.name, sun_name(scene.input, scene.sun));
+    picture.title = fmt::format("Lit, {}", picture.tab);
     picture.caption = lit_caption(scene, settings, view, *exposure);
     picture.picture = tone_mapped(shown, *exposure, curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
     picture.group = "lit";
-    picture.tab = sun_text(elevation);
     return picture;
 }
 
@@ -141,7 +141,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         std::optional<double> exposure = known_exposure(input, s);
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         LitScene scene = {
-            input, lighting, cloud.leaps_name,
+            input, lighting, sun, cloud.leaps_name,
             SceneRenderer({layer_of(cloud.medium, views)}, lighting.atmosphere(), sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);

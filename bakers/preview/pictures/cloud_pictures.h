@@ -24,6 +24,12 @@ namespace skybake {
 // time.
 inline constexpr int kSmallPixels = 640 * 400;
 
+// Where the sun stands unless somebody says so, in degrees to the left of the view: beside it and a
+// little behind, so that clouds show lit and shaded sides before a blue sky. A second picture is against the
+// light, and shows their silver linings.
+inline constexpr double kSunBesideView = 112;
+inline constexpr double kSunAgainstView = 30;
+
 // The recipe of the light for clouds without an atmosphere of their own.
 inline constexpr const char* kEarthLight =
     "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
@@ -49,11 +55,11 @@ struct CloudPreviewInput {
     const config::Atmosphere* atmosphere = nullptr;
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
-    std::vector<SunDirection> suns = {
-        {20, 105}};                        // one lit picture for each; the view's azimuth is 63
+    std::vector<SunDirection> suns = {{20, kHeading + kSunBesideView}};  // one lit picture for each
+    bool last_is_against = false;  // the last sun is the first again, before the camera
     std::optional<double> exposure_stops;  // the exposure is 2 to this power; none: chosen
     std::vector<double> exposures;  // of each sun, as an earlier frame had them; empty: chosen
-    ToneCurve tone_curve = ToneCurve::exponential;
+    ToneCurve tone_curve = ToneCurve::film;
     CameraRequest camera;
     std::optional<SequenceFrame>
         frame;            // of volumes whose lit pictures are parts of one that plays

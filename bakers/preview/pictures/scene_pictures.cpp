@@ -65,12 +65,10 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
                           const std::vector<NamedLayer>& layers, const SunDirection& sun,
                           const SceneFrame& frame, const CloudView& view, double exposure) {
     return fmt::format(
-        "The picture shows {} in one sky, with the air before them and their shadows on the "
-        "ground. "
-        "The light is that of {} with the {}, {}; it is shown with {}. The camera is `{}`. Rays "
-        "have "
-        "{}. {}; far layers fade out about 1.5 degrees above the horizon. Layers are flat, and "
-        "clouds do not shade the air.",
+        "The picture shows {} in one sky. Its light is that of {}, with the {}, {}; {}.\n"
+        "The camera is `{}`. There is {}. {} Far layers fade out about 1.5 degrees above the "
+        "horizon. "
+        "Layers are flat, and clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
         beside_view(sun, frame.camera), tone_text(exposure, input.tone_curve),
         camera_text(frame.camera), samples_text(frame, view.refined_pixels), kCopiesText);
@@ -90,14 +88,14 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
                                                  : cloud_exposure_for(shown, input.tone_curve);
     PreviewPicture picture;
-    picture.name = "scene_" + sun_stem(sun.elevation_degrees);
-    picture.title = fmt::format("One sky, {}", sun_text(sun.elevation_degrees));
+    picture.tab = sun_words(input, sun);
+    picture.name = "scene_" + sun_name(input, sun);
+    picture.title = fmt::format("One sky, {}", picture.tab);
     picture.caption = scene_caption(input, lighting, layers, sun, frame, view, exposure);
     picture.picture = tone_mapped(shown, exposure, input.tone_curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
     picture.group = "scene";
-    picture.tab = sun_text(sun.elevation_degrees);
     return picture;
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "bakers/field/interpolation.h"
@@ -19,6 +20,7 @@
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
+#include "bakers/render/white_balance.h"
 
 namespace skybake {
 
@@ -60,6 +62,12 @@ SkyView panorama_view(const SkyScene& scene, double sun_elevation_degrees) {
     return view;
 }
 
+// Returns a sky with the sun and its glare in linear sRGB.
+Image2<float> with_sun(const SkyScene& scene, const SkyView& view, Image2<float> radiance) {
+    add_sun(scene.medium, scene.tables, view, scene.options.glare, radiance);
+    return scene.tables.screen.shown(radiance);
+}
+
 // A picture of the tables' sky in linear sRGB, and its exposure, which the sun and its glare do not
 // change.
 struct ShownSky {
@@ -73,8 +81,7 @@ ShownSky shown_sky(const SkyScene& scene, const SkyView& view) {
     const double exposure =
         stops ? std::exp2(*stops)
               : sky_exposure_for(scene.tables.screen.shown(radiance), scene.options.tone_curve);
-    add_sun(scene.medium, scene.tables, view, scene.options.glare, radiance);
-    return {scene.tables.screen.shown(radiance), exposure};
+    return {with_sun(scene, view, std::move(radiance)), exposure};
 }
 
 // Enlarges an image; each pixel is a bilinear lookup.
@@ -147,7 +154,8 @@ Picture difference_chart(const SkyDifference& difference, int pixels) {
     }
     const double limit = percent_shown(difference.relative);
     return false_colour_chart(percent, {-limit, limit, false, true, "tables over solved sky (%)"},
-                              "difference", dome_axis("across (deg from the zenith)"),
+                              "difference, mean of the channels",
+                              dome_axis("across (deg from the zenith)"),
                               dome_axis("towards the sun (deg from the zenith)"), pixels);
 }
 
@@ -159,34 +167,46 @@ std::string number_text(double value) {
 }
 std::string percent_text(double share) { return number_text(100 * share) + " %"; }
 
+std::string_view glare_text(Glare glare) {
+    switch (glare) {
+        case Glare::none:
+            break;
+        case Glare::camera:
+            return "The sun's glare is what a lens scatters, a hundredth of its light";
+        case Glare::eye:
+            return "The sun's glare is what an eye scatters (CIE 135/1)";
+    }
+    return "The sun has no glare";
+}
+
 // Returns what every caption of a sky says about light and camera.
 std::string how_shown(const SkyScene& scene) {
     return fmt::format(
         "The camera is at {:g} km; each ray is marched in {} steps. Radiance is for a solar "
-        "irradiance of 1; {}. {}",
+        "irradiance of 1; {}. {}.",
         scene.camera_altitude_km, kSkySteps, scene.tables.screen.words(),
-        scene.options.glare == Glare::eye
-            ? "The sun is darker at its limb, and its glare is what an eye scatters (CIE 135/1)"
-            : "The sun is darker at its limb");
+        glare_text(scene.options.glare));
 }
 
 std::string figures_text(const ErrorFigures& figures) {
     return fmt::format("at most {}, RMS {}", percent_text(figures.max), percent_text(figures.rms));
 }
 
-// Adds the solved sky, and the difference from it, to a dome from the tables.
-void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_elevation_degrees,
-                         double exposure, PreviewPicture& result) {
+// Adds the solved sky, and the difference from it, to a dome from the tables. Returns the end of the
+// caption.
+std::string compare_with_solved(const SkyScene& scene, const Picture& dome,
+                                double sun_elevation_degrees, double exposure,
+                                PreviewPicture& result) {
     const int pixels = scene.options.dome_pixels;
     const SkyView view = dome_view(scene, sun_elevation_degrees, pixels);
     const SkyView small = dome_view(scene, sun_elevation_degrees, scene.options.solved_pixels);
     const SkyCost cost = sky_cost(scene.medium, scene.tables, *scene.solved, small, scene.threads);
+    const Image2<float> solved = with_sun(scene, view, enlarged(cost.solved, pixels));
     const std::string difference = figures_text(cost.difference.error);
     const std::string marching = figures_text(cost.marching);
     result.picture = contact_sheet(
         {framed_dome(dome, "from the tables"),
-         framed_dome(dome_picture(enlarged(scene.tables.screen.shown(cost.solved), pixels), view,
-                                  exposure, scene.options.tone_curve),
+         framed_dome(dome_picture(solved, view, exposure, scene.options.tone_curve),
                      "reference: the solved sky"),
          difference_chart(cost.difference, pixels)},
         {fmt::format("sun at {}, {} steps per ray, {}", degrees_text(sun_elevation_degrees),
@@ -195,13 +215,15 @@ void compare_with_solved(const SkyScene& scene, const Picture& dome, double sun_
          fmt::format("tables: {}; of which {} steps: {}", difference, kSkySteps, marching)},
         3);
     result.caption += fmt::format(
-        " The middle shows the reference of every method, the solved sky: all orders of "
-        "scattering, as the asset `sky_view` bakes them, without the sun's disc. The right shows "
-        "how far the tables are from it: {}; each pixel shows the channel with the largest error, "
-        "relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. "
-        "The colour scale is clipped at +-{:g} %. The error of marching in {} steps alone, with "
-        "the same tables, is {}.",
-        difference, percent_shown(cost.difference.relative), kSkySteps, marching);
+        " The middle shows the reference of every method, the solved sky, with the same sun; "
+        "without the sun, the tables' light differs from it by {}.",
+        difference);
+    return fmt::format(
+        " The right shows the mean of the channels' differences, each relative to the reference or "
+        "to "
+        "1e-3 of the channel's largest value, whichever is larger; the colour scale is clipped at "
+        "+-{:g} %. The error of marching in {} steps alone, with the same tables, is {}.",
+        percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
 PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
@@ -215,15 +237,17 @@ PreviewPicture dome_of(const SkyScene& scene, double sun_elevation_degrees) {
     result.group = "domes";
     result.tab = sun_text(sun_elevation_degrees);
     result.caption = fmt::format(
-        "This is a fisheye view of the upper hemisphere with the sun towards the top. {}; {}.",
-        how_shown(scene), tone_text(exposure, scene.options.tone_curve));
+        "This is a fisheye view of the upper hemisphere with the sun towards the top; {}.",
+        tone_text(exposure, scene.options.tone_curve));
+    std::string end;
     const Picture dome = dome_picture(colors, view, exposure, scene.options.tone_curve);
     if (scene.solved) {
-        compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
+        end = compare_with_solved(scene, dome, sun_elevation_degrees, exposure, result);
     } else {
         result.picture = framed_dome(dome, "from the tables");
         result.caption += scene.why_unsolved;
     }
+    result.caption += "\n" + how_shown(scene) + end;
     return result;
 }
 
@@ -242,10 +266,10 @@ PreviewPicture panoramas(const SkyScene& scene) {
     result.title = "Sky all around";
     result.caption = fmt::format(
         "The panorama shows the sky from the tables, with azimuths from -180 to 180 deg around the "
-        "sun's and elevations from {:g} to {:g} deg. {}; tone curve {}. The ground is lit by the "
+        "sun's and elevations from {:g} to {:g} deg; tone curve {}.\n{} The ground is lit by the "
         "sun and, through the table of multiple scattering, by a sky of uniform brightness.",
-        kLowestDegrees, kHighestDegrees, how_shown(scene),
-        tone_curve_name(scene.options.tone_curve));
+        kLowestDegrees, kHighestDegrees, tone_curve_name(scene.options.tone_curve),
+        how_shown(scene));
     result.picture = contact_sheet(pictures, captions, 1);
     return result;
 }
@@ -304,6 +328,7 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
     const double altitude_km = std::min(options.camera_altitude_km, medium.air.thickness_km);
     SkyScene scene = {
         std::move(medium), std::move(*tables.value), altitude_km, options, threads, nullptr, ""};
+    scene.tables.screen = daylight_screen({scene.medium, scene.tables}, threads);
     if (options.solved_pixels > 0) solve_reference(atmosphere, scene);
     // After an interruption the solution must not be used.
     if (is_cancelled(options.progress)) return pictures;

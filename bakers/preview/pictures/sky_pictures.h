@@ -19,8 +19,8 @@ struct SkyPreviewOptions {
     std::vector<double> sun_elevations_degrees = {60, 10, 0, -4};
     // The exposure is 2 to this power; none: it is chosen for each picture (tone_curve.h).
     std::optional<double> exposure_stops;
-    ToneCurve tone_curve = ToneCurve::exponential;
-    Glare glare = Glare::eye;
+    ToneCurve tone_curve = ToneCurve::film;
+    Glare glare = Glare::none;
     // If the shell is thinner than this, the camera is at its top.
     double camera_altitude_km = 0.2;
     int dome_pixels = 512;

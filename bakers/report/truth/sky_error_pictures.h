@@ -21,8 +21,8 @@ struct SkyErrorPictureOptions {
 std::string sky_error_picture_name(const SkyMethod& method);
 
 // Makes one PNG file for each method except the last. It shows the relative error as colours, on
-// domes side by side, one for each sun. Each pixel shows the channel with the largest error,
-// relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. The
+// domes side by side, one for each sun. Each pixel shows the mean of the channels' errors,
+// each relative to the reference or to 1e-3 of the channel's largest value, whichever is larger. The
 // reference is the last method, which must be the most exact one, because path tracing a whole dome
 // takes too long. Diagnostics are those of png_bytes. There are fewer files if the user has
 // interrupted.

@@ -1,0 +1,132 @@
+// Pictures of clouds beside what photographs of them show: white clouds before a blue sky.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "bakers/preview/cloud_inputs.h"
+#include "bakers/render/white_balance.h"
+#include "config/presets/presets.h"
+#include "tests/preview/skies.h"
+
+namespace skybake {
+namespace {
+
+const test::Sky& earth() {
+    static const test::Sky sky = test::sky_of("earth");
+    return sky;
+}
+
+// Fair-weather cumulus at a quarter of its preset's voxels along each edge.
+PreviewAssets cumulus() {
+    const auto presets = config::cloud_presets();
+    const auto humilis = std::ranges::find(presets, "cumulus_humilis", &config::Preset::name);
+    const auto recipe = test::recipe_of(config::cloud_init_text(*humilis),
+                                        {"bake.cumulus_humilis.size=[128, 128, 16]"});
+    auto assets =
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
+    for (const auto& diagnostic : assets.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return assets.value ? std::move(*assets.value) : PreviewAssets();
+}
+
+// The input of small pictures under a sun of 35 degrees in Earth's sky, from below the clouds.
+CloudPreviewInput input_of(const PreviewAssets& assets, PreviewOptions options) {
+    options.sun_elevations_deg = {35};
+    options.camera = {
+        {{2000, 0, 150}}, options.camera ? options.camera->heading_degrees : 63, 12, 55};
+    options.picture_size = {192, 108};
+    CloudPreviewInput input = cloud_input(assets, assets.assets.front(), options);
+    input.atmosphere = &earth().recipe.parameters.atmosphere;
+    input.transmittance = &earth().transmittance;
+    input.multiple_scattering = &earth().multiple_scattering;
+    return input;
+}
+
+struct Pixel {
+    double luma = 0;
+    double red = 0;
+    double blue = 0;
+};
+
+// The pixels from the darkest to the brightest.
+std::vector<Pixel> sorted_pixels(const Picture& picture) {
+    std::vector<Pixel> pixels;
+    for (std::size_t i = 0; i + 2 < picture.rgb.size(); i += 3) {
+        const std::uint8_t* rgb = picture.rgb.data() + i;
+        pixels.push_back({0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2],
+                          static_cast<double>(rgb[0]), static_cast<double>(rgb[2])});
+    }
+    std::ranges::sort(pixels, {}, &Pixel::luma);
+    return pixels;
+}
+
+// Photographers put sunlit cumulus at 235 to 250 of 255. It is white, the sky is blue, and bases and ground
+// are far darker than the tops.
+TEST(DaylightPictures, ShowWhiteCumulusBeforeABlueSky) {
+    const PreviewAssets assets = cumulus();
+    const CloudPreviewInput input = input_of(assets, {});
+    const std::vector<Pixel> pixels = sorted_pixels(cloud_pictures(input, 2).front().picture);
+    const auto at = [&](double share) {
+        return pixels[static_cast<std::size_t>(share * static_cast<double>(pixels.size() - 1))];
+    };
+    EXPECT_GT(at(0.99).luma, 240);
+    EXPECT_LT(at(0.999).luma, 252);
+    const auto white = std::ranges::lower_bound(pixels, 235.0, {}, &Pixel::luma);
+    EXPECT_GT(pixels.end() - white, 0.03 * static_cast<double>(pixels.size()));
+    double farthest = 0;
+    for (auto pixel = white; pixel != pixels.end(); ++pixel) {
+        farthest = std::max(farthest, std::fabs(pixel->red - pixel->blue));
+    }
+    EXPECT_LT(farthest, 12);
+    EXPECT_LT(at(0.05).luma, 150);
+    EXPECT_GT(std::ranges::count_if(pixels,
+                                    [](const Pixel& pixel) { return pixel.blue - pixel.red > 70; }),
+              0.05 * static_cast<double>(pixels.size()));
+}
+
+// The sun follows the camera, and stands against it in a second picture, unless somebody places it.
+TEST(DaylightPictures, HaveTheSunBesideTheViewAndThenAgainstIt) {
+    const PreviewAssets assets = cumulus();
+    for (const double heading : {63.0, 200.0}) {
+        PreviewOptions options;
+        options.camera = CameraRequest{std::nullopt, heading, {}, {}};
+        const CloudPreviewInput input = input_of(assets, options);
+        ASSERT_EQ(input.suns.size(), 2U);
+        EXPECT_EQ(input.suns[0].azimuth_degrees, heading + kSunBesideView);
+        EXPECT_EQ(input.suns[1].azimuth_degrees, heading + kSunAgainstView);
+        options.sun_azimuth_deg = 5;
+        const CloudPreviewInput placed = input_of(assets, options);
+        ASSERT_EQ(placed.suns.size(), 1U);
+        EXPECT_EQ(placed.suns[0].azimuth_degrees, 5);
+    }
+    const auto pictures = cloud_pictures(input_of(assets, {}), 2);
+    EXPECT_EQ(pictures[0].name, "cumulus_humilis_lit_sun_35");
+    EXPECT_EQ(pictures[1].name, "cumulus_humilis_lit_sun_35_against");
+    EXPECT_NE(pictures[0].caption.find("112 degrees to the left of the view"), std::string::npos);
+    EXPECT_NE(pictures[1].title.find("against the light"), std::string::npos);
+}
+
+// A white sheet on the ground is neutral in the light of the white, warmer under a low sun, and bluer
+// at dusk.
+TEST(DaylightPictures, HaveTheLightOfThePlaceAsWhite) {
+    const ScreenColor screen = daylight_screen({earth().medium, earth().tables}, 1);
+    const auto sheet = [&](double elevation) {
+        const GroundIrradiance light =
+            ground_irradiance({earth().medium, earth().tables}, {elevation, 0}, 1);
+        Image2<float> texel(1, 1, earth().medium.air.channels);
+        for (std::size_t c = 0; c < texel.texels.size(); ++c) {
+            texel.texels[c] = static_cast<float>(light.sun[c] + light.sky[c]);
+        }
+        const std::vector<float> shown = screen.shown(texel).texels;
+        return std::array{shown[0] / shown[1], shown[2] / shown[1]};
+    };
+    EXPECT_NEAR(sheet(kDaylightElevation)[0], 1, 1e-4);
+    EXPECT_NEAR(sheet(kDaylightElevation)[1], 1, 1e-4);
+    EXPECT_NEAR(sheet(60)[0], 1, 0.03);
+    EXPECT_NEAR(sheet(60)[1], 1, 0.03);
+    EXPECT_GT(sheet(-4)[1], 1.2);
+}
+
+}  // namespace
+}  // namespace skybake
