@@ -65,12 +65,6 @@ Json paths_of(const std::vector<RetiredFile>& files) {
     return paths;
 }
 
-std::string time_text(double seconds) {
-    if (seconds >= 1) return fmt::format("{:.3g} s", seconds);
-    const double ms = seconds * 1e3;
-    return ms < 9.95 ? fmt::format("{:.2g} ms", ms) : fmt::format("{:.0f} ms", ms);
-}
-
 std::string channels_text(const ManifestAsset& asset) {
     std::string text;
     for (const std::string& channel : asset.channels) text += channel;

@@ -1,5 +1,7 @@
 #include "cli/table_printer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -127,6 +129,13 @@ int text_width(std::string_view text) {
         width += code_point_width(next_code_point(text, position));
     }
     return width;
+}
+
+std::string time_text(double seconds) {
+    if (seconds >= 999.5) return fmt::format("{:.0f} s", seconds);
+    if (seconds >= 1) return fmt::format("{:.3g} s", seconds);
+    const double ms = seconds * 1e3;
+    return ms < 9.95 ? fmt::format("{:.2g} ms", ms) : fmt::format("{:.0f} ms", ms);
 }
 
 int TextTable::width() const {

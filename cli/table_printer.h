@@ -22,6 +22,9 @@ int code_point_width(std::uint32_t code_point);
 // Returns the columns of a text without tabs and newlines.
 int text_width(std::string_view text);
 
+// Spells a time with two or three digits: "2.3 ms", "48 ms", "1.25 s", "250 s".
+std::string time_text(double seconds);
+
 enum class Align { left, right };
 
 // A table consists of rows of cells. The first row is the heading if there is one. Rows may have

@@ -16,7 +16,7 @@ packages=(
 if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     packages+=(
         clang-14 glslang-tools libclang-rt-14-dev libbenchmark-dev libboost-dev libgtest-dev
-        librapidcheck-dev libsquish-dev locales-all make openexr python3 python3-jsonschema
+        librapidcheck-dev librsvg2-bin libsquish-dev locales-all make openexr python3 python3-jsonschema
     )
     if command -v npm >/dev/null; then
         packages+=(chromium spirv-cross)

@@ -22,7 +22,7 @@ function imageOf(picture) {
 // A title that stands in the picture does not stand below it too.
 function figureOf(picture, content) {
     return element('figure',
-        {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
+        {style: `--shape: ${(picture.width / picture.height).toFixed(3)}; --width: ${picture.width}px`, 'data-name': picture.name,
          class: picture.kind},
         ...content, element('figcaption', {},
             picture.titled ? null : element('b', {}, picture.title), picture.caption));
@@ -46,6 +46,7 @@ function tabbedFigures(pictures) {
     const whole = tabbed(pictures[0].title, choices);
     const shape = Math.max(...pictures.map((picture) => picture.width / picture.height));
     whole.style.setProperty('--shape', shape.toFixed(3));
+    whole.style.setProperty('--width', `${Math.max(...pictures.map((picture) => picture.width))}px`);
     whole.classList.add(pictures[0].kind);
     return whole;
 }
