@@ -4,7 +4,8 @@
 #   examples/gallery.sh FOLDER [PART...]   draws presets, assets, reports, sweeps, pages, or some of these
 #   examples/gallery.sh --page [NAME...]   makes the pictures of the pages anew, or those of these names
 # The parts of a folder may be drawn one after the other; `pages` shows the pages of all that are there.
-# SKYBAKE names the program, SIZE the size of pictures of clouds, and SUNS the elevations of the sun.
+# SKYBAKE names the program, SIZE the size of pictures of clouds, SUNS the elevations of the sun, and ONLY
+# what is drawn of a part: a regular expression for the names of presets, assets, reports or sweeps.
 # It needs imagemagick, librsvg2-bin and chromium.
 set -euo pipefail
 examples=$(cd "$(dirname "$0")" && pwd)
@@ -22,13 +23,14 @@ run() {
 sheets() {
     local name=$1 labelled=() file
     shift
-    (($#)) || { echo "there are no pictures for $name" >&2; return 1; }
+    (($#)) || return 0
     for file; do
         local short=${file#"$folder/"}
         labelled+=(-label "${short%.*}" "$file")
     done
     rm -f "$folder/$name".png "$folder/$name"-*.png
-    montage "${labelled[@]}" -tile 4x5 -geometry '400x300>+6+6' -background '#171d26' -fill white "$folder/$name.png"
+    montage "${labelled[@]}" -tile 4x5 -geometry '400x300>+6+6' -background '#171d26' -fill white \
+        -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder/$name.png"
     ls "$folder/$name".png "$folder/$name"-*.png 2>/dev/null
 }
 
@@ -56,6 +58,7 @@ with_light() {
 presets() {
     local preset options
     for preset in $(preset_names); do
+        [[ $preset =~ ${ONLY:-} ]] || continue
         mkdir -p "$folder/presets"
         run init "$folder/presets/$preset.toml" --preset "$preset" --force
         mapfile -t options < <(with_light "$folder/presets/$preset.toml")
@@ -81,6 +84,7 @@ assets() {
     mkdir -p "$folder/assets"
     for page in "$examples"/assets/*.md; do
         name=$(basename "$page" .md)
+        [[ $name =~ ${ONLY:-} ]] || continue
         recipe_of "$page" >"$folder/assets/$name.toml"
         mapfile -t options < <(with_light "$folder/assets/$name.toml")
         drawn "$folder/assets/$name.toml" "assets/$name" "${options[@]}"
@@ -93,22 +97,25 @@ assets() {
 reports() {
     local recipe name file
     mkdir -p "$folder/reports"
-    for recipe in earth phase bruneton volume; do
-        run report "$examples/$recipe.toml" --quick -o "$folder/reports/$recipe" --force
-    done
-    run report "$examples/earth.toml" --quick --truth -o "$folder/reports/truth" --force
-    run report "$examples/earth.toml" --quick --colors -o "$folder/reports/colors" --force
+    for recipe in earth phase bruneton volume; do reported "$recipe" "$recipe"; done
+    reported truth earth --truth
+    reported colors earth --colors
     for file in $(pictures 'reports/*/*.svg'); do rsvg-convert "$file" -o "${file%.svg}.png"; done
     mapfile -t shown < <(pictures 'reports/*/*.png')
     sheets reports "${shown[@]}"
 }
 
+# reported NAME RECIPE OPTION...
+reported() {
+    [[ ! $1 =~ ${ONLY:-} ]] || run report "$examples/$2.toml" --quick -o "$folder/reports/$1" --force "${@:3}"
+}
+
 # Sweeps along one, two and three axes.
 sweeps() {
-    swept one "$examples/earth.toml" --vary bake.transmittance.size=[32,8],[64,16],[128,32],[256,64]
-    swept two "$examples/earth.toml" --vary bake.multiple_scattering.size=[8,8],[16,16],[32,32] \
+    swept one "$examples/earth.toml" --vary 'bake.transmittance.size=[32,8],[64,16],[128,32],[256,64]'
+    swept two "$examples/earth.toml" --vary 'bake.multiple_scattering.size=[8,8],[16,16],[32,32]' \
         --vary bake.multiple_scattering.pixel_type=float,half
-    swept three "$examples/clouds.toml" --vary bake.cumulus.size=[128,128,16],[256,256,32] \
+    swept three "$examples/clouds.toml" --vary 'bake.cumulus.size=[128,128,16],[256,256,32]' \
         --vary clouds.cumulus.coverage=0.4,0.6,0.8 --vary noise.billows.seed=1,2
     mapfile -t shown < <(pictures 'sweeps/*_page/*.png' | grep -E '/(contact_sheet[a-z_]*|[a-z_]+_variants)\.png$')
     sheets sweeps "${shown[@]}"
@@ -116,6 +123,7 @@ sweeps() {
 
 # swept NAME RECIPE OPTION...
 swept() {
+    [[ $1 =~ ${ONLY:-} ]] || return 0
     local out="$folder/sweeps/$1"
     run sweep "$2" -o "$out" "${@:3}"
     run preview "$out" -o "${out}_page" --size "$size" --sun-elevation "${suns%%,*}"
@@ -160,13 +168,17 @@ page() {
     while IFS='|' read -r name file command <&3; do
         is_wanted "${name%.*}" || continue
         read -ra words <<<"${command#skybake }"
+        if [[ ${SIZE:-} ]] && grep -q '^\[clouds\.' "${name%.*}.toml"; then words+=("--size=$SIZE"); fi
         seconds=$({ TIMEFORMAT=%U; time run "${words[@]}" -o "${name%.*}" 2>&4; } 4>&2 2>&1)
-        convert "${name%.*}/$file" -quality 88 "$examples/pictures/$name"
+        if [[ $name == *.png ]]; then
+            cp "${name%.*}/$file" "$examples/pictures/$name"
+        else
+            convert "${name%.*}/$file" -quality 88 "$examples/pictures/$name"
+        fi
         sed -i "s/^\(\`skybake preview ${name%.*}.toml.* in \)[0-9]* s/\1${seconds%.*} s/" "$examples/gallery.md"
     done 3<entries
     cd "$examples"
     taken earth.toml --sun-elevation 30,10,2,-4 -- sky_panoramas sky_sun_10
-    taken phase.toml --only cloud_phase -- cloud_phase
     taken clouds.toml --sun-elevation 20 -- cumulus_lit_sun_20 cumulus_occupancy_cells_z
     taken takram_clouds.toml --only local_weather --only stbn -- local_weather_channels=takram_weather_channels \
         stbn_frames=blue_noise_frames stbn_spectrum=blue_noise_spectrum

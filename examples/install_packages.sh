@@ -26,7 +26,7 @@ if [[ "${1:-}" == --tests || "${1:-}" == --browser || "${1:-}" == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ "$1" == --all ]]; then
         packages+=(
-            blender buildah dpkg-dev ffmpeg fish groff libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
+            blender buildah dpkg-dev ffmpeg fish groff imagemagick libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
             munge nginx-light openimageio-tools python3-numpy python3-openvdb python3-yaml slurm-wlm zsh
         )
     fi

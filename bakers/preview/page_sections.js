@@ -134,8 +134,8 @@ function folderLink(row) {
 }
 function sweepSection(sweep) {
     const shown = {number, figure, percent, byteCount, duration};
-    const columns = [{title: ''}, {title: 'variant'}, ...sweep.columns.map(
-        ({title, shown: name}) => ({title, number: name !== '', wraps: true}))];
+    const columns = [{title: ''}, {title: 'Variant'}, ...sweep.columns.map(
+        ({title, shown: name}) => ({title, number: name !== '', wraps: name !== ''}))];
     const rows = sweep.rows.map((row) => [
         {text: '', value: null, content: row.picture ? pictureButton(row.picture) : ''},
         folderLink(row),

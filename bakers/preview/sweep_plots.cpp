@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
@@ -17,7 +18,7 @@ namespace {
 
 // A figure as an axis of a plot shows it.
 struct PlottedFigure {
-    std::string_view figure;
+    std::string_view figure;  // empty: the time of the bake
     const char* title;
     double factor;  // from the index's unit to the title's
 };
@@ -25,7 +26,20 @@ struct PlottedFigure {
 constexpr PlottedFigure sky_error_axis = {"sky_median", "sky error, median (%)", 100};
 constexpr PlottedFigure lookup_error_axis = {"lookup_rms", "lookup error, RMS", 1};
 constexpr PlottedFigure bytes_axis = {"bytes", "files (KiB)", 1.0 / 1024};
-constexpr PlottedFigure time_axis = {"bake_s", "time of the bake (s)", 1};
+constexpr PlottedFigure time_axis = {"", "time of the bake (s)", 1};
+
+// Returns the time of an asset's bake, without those of certificate and files, or nothing if it is
+// not known.
+std::optional<double> bake_seconds(const SweepVariant& variant, const std::string& asset) {
+    const auto figures = variant.figures.find(asset);
+    if (figures == variant.figures.end()) return std::nullopt;
+    std::optional<double> seconds;
+    for (const auto& [name, value] : figures->second) {
+        if (!name.ends_with("_s") || name == "certificate_s" || name == "write_s") continue;
+        seconds = seconds.value_or(0) + value;
+    }
+    return seconds;
+}
 
 bool is_measured(const PreviewSweep& sweep, const std::string& asset, std::string_view figure) {
     return std::any_of(
@@ -41,7 +55,8 @@ std::vector<ChartPoint> points_of(const PreviewSweep& sweep, const std::string& 
     const bool has_families = sweep.axes.size() > 1;
     std::vector<ChartPoint> points;
     for (const SweepVariant& variant : sweep.variants) {
-        const auto x = figure_of(variant, asset, cost.figure);
+        const auto x = cost.figure.empty() ? bake_seconds(variant, asset)
+                                           : figure_of(variant, asset, cost.figure);
         const auto y = figure_of(variant, asset, error.figure);
         if (!x || !y) continue;
         ChartPoint point;
@@ -83,14 +98,15 @@ std::optional<PreviewPicture> plot_of(const PreviewSweep& sweep, const std::stri
     for (const PlottedFigure& cost : {bytes_axis, time_axis}) {
         auto points = points_of(sweep, asset, cost, error, figure.families);
         if (!differ_in_place(points)) continue;
-        mark_points(points, cost.figure == "bytes" ? 0 : kTimingNoise);
+        mark_points(points, cost.figure.empty() ? kTimingNoise : 0);
         figure.charts.push_back(scatter_chart(std::move(points), "", cost.title, error.title));
     }
     if (figure.charts.empty()) return std::nullopt;
     figure.subtitles = {fmt::format("variants of {}", fmt::join(sweep.names, ", "))};
     return as_plot({asset + "_variants", figure.title,
                     "A variant on the front is beaten by no other in both error and cost. Times are "
-                    "wall times of the bakes, as in timing.csv.",
+                    "wall times of the bakes; light that several variants share is in the time of "
+                    "the first that needed it.",
                     painted(drawing_of(figure))});
 }
 

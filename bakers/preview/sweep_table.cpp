@@ -32,10 +32,27 @@ std::set<std::string> measured_figures(const PreviewSweep& sweep, const std::str
     return names;
 }
 
+// Whether an asset has the same errors and bytes in all variants.
+bool is_the_same_everywhere(const PreviewSweep& sweep, const std::string& asset) {
+    for (const auto& [name, title, shown] : known_figures) {
+        for (const SweepVariant& variant : sweep.variants) {
+            if (figure_of(variant, asset, name) != figure_of(sweep.variants[0], asset, name)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
-    for (const std::string& asset : sweep.assets) {
+    // What differs is to be seen without scrolling.
+    std::vector<std::string> assets = sweep.assets;
+    std::stable_partition(assets.begin(), assets.end(), [&](const std::string& asset) {
+        return !is_the_same_everywhere(sweep, asset);
+    });
+    for (const std::string& asset : assets) {
         const std::set<std::string> measured = measured_figures(sweep, asset);
         for (const auto& [name, title, shown] : known_figures) {
             if (!measured.contains(name)) continue;
@@ -58,8 +75,8 @@ std::vector<PageSweep::Column> SweepTable::columns() const {
         columns.push_back({sweep_.names[i], numbers ? "number" : ""});
     }
     for (const Figure& figure : figures_) columns.push_back(figure.column);
-    columns.push_back({"picture: difference from the first, RMS of 255", "figure"});
-    columns.push_back({"status", ""});
+    columns.push_back({"Picture: difference from the first, RMS of 255", "figure"});
+    columns.push_back({"Status", ""});
     return columns;
 }
 

@@ -17,7 +17,8 @@ class SweepTable {
     explicit SweepTable(const PreviewSweep& sweep);
 
     // Returns what varies, then for each asset the figures that any variant has, then the difference
-    // of the picture from the first, then the status.
+    // of the picture from the first, then the status. Assets that are the same in all variants come
+    // last.
     std::vector<PageSweep::Column> columns() const;
 
     // Returns the row of a variant, without its picture. `difference` is that of its picture from

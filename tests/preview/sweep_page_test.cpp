@@ -47,7 +47,7 @@ json sweep_of(const std::vector<int>& lengths) {
                                      {"name", "000" + std::to_string(index) + "_a,b"},
                                      {"status", "done"},
                                      {"values", values},
-                                     {"assets", {air, sun}}});
+                                     {"assets", {sun, air}}});
     }
     return sweep;
 }
@@ -119,20 +119,20 @@ PixelBox box_on(const PreviewPicture& sheet, std::size_t variant) {
 TEST(SweepSheets, AxesAreRowsAndColumns) {
     const PreviewSweep sweep = loaded(sweep_of({2, 3, 2}));
     std::vector<Picture> pictures = coloured_pictures(sweep);
-    pictures[7] = {};  // failed
+    pictures[9] = {};  // failed
     const PreviewPicture sheet = sweep_sheets(sweep, pictures, "").at(0);
     EXPECT_EQ(sheet.title, "11 of 12 variants");
     for (std::size_t i = 0; i < 12; ++i) {
         const PixelBox box = box_on(sheet, i);
-        EXPECT_EQ(box.count, i == 7 ? 0 : 80 * 50);
-        if (i == 7) continue;
+        EXPECT_EQ(box.count, i == 9 ? 0 : 80 * 50);
+        if (i == 9) continue;
         const std::size_t block = i / 6, column = i / 2 % 3, row = i % 2;
         // Variants 0, 2 and 4 are the first row, 0 and 1 the first column.
         EXPECT_EQ(box.left, box_on(sheet, 2 * column).left);
         EXPECT_EQ(box.top, box_on(sheet, 6 * block + row).top);
-        if (column > 0) EXPECT_GT(box.left, box_on(sheet, 2 * column - 2).right);
-        if (row > 0) EXPECT_GT(box.top, box_on(sheet, 6 * block).bottom);
-        if (block > 0) EXPECT_GT(box.top, box_on(sheet, 1).bottom);
+        EXPECT_TRUE(column == 0 || box.left > box_on(sheet, 2 * column - 2).right);
+        EXPECT_TRUE(row == 0 || box.top > box_on(sheet, 6 * block).bottom);
+        EXPECT_TRUE(block == 0 || box.top > box_on(sheet, 1).bottom);
     }
 }
 
@@ -173,13 +173,13 @@ TEST(SweepPlots, AreOfAssetsThatVary) {
 TEST(SweepTable, SaysWhatIsMeasuredOfWhat) {
     const PreviewSweep sweep = loaded(sweep_of({2}), "index,asset,bake_s\n1,air,2.5\n");
     const SweepTable table(sweep);
-    std::string titles;
+    std::string titles;  // "air", which varies, comes before "sun"
     for (const PageSweep::Column& column : table.columns()) titles += column.title + "\n";
     EXPECT_EQ(titles,
               "k0\nair: sky error, median\nair: sky error, 9 in 10\nair: sky error, max\n"
               "air: lookup error, max\nair: lookup error, RMS\nair: files\nair: bake\n"
               "sun: lookup error, max\nsun: lookup error, RMS\nsun: files\n"
-              "picture: difference from the first, RMS of 255\nstatus\n");
+              "Picture: difference from the first, RMS of 255\nStatus\n");
     const PageVariant row = table.row(sweep.variants[1], 0.5, "../sweep");
     EXPECT_EQ(row.folder, "../sweep/0001_a,b/");
     ASSERT_EQ(row.cells.size(), table.columns().size());

@@ -228,14 +228,15 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
 }
 
 std::string timing_csv(std::span<const VariantResult> variants) {
-    std::string text = "index,asset,bake_s,write_s,threads,name\n";
+    // The columns of times are the members of `timing` in a manifest.
+    std::string text = csv_line({"index", "asset", "bake_s", "write_s", "threads", "name"});
     for (const VariantResult& variant : variants) {
         if (variant.status != VariantStatus::done) continue;
         for (const VariantAsset& asset : variant.assets) {
-            text += csv_line({fmt::format("{}", variant.index), asset.name,
-                              figure_to_string(asset.timing.bake_s),
-                              figure_to_string(asset.timing.write_s),
-                              fmt::format("{}", asset.timing.threads), variant.name});
+            const Timing& timing = asset.timing;
+            text += csv_line({std::to_string(variant.index), asset.name,
+                              figure_to_string(timing.bake_s), figure_to_string(timing.write_s),
+                              std::to_string(timing.threads), variant.name});
         }
     }
     return text;
