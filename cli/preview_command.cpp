@@ -98,7 +98,9 @@ Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest requ
                                StageProgress& progress) {
     PreviewOptions& options = request.options;
     options.progress = &progress;
-    if (request.subject == Subject::sweep) return make_sweep_preview(request.paths[0], options);
+    if (request.subject == Subject::sweep) {
+        return make_sweep_preview(request.paths[0], request.output, options);
+    }
     SharedLight shared;
     auto assets = gather(invocation, request, shared, progress);
     if (!assets.value) return {{}, std::move(assets.diagnostics)};

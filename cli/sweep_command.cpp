@@ -26,6 +26,7 @@
 #include "cli/events.h"
 #include "cli/options.h"
 #include "cli/sweep.h"
+#include "cli/table_printer.h"
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/recipe/recipe.h"
 
@@ -223,10 +224,8 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
     const bool json = console.display().json;
     const bool merge = invocation[options::merge];
     const bool writes_index = job.shards == 1;
-    if (writes_index) {
-        const auto obstacles = inspect_index(job.folder, job.force);
-        if (const ExitCode code = console.report(obstacles); code != ExitCode::done) return code;
-    }
+    const auto obstacles = inspect_index(job.folder, job.force);
+    if (const ExitCode code = console.report(obstacles); code != ExitCode::done) return code;
     std::vector<PlannedVariant> plan = plan_sweep(job, interrupted);
     if (interrupted()) {
         console.note("interrupted; nothing was written\n");
@@ -254,8 +253,8 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(
-        fmt::format("{} baked, {:.2g} s\n", variants_text(reporter.made()), elapsed.count()));
+    console.note(fmt::format("{} baked, {}\n", variants_text(reporter.made()),
+                             time_text(elapsed.count())));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);
 }

@@ -118,8 +118,8 @@ void SweepReporter::finished(const VariantResult& variant, bool made, double sec
                                     {"seconds", seconds}}));
     }
     if (console_.error_is_terminal() || (!made && !failed)) return;
-    console_.note(fmt::format("{} {}, {:.2g} s ({}/{})\n", variant.name,
-                              failed ? "failed" : "baked", seconds, finished_, variants_));
+    console_.note(fmt::format("{} {}, {} ({}/{})\n", variant.name, failed ? "failed" : "baked",
+                              time_text(seconds), finished_, variants_));
 }
 
 void SweepReporter::finish() { line_.reset(); }

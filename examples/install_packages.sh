@@ -16,8 +16,8 @@ packages=(
 mode=${1:-}
 if [[ $mode == --tests || $mode == --more || $mode == --all ]]; then
     packages+=(
-        glslang-tools libboost-dev libgtest-dev librapidcheck-dev libsquish-dev locales-all make openexr
-        python3 python3-jsonschema
+        glslang-tools libboost-dev libgtest-dev librapidcheck-dev librsvg2-bin libsquish-dev locales-all make
+        openexr python3 python3-jsonschema
     )
     if [[ $mode != --tests ]]; then
         packages+=(chromium clang-14 libbenchmark-dev libclang-rt-14-dev spirv-cross)
@@ -26,7 +26,7 @@ if [[ $mode == --tests || $mode == --more || $mode == --all ]]; then
     # These are for tests of the files in other programs and of sweeps on a farm.
     if [[ $mode == --all ]]; then
         packages+=(
-            blender buildah dpkg-dev ffmpeg fish groff libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
+            blender buildah dpkg-dev ffmpeg fish groff imagemagick libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
             munge nginx-light openimageio-tools python3-numpy python3-openvdb python3-yaml slurm-wlm zsh
         )
     fi

@@ -137,7 +137,6 @@ void draw(const Target& target, const Shape& shape) {
         cairo_set_line_width(context, shape.stroke_width);
         cairo_stroke_preserve(context);
     }
-    cairo_new_path(context);
 }
 
 // Draws text as outlines, because Cairo 1.16 moves glyphs to whole pixels.
@@ -199,6 +198,8 @@ void draw(const Target& target, const Drawing& drawing) {
     cairo_set_line_join(target.context, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(target.context, CAIRO_LINE_CAP_ROUND);
     for (const DrawingItem& item : drawing.items) {
+        // Otherwise a shape goes on from where the path of the item before it ended.
+        cairo_new_path(target.context);
         std::visit([&target](const auto& kind) { draw(target, kind); }, item);
     }
 }

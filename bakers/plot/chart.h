@@ -90,4 +90,15 @@ int family_index(std::vector<std::string>& families, const std::string& family);
 Picture contact_sheet(const std::vector<Picture>& pictures,
                       const std::vector<std::string>& captions, int columns);
 
+// Pictures by row and column, with the names of both beside them.
+struct SheetBlock {
+    std::string title;  // above the block; may be empty
+    std::vector<std::string> columns;
+    std::vector<std::string> rows;
+    std::vector<Picture> pictures;  // row by row; an empty picture leaves a gap
+};
+
+// Arranges blocks below each other, with the columns of all blocks in line.
+Picture contact_sheet(const std::vector<SheetBlock>& blocks);
+
 }  // namespace skybake

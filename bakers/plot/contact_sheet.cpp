@@ -1,9 +1,11 @@
-// Arranges pictures in a grid with captions. chart.h declares the function.
+// Arranges pictures in a grid, with captions or with the names of rows and columns. chart.h declares
+// the functions.
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "bakers/plot/chart.h"
+#include "bakers/plot/chart_points.h"
 
 namespace skybake {
 namespace {
@@ -12,6 +14,8 @@ constexpr int gutter = 14;
 constexpr int caption_line_height = 18;
 constexpr int first_baseline = 17;  // below a picture
 constexpr TextStyle caption_style = {13, FontWeight::regular, ink_colour};
+constexpr TextStyle block_title_style = {14, FontWeight::bold, ink_colour};
+constexpr int widest_row_name = 150;
 
 // Breaks the caption at spaces so that each line fits. A word that does not fit gets its own line.
 std::vector<std::string> broken_into_lines(const std::string& caption, int width) {
@@ -31,6 +35,20 @@ std::vector<std::string> broken_into_lines(const std::string& caption, int width
     }
     if (!line.empty()) lines.push_back(line);
     return lines;
+}
+
+void write_lines(Drawing& drawing, const std::vector<std::string>& lines, DrawingPoint first,
+                 TextAlign align) {
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+        const auto down = static_cast<double>(i) * caption_line_height;
+        drawing.write(lines[i], first.x, first.y + down, align, caption_style);
+    }
+}
+
+// Places a picture into the middle of a cell.
+void place(Drawing& drawing, const Picture& picture, const PlotArea& cell) {
+    drawing.items.emplace_back(PlacedPicture{picture, cell.x + (cell.width - picture.width) / 2,
+                                             cell.y + (cell.height - picture.height) / 2});
 }
 
 // The layout of a sheet of equal cells.
@@ -79,15 +97,90 @@ Picture contact_sheet(const std::vector<Picture>& pictures,
         const int index = static_cast<int>(i);
         const int x = gutter + index % sheet.columns * (sheet.cell_width + gutter);
         const int y = sheet.row_tops[static_cast<std::size_t>(index / sheet.columns)];
-        drawing.items.emplace_back(
-            PlacedPicture{pictures[i], x + (sheet.cell_width - pictures[i].width) / 2,
-                          y + (sheet.picture_height - pictures[i].height) / 2});
-        int baseline = y + sheet.picture_height + first_baseline;
-        for (const std::string& line : sheet.captions[i]) {
-            drawing.write(line, x + sheet.cell_width / 2.0, baseline, TextAlign::centre,
-                          caption_style);
-            baseline += caption_line_height;
+        place(drawing, pictures[i], {x, y, sheet.cell_width, sheet.picture_height});
+        write_lines(drawing, sheet.captions[i],
+                    {x + sheet.cell_width / 2.0, double(y + sheet.picture_height + first_baseline)},
+                    TextAlign::centre);
+    }
+    return painted(on_dark_paper(std::move(drawing)));
+}
+
+namespace {
+
+// The layout of all blocks of a sheet.
+struct BlockGrid {
+    PlotArea first_cell;  // its place across, and its size
+    int columns = 0;
+    int names_width = 0;  // of rows
+};
+
+BlockGrid lay_out(const std::vector<SheetBlock>& blocks) {
+    BlockGrid grid;
+    double names_width = 0;
+    for (const SheetBlock& block : blocks) {
+        grid.columns = std::max(grid.columns, static_cast<int>(block.columns.size()));
+        for (const Picture& picture : block.pictures) {
+            grid.first_cell.width = std::max(grid.first_cell.width, picture.width);
+            grid.first_cell.height = std::max(grid.first_cell.height, picture.height);
         }
+        for (const std::string& name : block.rows) {
+            for (const std::string& line : broken_into_lines(name, widest_row_name)) {
+                names_width = std::max(names_width, text_width(line, caption_style));
+            }
+        }
+    }
+    grid.names_width = static_cast<int>(std::ceil(names_width));
+    grid.first_cell.x = gutter + (names_width > 0 ? grid.names_width + gutter : 0);
+    return grid;
+}
+
+// Writes the names of a block's columns below `y`. Returns the place of the pictures below them.
+int draw_column_names(Drawing& drawing, const SheetBlock& block, const PlotArea& cell, int y) {
+    std::size_t most_lines = 0;
+    for (std::size_t i = 0; i < block.columns.size(); ++i) {
+        const auto lines = broken_into_lines(block.columns[i], cell.width);
+        const int x = cell.x + static_cast<int>(i) * (cell.width + gutter) + cell.width / 2;
+        write_lines(drawing, lines, {double(x), double(y + caption_line_height - 5)},
+                    TextAlign::centre);
+        most_lines = std::max(most_lines, lines.size());
+    }
+    return y + static_cast<int>(most_lines) * caption_line_height + 2;
+}
+
+// Draws a block below `y`. Returns the place below it.
+int draw_block(Drawing& drawing, const SheetBlock& block, const BlockGrid& grid, int y) {
+    if (!block.title.empty()) {
+        drawing.write(block.title, grid.first_cell.x, y + first_baseline, TextAlign::left,
+                      block_title_style);
+        y += first_baseline + gutter;
+    }
+    PlotArea cell = grid.first_cell;
+    cell.y = draw_column_names(drawing, block, cell, y);
+    for (std::size_t row = 0; row < block.rows.size(); ++row) {
+        const auto name = broken_into_lines(block.rows[row], widest_row_name);
+        const int height = static_cast<int>(name.size()) * caption_line_height;
+        write_lines(drawing, name,
+                    {double(gutter + grid.names_width),
+                     cell.y + (cell.height - height) / 2.0 + caption_line_height - 5},
+                    TextAlign::right);
+        for (std::size_t column = 0; column < block.columns.size(); ++column) {
+            cell.x = grid.first_cell.x + static_cast<int>(column) * (cell.width + gutter);
+            place(drawing, block.pictures[row * block.columns.size() + column], cell);
+        }
+        cell.y += cell.height + gutter;
+    }
+    return cell.y;
+}
+
+}  // namespace
+
+Picture contact_sheet(const std::vector<SheetBlock>& blocks) {
+    const BlockGrid grid = lay_out(blocks);
+    Drawing drawing;
+    drawing.width = grid.first_cell.x + grid.columns * (grid.first_cell.width + gutter);
+    drawing.height = gutter;
+    for (const SheetBlock& block : blocks) {
+        drawing.height = draw_block(drawing, block, grid, drawing.height);
     }
     return painted(on_dark_paper(std::move(drawing)));
 }

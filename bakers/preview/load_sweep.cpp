@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -37,10 +40,25 @@ bool is_plain_name(const std::string& name) {
            name.find_first_of(std::string_view("/\\\0", 3)) == std::string::npos;
 }
 
+SweptFigures read_figures(const Json& asset) {
+    SweptFigures figures = {{"bytes", asset.at("bytes").get<double>()}};
+    if (const Json& sky = asset.at("sky_error"); !sky.is_null()) {
+        figures["sky_median"] = sky.at("median").get<double>();
+        figures["sky_p90"] = sky.at("ninth_decile").get<double>();
+        figures["sky_max"] = sky.at("max").get<double>();
+    }
+    if (const Json& lookup = asset.at("lookup_error"); !lookup.is_null()) {
+        figures["lookup_max"] = lookup.at("max").get<double>();
+        figures["lookup_rms"] = lookup.at("rms").get<double>();
+    }
+    return figures;
+}
+
 // Reads a variant. Throws nlohmann's exceptions if a field is missing or has another type.
 SweepVariant read_variant(const Json& json, const std::vector<std::string>& paths,
                           PreviewSweep& sweep) {
     SweepVariant variant;
+    variant.index = json.at("index").get<int>();
     variant.name = json.at("name").get<std::string>();
     variant.status = json.at("status").get<std::string>();
     for (const std::string& path : paths) {
@@ -48,16 +66,27 @@ SweepVariant read_variant(const Json& json, const std::vector<std::string>& path
     }
     if (!json.contains("assets")) return variant;
     for (const Json& asset : json.at("assets")) {
-        const Json& error = asset.at("lookup_error");
-        if (error.is_null()) continue;
         const auto name = asset.at("name").get<std::string>();
-        variant.lookup_errors[name] = {error.at("max").get<double>(),
-                                       error.at("rms").get<double>()};
+        variant.figures[name] = read_figures(asset);
         if (std::find(sweep.assets.begin(), sweep.assets.end(), name) == sweep.assets.end()) {
             sweep.assets.push_back(name);
         }
     }
     return variant;
+}
+
+// Returns the labels of an axis whose keys have these names.
+std::vector<std::string> read_labels(const Json& axis, std::span<const std::string> names) {
+    std::vector<std::string> labels;
+    for (const Json& point : axis.at("values")) {
+        std::string label;
+        for (std::size_t i = 0; i < names.size(); ++i) {
+            label += fmt::format("{}{} {}", i == 0 ? "" : ", ", names[i],
+                                 swept_value(point.at(i)).text);
+        }
+        labels.push_back(std::move(label));
+    }
+    return labels;
 }
 
 std::optional<PreviewSweep> read_sweep(const Json& json) {
@@ -71,14 +100,81 @@ std::optional<PreviewSweep> read_sweep(const Json& json) {
         if (!config::split_path(path)) return std::nullopt;
     }
     sweep.names = distinguishing_names(paths);
+    std::span<const std::string> names = sweep.names;
+    double count = 1;
+    for (const Json& axis : json.at("axes")) {
+        const std::size_t keys = axis.at("paths").size();
+        sweep.axes.push_back(read_labels(axis, names.first(keys)));
+        names = names.subspan(keys);
+        count *= static_cast<double>(sweep.axes.back().size());
+    }
     for (const Json& variant : json.at("variants")) {
         sweep.variants.push_back(read_variant(variant, paths, sweep));
-        if (!is_plain_name(sweep.variants.back().name)) return std::nullopt;
+        const SweepVariant& read = sweep.variants.back();
+        if (!is_plain_name(read.name) || read.index < 0 || read.index >= count) return std::nullopt;
     }
     return sweep;
 }
 
+std::vector<std::string_view> split_at_commas(std::string_view line) {
+    std::vector<std::string_view> fields;
+    for (std::size_t begin = 0; begin <= line.size();) {
+        const std::size_t end = std::min(line.find(',', begin), line.size());
+        fields.push_back(line.substr(begin, end - begin));
+        begin = end + 1;
+    }
+    return fields;
+}
+
+// Adds the times of timing.csv, of which index and asset are the first columns. Names of variants may
+// have commas and are the last column, so that fields before them have none.
+void add_times(std::istream& csv, PreviewSweep& sweep) {
+    std::map<std::string, SweepVariant*> variants;
+    for (SweepVariant& variant : sweep.variants) variants[std::to_string(variant.index)] = &variant;
+    std::string header, line;
+    std::getline(csv, header);
+    const std::vector<std::string_view> titles = split_at_commas(header);
+    while (std::getline(csv, line)) {
+        const std::vector<std::string_view> fields = split_at_commas(line);
+        if (fields.size() < titles.size()) continue;
+        const auto variant = variants.find(std::string(fields[0]));
+        if (variant == variants.end()) continue;
+        const auto asset = variant->second->figures.find(std::string(fields[1]));
+        if (asset == variant->second->figures.end()) continue;
+        for (std::size_t i = 2; i < titles.size(); ++i) {
+            double seconds = 0;
+            const char* const end = fields[i].data() + fields[i].size();
+            if (titles[i].ends_with("_s") &&
+                std::from_chars(fields[i].data(), end, seconds).ptr == end) {
+                asset->second.emplace(titles[i], seconds);
+            }
+        }
+    }
+}
+
 }  // namespace
+
+std::optional<double> figure_of(const SweepVariant& variant, const std::string& asset,
+                                std::string_view figure) {
+    const auto figures = variant.figures.find(asset);
+    if (figures == variant.figures.end()) return std::nullopt;
+    const auto found = figures->second.find(figure);
+    return found == figures->second.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::size_t PreviewSweep::place(const SweepVariant& variant, std::size_t axis) const {
+    auto rest = static_cast<std::size_t>(variant.index);
+    for (std::size_t i = axes.size(); --i > axis;) rest /= axes[i].size();
+    return rest % axes[axis].size();
+}
+
+std::string PreviewSweep::label(const SweepVariant& variant, std::size_t first) const {
+    std::string text;
+    for (std::size_t axis = first; axis < axes.size(); ++axis) {
+        text += (axis == first ? "" : ", ") + axes[axis][place(variant, axis)];
+    }
+    return text;
+}
 
 bool is_sweep_folder(const fs::path& folder) {
     std::error_code error;
@@ -92,8 +188,15 @@ config::Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
     if (!text.value) return {{}, text.diagnostics};
     std::string reason = "skybake did not write it";
     try {
-        std::optional<PreviewSweep> sweep = read_sweep(Json::parse(*text.value));
-        if (sweep) return {std::move(sweep), {}};
+        const Json json = Json::parse(*text.value);
+        if (const int format = json.at("format").get<int>(); format != sweep_format) {
+            reason = fmt::format("it has format {} in place of {}; run the sweep again",
+                                 format, sweep_format);
+        } else if (std::optional<PreviewSweep> sweep = read_sweep(json)) {
+            std::ifstream times(folder / sweep_timing_name);
+            add_times(times, *sweep);
+            return {std::move(sweep), {}};
+        }
     } catch (const nlohmann::json::exception& error) {
         reason = error.what();
     }

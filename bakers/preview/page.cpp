@@ -129,7 +129,10 @@ Json to_json(const PageVariant& variant) {
         Json value = cell.number ? Json(*cell.number) : text;
         cells.push_back({{"value", std::move(value)}, {"text", std::move(text)}});
     }
-    Json json = {{"cells", std::move(cells)}, {"picture", nullptr}};
+    Json json = {{"name", variant.name},
+                 {"folder", variant.folder},
+                 {"cells", std::move(cells)},
+                 {"picture", nullptr}};
     if (variant.picture) json["picture"] = to_json(*variant.picture);
     return json;
 }
@@ -137,8 +140,7 @@ Json to_json(const PageVariant& variant) {
 Json to_json(const PageSweep& sweep) {
     Json columns = Json::array();
     for (const PageSweep::Column& column : sweep.columns) {
-        columns.push_back(
-            {{"title", column.title}, {"number", column.is_number}, {"error", column.is_error}});
+        columns.push_back({{"title", column.title}, {"shown", column.shown}});
     }
     Json rows = Json::array();
     for (const PageVariant& variant : sweep.variants) rows.push_back(to_json(variant));

@@ -46,6 +46,8 @@ struct PageScene {
 
 // One variant of a sweep. A cell is sorted by its number and shows its text, if it has one.
 struct PageVariant {
+    std::string name;
+    std::string folder;  // as seen from the page
     struct Cell {
         std::optional<double> number;
         std::string text;
@@ -57,11 +59,10 @@ struct PageVariant {
 struct PageSweep {
     struct Column {
         std::string title;
-        bool is_number = true;
-        bool is_error = false;  // shown with two digits
+        std::string shown;  // the page's function that makes a text of numbers; empty: texts
     };
     std::string content;
-    std::vector<PagePicture> pictures;  // the contact sheet
+    std::vector<PagePicture> pictures;  // contact sheets and plots
     std::vector<Column> columns;
     std::vector<PageVariant> variants;
 };

@@ -23,7 +23,7 @@ function imageOf(picture) {
 function figureOf(picture, content) {
     const [caption, more] = picture.caption.split('\n');
     return element('figure',
-        {style: `--shape: ${(picture.width / picture.height).toFixed(3)}`, 'data-name': picture.name,
+        {style: `--shape: ${(picture.width / picture.height).toFixed(3)}; --width: ${picture.width}px`, 'data-name': picture.name,
          class: picture.kind},
         ...content, element('figcaption', {},
             picture.titled ? null : element('b', {}, picture.title), caption,
@@ -48,6 +48,7 @@ function tabbedFigures(pictures) {
     const whole = tabbed(pictures[0].title, choices);
     const shape = Math.max(...pictures.map((picture) => picture.width / picture.height));
     whole.style.setProperty('--shape', shape.toFixed(3));
+    whole.style.setProperty('--width', `${Math.max(...pictures.map((picture) => picture.width))}px`);
     whole.classList.add(pictures[0].kind);
     return whole;
 }

@@ -126,12 +126,21 @@ function sceneSection(scene) {
     return element('section', {id: anchor(scene.title)}, element('h2', {}, scene.title),
         gallery(scene.pictures), scene.content ? element('p', {class: 'lead'}, scene.content) : null);
 }
+// A variant by its number, which its name begins with, with a link to its folder.
+function folderLink(row) {
+    const href = row.folder.split('/').map(encodeURIComponent).join('/');
+    return {text: row.name, value: row.name,
+            content: element('a', {href, title: row.name}, row.name.split('_')[0])};
+}
 function sweepSection(sweep) {
-    const columns = [{title: ''}, ...sweep.columns];
+    const shown = {number, figure, percent, byteCount, duration};
+    const columns = [{title: ''}, {title: 'Variant'}, ...sweep.columns.map(
+        ({title, shown: name}) => ({title, number: name !== '', wraps: name !== ''}))];
     const rows = sweep.rows.map((row) => [
         {text: '', value: null, content: row.picture ? pictureButton(row.picture) : ''},
+        folderLink(row),
         ...row.cells.map((cell, i) => cell.text !== null ? cell
-            : amount(cell.value, sweep.columns[i].error ? figure : number)),
+            : amount(cell.value, shown[sweep.columns[i].shown])),
     ]);
     return element('section', {id: anchor('Sweep')}, element('h2', {}, 'Sweep'),
         element('p', {class: 'lead'}, sweep.content), gallery(sweep.pictures),

@@ -1,15 +1,17 @@
 'use strict';
 // Tables that a reader sorts.
 
-// columns: {title, number}; rows: arrays of cells {text, value, content, wraps}. A cell sorts by
+const classes = (number, wraps) =>
+    [number ? 'number' : '', wraps ? 'wraps' : ''].join(' ').trim() || null;
+
+// columns: {title, number, wraps}; rows: arrays of cells {text, value, content, wraps}. A cell sorts by
 // its value (numbers, then texts, then what has none), shows its content or its text.
 function sortableTable(columns, rows, label) {
     const body = element('tbody');
     const heads = [];
     const lines = rows.map((cells) => {
-        const line = element('tr', {}, ...cells.map((cell, i) => element('td', {
-            class: [columns[i].number ? 'number' : '', cell.wraps ? 'wraps' : ''].join(' ').trim() || null,
-        }, cell.content || cell.text)));
+        const line = element('tr', {}, ...cells.map((cell, i) => element('td',
+            {class: classes(columns[i].number, cell.wraps)}, cell.content || cell.text)));
         return {cells, line};
     });
     body.append(...lines.map((row) => row.line));
@@ -22,7 +24,7 @@ function sortableTable(columns, rows, label) {
     }
     columns.forEach((column, i) => {
         const plain = column.title === '' || rows.length < 2;
-        heads.push(element('th', {scope: 'col', class: column.number ? 'number' : null,
+        heads.push(element('th', {scope: 'col', class: classes(column.number, column.wraps),
                                   'aria-sort': plain ? null : 'none'},
             plain ? column.title
                   : element('button', {type: 'button', onclick: () => sortBy(i)}, column.title)));

@@ -18,6 +18,9 @@
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
+#include "bakers/preview/sweep_plots.h"
+#include "bakers/preview/sweep_sheet.h"
+#include "bakers/preview/sweep_table.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/sky_view.h"
 #include "bakers/render/tone_curve.h"
@@ -150,25 +153,19 @@ std::optional<Thumbnail> telling_picture(const PreviewAssets& assets, PreviewOpt
 using config::Outcome;
 namespace fs = std::filesystem;
 
-// "ground_albedo 0.3, scale_height 8 km"
-std::string caption_of(const PreviewSweep& sweep, const SweepVariant& variant) {
-    std::string text;
-    for (std::size_t i = 0; i < sweep.names.size(); ++i) {
-        text += fmt::format("{}{} {}", i == 0 ? "" : ", ", sweep.names[i], variant.values[i].text);
-    }
-    return text;
-}
-
 class SweepPreview {
   public:
-    SweepPreview(const fs::path& folder, const PreviewSweep& sweep, const PreviewOptions& options)
+    SweepPreview(const fs::path& folder, const fs::path& page_folder, const PreviewSweep& sweep,
+                 const PreviewOptions& options)
         : folder_(folder),
+          seen_from_page_(folder_from(page_folder, folder)),
           sweep_(sweep),
+          table_(sweep),
           options_(options),
           encoder_(options.threads, options.memory) {}
 
     Outcome<PreviewPage> make() {
-        add_columns();
+        shown_.columns = table_.columns();
         for (const SweepVariant& variant : sweep_.variants) {
             if (is_cancelled(options_.progress)) return {};
             begin_stage(variant.name);
@@ -176,7 +173,7 @@ class SweepPreview {
             if (!unused_.empty()) return {{}, std::move(unused_)};
         }
         if (is_cancelled(options_.progress)) return {};
-        add_sheet();
+        add_pictures();
         auto problems = encoder_.finish();
         if (!problems.empty()) return {{}, std::move(problems)};
         shown_.content =
@@ -203,38 +200,23 @@ class SweepPreview {
         return words;
     }
 
-    void add_columns() {
-        for (const std::string& name : sweep_.names) {
-            bool numbers = true;
-            for (const SweepVariant& variant : sweep_.variants) {
-                for (std::size_t i = 0; i < sweep_.names.size(); ++i) {
-                    numbers = numbers && (sweep_.names[i] != name || variant.values[i].number);
-                }
-            }
-            shown_.columns.push_back({name, numbers, false});
-        }
-        for (const std::string& asset : sweep_.assets) {
-            shown_.columns.push_back({asset + " error, max", true, true});
-            shown_.columns.push_back({"RMS", true, true});
-        }
-        shown_.columns.push_back({"Status", false, false});
+    // Returns the path of the sweep's folder as a link from the page.
+    static fs::path folder_from(const fs::path& page_folder, const fs::path& folder) {
+        std::error_code error;
+        const fs::path page = fs::weakly_canonical(fs::absolute(page_folder, error), error);
+        return fs::weakly_canonical(fs::absolute(folder, error), error).lexically_relative(page);
     }
 
     void add(const SweepVariant& variant) {
-        PageVariant row;
-        for (const SweptValue& value : variant.values)
-            row.cells.push_back({value.number, value.text});
-        for (const std::string& asset : sweep_.assets) {
-            const auto error = variant.lookup_errors.find(asset);
-            const bool measured = error != variant.lookup_errors.end();
-            row.cells.push_back({measured ? std::optional(error->second.max) : std::nullopt, ""});
-            row.cells.push_back({measured ? std::optional(error->second.rms) : std::nullopt, ""});
+        std::optional<PagePicture> picture;
+        pictures_.emplace_back();
+        if (variant.status == "done" && pictured_ < most_pictured_variants) {
+            picture = picture_of(variant);
         }
-        row.cells.push_back({std::nullopt, variant.status});
-        if (variant.status == "done" && pictures_.size() < most_pictured_variants) {
-            row.picture = picture_of(variant);
-        }
-        shown_.variants.push_back(std::move(row));
+        const auto difference =
+            first_ ? rms_difference(pictures_.back(), pictures_[*first_]) : std::nullopt;
+        shown_.variants.push_back(table_.row(variant, difference, seen_from_page_));
+        shown_.variants.back().picture = std::move(picture);
     }
 
     std::optional<PagePicture> picture_of(const SweepVariant& variant) {
@@ -251,7 +233,7 @@ class SweepPreview {
         lit.sweep = true;
         // Options are checked only before the first picture, because the exposure stored afterwards
         // is not an option of the user.
-        if (pictures_.empty()) {
+        if (pictured_ == 0) {
             unused_ = unused_options(lit, options_);
             if (unused_.empty()) complete(*assets.value, lit);
         }
@@ -263,9 +245,9 @@ class SweepPreview {
         auto picture = telling_picture(*assets.value, options_);
         if (!picture) return std::nullopt;
         if (light_.empty()) light_ = picture->light;
-        pictures_.push_back(std::move(picture->picture));
-        captions_.push_back(caption_of(sweep_, variant));
-        const PreviewPicture titled{variant.name, captions_.back(), "", pictures_.back()};
+        if (pictured_++ == 0) first_ = pictures_.size() - 1;
+        pictures_.back() = std::move(picture->picture);
+        const PreviewPicture titled{variant.name, sweep_.label(variant), "", pictures_.back()};
         auto encoded = encoder_.encode(variant.name, [&] { return std::vector{titled}; });
         if (encoded.empty()) return std::nullopt;
         return std::move(encoded.front());
@@ -278,36 +260,25 @@ class SweepPreview {
         unused_ = std::move(complete.diagnostics);
     }
 
-    // Chooses the number of columns so that the sheet is about twice as wide as it is high, because
-    // screens are wide.
-    void add_sheet() {
-        if (pictures_.empty()) return;
-        const double shape = 1.0 * pictures_.front().width / pictures_.front().height;
-        const auto count = static_cast<double>(pictures_.size());
-        const int columns =
-            std::max(1, static_cast<int>(std::lround(std::sqrt(2 * count / shape))));
-        PreviewPicture sheet;
-        sheet.name = "contact_sheet";
-        sheet.kind = PictureKind::scene;
-        sheet.title = "All variants";
-        sheet.caption = "Each picture is shown with the values that vary.";
-        if (!light_.empty()) sheet.caption += fmt::format(" They all have {}.", light_);
-        if (pictures_.size() < sweep_.variants.size()) {
-            sheet.title =
-                fmt::format("{} of {} variants", pictures_.size(), sweep_.variants.size());
-        }
-        sheet.picture = contact_sheet(pictures_, captions_, columns);
-        shown_.pictures = encoder_.encode("sheet", [&] { return std::vector{sheet}; });
+    void add_pictures() {
+        shown_.pictures = encoder_.encode("sheets", [&] {
+            auto pictures = sweep_sheets(sweep_, pictures_, light_);
+            for (PreviewPicture& plot : sweep_plots(sweep_)) pictures.push_back(std::move(plot));
+            return pictures;
+        });
     }
 
     const fs::path& folder_;
+    fs::path seen_from_page_;  // the same folder
     const PreviewSweep& sweep_;
+    SweepTable table_;
     PreviewOptions options_;
     PictureEncoder encoder_;
     PreviewPage page_;
     PageSweep shown_;
-    std::vector<Picture> pictures_;
-    std::vector<std::string> captions_;
+    std::vector<Picture> pictures_;  // of the variants so far; empty: none
+    std::size_t pictured_ = 0;
+    std::optional<std::size_t> first_;  // the first variant that has a picture
     std::string light_;  // of the first picture of light, valid for all
     std::vector<config::Diagnostic> warnings_;
     // Options that no picture uses or that contradict each other end the preview.
@@ -317,10 +288,11 @@ class SweepPreview {
 
 }  // namespace
 
-Outcome<PreviewPage> make_sweep_preview(const fs::path& folder, const PreviewOptions& options) {
+Outcome<PreviewPage> make_sweep_preview(const fs::path& folder, const fs::path& page_folder,
+                                        const PreviewOptions& options) {
     const Outcome<PreviewSweep> sweep = load_sweep(folder);
     if (!sweep.value) return {{}, sweep.diagnostics};
-    return SweepPreview(folder, *sweep.value, options).make();
+    return SweepPreview(folder, page_folder, *sweep.value, options).make();
 }
 
 }  // namespace skybake

@@ -9,14 +9,12 @@
 
 namespace skybake {
 
-// The most variants that get a thumbnail. The table lists all variants.
-inline constexpr std::size_t most_pictured_variants = 144;
-
-// Makes a contact sheet with the varied values as captions, and the table of all variants. A
-// variant whose folder cannot be read has no thumbnail, and a note says why. Diagnostics are those
-// of load_sweep and png_bytes, warnings those of load_folder. If the user interrupts, there is
-// neither a value nor a diagnostic.
+// Makes contact sheets, plots of error against cost, and the table of all variants, with links from
+// the page in `page_folder` to their folders. A variant whose folder cannot be read has no
+// thumbnail, and a note says why. Diagnostics are those of load_sweep and png_bytes, warnings those
+// of load_folder. If the user interrupts, there is neither a value nor a diagnostic.
 config::Outcome<PreviewPage> make_sweep_preview(const std::filesystem::path& folder,
+                                                const std::filesystem::path& page_folder,
                                                 const PreviewOptions& options);
 
 }  // namespace skybake

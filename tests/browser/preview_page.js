@@ -105,6 +105,18 @@ const tests = {
         }
     },
 
+    async 'draws charts with letters of one size'(browser, file) {
+        const page = await open(browser, file);
+        const images = await page.$$eval('figure:not(.scene):not(.turntable) img', (images) => images.map(
+            (image) => [image.dataset.file, image.naturalWidth, image.getBoundingClientRect().width]));
+        const room = await page.evaluate(() => document.querySelector('.gallery').clientWidth - 2);
+        const shown = images.filter(([, , width]) => width > 0);  // not behind a tab
+        assert.ok(shown.length >= 8);
+        for (const [name, natural, width] of shown) {
+            if (natural >= 250) assert.equal(width, Math.min(natural, room), name);
+        }
+    },
+
     async 'has no white plot on a dark page, and says each title once'(browser, file) {
         const page = await open(browser, file, {colorScheme: 'dark'});
         const bright = await page.evaluate(async () => {

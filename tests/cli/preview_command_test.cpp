@@ -526,7 +526,17 @@ TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
     EXPECT_EQ(table["rows"][2]["cells"][0]["value"], 10);
     EXPECT_EQ(table["rows"][1]["cells"][1]["value"], 800);
     EXPECT_EQ(table["rows"][1]["cells"][1]["text"], "800 m");
-    for (const json& row : table["rows"]) EXPECT_TRUE(row["picture"].is_object());
+    for (const json& row : table["rows"]) {
+        EXPECT_TRUE(row["picture"].is_object());
+        EXPECT_TRUE(fs::is_directory(scene.out + "/" + std::string(row["folder"]))) << row["folder"];
+    }
+    // Two seeds differ and two scale heights do not, since the picture is that of the noise.
+    ASSERT_GT(table["pictures"].size(), 2u);
+    EXPECT_EQ(table["pictures"][1]["tab"], "Difference from the first");
+    EXPECT_TRUE(contains(table["pictures"][2]["name"], "_variants")) << "a plot";
+    const std::size_t last = table["columns"].size() - 2;
+    EXPECT_EQ(table["rows"][1]["cells"][last]["value"], 0);
+    EXPECT_GT(table["rows"][2]["cells"][last]["value"], 0);
 
     // A folder that is gone costs its picture, a damaged index everything.
     fs::remove_all(sweep + "/" + "0003_seed=10_scale_height=800m");

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <sstream>
+#include <utility>
 
 namespace skybake::cli {
 namespace {
@@ -17,6 +18,13 @@ TEST(TablePrinter, AlignsColumns) {
               "  asset            bytes  error\n"
               "  transmittance       12\n"
               "  µ              1234567\n");
+}
+
+TEST(TimeText, HasNoPowersOfTen) {
+    const std::pair<double, const char*> times[] = {
+        {0.0023, "2.3 ms"}, {0.0478, "48 ms"}, {1.249, "1.25 s"}, {99.96, "100 s"},
+        {250.3, "250 s"},   {999.7, "1000 s"}, {86400, "86400 s"}};
+    for (const auto& [seconds, text] : times) EXPECT_EQ(time_text(seconds), text);
 }
 
 TEST(TablePrinter, FitsTheTerminal) {

@@ -62,7 +62,7 @@ bake() {
     "$program" bake "${options[@]}" -o "$2" "${@:3}" >/dev/null
 }
 
-# sums FOLDER: a line for each file, times in the manifest and the hashes over them aside
+# sums FOLDER: a line for each file, times and the hashes over them aside
 sums() {
     (
         cd "$1"
@@ -70,7 +70,7 @@ sums() {
         files=()
         for file in *; do [[ -d $file ]] || files+=("$file"); done
         ((${#files[@]})) || exit 0
-        md5sum -- "${files[@]}" | sed '/ manifest.json$/d'
+        md5sum -- "${files[@]}" | sed '/ manifest.json$/d; s/^.* timing.csv$/timing.csv/'
         [[ ! -e manifest.json ]] ||
             sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
     )

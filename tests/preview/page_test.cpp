@@ -52,9 +52,10 @@ PreviewPage page_of(const std::string& name) {
     PageSweep sweep;
     sweep.content = name;
     sweep.pictures = {picture("sheet")};
-    sweep.columns = {{name, true, true}, {"text", false, false}};
-    sweep.variants = {{{{0.25, ""}, {std::nullopt, name}}, picture("variant")},
-                      {{{std::nullopt, ""}, {std::nullopt, ""}}, std::nullopt}};
+    sweep.columns = {{name, "figure"}, {"text", ""}};
+    sweep.variants = {
+        {name, name + "/0000/", {{0.25, ""}, {std::nullopt, name}}, picture("variant")},
+        {"", "", {{std::nullopt, ""}, {std::nullopt, ""}}, std::nullopt}};
     page.sweep = std::move(sweep);
     return page;
 }

@@ -267,6 +267,64 @@ TEST(SweepIndex, IsCsvThatReadsBack) {
               "0,0000_b,\"x, \"\"y\"\"\",failed,\"E0110: line\nbreak\"\n");
 }
 
+// An asset with two files, whose light was compared or was too dark to be.
+VariantResult measured_variant(int sky_points) {
+    ManifestAsset entry;
+    entry.name = "air";
+    entry.kind = "multiple_scattering";
+    entry.size = {4, 2};
+    entry.content_hash = "c";
+    entry.files.resize(2);
+    entry.files[0].path = "air.exr";
+    entry.files[0].bytes = 1000;
+    entry.files[1].path = "air.bin";
+    entry.files[1].bytes = 24;
+    entry.error.emplace();
+    entry.error->lookup = {0.5, 0.25};
+    entry.error->texel = {0.125, 0.0625};
+    entry.error->sky.emplace();
+    entry.error->sky->median = 0.01;
+    entry.error->sky->ninth_decile = 0.02;
+    entry.error->sky->max = 0.4;
+    entry.error->sky->points = sky_points;
+    entry.timing.bake_s = 1.5;
+    entry.timing.write_s = 0.25;
+    entry.timing.threads = 2;
+    VariantResult result;
+    result.index = 3;
+    result.name = "0003_b=1,2";
+    result.status = VariantStatus::done;
+    result.assets = {variant_asset(entry)};
+    return result;
+}
+
+const config::Sweep one_axis = {{{{"a.b"}, {{{"1", "1"}}, {{"2", "2"}}, {{"3", "3"}}, {{"4", "4"}}}}}};
+
+TEST(SweepIndex, HasTheSkysErrorAndBytes) {
+    EXPECT_EQ(index_csv(one_axis, std::array{measured_variant(9)}),
+              "index,name,a.b,status,error,air.sky_median,air.sky_p90,air.sky_max,air.lookup_max,"
+              "air.lookup_rms,air.texel_max,air.texel_rms,air.bytes,air.content_hash,air.files\n"
+              "3,\"0003_b=1,2\",4,done,,0.01,0.02,0.4,0.5,0.25,0.125,0.0625,1024,c,"
+              "\"0003_b=1,2/air.exr 0003_b=1,2/air.bin\"\n");
+    const auto sky = [](int points) {
+        const std::string line = index_jsonl(one_axis, std::array{measured_variant(points)});
+        return nlohmann::json::parse(line)["assets"][0]["sky_error"];
+    };
+    EXPECT_EQ(sky(9), nlohmann::json::parse(R"({"median": 0.01, "ninth_decile": 0.02, "max": 0.4})"));
+    EXPECT_TRUE(sky(0).is_null()) << "too noisy to tell";
+}
+
+TEST(SweepIndex, TimesAreApartFromIt) {
+    VariantResult variant = measured_variant(9), slower = variant;
+    slower.assets[0].timing.bake_s = 99;
+    EXPECT_EQ(index_csv(one_axis, std::array{variant}), index_csv(one_axis, std::array{slower}));
+    EXPECT_EQ(sweep_json(one_axis, std::array{variant}), sweep_json(one_axis, std::array{slower}));
+    EXPECT_EQ(timing_csv(std::array{variant}),
+              "index,asset,bake_s,write_s,threads,name\n3,air,1.5,0.25,2,\"0003_b=1,2\"\n");
+    variant.status = VariantStatus::missing;
+    EXPECT_EQ(timing_csv(std::array{variant}), "index,asset,bake_s,write_s,threads,name\n");
+}
+
 TEST(SweepIndex, FilesThatAreNotSkybakesAreLeftAlone) {
     const Fixture fixture;
     const SweepJob job = fixture.job(six);
@@ -280,6 +338,12 @@ TEST(SweepIndex, FilesThatAreNotSkybakesAreLeftAlone) {
     EXPECT_EQ(inspect_index(job.folder, false).size(), 2u);
     ASSERT_TRUE(write_index(job.folder, job.sweep, {}).empty());
     EXPECT_TRUE(inspect_index(job.folder, false).empty());
+    // A bake's folder, which has a manifest of skybake.
+    run(job);
+    const fs::path variant = job.folder / "0000_seed=1_coverage=0.5";
+    ASSERT_EQ(inspect_index(variant, false).size(), 1u);
+    EXPECT_EQ(inspect_index(variant, false)[0].code, "E0303");
+    EXPECT_TRUE(inspect_index(variant, true).empty());
 }
 
 }  // namespace

@@ -49,12 +49,12 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
         folder.sweep({"--vary", "clouds.c.coverage=0.5:0.9:3", "--vary", "noise.n.seed=1,2"});
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_TRUE(contains(result.error, "6 variants; 6 share n (baked 2 times)\n")) << result.error;
-    // Of each variant the files of both assets and the manifest, and the three files of the index.
-    EXPECT_EQ(count_lines(result.out), 6 * 3 + 3);
+    // Of each variant the files of both assets and the manifest, and the four files of the index.
+    EXPECT_EQ(count_lines(result.out), 6 * 3 + 4);
     std::istringstream paths(result.out);
     for (std::string path; std::getline(paths, path);) EXPECT_TRUE(fs::exists(path)) << path;
     EXPECT_TRUE(contains(result.error, "6 variants baked, ")) << result.error;
-    for (const char* name : {"index.csv", "index.jsonl", "sweep.json"}) {
+    for (const char* name : {"index.csv", "index.jsonl", "sweep.json", "timing.csv"}) {
         EXPECT_TRUE(contains(result.out, name)) << result.out;
         EXPECT_TRUE(fs::exists(fs::path(folder.out()) / name));
     }
@@ -193,6 +193,23 @@ TEST(SweepCommand, RefusesWhatMakesNoSense) {
     EXPECT_EQ(with({"-j", "0"}), 2);
     EXPECT_EQ(with({"--max-memory", "much"}), 2);
     EXPECT_FALSE(fs::exists(folder.out()));
+}
+
+// The reverse of a bake into the folder of a sweep.
+TEST(SweepCommand, RefusesTheFolderOfABake) {
+    const Folder folder;
+    const Strings vary = {"--vary", "noise.n.seed=1,2"};
+    ASSERT_EQ(run_words({"bake", folder.recipe, "-o", folder.out()}).code, 0);
+    for (const Strings& more : {Strings{}, Strings{"--shard", "1/2"}, Strings{"--dry-run"}}) {
+        Strings words = vary;
+        words.insert(words.end(), more.begin(), more.end());
+        const Result refused = folder.sweep(words);
+        EXPECT_EQ(refused.code, 3);
+        EXPECT_TRUE(contains(refused.error, "E0303")) << refused.error;
+        EXPECT_TRUE(contains(refused.error, "holds a bake")) << refused.error;
+    }
+    EXPECT_FALSE(fs::exists(folder.out("out/0000_seed=1")));
+    EXPECT_EQ(folder.sweep({vary[0], vary[1], "--force"}).code, 0);
 }
 
 TEST(SweepCommand, ShardsThenMerge) {

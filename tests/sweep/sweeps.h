@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/workspace/sweep/index_files.h"
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "config/recipe/recipe.h"
 #include "tests/io/files.h"
@@ -21,7 +22,8 @@ inline const std::string small_recipe =
     "[bake.n]\nasset = \"noise_volume\"\nnoise = \"n\"\nsize = [8, 8, 8]\n"
     "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [8, 8, 8]\nformats = [\"exr\"]\n";
 
-// Every file below a folder, without the wall times in manifests and the hashes over them.
+// Every file below a folder, without the wall times in manifests and the hashes over them, and without
+// those of a sweep.
 inline std::map<std::string, std::string> files_below(const std::filesystem::path& folder) {
     static const std::regex timing(R"("timing": \{[^}]*\}|"hash": "[^"]*")");
     std::map<std::string, std::string> files;
@@ -31,6 +33,7 @@ inline std::map<std::string, std::string> files_below(const std::filesystem::pat
         if (entry.path().filename() == manifest_name) {
             bytes = std::regex_replace(bytes, timing, "");
         }
+        if (entry.path().filename() == sweep_timing_name) bytes.clear();
         files[entry.path().lexically_relative(folder).string()] = std::move(bytes);
     }
     return files;

@@ -1,10 +1,11 @@
-"""sweep.json, index.jsonl, index.csv and the events of `sweep --json` are what their schemas say.
+"""sweep.json, index.jsonl, index.csv, timing.csv and the events of `sweep --json` are what their schemas say.
 
     validate_sweep.py SKYBAKE
 Exit code 77, skipped, where python3-jsonschema is not installed.
 """
 import csv
 import json
+import os
 import subprocess
 import sys
 import tempfile
@@ -48,6 +49,16 @@ with tempfile.TemporaryDirectory() as folder:
         rows = [json.loads(line) for line in file]
     with open(f"{out}/index.csv", encoding="utf-8", newline="") as file:
         table = list(csv.DictReader(file))
+    with open(f"{out}/timing.csv", encoding="utf-8", newline="") as file:
+        times = list(csv.DictReader(file))
+    done = [row for row in rows if row["status"] == "done"]
+    for row, line in zip(done, times, strict=True):
+        asset, = row["assets"]
+        assert asset["bytes"] == sum(os.path.getsize(f"{out}/{name}") for name in asset["files"]), asset
+        with open(f"{out}/{row['name']}/manifest.json", encoding="utf-8") as file:
+            timing = json.load(file)["assets"][0]["timing"]
+        assert line == {"index": str(row["index"]), "asset": "transmittance", "name": row["name"],
+                        **{name: str(value) for name, value in timing.items()}}, (line, timing)
 
 jsonschema.validate(manifest, schema)
 for row in rows:
@@ -58,6 +69,7 @@ assert rows[5]["values"] == {"atmosphere.ground_albedo": [0.1, 0.2, 0.3],
                              "bake.transmittance.pixel_type": "half"}
 assert [row["name"] for row in table] == [row["name"] for row in rows]
 assert table[0]["transmittance.content_hash"] == rows[0]["assets"][0]["content_hash"]
+assert int(table[0]["transmittance.bytes"]) == rows[0]["assets"][0]["bytes"]
 assert float(table[0]["transmittance.lookup_max"]) == rows[0]["assets"][0]["lookup_error"]["max"]
 assert table[2]["error"].startswith("E0110"), table[2]
 for damaged in ({**rows[0], "status": "failed"}, {**rows[0], "name": "../x"}, {**rows[2], "assets": []}):

@@ -19,8 +19,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
 using config::Diagnostic;
 
-constexpr int sweep_format = 1;
-
 Json to_json(const config::Value& value);
 
 Json to_json(const config::Array& array) {
@@ -49,14 +47,21 @@ Json to_json(const std::optional<ErrorFigures>& figures) {
     return {{"max", figures->max}, {"rms", figures->rms}};
 }
 
+Json to_json(const std::optional<SkyError>& error) {
+    if (!error) return nullptr;
+    return {{"median", error->median}, {"ninth_decile", error->ninth_decile}, {"max", error->max}};
+}
+
 Json to_json(const VariantAsset& asset, const std::string& folder) {
     Json files = Json::array();
     for (const std::string& file : asset.files) files.push_back(folder + "/" + file);
     return {{"name", asset.name},
             {"kind", asset.kind},
             {"size", asset.size},
+            {"sky_error", to_json(asset.sky_error)},
             {"lookup_error", to_json(asset.lookup_error)},
             {"texel_error", to_json(asset.texel_error)},
+            {"bytes", asset.bytes},
             {"content_hash", asset.content_hash},
             {"files", std::move(files)}};
 }
@@ -133,8 +138,9 @@ std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
     return names;
 }
 
-constexpr std::array asset_columns = {"lookup_max", "lookup_rms",   "texel_max",
-                                      "texel_rms",  "content_hash", "files"};
+constexpr std::array asset_columns = {"sky_median", "sky_p90",   "sky_max",   "lookup_max",
+                                      "lookup_rms", "texel_max", "texel_rms", "bytes",
+                                      "content_hash", "files"};
 
 std::vector<std::string> csv_header(const config::Sweep& sweep,
                                     const std::vector<std::string>& assets) {
@@ -160,8 +166,13 @@ void add_asset(const VariantResult& variant, const std::string& name,
         fields.insert(fields.end(), asset_columns.size(), "");
         return;
     }
+    for (double SkyError::*const figure :
+         {&SkyError::median, &SkyError::ninth_decile, &SkyError::max}) {
+        fields.push_back(asset->sky_error ? figure_to_string((*asset->sky_error).*figure) : "");
+    }
     add_figures(asset->lookup_error, fields);
     add_figures(asset->texel_error, fields);
+    fields.push_back(fmt::format("{}", asset->bytes));
     fields.push_back(asset->content_hash);
     std::string files;
     for (const std::string& file : asset->files) {
@@ -216,6 +227,21 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
     return text;
 }
 
+std::string timing_csv(std::span<const VariantResult> variants) {
+    // The columns of times are the members of `timing` in a manifest.
+    std::string text = csv_line({"index", "asset", "bake_s", "write_s", "threads", "name"});
+    for (const VariantResult& variant : variants) {
+        if (variant.status != VariantStatus::done) continue;
+        for (const VariantAsset& asset : variant.assets) {
+            const Timing& timing = asset.timing;
+            text += csv_line({std::to_string(variant.index), asset.name,
+                              figure_to_string(timing.bake_s), figure_to_string(timing.write_s),
+                              std::to_string(timing.threads), variant.name});
+        }
+    }
+    return text;
+}
+
 std::string index_jsonl(const config::Sweep& sweep, std::span<const VariantResult> variants) {
     std::string text;
     for (const VariantResult& variant : variants) {
@@ -239,6 +265,14 @@ std::string sweep_json(const config::Sweep& sweep, std::span<const VariantResult
 std::vector<Diagnostic> inspect_index(const fs::path& folder, bool force) {
     const auto usable = inspect_output_folder(folder, {}, force);
     if (!usable.value || force) return usable.diagnostics;
+    // A sweep would mix its folders with the files of a bake.
+    if (usable.value->previous) {
+        Diagnostic diagnostic = file_error(
+            "E0303", folder.string(),
+            fmt::format("`{}` holds a bake: it has a {}", folder.string(), manifest_name));
+        diagnostic.label = "choose another folder with -o, or sweep into this one with --force";
+        return {std::move(diagnostic)};
+    }
     if (is_sweep_manifest(folder / sweep_manifest_name)) return {};
     std::vector<Diagnostic> diagnostics;
     for (const std::string_view name : index_names) {
@@ -259,7 +293,7 @@ std::vector<Diagnostic> write_index(const fs::path& folder, const config::Sweep&
     const auto made = create_output_folder(folder);
     if (!made.value) return made.diagnostics;
     const std::array texts = {index_csv(sweep, variants), index_jsonl(sweep, variants),
-                              sweep_json(sweep, variants)};
+                              sweep_json(sweep, variants), timing_csv(variants)};
     AtomicFiles files;
     for (std::size_t i = 0; i < texts.size(); ++i) {
         const auto staged = files.stage(folder / index_names[i], std::string_view(texts[i]));

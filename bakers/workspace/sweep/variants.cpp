@@ -158,8 +158,13 @@ VariantAsset variant_asset(const ManifestAsset& entry) {
     asset.key = entry.key;
     asset.size = entry.size;
     asset.content_hash = entry.content_hash;
-    for (const ManifestFile& file : entry.files) asset.files.push_back(file.path);
+    asset.timing = entry.timing;
+    for (const ManifestFile& file : entry.files) {
+        asset.files.push_back(file.path);
+        asset.bytes += file.bytes;
+    }
     if (entry.error) {
+        if (entry.error->sky && entry.error->sky->points > 0) asset.sky_error = entry.error->sky;
         asset.lookup_error = entry.error->lookup;
         asset.texel_error = entry.error->texel;
     }

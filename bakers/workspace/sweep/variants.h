@@ -51,17 +51,19 @@ std::string failure_json(const std::vector<config::Diagnostic>& diagnostics);
 // Removes error.json if it exists.
 void remove_failure(const std::filesystem::path& folder);
 
-// One asset of a variant, as index files describe it. It holds nothing that changes from run to
-// run.
+// One asset of a variant. Nothing but `timing` changes from run to run, and only timing.csv has that.
 struct VariantAsset {
     std::string name;
     std::string kind;
     std::string key;  // see AssetIdentity
     std::vector<int> size;
+    std::optional<SkyError> sky_error;  // none if it was not measured, or is too noisy to tell
     std::optional<ErrorFigures> lookup_error;  // none if it was not measured
     std::optional<ErrorFigures> texel_error;
+    std::uint64_t bytes = 0;  // of all its files
     std::string content_hash;
     std::vector<std::string> files;  // relative to the variant's folder
+    Timing timing;
 };
 
 VariantAsset variant_asset(const ManifestAsset& entry);
