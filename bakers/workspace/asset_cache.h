@@ -1,13 +1,13 @@
 // A cache of baked assets by key. Recipes, processes and machines may share it.
 //
-//   FOLDER/CACHEDIR.TAG                 so that backup programs leave it out
+//   FOLDER/CACHEDIR.TAG                 makes it a cache (cache_folder.h)
 //   FOLDER/assets/ab/ab12.../           one asset: its files and a manifest.json of it alone
 //   FOLDER/assets/ab/ab12.../manifest.json   its time stamp is the time of the last use
 //   FOLDER/pending/                     entries on their way in and out
 //
 // An entry appears and disappears as a whole, by a rename, so any number of processes may use a
-// cache at once. A killed process leaves files only in `pending`, and the next process that adds an
-// asset removes them. Files are compared with their hashes whenever they are used, so damage costs
+// cache at once. A killed process leaves files only in `pending`, and the next process of the same user
+// that adds an asset removes them. Files are compared with their hashes whenever they are used, so damage costs
 // another bake but never gives a wrong texel. Nothing is written through a symbolic link.
 #pragma once
 
@@ -65,12 +65,12 @@ struct CacheEntry {
     std::int64_t last_use_s = 0;  // since 1970
 };
 
-// Returns all entries, the least recently used first. A missing folder is an empty cache. E0300 if
-// the cache cannot be read.
+// Returns all entries, the least recently used first. A missing folder is an empty cache. E0302 if
+// the folder is no cache (check_cache_folder), E0300 if it cannot be read.
 config::Outcome<std::vector<CacheEntry>> cache_entries(const std::filesystem::path& folder);
 
 // Removes entries, the least recently used first, until at most `largest_bytes` are left, and also
-// the remains of killed processes in `pending`. Returns the removed entries. E0300, E0301.
+// the remains of killed processes in `pending`. Returns the removed entries. E0300, E0301, E0302.
 config::Outcome<std::vector<CacheEntry>> collect_garbage(const std::filesystem::path& folder,
                                                          std::uint64_t largest_bytes);
 
@@ -79,7 +79,7 @@ struct CacheVerification {
     std::vector<std::filesystem::path> damaged;  // files that differ from their manifest
 };
 
-// Reads every file and removes damaged entries, which are useless. E0300, E0301.
+// Reads every file and removes damaged entries, which are useless. E0300, E0301, E0302.
 config::Outcome<CacheVerification> verify_cache(const std::filesystem::path& folder);
 
 }  // namespace skybake
