@@ -150,6 +150,16 @@ Outcome<fs::path> cache_folder(const Invocation& invocation) {
     return {std::move(folder), {}};
 }
 
+fs::path own_cache_folder() {
+    const char* const caches = std::getenv("XDG_CACHE_HOME");
+    const char* const home = std::getenv("HOME");
+    fs::path folder = caches != nullptr ? caches : "";
+    if (folder.is_relative()) folder = home != nullptr ? fs::path(home) / ".cache" : "";
+    if (folder.is_relative()) return {};
+    folder /= "skybake";
+    return check_cache_folder(folder).empty() ? folder : fs::path();
+}
+
 Outcome<std::string> cache_url(const Invocation& invocation) {
     if (invocation.has(options::cache)) return {invocation[options::cache], {}};
     const char* const url = std::getenv("SKYBAKE_CACHE");

@@ -95,6 +95,10 @@ OptionRow server_row();
 // folder is no cache and holds files.
 config::Outcome<std::filesystem::path> cache_folder(const Invocation& invocation);
 
+// Returns the folder of the program's own cache for previews, below $XDG_CACHE_HOME or ~/.cache. It is
+// empty if there is no such place, or if something else stands there.
+std::filesystem::path own_cache_folder();
+
 // Returns the URL of the cache on a server: --cache, else the environment variable SKYBAKE_CACHE. It
 // is empty if there is none. E0001 if the variable holds no URL.
 config::Outcome<std::string> cache_url(const Invocation& invocation);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/copy_asset.h"
@@ -39,23 +40,13 @@ Diagnostic unwritable(const fs::path& path, const std::string& reason) {
                       fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
-std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
-    if (auto problems = make_cache_folder(cache); !problems.empty()) return problems;
+// Gives a complete folder of `pending` its name.
+std::vector<Diagnostic> take_in(const fs::path& pending, const fs::path& target) {
     std::error_code error;
-    const PendingFolder pending(cache, error);
-    if (error) return {unwritable(cache / "pending", error.message())};
-    AtomicFiles files;
-    const auto staged = stage_copies(asset, pending.path(), files, Unhurried());
-    if (!staged.value) return staged.diagnostics;
-    const std::string text = cached_manifest_json(asset.entry);
-    const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
-    if (!manifest.value) return manifest.diagnostics;
-    if (auto failures = files.commit(); !failures.empty()) return failures;
-    const fs::path target = entry_folder(cache, asset.entry.key);
     fs::create_directories(target.parent_path(), error);
     if (error) return {unwritable(target, error.message())};
     if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
-    fs::rename(pending.path(), target, error);
+    fs::rename(pending, target, error);
     // If another process was faster, its entry holds the same bytes.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
     return {};
@@ -153,12 +144,43 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
 void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
 
 void AssetCache::offer(const ReadyAsset& asset) {
+    keep(asset.entry.key, [&asset](const fs::path& folder, AtomicFiles& files) {
+        auto staged = stage_copies(asset, folder, files, Unhurried());
+        Outcome<ManifestAsset> entry{{}, std::move(staged.diagnostics)};
+        if (staged.value) entry.value = asset.entry;
+        return entry;
+    });
+}
+
+void AssetCache::offer(const Baked& baked, ManifestAsset entry, int threads) {
+    keep(entry.key, [&](const fs::path& folder, AtomicFiles& files) {
+        auto staged = stage_files(baked, entry, folder, files, threads);
+        Outcome<ManifestAsset> finished{{}, std::move(staged.diagnostics)};
+        if (staged.value) finished.value = entry;
+        return finished;
+    });
+}
+
+void AssetCache::keep(const std::string& key, const StageAsset& stage) {
     if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
     std::error_code error;
-    if (!is_key(asset.entry.key) || fs::exists(entry_folder(folder_, asset.entry.key), error)) {
-        return;
-    }
-    for (const Diagnostic& problem : store(folder_, asset)) {
+    if (!is_key(key) || fs::exists(entry_folder(folder_, key), error)) return;
+    const auto store = [&]() -> std::vector<Diagnostic> {
+        if (auto problems = make_cache_folder(folder_); !problems.empty()) return problems;
+        const PendingFolder pending(folder_, error);
+        if (error) return {unwritable(folder_ / "pending", error.message())};
+        AtomicFiles files;
+        const auto entry = stage(pending.path(), files);
+        if (!entry.value) return entry.diagnostics;
+        const std::string text = cached_manifest_json(*entry.value);
+        const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
+        if (!manifest.value) return manifest.diagnostics;
+        if (auto failures = files.commit(); !failures.empty()) return failures;
+        return take_in(pending.path(), entry_folder(folder_, key));
+    };
+    const auto problems = store();
+    if (problems.empty()) ++kept_;
+    for (const Diagnostic& problem : problems) {
         Diagnostic warning = problem;
         warning.severity = config::Severity::warning;
         warning.code = "W0301";

@@ -13,11 +13,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -33,13 +35,23 @@ class AssetCache : public AssetSource {
     void reject(const ReadyAsset& asset) override;
     // A bake does not fail if the cache cannot be written to or is full; see problems().
     void offer(const ReadyAsset& asset) override;
+    // Does the same with an asset in memory, whose entry is signed (folder_plan.h).
+    void offer(const Baked& baked, ManifestAsset entry, int threads);
 
     // Returns why the first rejected offer was rejected, as the warning W0301.
     const std::vector<config::Diagnostic>& problems() const { return problems_; }
+    // Returns the number of assets that were offered and taken.
+    int kept() const { return kept_; }
 
   private:
+    // Stages the files of an asset into a folder and returns its entry.
+    using StageAsset = std::function<config::Outcome<ManifestAsset>(
+        const std::filesystem::path& folder, AtomicFiles& files)>;
+    void keep(const std::string& key, const StageAsset& stage);
+
     std::filesystem::path folder_;
     std::vector<config::Diagnostic> problems_;
+    int kept_ = 0;
     bool tidied_ = false;  // the remains of killed processes have been removed from `pending`
 };
 

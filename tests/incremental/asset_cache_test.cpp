@@ -87,7 +87,7 @@ TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
     std::vector<FileDescriptor> others;  // that are alive, and so hold their locks
     for (int i = 0; i < 64; ++i) {
         const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
-        fs::create_directories(folder_ / taken);
+        fs::create_directory(folder_ / taken);
         write_bytes(folder_ / (taken + "/theirs"), "theirs");
         others.emplace_back(::open((folder_ / taken).c_str(), O_RDONLY | O_DIRECTORY));
         ASSERT_EQ(::flock(others.back().get(), LOCK_EX), 0);

@@ -40,6 +40,7 @@ struct LitScene {
     const CloudPreviewInput& input;
     const Lighting& lighting;
     const std::string& leaps_name;
+    const std::optional<SolvedSky>& sky;
     SceneRenderer renderer;
 };
 
@@ -53,8 +54,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "The picture shows {}. {}The light is that of {} with the {}, {}; it is shown with {}. The "
-        "camera "
+        "The picture shows {}. {}The light is that of {} with the {}, {}; {}. It is shown with {}. "
+        "The camera "
         "is `{}`. Rays have {}, {:.3g} m steps along the view and {:.3g} m steps towards the sun, "
         "and "
         "the light has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel "
@@ -64,8 +65,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
                            : "the layer that the tile repeats to with its shadows on the ground",
         scene.input.single ? "" : fmt::format("{}. ", kCopiesText), scene.lighting.name,
         sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
-        tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
-        samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
+        sky_text(scene.sky), tone_text(exposure, scene.input.tone_curve),
+        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
         settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels);
@@ -140,9 +141,11 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
         std::optional<double> exposure = known_exposure(input, s);
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
+        const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
+        const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {
-            input, lighting, cloud.leaps_name,
-            SceneRenderer({layer_of(cloud.medium, views)}, lighting.atmosphere(), sun, threads)};
+            input, lighting, cloud.leaps_name, sky,
+            SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
             PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);

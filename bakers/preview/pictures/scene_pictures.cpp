@@ -63,16 +63,17 @@ FramedScene framed(const CloudPreviewInput& input, const std::vector<NamedLayer>
 
 std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighting,
                           const std::vector<NamedLayer>& layers, const SunDirection& sun,
-                          const SceneFrame& frame, const CloudView& view, double exposure) {
+                          const std::optional<SolvedSky>& sky, const SceneFrame& frame,
+                          const CloudView& view, double exposure) {
     return fmt::format(
         "The picture shows {} in one sky, with the air before them and their shadows on the "
         "ground. "
-        "The light is that of {} with the {}, {}; it is shown with {}. The camera is `{}`. Rays "
+        "The light is that of {} with the {}, {}; {}. It is shown with {}. The camera is `{}`. Rays "
         "have "
         "{}. {}; far layers fade out about 1.5 degrees above the horizon. Layers are flat, and "
         "clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
-        beside_view(sun, frame.camera), tone_text(exposure, input.tone_curve),
+        beside_view(sun, frame.camera), sky_text(sky), tone_text(exposure, input.tone_curve),
         camera_text(frame.camera), samples_text(frame, view.refined_pixels), kCopiesText);
 }
 
@@ -84,7 +85,9 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
     const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true};
-    SceneRenderer renderer(scene.layers, lighting.atmosphere(), sun, threads);
+    const auto sky = solved_sky(input, lighting, scene.camera, sun, threads);
+    SceneRenderer renderer(scene.layers, {lighting.medium, lighting.tables, sky ? &*sky : nullptr},
+                           sun, threads);
     const CloudView view = renderer.render(frame, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
     const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
@@ -92,7 +95,7 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     PreviewPicture picture;
     picture.name = "scene_" + sun_stem(sun.elevation_degrees);
     picture.title = fmt::format("One sky, {}", sun_text(sun.elevation_degrees));
-    picture.caption = scene_caption(input, lighting, layers, sun, frame, view, exposure);
+    picture.caption = scene_caption(input, lighting, layers, sun, sky, frame, view, exposure);
     picture.picture = tone_mapped(shown, exposure, input.tone_curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;
