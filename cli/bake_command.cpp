@@ -101,11 +101,11 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
 
     const auto url = cache_url(invocation);
     if (!url.value) return console.report(url.diagnostics);
+    const auto folder = cache_folder(invocation);
+    if (!folder.value) return console.report(folder.diagnostics);
     std::optional<AssetCache> cache;
     std::optional<HttpCache> server;
-    if (const fs::path folder = cache_folder(invocation); !folder.empty()) {
-        bake.sources.push_back(&cache.emplace(folder));
-    }
+    if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
     BakeReporter reporter(console, json);
     const auto baked = bake_frames_and_folder(bake, reporter);

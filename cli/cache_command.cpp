@@ -122,7 +122,9 @@ ExitCode verify(const fs::path& folder, bool json, Console& console) {
 
 ExitCode run_cache(const Invocation& invocation, Console& console) {
     const std::string& what = invocation.arguments()[0];
-    const fs::path folder = cache_folder(invocation);
+    const auto given = cache_folder(invocation);
+    if (!given.value) return console.report(given.diagnostics);
+    const fs::path& folder = *given.value;
     if (folder.empty()) {
         return console.report(std::array{usage_error(
             "no cache folder is given", "name one with --cache-dir or $SKYBAKE_CACHE_DIR")});

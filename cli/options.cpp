@@ -12,6 +12,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_files.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/http_cache.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -140,10 +141,23 @@ OptionRow server_row() {
     return options::cache("share baked assets through this server too (default: $SKYBAKE_CACHE)");
 }
 
-fs::path cache_folder(const Invocation& invocation) {
-    if (invocation.has(options::cache_dir)) return invocation[options::cache_dir];
-    const char* const folder = std::getenv("SKYBAKE_CACHE_DIR");
-    return folder ? folder : "";
+Outcome<fs::path> cache_folder(const Invocation& invocation) {
+    const char* const variable = std::getenv("SKYBAKE_CACHE_DIR");
+    fs::path folder = variable != nullptr ? variable : "";
+    if (invocation.has(options::cache_dir)) folder = invocation[options::cache_dir];
+    auto problems = folder.empty() ? std::vector<Diagnostic>{} : check_cache_folder(folder);
+    if (!problems.empty()) return {{}, std::move(problems)};
+    return {std::move(folder), {}};
+}
+
+fs::path own_cache_folder() {
+    const char* const caches = std::getenv("XDG_CACHE_HOME");
+    const char* const home = std::getenv("HOME");
+    fs::path folder = caches != nullptr ? caches : "";
+    if (folder.is_relative()) folder = home != nullptr ? fs::path(home) / ".cache" : "";
+    if (folder.is_relative()) return {};
+    folder /= "skybake";
+    return check_cache_folder(folder).empty() ? folder : fs::path();
 }
 
 Outcome<std::string> cache_url(const Invocation& invocation) {

@@ -91,8 +91,13 @@ OptionRow cache_row();
 OptionRow server_row();
 
 // Returns the folder of the cache: --cache-dir, else the environment variable SKYBAKE_CACHE_DIR. It
-// is empty if there is no cache. The cache decides how fast a bake is, never what it makes.
-std::filesystem::path cache_folder(const Invocation& invocation);
+// is empty if there is no cache. The cache decides how fast a bake is, never what it makes. E0302 if the
+// folder is no cache and holds files.
+config::Outcome<std::filesystem::path> cache_folder(const Invocation& invocation);
+
+// Returns the folder of the program's own cache for previews, below $XDG_CACHE_HOME or ~/.cache. It is
+// empty if there is no such place, or if something else stands there.
+std::filesystem::path own_cache_folder();
 
 // Returns the URL of the cache on a server: --cache, else the environment variable SKYBAKE_CACHE. It
 // is empty if there is none. E0001 if the variable holds no URL.

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "bakers/preview/page.h"
 #include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
+#include "bakers/workspace/asset_cache.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -77,7 +79,30 @@ struct PreviewRequest {
     bool report = false;
     bool watch = false;
     int draft_edge = 64;  // voxels along the longest edge of a draft's volumes
+    std::filesystem::path cache;  // empty: none
+    bool owns_cache = false;      // the cache is the program's own, which it keeps small
     PreviewOptions options;
+};
+
+// Files that were baked before, from which a preview takes what it need not bake: those in the folders
+// that a bake of the recipe is likely to have written into, and those of the cache.
+class ReadyFiles {
+  public:
+    explicit ReadyFiles(const PreviewRequest& request);
+    ReadyFiles(const ReadyFiles&) = delete;
+    ReadyFiles& operator=(const ReadyFiles&) = delete;
+    // Removes what was used least recently from the program's own cache if that has grown beyond 256
+    // MiB.
+    ~ReadyFiles();
+
+    // Return memos that use them: of the recipe's assets, and of the light of clouds.
+    AssetMemo assets();
+    AssetMemo light();
+
+  private:
+    const PreviewRequest& request_;
+    BakedFolders folders_;
+    std::optional<AssetCache> cache_;
 };
 
 // Reads what is asked for. A folder or a manifest.json is a folder; .exr, .vdb and .bin are files;

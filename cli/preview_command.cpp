@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -47,13 +49,35 @@ std::vector<std::string> retired(const fs::path& folder, const std::vector<std::
     return left;
 }
 
+// Returns the folders into which people bake a recipe: `out`, and one named like the recipe, in the
+// current folder or beside the recipe.
+std::vector<fs::path> likely_folders(const PreviewRequest& request) {
+    if (request.subject != PreviewRequest::Subject::recipe) return {};
+    const fs::path& recipe = request.paths[0];
+    std::vector<fs::path> folders;
+    for (const fs::path& place : {fs::path(), recipe.parent_path()}) {
+        for (const fs::path& name : {fs::path("out"), recipe.stem()}) {
+            const fs::path folder = place / name;
+            const bool is_new = std::find(folders.begin(), folders.end(), folder) == folders.end();
+            if (is_new) folders.push_back(folder);
+        }
+    }
+    return folders;
+}
+
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
-// What assets and the pictures of the sky are made from.
+// What assets and pictures are made from.
 struct SharedLight {
+    explicit SharedLight(const PreviewRequest& request) : files(request) {}
+
+    ReadyFiles files;
     Intermediates intermediates{BakeOptions().held_voxel_bytes};
     Intermediates::Expected pictures;
+    std::vector<std::string> ready;  // names of assets that were not baked but found
+    std::shared_ptr<PictureLight> clouds =
+        std::make_shared<PictureLight>(&intermediates, files.light());
 };
 
 // Bakes the recipe's assets for the preview. Options that no picture uses or that contradict each
@@ -77,8 +101,10 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
                               .intermediates = &shared.intermediates};
     shared.pictures = shared.intermediates.expect(needs_of_pictures(selection.value->recipe));
     request.options.intermediates = &shared.intermediates;
+    AssetMemo memory = shared.files.assets();
     auto assets = bake_assets(selection.value->recipe, bakes, request.paths[0].filename().string(),
-                              options, nullptr, stages);
+                              options, &memory, stages);
+    shared.ready = std::move(memory.ready);
     assets.diagnostics.insert(assets.diagnostics.begin(), selection.diagnostics.begin(),
                               selection.diagnostics.end());
     return assets;
@@ -94,14 +120,13 @@ Outcome<PreviewAssets> gather(const Invocation& invocation, PreviewRequest& requ
 }
 
 // Makes the page. If the user interrupts it, it returns no value and no errors.
-Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest request,
-                               StageProgress& progress) {
+Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest& request,
+                               SharedLight& shared, StageProgress& progress) {
     PreviewOptions& options = request.options;
     options.progress = &progress;
     if (request.subject == Subject::sweep) {
         return make_sweep_preview(request.paths[0], request.output, options);
     }
-    SharedLight shared;
     auto assets = gather(invocation, request, shared, progress);
     if (!assets.value) return {{}, std::move(assets.diagnostics)};
     if (request.report) {
@@ -122,15 +147,37 @@ std::string previewed_event(std::vector<std::string> paths, double seconds) {
         {{"event", "previewed"}, {"page", page}, {"pictures", paths}, {"seconds", seconds}});
 }
 
+// Writes a live page before its still pictures are made. Returns whether it is there.
+bool show_early(const PreviewPage& page, const PreviewRequest& request, Console& console) {
+    std::vector<std::string> paths;
+    if (interrupted() || write_preview(page, request, console, paths) != ExitCode::done) return false;
+    console.note(fmt::format("open {}; pictures for browsers without WebGL 2 follow\n",
+                             paths.back()));
+    return true;
+}
+
 ExitCode show(const Invocation& invocation, const PreviewRequest& request, Console& console) {
     const auto start = std::chrono::steady_clock::now();
+    SharedLight shared(request);
+    bool is_live = false;  // the live page is there
     auto page = [&] {
         BakeProgress progress("preview", console);
-        return make_page(invocation, request, progress);
+        PreviewRequest made = request;
+        made.options.light = shared.clouds;
+        if (request.options.live) {
+            made.options.early_page = [&](const PreviewPage& early) {
+                is_live = show_early(early, request, console);
+            };
+        }
+        return make_page(invocation, made, shared, progress);
     }();
     if (interrupted()) {
-        console.note("interrupted; nothing was written\n");
+        console.note(is_live ? "interrupted; the live page is there, without its still pictures\n"
+                             : "interrupted; nothing was written\n");
         return ExitCode::interrupted;
+    }
+    if (!shared.ready.empty()) {
+        console.note(fmt::format("baked before: {}\n", fmt::join(shared.ready, ", ")));
     }
     if (const ExitCode code = console.report(page.diagnostics); !page.value) return code;
     std::vector<std::string> paths;
@@ -163,6 +210,32 @@ ExitCode run_preview(const Invocation& invocation, Console& console) {
 }
 
 }  // namespace
+
+ReadyFiles::ReadyFiles(const PreviewRequest& request)
+    : request_(request), folders_(likely_folders(request)) {
+    if (!request.cache.empty()) cache_.emplace(request.cache);
+}
+
+ReadyFiles::~ReadyFiles() {
+    constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20;
+    if (cache_ && request_.owns_cache && cache_->kept() > 0) {
+        (void)collect_garbage(request_.cache, most_bytes);
+    }
+}
+
+AssetMemo ReadyFiles::assets() {
+    AssetMemo memo = light();
+    memo.sources.insert(memo.sources.begin(), &folders_);
+    return memo;
+}
+
+AssetMemo ReadyFiles::light() {
+    AssetMemo memo;
+    if (!cache_) return memo;
+    memo.sources = {&*cache_};
+    memo.cache = &*cache_;
+    return memo;
+}
 
 ExitCode check_output(const PreviewRequest& request, Console& console) {
     const auto folder = inspect_output_folder(request.output, {}, true);
@@ -231,6 +304,9 @@ Command preview_command() {
              options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
+             options::cache_dir("take the light of skies from this folder and keep it there, or "
+                                "nowhere if it is \"\" (default: $SKYBAKE_CACHE_DIR, else "
+                                "~/.cache/skybake)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
              options::force("overwrite files that no preview has made")},
         .examples = {{"skybake preview cumulus.toml --live --watch",

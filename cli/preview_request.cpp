@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdlib>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -300,6 +302,21 @@ Outcome<int> read_turntable(const std::string& text) {
 
 }  // namespace options
 
+namespace {
+
+// Chooses the cache. An empty name of a folder stands for none.
+std::vector<Diagnostic> choose_cache(const Invocation& invocation, PreviewRequest& request) {
+    auto folder = cache_folder(invocation);
+    if (!folder.value) return std::move(folder.diagnostics);
+    const bool is_named =
+        invocation.has(options::cache_dir) || std::getenv("SKYBAKE_CACHE_DIR") != nullptr;
+    request.cache = is_named ? std::move(*folder.value) : own_cache_folder();
+    request.owns_cache = !is_named;
+    return {};
+}
+
+}  // namespace
+
 config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     PreviewRequest request;
     for (const std::string& path : invocation.arguments()) request.paths.emplace_back(path);
@@ -323,6 +340,7 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
                                        "a turntable takes too long to follow every save"));
     }
     check_combination(invocation, request, problems);
+    std::ranges::move(choose_cache(invocation, request), std::back_inserter(problems));
     if (invocation.has(options::draft)) request.draft_edge = invocation[options::draft];
     if (invocation.has(options::draft) && !request.watch) {
         problems.push_back(

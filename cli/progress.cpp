@@ -53,7 +53,7 @@ std::string line_text(const ProgressState& state, bool with_bar) {
         text += fmt::format("{:.0f} %", std::floor(100 * state.fraction));
     }
     text += fmt::format("  {}", clock_text(state.elapsed_s));
-    if (state.left_s >= 0) text += fmt::format(", about {} left", clock_text(state.left_s));
+    if (state.left_s >= 0.5) text += fmt::format(", about {} left", clock_text(state.left_s));
     return text;
 }
 
@@ -104,13 +104,14 @@ bool StepClock::advance(double fraction, double seconds) {
 }
 
 // Estimates the time left once a tenth of a step is done, or a fiftieth after two seconds. Before
-// that too little is known.
+// that too little is known. So it is once the step is done, or once an estimate has run out, because
+// what is at work then has told nothing.
 double StepClock::seconds_left(double seconds) const {
     const double done = fraction_ - first_fraction_;
     const double took_s = told_s_ - began_s_;
     if (done < 0.1 && (done < 0.02 || took_s < 2)) return -1;
     const double left_s = took_s * (1 - fraction_) / done - (seconds - told_s_);
-    return std::max(left_s, 0.0);
+    return left_s > 0 ? left_s : -1;
 }
 
 void ProgressTeller::begin_stage(int index, int count, std::string_view what) {

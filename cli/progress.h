@@ -53,7 +53,7 @@ struct ProgressState {
     std::string_view step;  // "voxels", "lighting, sun 20 deg"; empty before the first
     double fraction = 0;    // of the step
     double elapsed_s = 0;   // of the whole run
-    double left_s = -1;     // for the step; negative if not known yet
+    double left_s = -1;     // for the step; not told below half a second; negative if not known
 };
 
 // Returns the text of the line:
@@ -73,7 +73,7 @@ class StepClock {
     // fraction a little below the last one is ignored.
     bool advance(double fraction, double seconds);
     double fraction() const { return fraction_; }
-    // Returns a negative number if too little is known.
+    // Returns a negative number if too little is known, or if the step should be done by now.
     double seconds_left(double seconds) const;
 
   private:

@@ -23,6 +23,7 @@
 #include "bakers/report/truth/sky_error_pictures.h"
 #include "bakers/report/truth/sky_truth_report.h"
 #include "bakers/report/truth/sky_truth_store.h"
+#include "bakers/workspace/cache_folder.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/options.h"
@@ -118,7 +119,9 @@ Outcome<TruthRequest> request_of(const Invocation& invocation) {
     request.medium = make_sky_medium(recipe.value->parameters.atmosphere);
     request.recipe = std::move(*recipe.value);
     request.folder = invocation[options::output];
-    request.cache = cache_folder(invocation);
+    auto cache = cache_folder(invocation);
+    if (!cache.value) return {{}, std::move(cache.diagnostics)};
+    request.cache = std::move(*cache.value);
     request.mean_paths = mean_paths_of(invocation);
     request.threads = invocation[options::jobs];
     request.quick = invocation[options::quick];
@@ -148,12 +151,13 @@ std::vector<Diagnostic> check_folder(const TruthRequest& request, bool force) {
 }
 
 // Keeps a text in the cache. If the cache cannot be written to, the report goes on with a warning.
-std::vector<Diagnostic> keep_in_cache(const fs::path& path, const std::string& text) {
+std::vector<Diagnostic> keep_in_cache(const fs::path& cache, const fs::path& path,
+                                      const std::string& text) {
+    std::vector<Diagnostic> problems = make_cache_folder(cache);
     std::error_code error;
-    fs::create_directories(path.parent_path(), error);
-    std::vector<Diagnostic> problems =
-        error ? std::vector{file_error("E0301", path.string(), error.message())}
-              : write_file_atomically(path, text).diagnostics;
+    if (problems.empty()) fs::create_directories(path.parent_path(), error);
+    if (error) problems = {file_error("E0301", path.string(), error.message())};
+    if (problems.empty()) problems = write_file_atomically(path, text).diagnostics;
     for (Diagnostic& problem : problems) {
         problem.severity = config::Severity::warning;
         problem.code = "W0301";
@@ -167,7 +171,7 @@ ExitCode keep(const TruthRequest& request, const std::string& key, const Truth& 
               Console& console) {
     const std::string text = stored_sky_truth(truth, key);
     if (!request.cache.empty()) {
-        console.report(keep_in_cache(cached_sky_truth_path(request.cache, key), text));
+        console.report(keep_in_cache(request.cache, cached_sky_truth_path(request.cache, key), text));
     }
     return write_report_files({{kTruthName, text}}, request.folder, console);
 }

@@ -117,7 +117,6 @@ SweepJob sweep_job(const Invocation& invocation, config::Sweep sweep) {
     job.threads = invocation[options::jobs];
     job.certification = invocation[options::certify];
     job.force = invocation[options::force];
-    job.cache = cache_folder(invocation);
     job.memory_limit_mib = memory_limit_mib(invocation);
     return job;
 }
@@ -266,6 +265,9 @@ ExitCode run_sweep(const Invocation& invocation, Console& console) {
     auto found = sweep_of(invocation);
     if (const ExitCode code = console.report(found.diagnostics); !found.value) return code;
     SweepJob job = sweep_job(invocation, std::move(*found.value));
+    const auto cache = cache_folder(invocation);
+    if (!cache.value) return console.report(cache.diagnostics);
+    job.cache = *cache.value;
     if (invocation.has(options::emit)) return emit_script(invocation, job, console);
     const auto url = cache_url(invocation);
     if (!url.value) return console.report(url.diagnostics);

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -65,7 +66,9 @@ struct RoundMemo {
 class Watch {
   public:
     Watch(const Invocation& invocation, PreviewRequest request, Console& console)
-        : invocation_(invocation), request_(std::move(request)), console_(console) {}
+        : invocation_(invocation), request_(std::move(request)), console_(console) {
+        full_.assets = ready_.assets();
+    }
 
     ExitCode run() {
         std::error_code error;
@@ -114,11 +117,11 @@ class Watch {
         bool given_up = false;
         Outcome<PreviewPage> page = [&] {
             UntilSaved progress(console_, files_);
-            request_.options.lit_clouds = [&](const PreviewPage& clouds) {
+            request_.options.early_page = [&](const PreviewPage& clouds) {
                 if (!progress.cancelled()) show_clouds(clouds, start);
             };
             auto made = page_of(*selection_, selection_->recipe, false, full_, progress);
-            request_.options.lit_clouds = nullptr;
+            request_.options.early_page = nullptr;
             given_up = progress.cancelled();
             return made;
         }();
@@ -135,9 +138,10 @@ class Watch {
         note_made("full quality", state_.seconds);
     }
 
-    // Puts pictures of clouds at full quality into the page of the draft.
+    // Puts pictures of clouds, or a live page, at full quality into the page of the draft.
     void show_clouds(const PreviewPage& clouds, Clock::time_point start) {
         PreviewPage page = shown_;
+        if (!clouds.live_scene.empty()) page.live_scene = clouds.live_scene;
         for (PageScene& scene : page.scenes) {
             for (const PageScene& better : clouds.scenes) {
                 if (better.title == scene.title) scene = better;
@@ -212,6 +216,7 @@ class Watch {
         pictures.stages_before = count;
         pictures.memory = &memory.pictures;
         pictures.intermediates = &intermediates_;
+        pictures.light = light_;
         add(outcome, make_preview(*assets.value, pictures));
         return outcome;
     }
@@ -265,6 +270,10 @@ class Watch {
     // Pictures of one round and of the next may be made from the same light.
     Intermediates intermediates_{BakeOptions().held_voxel_bytes};
     Intermediates::Expected pictures_need_;
+    ReadyFiles ready_{request_};
+    // A save of a cloud leaves the light alone.
+    std::shared_ptr<PictureLight> light_ =
+        std::make_shared<PictureLight>(&intermediates_, ready_.light());
     RoundMemo draft_;
     RoundMemo full_;
     PageState state_;

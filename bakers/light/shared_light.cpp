@@ -62,6 +62,7 @@ Need need_of(const LightRequest& request) {
 std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const SkyMedium& medium,
                                             const BakeOptions& options) {
     const auto solve = [&] {
+        if (options.progress != nullptr) options.progress->advance("solving light", 0);
         return std::make_shared<const SolvedLight>(
             solve_light(medium, settings_of(request, medium), options.threads, options.progress));
     };

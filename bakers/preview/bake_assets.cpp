@@ -8,8 +8,10 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
+#include "bakers/preview/load_assets.h"
 #include "bakers/workspace/folder_plan.h"
 
 namespace skybake {
@@ -75,6 +77,7 @@ class PreviewBake {
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
+        if (memory_ != nullptr) memory_->ready.clear();
         const auto expected = options_.intermediates->expect(
             needs_of(recipe_.parameters, bakes, options_.certification));
         for (const config::Bake& bake : bakes) {
@@ -85,7 +88,7 @@ class PreviewBake {
             if (options_.cancelled()) return interrupted();
             if (!made) return {{}, std::move(diagnostics_)};
         }
-        if (memory_ != nullptr) *memory_ = {std::move(fresh_memory_), {}};
+        remember();
         return {std::move(shown_), std::move(diagnostics_)};
     }
 
@@ -96,23 +99,52 @@ class PreviewBake {
         return {};
     }
 
+    void remember() {
+        if (memory_ == nullptr) return;
+        if (memory_->keeps_all) fresh_memory_.merge(memory_->assets);
+        memory_->assets = std::move(fresh_memory_);
+        memory_->unfinished.clear();
+    }
+
     bool add(const config::Bake& bake) {
-        const std::string key = key_of(bake);
+        const AssetIdentity identity = identity_of(bake, options_.certification);
+        const std::string& key = identity.key;
         if (const PreviewAsset* known = remembered(key)) {
             shown_.assets.push_back(*known);
-        } else if (!add_baked(bake)) {
+        } else if (!add_ready_made(bake) && !add_baked(bake, identity)) {
             return false;
         }
         if (!key.empty()) fresh_memory_[key] = shown_.assets.back();
         return true;
     }
 
-    // Returns the key of an asset. It is empty without a memo, or if an input cannot be read; the
-    // bake reports that.
-    std::string key_of(const config::Bake& bake) const {
-        if (memory_ == nullptr) return "";
-        const auto identity = asset_identity(recipe_, bake, options_.certification);
-        return identity.value ? identity.value->key : "";
+    // Returns the identity of an asset. Its key is empty without a memo, or if an input cannot be
+    // read; the bake reports that.
+    AssetIdentity identity_of(const config::Bake& bake, Certification certification) const {
+        if (memory_ == nullptr) return {};
+        auto identity = asset_identity(recipe_, bake, certification);
+        return identity.value ? std::move(*identity.value) : AssetIdentity();
+    }
+
+    // Adds an asset from files that were baked before. Returns false if there are none.
+    bool add_ready_made(const config::Bake& bake) {
+        if (memory_ == nullptr || memory_->sources.empty()) return false;
+        for (const Certification certification :
+             {Certification::full, Certification::quick, Certification::off}) {
+            if (certification == Certification::off && options_.certification != certification)
+                continue;
+            const std::string key = identity_of(bake, certification).key;
+            for (AssetSource* source : memory_->sources) {
+                const auto ready = source->find(key);
+                if (!ready) continue;
+                if (add_ready(*ready, bake.name, shown_)) {
+                    memory_->ready.push_back(bake.name);
+                    return true;
+                }
+                source->reject(*ready);
+            }
+        }
+        return false;
     }
 
     const PreviewAsset* remembered(const std::string& key) const {
@@ -123,7 +155,7 @@ class PreviewBake {
         return nullptr;
     }
 
-    bool add_baked(const config::Bake& bake) {
+    bool add_baked(const config::Bake& bake, const AssetIdentity& identity) {
         Outcome<Baked> baked = bake_asset(recipe_, bake, options_);
         std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
                   std::back_inserter(diagnostics_));
@@ -131,6 +163,13 @@ class PreviewBake {
         shown_.assets.push_back(baked.value->is_table()
                                     ? table_asset(*baked.value, options_)
                                     : volume_asset(*baked.value, options_, shown_.notes));
+        if (memory_ != nullptr && memory_->cache != nullptr && baked.value->is_table() &&
+            !options_.cancelled()) {
+            ManifestAsset entry = describe_with_files(*baked.value);
+            entry.timing = shown_.assets.back().entry.timing;
+            sign(identity, entry);
+            memory_->cache->offer(*baked.value, std::move(entry), options_.threads);
+        }
         return true;
     }
 

@@ -12,6 +12,7 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/stage_progress.h"
+#include "bakers/workspace/asset_cache.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -44,10 +45,17 @@ ManifestAsset at_level(const ManifestAsset& asset, std::size_t level);
 std::string level_note(const ManifestAsset& asset, std::optional<std::size_t> level);
 
 // A memo of assets that were baked before, by AssetIdentity::key. All recipes that use the same
-// memo must be reduced in the same way or not at all.
+// memo must be reduced in the same way or not at all, and not at all if it has sources or a cache.
 struct AssetMemo {
     std::map<std::string, PreviewAsset> assets;
     std::map<std::string, PreviewAsset> unfinished;  // of the last bake, if that was interrupted
+    // Are asked, in this order, for the files of assets that the memo lacks. Files of assets that were
+    // certified better than the bake asks for serve as well. Those that differ from their manifest
+    // are left alone.
+    std::vector<AssetSource*> sources;
+    std::vector<std::string> ready;  // names of those assets of the last bake that came from files
+    AssetCache* cache = nullptr;     // is offered the tables that are baked
+    bool keeps_all = false;          // does not forget what the last bake did not show
 };
 
 // The progress that each asset is reported to, as one stage of `count`.
@@ -58,7 +66,7 @@ struct BakeStages {
 
 // Bakes the sections `bakes` of the recipe, which are its own or reduced ones of the same names.
 // Values are rounded to the pixel type, as a file would hold them. Assets in `memory` are not baked
-// again; afterwards it keeps exactly the assets shown this time. Diagnostics are those of
+// again; afterwards it keeps exactly the assets shown this time, unless it keeps all. Diagnostics are those of
 // bake_asset. If the user interrupts, there is neither a value nor a diagnostic.
 config::Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
                                            std::span<const config::Bake> bakes,

@@ -46,7 +46,7 @@ void add_occupancy(const PreviewAssets& assets, CloudPreviewInput& input) {
 void add_sky(const PreviewAssets& assets, CloudPreviewInput& input) {
     input.transmittance = assets.of_kind("transmittance");
     input.multiple_scattering = assets.of_kind("multiple_scattering");
-    input.atmosphere = &assets.recipe->parameters.atmosphere;
+    input.air = &*assets.recipe;
 }
 
 void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
@@ -82,6 +82,7 @@ void choose_frame(const PreviewOptions& options, CloudPreviewInput& input) {
     input.single = options.single || options.turntable > 0;
     input.turntable = options.turntable;
     input.progress = options.progress;
+    input.light = options.light;
     input.draft = options.draft;
     const int longest = std::max(input.width, input.height);
     if (!options.draft || longest <= longest_of_draft) return;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 #include "bakers/assets/registry.h"
@@ -188,6 +189,16 @@ Outcome<PreviewAssets> load_folder(const fs::path& path) {
     }
     find_plots(place.folder, shown);
     return {std::move(shown), std::move(warnings)};
+}
+
+bool add_ready(const ReadyAsset& ready, const std::string& name, PreviewAssets& shown) {
+    ManifestAsset entry = ready.entry;
+    entry.name = name;
+    PreviewAssets found;
+    if (!add_asset(ready.folder, entry, found).empty()) return false;
+    shown.assets.push_back(std::move(found.assets.front()));
+    std::ranges::move(found.notes, std::back_inserter(shown.notes));
+    return true;
 }
 
 Outcome<PreviewAssets> load_files(std::span<const fs::path> files) {

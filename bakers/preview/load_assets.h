@@ -3,10 +3,12 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/preview/bake_assets.h"
+#include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -16,6 +18,10 @@ namespace skybake {
 // readers of manifests and files; also E0304 if the manifest has no assets. Warning W0304, which
 // also becomes a note: a shown file is not the one that the manifest describes.
 config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path);
+
+// Adds an asset that was baked before, under the given name. Returns false and adds nothing if a file
+// cannot be read, or differs from its entry.
+bool add_ready(const ReadyAsset& ready, const std::string& name, PreviewAssets& shown);
 
 // Loads single files of any format. Each file is described by the manifest of its folder or, if no
 // manifest claims it, by its own metadata. The recipe is that of the first file's folder, or the

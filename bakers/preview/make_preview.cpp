@@ -68,7 +68,7 @@ class Preview {
         }
         add_scene();
         if (!add_assets(true)) return false;
-        if (options_.lit_clouds && lit_pictures_of(assets_).clouds) options_.lit_clouds(page_);
+        if (options_.early_page && lit_pictures_of(assets_).clouds) options_.early_page(page_);
         add_sky();
         return add_assets(false);
     }
@@ -210,16 +210,19 @@ std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
 namespace {
 
 // Makes the page that renders the assets. Its pictures are those of a draft, for browsers that
-// cannot; a draft has none, because it is to be there at once.
+// cannot; a draft has none, because it is to be there at once, as is the page itself.
 Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto scene = live_scene(assets, options);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     Outcome<PreviewPage> page{PreviewPage(), {}};
+    page.value->title = assets.title;
+    page.value->live_scene = *scene.value;
     if (!options.draft) {
+        if (options.early_page) options.early_page(*page.value);
         PreviewOptions stills = options;
         stills.draft = true;
         stills.memory = nullptr;
-        stills.lit_clouds = nullptr;
+        stills.early_page = nullptr;
         page = Preview(assets, stills).make();
         if (!page.value) return page;
         for (PageAsset& asset : page.value->assets) {
@@ -238,9 +241,11 @@ Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const Previe
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto unused = unused_options(lit_pictures_of(assets), options);
     if (!unused.empty()) return {{}, std::move(unused)};
-    const auto complete =
+    auto complete =
         completed(options, assets.recipe ? &*assets.recipe : nullptr, lit_pictures_of(assets));
     if (!complete.value) return {{}, complete.diagnostics};
+    std::shared_ptr<PictureLight>& light = complete.value->light;
+    if (light == nullptr) light = std::make_shared<PictureLight>(options.intermediates);
     if (options.live) return make_live_preview(assets, *complete.value);
     if (auto problem = camera_above_air(assets, *complete.value))
         return {{}, {std::move(*problem)}};

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "bakers/math/intermediates.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/page.h"
+#include "bakers/preview/picture_light.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/preview/preview_files.h"
 #include "bakers/render/cloud_framing.h"
@@ -52,9 +54,11 @@ struct PreviewOptions {
     int stages_before = 0;          // stages already reported, of the same preview
     PictureMemo* memory = nullptr;  // of earlier previews with the same options
     // Is called with the page as soon as it has the pictures of lit clouds, if there are any, and no
-    // others; null: not called.
-    std::function<void(const PreviewPage&)> lit_clouds = nullptr;
+    // others; with a live page, before its still pictures are made. Null: not called.
+    std::function<void(const PreviewPage&)> early_page = nullptr;
     Intermediates* intermediates = nullptr;  // of the assets' bake; null: none
+    // The light of clouds, of earlier previews; null: made for this one.
+    std::shared_ptr<PictureLight> light = nullptr;
 };
 
 // Returns whether the preview has pictures of all clouds in one sky: it has a sky and a cloud volume,

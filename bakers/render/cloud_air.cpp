@@ -15,11 +15,27 @@ namespace {
 // Few azimuths suffice, because the sky changes slowly along azimuth.
 constexpr int kAzimuths = 256;
 
-double camera_altitude_km(const Medium& air, const CloudCamera& camera) {
-    return std::clamp(camera.position_m[2] / 1000, 0.0, shell_of(air).thickness_km);
+// Replaces the light of the tables, seen in `view`, by that of the solved sky.
+void show(const SolvedSky& sky, const SkyView& view, Image2<float>& panorama) {
+    Spectrum light{};
+    for (int y = 0; y < view.height; ++y) {
+        const double down = (y + 0.5) / view.height;
+        const double elevation =
+            view.highest_degrees + down * (view.lowest_degrees - view.highest_degrees);
+        for (int x = 0; x < view.width; ++x) {
+            sky.look_up(elevation, 360 * ((x + 0.5) / view.width - 0.5), data(light));
+            for (int c = 0; c < panorama.channels; ++c) {
+                panorama.texel(x, y)[c] = static_cast<float>(light[static_cast<std::size_t>(c)]);
+            }
+        }
+    }
 }
 
 }  // namespace
+
+double camera_altitude_km(const Medium& air, const CloudCamera& camera) {
+    return std::clamp(camera.position_m[2] / 1000, 0.0, shell_of(air).thickness_km);
+}
 
 CloudAir::CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, const SunDirection& sun,
                    const Range& range, int threads)
@@ -39,7 +55,17 @@ CloudAir::CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, cons
     panorama_ = render_sky(atmosphere.medium, atmosphere.tables, view, threads);
     SkyMedium over_black_ground = atmosphere.medium;
     over_black_ground.air.ground_albedo = Spectrum(0.0);
-    air_ = render_sky(over_black_ground, atmosphere.tables, view, threads);
+    air_share_ = render_sky(over_black_ground, atmosphere.tables, view, threads);
+    for (std::size_t i = 0; i < panorama_.texels.size(); ++i) {
+        const float whole = panorama_.texels[i];
+        air_share_.texels[i] = whole > 0 ? std::min(air_share_.texels[i] / whole, 1.0f) : 1.0f;
+    }
+    const SolvedSky* solved = atmosphere.solved;
+    if (solved != nullptr && solved->channels() == panorama_.channels &&
+        solved->place() ==
+            SolvedSky::Place{view.camera_altitude_km, view.sun_elevation_degrees}) {
+        show(*solved, view, panorama_);
+    }
 }
 
 CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees,
@@ -52,15 +78,16 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     bilinear(panorama_, u, 1 - height, data(result.sky));
 
     const AirDepths::Depths depths = depths_.at(height, distance_m);
-    Spectrum air{};
-    bilinear(air_, u, 1 - height, data(air));
+    Spectrum share{};
+    bilinear(air_share_, u, 1 - height, data(share));
     for (int c = 0; c < panorama_.channels; ++c) {
         const auto i = static_cast<std::size_t>(c);
-        result.ground[i] = std::max(result.sky[i] - air[i], 0.0);
+        const double air = result.sky[i] * share[i];
+        result.ground[i] = result.sky[i] - air;
         result.transmittance[i] = exponential(-depths.near[i]);
         const double opacity = 1 - exponential(-depths.whole[i]);
         result.in_scattered[i] =
-            opacity > 0 ? air[i] * std::min(1.0, (1 - result.transmittance[i]) / opacity) : 0;
+            opacity > 0 ? air * std::min(1.0, (1 - result.transmittance[i]) / opacity) : 0;
     }
     return result;
 }

@@ -1,5 +1,9 @@
 // The air around a cloud layer, as the layer's picture needs it: the sky behind the cloud, and the
 // air between camera and cloud.
+//
+// The radiance along a whole ray is that of the solved sky, if the atmosphere has it for this camera and
+// this sun, and else that of the tables. The tables say which share of it the ground sends; the air
+// sends the rest.
 #pragma once
 
 #include "bakers/field/image.h"
@@ -7,6 +11,9 @@
 #include "bakers/render/cloud_view.h"
 
 namespace skybake {
+
+// Returns the altitude from which a picture shows the sky, which is at most the top of the air.
+double camera_altitude_km(const Medium& air, const CloudCamera& camera);
 
 class CloudAir {
   public:
@@ -34,7 +41,7 @@ class CloudAir {
     Range range_;
     double sun_azimuth_degrees_;
     Image2<float> panorama_;
-    Image2<float> air_;  // the same without the light of the ground
+    Image2<float> air_share_;  // of the panorama's light
     AirDepths depths_;
 };
 

@@ -1,6 +1,6 @@
 // Renders a lit picture of a cloud volume by marching rays, as a runtime would. Sunlight takes a
 // second march towards the sun; sky and ground light is the mean radiance of each. All light comes
-// from the baked tables.
+// from the baked tables, but the sky behind the layer may be the solved one (cloud_air.h).
 //
 // The layer is flat. It repeats along x and y unless the medium says otherwise, and it is marched
 // up to `reach_m` from the camera, as scene_march.h describes.
@@ -21,6 +21,7 @@
 #include "bakers/march/layer_march.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/render/sky_tables.h"
+#include "bakers/render/solved_sky.h"
 
 namespace skybake {
 
@@ -67,6 +68,7 @@ struct CloudIllumination {
 struct Atmosphere {
     const SkyMedium& medium;
     const SkyTables& tables;
+    const SolvedSky* solved = nullptr;  // the sky of one camera and sun; null: that of the tables
 };
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads);

@@ -2,18 +2,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cerrno>
 #include <system_error>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/release.h"
+#include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/copy_asset.h"
 
 namespace skybake {
@@ -22,12 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using config::Diagnostic;
 using config::Outcome;
-
-constexpr const char* tag_name = "CACHEDIR.TAG";
-// The text that https://bford.info/cachedir/ asks for.
-constexpr std::string_view tag_text =
-    "Signature: 8a477f597d28d172789f06886806bc55\n"
-    "# This folder holds assets that skybake can bake again.\n";
 
 fs::path assets_folder(const fs::path& cache) { return cache / "assets"; }
 
@@ -43,76 +35,18 @@ class Unhurried : public Progress {
     bool cancelled() const override { return false; }
 };
 
-// A folder in `pending`. It is locked while this process lives, and the destructor removes it with
-// its contents.
-class PendingFolder {
-  public:
-    explicit PendingFolder(const fs::path& cache, std::error_code& error) {
-        static std::atomic<unsigned> counter{0};
-        const fs::path parent = cache / "pending";
-        fs::create_directories(parent, error);
-        // Processes in other containers and on other machines may have the same number as this one.
-        for (bool is_own = false; !error && !is_own;) {
-            path_ = parent / fmt::format("{}-{}", ::getpid(), counter++);
-            is_own = fs::create_directory(path_, error) && lock();
-        }
-        if (error) path_.clear();
-    }
-    PendingFolder(const PendingFolder&) = delete;
-    PendingFolder& operator=(const PendingFolder&) = delete;
-    ~PendingFolder() {
-        std::error_code ignored;
-        if (!path_.empty()) fs::remove_all(path_, ignored);
-    }
-
-    const fs::path& path() const { return path_; }
-
-  private:
-    // Returns false if another process has mistaken the new folder for an abandoned one in the
-    // meantime: it holds the lock, or the folder is gone. Without locks, no folder counts as
-    // abandoned.
-    bool lock() {
-        lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-        if (!lock_.valid()) return errno != ENOENT;
-        if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
-        struct stat named {};
-        struct stat opened {};
-        return ::lstat(path_.c_str(), &named) == 0 && ::fstat(lock_.get(), &opened) == 0 &&
-               named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
-    }
-
-    fs::path path_;
-    FileDescriptor lock_;
-};
-
 Diagnostic unwritable(const fs::path& path, const std::string& reason) {
     return file_error("E0301", path.string(),
                       fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
-std::vector<Diagnostic> write_tag(const fs::path& cache) {
+// Gives a complete folder of `pending` its name.
+std::vector<Diagnostic> take_in(const fs::path& pending, const fs::path& target) {
     std::error_code error;
-    if (fs::exists(cache / tag_name, error)) return {};
-    return write_file_atomically(cache / tag_name, tag_text).diagnostics;
-}
-
-std::vector<Diagnostic> store(const fs::path& cache, const ReadyAsset& asset) {
-    std::error_code error;
-    const PendingFolder pending(cache, error);
-    if (error) return {unwritable(cache, error.message())};
-    if (auto problems = write_tag(cache); !problems.empty()) return problems;
-    AtomicFiles files;
-    const auto staged = stage_copies(asset, pending.path(), files, Unhurried());
-    if (!staged.value) return staged.diagnostics;
-    const std::string text = cached_manifest_json(asset.entry);
-    const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
-    if (!manifest.value) return manifest.diagnostics;
-    if (auto failures = files.commit(); !failures.empty()) return failures;
-    const fs::path target = entry_folder(cache, asset.entry.key);
     fs::create_directories(target.parent_path(), error);
     if (error) return {unwritable(target, error.message())};
     if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
-    fs::rename(pending.path(), target, error);
+    fs::rename(pending, target, error);
     // If another process was faster, its entry holds the same bytes.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
     return {};
@@ -125,23 +59,6 @@ std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entr
     if (!error) fs::rename(entry, pending.path() / "entry", error);
     if (error && fs::exists(entry)) return {unwritable(entry, error.message())};
     return {};
-}
-
-// Removes the folders in `pending` whose lock nobody holds, because their processes are gone. Links
-// are not followed.
-void remove_abandoned(const fs::path& cache) {
-    std::error_code error;
-    std::vector<fs::path> pending;
-    for (fs::directory_iterator entry(cache / "pending", error), end; !error && entry != end;
-         entry.increment(error)) {
-        pending.push_back(entry->path());
-    }
-    for (const fs::path& path : pending) {
-        const FileDescriptor folder(
-            ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
-        const bool abandoned = folder.valid() && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0;
-        if (abandoned) fs::remove_all(path, error);
-    }
 }
 
 CacheEntry describe(const fs::path& folder) {
@@ -208,7 +125,7 @@ bool is_entry_of(const Manifest& manifest, const std::string& key) {
 }
 
 std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
-    if (!is_key(key)) return std::nullopt;
+    if (!is_key(key) || !is_cache_folder(folder_)) return std::nullopt;
     const fs::path folder = entry_folder(folder_, key);
     std::error_code error;
     if (!fs::exists(folder, error)) return std::nullopt;
@@ -227,12 +144,43 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
 void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
 
 void AssetCache::offer(const ReadyAsset& asset) {
+    keep(asset.entry.key, [&asset](const fs::path& folder, AtomicFiles& files) {
+        auto staged = stage_copies(asset, folder, files, Unhurried());
+        Outcome<ManifestAsset> entry{{}, std::move(staged.diagnostics)};
+        if (staged.value) entry.value = asset.entry;
+        return entry;
+    });
+}
+
+void AssetCache::offer(const Baked& baked, ManifestAsset entry, int threads) {
+    keep(entry.key, [&](const fs::path& folder, AtomicFiles& files) {
+        auto staged = stage_files(baked, entry, folder, files, threads);
+        Outcome<ManifestAsset> finished{{}, std::move(staged.diagnostics)};
+        if (staged.value) finished.value = entry;
+        return finished;
+    });
+}
+
+void AssetCache::keep(const std::string& key, const StageAsset& stage) {
     if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
     std::error_code error;
-    if (!is_key(asset.entry.key) || fs::exists(entry_folder(folder_, asset.entry.key), error)) {
-        return;
-    }
-    for (const Diagnostic& problem : store(folder_, asset)) {
+    if (!is_key(key) || fs::exists(entry_folder(folder_, key), error)) return;
+    const auto store = [&]() -> std::vector<Diagnostic> {
+        if (auto problems = make_cache_folder(folder_); !problems.empty()) return problems;
+        const PendingFolder pending(folder_, error);
+        if (error) return {unwritable(folder_ / "pending", error.message())};
+        AtomicFiles files;
+        const auto entry = stage(pending.path(), files);
+        if (!entry.value) return entry.diagnostics;
+        const std::string text = cached_manifest_json(*entry.value);
+        const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
+        if (!manifest.value) return manifest.diagnostics;
+        if (auto failures = files.commit(); !failures.empty()) return failures;
+        return take_in(pending.path(), entry_folder(folder_, key));
+    };
+    const auto problems = store();
+    if (problems.empty()) ++kept_;
+    for (const Diagnostic& problem : problems) {
         Diagnostic warning = problem;
         warning.severity = config::Severity::warning;
         warning.code = "W0301";
@@ -242,6 +190,9 @@ void AssetCache::offer(const ReadyAsset& asset) {
 }
 
 Outcome<std::vector<CacheEntry>> cache_entries(const fs::path& folder) {
+    if (auto problems = check_cache_folder(folder); !problems.empty()) {
+        return {{}, std::move(problems)};
+    }
     std::vector<CacheEntry> entries;
     std::error_code error;
     for (fs::directory_iterator group(assets_folder(folder), error), end; !error && group != end;

@@ -1,23 +1,25 @@
 // A cache of baked assets by key. Recipes, processes and machines may share it.
 //
-//   FOLDER/CACHEDIR.TAG                 so that backup programs leave it out
+//   FOLDER/CACHEDIR.TAG                 makes it a cache (cache_folder.h)
 //   FOLDER/assets/ab/ab12.../           one asset: its files and a manifest.json of it alone
 //   FOLDER/assets/ab/ab12.../manifest.json   its time stamp is the time of the last use
 //   FOLDER/pending/                     entries on their way in and out
 //
 // An entry appears and disappears as a whole, by a rename, so any number of processes may use a
-// cache at once. A killed process leaves files only in `pending`, and the next process that adds an
-// asset removes them. Files are compared with their hashes whenever they are used, so damage costs
+// cache at once. A killed process leaves files only in `pending`, and the next process of the same user
+// that adds an asset removes them. Files are compared with their hashes whenever they are used, so damage costs
 // another bake but never gives a wrong texel. Nothing is written through a symbolic link.
 #pragma once
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -33,13 +35,23 @@ class AssetCache : public AssetSource {
     void reject(const ReadyAsset& asset) override;
     // A bake does not fail if the cache cannot be written to or is full; see problems().
     void offer(const ReadyAsset& asset) override;
+    // Does the same with an asset in memory, whose entry is signed (folder_plan.h).
+    void offer(const Baked& baked, ManifestAsset entry, int threads);
 
     // Returns why the first rejected offer was rejected, as the warning W0301.
     const std::vector<config::Diagnostic>& problems() const { return problems_; }
+    // Returns the number of assets that were offered and taken.
+    int kept() const { return kept_; }
 
   private:
+    // Stages the files of an asset into a folder and returns its entry.
+    using StageAsset = std::function<config::Outcome<ManifestAsset>(
+        const std::filesystem::path& folder, AtomicFiles& files)>;
+    void keep(const std::string& key, const StageAsset& stage);
+
     std::filesystem::path folder_;
     std::vector<config::Diagnostic> problems_;
+    int kept_ = 0;
     bool tidied_ = false;  // the remains of killed processes have been removed from `pending`
 };
 
@@ -65,12 +77,12 @@ struct CacheEntry {
     std::int64_t last_use_s = 0;  // since 1970
 };
 
-// Returns all entries, the least recently used first. A missing folder is an empty cache. E0300 if
-// the cache cannot be read.
+// Returns all entries, the least recently used first. A missing folder is an empty cache. E0302 if
+// the folder is no cache (check_cache_folder), E0300 if it cannot be read.
 config::Outcome<std::vector<CacheEntry>> cache_entries(const std::filesystem::path& folder);
 
 // Removes entries, the least recently used first, until at most `largest_bytes` are left, and also
-// the remains of killed processes in `pending`. Returns the removed entries. E0300, E0301.
+// the remains of killed processes in `pending`. Returns the removed entries. E0300, E0301, E0302.
 config::Outcome<std::vector<CacheEntry>> collect_garbage(const std::filesystem::path& folder,
                                                          std::uint64_t largest_bytes);
 
@@ -79,7 +91,7 @@ struct CacheVerification {
     std::vector<std::filesystem::path> damaged;  // files that differ from their manifest
 };
 
-// Reads every file and removes damaged entries, which are useless. E0300, E0301.
+// Reads every file and removes damaged entries, which are useless. E0300, E0301, E0302.
 config::Outcome<CacheVerification> verify_cache(const std::filesystem::path& folder);
 
 }  // namespace skybake

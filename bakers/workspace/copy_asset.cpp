@@ -45,6 +45,22 @@ Outcome<std::vector<WriteResult>> AssetSource::stage(const ReadyAsset& asset,
     return stage_copies(asset, folder, files, progress);
 }
 
+std::optional<ReadyAsset> asset_in_folder(const fs::path& folder, const std::string& key) {
+    auto manifest = read_manifest(folder);
+    if (!manifest.value || !manifest.value->alterations.empty()) return std::nullopt;
+    for (ManifestAsset& asset : manifest.value->assets) {
+        if (asset.key == key) return ReadyAsset{folder, std::move(asset)};
+    }
+    return std::nullopt;
+}
+
+std::optional<ReadyAsset> BakedFolders::find(const std::string& key) {
+    for (const fs::path& folder : folders_) {
+        if (auto found = asset_in_folder(folder, key)) return found;
+    }
+    return std::nullopt;
+}
+
 Outcome<std::vector<WriteResult>> stage_each(const ManifestAsset& entry, const fs::path& folder,
                                              AtomicFiles& files, const Progress& progress,
                                              const AssetFileWriter& write) {

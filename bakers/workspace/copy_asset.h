@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
@@ -37,6 +38,23 @@ class AssetSource {
     virtual void reject(const ReadyAsset& /*asset*/) {}
     // Offers an asset that has just been baked. Its files are complete and have their names.
     virtual void offer(const ReadyAsset& asset) = 0;
+};
+
+// Returns the asset with this key of a baked folder's manifest, unless that was changed since.
+std::optional<ReadyAsset> asset_in_folder(const std::filesystem::path& folder,
+                                          const std::string& key);
+
+// The assets of folders that were baked into, which are looked through in this order.
+class BakedFolders : public AssetSource {
+  public:
+    explicit BakedFolders(std::vector<std::filesystem::path> folders)
+        : folders_(std::move(folders)) {}
+
+    std::optional<ReadyAsset> find(const std::string& key) override;
+    void offer(const ReadyAsset& /*asset*/) override {}
+
+  private:
+    std::vector<std::filesystem::path> folders_;
 };
 
 // Stages each file of an asset, whose bytes `write` brings into the temporary, and returns the

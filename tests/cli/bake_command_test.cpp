@@ -91,6 +91,29 @@ TEST_F(Bake, ACacheServesOtherFolders) {
     EXPECT_EQ(run_program({"cache", "dust", "--cache-dir", cache}).code, 2);
 }
 
+// Whatever asks for it, a folder that never was a cache is refused and left as it is.
+TEST_F(Bake, AFolderOfSomethingElseIsNoCache) {
+    const std::string projects = (folder_ / "projects").string();
+    fs::create_directories(projects + "/pending/99999999-0");
+    write_bytes(projects + "/pending/99999999-0/thesis.txt", "thesis");
+    const std::vector<std::vector<std::string>> commands = {
+        {"bake", recipe_, "-o", out_},
+        {"cache", "stats"},
+        {"cache", "verify"},
+        {"cache", "gc", "--max-size", "0"},
+        {"sweep", recipe_, "-o", out_, "--vary", "atmosphere.ground_albedo=0.1,0.2"},
+        {"report", recipe_, "-o", out_, "--truth", "--quick"}};
+    for (std::vector<std::string> words : commands) {
+        words.insert(words.end(), {"--cache-dir", projects});
+        const Result result = run_program(words);
+        EXPECT_EQ(result.code, 3) << words[0];
+        EXPECT_TRUE(contains(result.error, "error[E0302]")) << words[0] << result.error;
+        EXPECT_TRUE(contains(result.error, "is not a cache")) << words[0] << result.error;
+        EXPECT_FALSE(fs::exists(out_)) << words[0];
+    }
+    EXPECT_EQ(read_bytes(projects + "/pending/99999999-0/thesis.txt"), "thesis");
+}
+
 TEST_F(Bake, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
     const Result result = bake({"--max-memory", "4KiB"});
     EXPECT_EQ(result.code, 2);

@@ -83,7 +83,7 @@ TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
 }
 
 TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
-    fs::create_directories(folder_ / "cache/pending");
+    cache_.offer(asset(1));
     std::vector<FileDescriptor> others;  // that are alive, and so hold their locks
     for (int i = 0; i < 64; ++i) {
         const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
@@ -211,7 +211,7 @@ TEST_F(Cache, LinksAreNotFollowed) {
     const fs::path entry = folder_ / "cache/assets" / key.substr(0, 2) / key;
     fs::create_directory(folder_ / "far");
     write_bytes(folder_ / "far/file", "of somebody else");
-    fs::create_directories(folder_ / "cache/pending");
+    cache_.offer(asset(1));
     fs::create_symlink(folder_ / "far", folder_ / "cache/pending/99999999-0");
     fs::create_directories(entry.parent_path());
     fs::create_symlink(folder_ / "absent", entry);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
@@ -25,12 +26,6 @@ using config::Outcome;
 using Json = LiveJson;
 
 // --- Light ---------------------------------------------------------------------------------------
-
-// Tables that the page needs and the recipe lacks.
-struct BakedLight {
-    config::Recipe recipe;
-    PreviewAssets assets;
-};
 
 bool needs_air(std::string_view kind) {
     const auto kinds = config::asset_kinds();
@@ -66,21 +61,11 @@ std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAss
     return light;
 }
 
-// Bakes the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
-Outcome<BakedLight> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
-    auto recipe = config::parse_recipe(kEarthLight, "earth");
-    if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
-    BakedLight light{std::move(*recipe.value), {}};
-    if (read_air(assets)) {
-        const std::vector<config::Bake> tables = std::move(light.recipe.parameters.bakes);
-        light.recipe = *assets.recipe;
-        light.recipe.parameters.bakes = tables;
-    }
-    const BakeOptions bake{.threads = options.threads, .certification = Certification::off};
-    auto baked = bake_assets(light.recipe, light.recipe.parameters.bakes, "light", bake);
-    if (!baked.value) return {{}, std::move(baked.diagnostics)};
-    light.assets = std::move(*baked.value);
-    return {std::move(light), {}};
+// Returns the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
+Outcome<PreviewAssets> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
+    const auto light = options.light != nullptr ? options.light : std::make_shared<PictureLight>();
+    return light->tables(read_air(assets) ? &*assets.recipe : nullptr,
+                         {.threads = options.threads, .progress = options.progress});
 }
 
 // --- The view ------------------------------------------------------------------------------------
@@ -174,12 +159,12 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
     }
     std::string light_name = "the recipe's atmosphere";
     std::optional<LiveLight> light = light_of(*assets.recipe, assets, options.threads);
-    std::optional<BakedLight> baked;
+    PreviewAssets baked;
     if (!light) {
         auto made = bake_light(assets, options);
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
-        light = light_of(baked->recipe, baked->assets, options.threads);
+        light = light_of(*baked.recipe, baked, options.threads);
         light_name = read_air(assets)
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";

@@ -24,32 +24,48 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
                                     int threads) {
     auto tables = make_sky_tables(transmittance, multiple_scattering);
     if (!tables.value) return std::nullopt;
-    Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name)};
-    lighting.tables.screen = daylight_screen(lighting.atmosphere(), threads);
+    Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name), nullptr,
+                      nullptr};
+    lighting.tables.screen = daylight_screen({lighting.medium, lighting.tables}, threads);
     return lighting;
 }
 
-std::optional<Lighting> earth_lighting(int threads) {
-    const auto recipe = config::parse_recipe(kEarthLight, "earth");
-    if (!recipe.value) return std::nullopt;
-    BakeOptions options;
-    options.threads = threads;
-    options.certification = Certification::off;
-    const auto baked = bake_assets(*recipe.value, recipe.value->parameters.bakes, "earth", options);
-    if (!baked.value) return std::nullopt;
-    return lighting_of(recipe.value->parameters.atmosphere, *baked.value->of_kind("transmittance"),
-                       *baked.value->of_kind("multiple_scattering"), "the preset earth", threads);
+BakeOptions bake_options(const CloudPreviewInput& input, int threads) {
+    return {.threads = threads, .progress = input.progress};
 }
 
 }  // namespace
 
 std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
-    if (input.atmosphere == nullptr || input.transmittance == nullptr ||
-        input.multiple_scattering == nullptr) {
-        return earth_lighting(threads);
+    const auto light = input.light != nullptr ? input.light : std::make_shared<PictureLight>();
+    std::optional<Lighting> lighting;
+    if (input.air != nullptr && input.transmittance != nullptr &&
+        input.multiple_scattering != nullptr) {
+        lighting = lighting_of(input.air->parameters.atmosphere, *input.transmittance,
+                               *input.multiple_scattering, "the recipe's atmosphere", threads);
+        if (lighting) lighting->air = input.air;
+    } else {
+        const auto earth = light->tables(nullptr, bake_options(input, threads));
+        if (!earth.value) return std::nullopt;
+        lighting = lighting_of(earth.value->recipe->parameters.atmosphere,
+                               *earth.value->of_kind("transmittance"),
+                               *earth.value->of_kind("multiple_scattering"), "the preset earth", threads);
     }
-    return lighting_of(*input.atmosphere, *input.transmittance, *input.multiple_scattering,
-                       "the recipe's atmosphere", threads);
+    if (lighting) lighting->light = light;
+    return lighting;
+}
+
+std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighting& lighting,
+                                    const CloudCamera& camera, const SunDirection& sun,
+                                    int threads) {
+    return lighting.light->sky(lighting.air,
+                               {camera_altitude_km(lighting.medium.air, camera), sun.elevation_degrees},
+                               bake_options(input, threads));
+}
+
+std::string sky_text(const std::optional<SolvedSky>& solved) {
+    return solved ? "the sky behind is solved for all orders of scattering"
+                  : "the sky behind is that of the tables";
 }
 
 namespace {

@@ -1,26 +1,36 @@
 // What lit pictures of clouds share: the light, the medium with its leaps, and words of captions.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "bakers/preview/picture_light.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/render/scene_view.h"
 
 namespace skybake {
 
-// An atmosphere and its tables.
+// An atmosphere and its tables, and who makes its solved skies.
 struct Lighting {
     SkyMedium medium;
     SkyTables tables;
-    std::string name;  // as captions say it
-
-    Atmosphere atmosphere() const { return {medium, tables}; }
+    std::string name;                      // as captions say it
+    const config::Recipe* air = nullptr;   // null: the preset "earth"
+    std::shared_ptr<PictureLight> light;
 };
 
 // Returns the light of the input's atmosphere or, if that is not complete, of the preset "earth".
 // Returns nothing if make_sky_tables (sky_tables.h) refuses the tables.
 std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads);
+
+// Returns the solved sky that the camera of a picture sees; nothing if the light cannot be solved for.
+std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighting& lighting,
+                                    const CloudCamera& camera, const SunDirection& sun,
+                                    int threads);
+
+// What captions say of the sky behind clouds.
+std::string sky_text(const std::optional<SolvedSky>& solved);
 
 // Returns whether the asset holds as many voxels as it says.
 bool holds_voxels(const PreviewAsset& asset);

@@ -41,6 +41,7 @@ struct LitScene {
     const Lighting& lighting;
     const SunDirection& sun;  // one of the input's
     const std::string& leaps_name;
+    const std::optional<SolvedSky>& sky;
     SceneRenderer renderer;
 };
 
@@ -54,7 +55,7 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     const double pixels = static_cast<double>(settings.width) * settings.height;
     const FetchCounts& fetches = view.fetches;
     return fmt::format(
-        "{}. The sky is that of {}, with the {}, {}; {}.\n"
+        "{}. The sky is that of {}, with the {}, {}; {}; {}.\n"
         "The camera is `{}`. There is {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
         "Light "
         "has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel takes "
@@ -63,9 +64,10 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"
                            : "The tile is repeated to the horizon and casts shadows on the ground",
         scene.lighting.name, sun_text(settings.sun.elevation_degrees),
-        beside_view(settings.sun, settings.camera), tone_text(exposure, scene.input.tone_curve),
-        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
-        settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
+        beside_view(settings.sun, settings.camera), sky_text(scene.sky),
+        tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
+        samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
+        settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels,
         scene.input.single ? "" : fmt::format(" {}", kCopiesText));
@@ -140,9 +142,11 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
         std::optional<double> exposure = known_exposure(input, s);
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
+        const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
+        const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {
-            input, lighting, sun, cloud.leaps_name,
-            SceneRenderer({layer_of(cloud.medium, views)}, lighting.atmosphere(), sun, threads)};
+            input, lighting, sun, cloud.leaps_name, sky,
+            SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
             PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);

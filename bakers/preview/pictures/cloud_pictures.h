@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,10 +15,12 @@
 #include "bakers/render/tone_curve.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
-#include "config/sections/atmosphere.h"
+#include "config/recipe/recipe.h"
 #include "config/sections/cloud.h"
 
 namespace skybake {
+
+class PictureLight;
 
 // Pictures of at most this many pixels get four samples in each pixel and not only in thin parts: in
 // small pictures the grain of one sample is as large as the details, and four samples take little
@@ -29,11 +32,6 @@ inline constexpr int kSmallPixels = 640 * 400;
 // light, and shows their silver linings.
 inline constexpr double kSunBesideView = 112;
 inline constexpr double kSunAgainstView = 30;
-
-// The recipe of the light for clouds without an atmosphere of their own.
-inline constexpr const char* kEarthLight =
-    "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
-    "mapping = \"twilight\"\nmax_texel_error = 0.02\n";
 
 // The place of a cloud volume in a sequence.
 struct SequenceFrame {
@@ -50,9 +48,9 @@ struct CloudPreviewInput {
     const PreviewAsset* volume = nullptr;
     const PreviewAsset* occupancy = nullptr;  // of that volume
     const config::OccupancyBake* occupancy_bake = nullptr;
-    // The recipe's atmosphere with its two tables. If one of the three is missing, those of the
+    // The recipe of the atmosphere, and its two tables. If one of the three is missing, those of the
     // preset "earth" are used.
-    const config::Atmosphere* atmosphere = nullptr;
+    const config::Recipe* air = nullptr;
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
     std::vector<SunDirection> suns = {{20, kHeading + kSunBesideView}};  // one lit picture for each
@@ -67,6 +65,7 @@ struct CloudPreviewInput {
     int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;      // of lit pictures
     int height = 540;
+    std::shared_ptr<PictureLight> light;  // that pictures share; null: made for these
     bool draft = false;            // half that size, only the most important pictures
     Progress* progress = nullptr;  // reports lit pictures
 };

@@ -63,14 +63,15 @@ FramedScene framed(const CloudPreviewInput& input, const std::vector<NamedLayer>
 
 std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighting,
                           const std::vector<NamedLayer>& layers, const SunDirection& sun,
-                          const SceneFrame& frame, const CloudView& view, double exposure) {
+                          const std::optional<SolvedSky>& sky, const SceneFrame& frame,
+                          const CloudView& view, double exposure) {
     return fmt::format(
-        "The picture shows {} in one sky. Its light is that of {}, with the {}, {}; {}.\n"
+        "The picture shows {} in one sky. Its light is that of {}, with the {}, {}; {}; {}.\n"
         "The camera is `{}`. There is {}. {} Far layers fade out about 1.5 degrees above the "
         "horizon. "
         "Layers are flat, and clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
-        beside_view(sun, frame.camera), tone_text(exposure, input.tone_curve),
+        beside_view(sun, frame.camera), sky_text(sky), tone_text(exposure, input.tone_curve),
         camera_text(frame.camera), samples_text(frame, view.refined_pixels), kCopiesText);
 }
 
@@ -82,7 +83,9 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
     const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true};
-    SceneRenderer renderer(scene.layers, lighting.atmosphere(), sun, threads);
+    const auto sky = solved_sky(input, lighting, scene.camera, sun, threads);
+    SceneRenderer renderer(scene.layers, {lighting.medium, lighting.tables, sky ? &*sky : nullptr},
+                           sun, threads);
     const CloudView view = renderer.render(frame, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
     const double exposure = input.exposure_stops ? std::exp2(*input.exposure_stops)
@@ -91,7 +94,7 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     picture.tab = sun_words(input, sun);
     picture.name = "scene_" + sun_name(input, sun);
     picture.title = fmt::format("One sky, {}", picture.tab);
-    picture.caption = scene_caption(input, lighting, layers, sun, frame, view, exposure);
+    picture.caption = scene_caption(input, lighting, layers, sun, sky, frame, view, exposure);
     picture.picture = tone_mapped(shown, exposure, input.tone_curve);
     picture.exposure = exposure;
     picture.kind = PictureKind::scene;

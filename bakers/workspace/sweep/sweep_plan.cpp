@@ -207,12 +207,7 @@ std::optional<ReadyAsset> ReadyAssets::find(const std::string& key) {
         if (state != states_.end()) folder = state->second.folder;
     }
     if (folder.empty()) return std::nullopt;
-    auto manifest = read_manifest(folder);
-    if (!manifest.value || !manifest.value->alterations.empty()) return std::nullopt;
-    for (ManifestAsset& asset : manifest.value->assets) {
-        if (asset.key == key) return ReadyAsset{std::move(folder), std::move(asset)};
-    }
-    return std::nullopt;
+    return asset_in_folder(folder, key);
 }
 
 void ReadyAssets::offer(const ReadyAsset& asset) {
