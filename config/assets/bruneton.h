@@ -23,7 +23,7 @@ struct BrunetonBake : LightFiles {
     // angle, altitude and 1, and those of irradiance the sun's cosine, altitude and 1.
     std::array<int, 3> size{};
     int nu_size = 0;       // for tables of scattering: sub-images along u; it divides size[0]
-    bool combined = true;  // for scattering: A holds the first order of Mie layers, red only
+    bool combined = false;  // for scattering: A holds the first order of Mie layers, red only
     int orders = 0;        // orders of scattering; 0: all
     BrunetonMethod method = BrunetonMethod::solved;
     BrunetonConvention convention = BrunetonConvention::bruneton;

@@ -17,7 +17,8 @@ class Bake : public ::testing::Test {
     Bake() {
         write(
             "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
-            "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
+            "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+            "size = [8, 8]\nmax_texel_error = \"20 %\"\n");
     }
     void write(const std::string& text) { write_bytes(recipe_, text); }
     std::vector<std::string> words(std::vector<std::string> more = {}) const {
@@ -267,7 +268,8 @@ TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
 TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
-        "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
+        "[bake.multiple_scattering]\nmethod = \"converged\"\n"
+        "size = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
     for (const char* certify : {"quick", "full", "off"}) {
         for (const int work_ms : {0, 60, 150, 400}) {
             RunningProgram program(words({"--json", "--certify", certify}));

@@ -21,8 +21,8 @@ using Codes = std::vector<std::string>;
 
 // Seven lines, so that the first key below is on line 8.
 const std::string haze =
-    "wavelengths = ['680 nm', '550 nm', '440 nm']\n[atmosphere]\nground_radius = '6371 km'\n"
-    "top_radius = '6471 km'\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
+    "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n"
+    "[atmosphere.layers.haze]\nprofile = 'exponential'\n"
     "scale_height = '2 km'\n";
 
 Codes faults(const std::string& text) { return codes_and_places(parse(haze + text).diagnostics); }

@@ -221,7 +221,7 @@ TEST(Recipe, AnswersInTheUsersUnits) {
             .diagnostics.at(0)
             .label;
     };
-    EXPECT_TRUE(label("max_error = 5").starts_with("write \"5 %\" for 5 per cent; must be in"));
+    EXPECT_TRUE(label("max_error = 5").starts_with("5 is 500 %: write \"5 %\" for 5 per cent; must be in"));
     EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
     EXPECT_TRUE(label("max_error = '500 %'").starts_with("must be in"));
     const auto comma = parse("preset = 'vacuum'\n[atmosphere]\ntop_radius = '6460,5 km'\n");

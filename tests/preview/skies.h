@@ -49,7 +49,8 @@ inline Sky sky_of(const std::string& preset, const std::vector<std::string>& set
     Sky sky;
     sky.recipe = recipe_of("preset = \"" + preset +
                                "\"\n[bake.transmittance]\nsize = [256, 64]\n"
-                               "[bake.multiple_scattering]\nsize = [32, 32]\n",
+                               "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+                               "size = [32, 32]\n",
                            settings);
     bake_tables(sky);
     return sky;

@@ -183,6 +183,14 @@ std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const TableOrders& o
     return sky;
 }
 
+// Says which other content has a smaller error of the sky. examples/errors.md has the figures.
+std::string better_than(const MultipleScatteringBake& asset) {
+    if (!is_solved(asset)) return "method = \"solved\" has a smaller error of the sky, at equal cost";
+    if (tables_of(asset) > 1) return "";
+    return "content = \"moments\" has a quarter of this error of the sky, for six lookups in place of "
+           "one";
+}
+
 std::optional<TracedLight> traced(const Parameters& parameters,
                                   const MultipleScatteringBake& asset) {
     const Shell shell = shell_of(parameters.atmosphere);
@@ -201,7 +209,8 @@ std::optional<TracedLight> traced(const Parameters& parameters,
     return TracedLight{air->medium().air.channels,
                        places_of(samples),
                        found,
-                       {trace_of_sky(air, samples, config::SkyOrders::all, false)}};
+                       {trace_of_sky(air, samples, config::SkyOrders::all, false)},
+                       better_than(asset)};
 }
 
 void draft(MultipleScatteringBake& asset, int) {
