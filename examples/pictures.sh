@@ -17,8 +17,6 @@ preset = "earth"
 [bake.transmittance]
 
 [bake.multiple_scattering]
-method = "solved"
-mapping = "twilight"
 
 [clouds.cumulus]
 preset = "cumulus_mediocris"
@@ -55,8 +53,6 @@ preset = "earth"
 [bake.transmittance]
 
 [bake.multiple_scattering]
-method = "solved"
-mapping = "twilight"
 RECIPE
 "$skybake" sweep "$folder/presets.toml" -o "$folder/presets" --certify off -q \
     --vary preset=earth,earth_clear_mountain,earth_maritime,earth_urban_haze,earth_desert_dust,mars

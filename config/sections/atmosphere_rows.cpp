@@ -74,7 +74,8 @@ constexpr std::array mixture_choices = {
 };
 
 constexpr std::array ground_choices = {
-    Choice{Ground::vegetation, "vegetation", "green leaves: 0.06 in blue, 0.13 in green, 0.5 beyond "
+    Choice{Ground::vegetation, "vegetation",
+           "green leaves: 0.06 in blue, 0.13 in green, 0.5 beyond "
            "720 nm (Vermote et al. 1997)"},
     Choice{Ground::sand, "sand", "dry sand: 0.09 in blue, 0.21 in red (Vermote et al. 1997)"},
     Choice{Ground::snow, "snow", "clean new snow: 0.99 in blue, 0.97 in red (Kokhanovsky 2004)"},
@@ -148,17 +149,18 @@ const std::array atmosphere_table = {
          .hint = "60 to 100 km above the Earth's ground",
          .role = Role::geometry},
         &Atmosphere::top_radius},
-    AtmosphereField{{.key = "ground_albedo",
-                     .kind = Kind::albedo,
-                     .range = unit_range,
-                     .choices = ground_choices,
-                     .required = true,
-                     .documentation = "share of the light that the ground reflects (Lambert); pairs "
-                                      "are linear between wavelengths and constant beyond",
-                     .hint = "the Earth's ground has 0.125 in the mean, the sea 0.06, forests 0.15, "
-                             "deserts 0.35, new snow 0.9; 1 is all light",
-                     .role = Role::ground},
-                    {}},
+    AtmosphereField{
+        {.key = "ground_albedo",
+         .kind = Kind::albedo,
+         .range = unit_range,
+         .choices = ground_choices,
+         .required = true,
+         .documentation = "share of the light that the ground reflects (Lambert); pairs "
+                          "are linear between wavelengths and constant beyond",
+         .hint = "the Earth's ground has 0.125 in the mean, the sea 0.06, forests 0.15, "
+                 "deserts 0.35, new snow 0.9; 1 is all light",
+         .role = Role::ground},
+        {}},
 };
 
 const std::array layer_table = {

@@ -191,7 +191,8 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
     for (const std::string size : {"[1, 1]", "[2, 2]", "[33, 1]", "[1, 5]", "[7, 3]"}) {
         const config::Recipe recipe = test::recipe_of(
             "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = 'converged'\n"
-            "mapping = 'hillaire'\nsize = " + size + "\n");
+            "mapping = 'hillaire'\nsize = " +
+            size + "\n");
         const auto outcome =
             bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;

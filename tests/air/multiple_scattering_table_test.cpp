@@ -13,11 +13,10 @@ namespace {
 
 config::Outcome<Baked> try_bake(const std::string& section,
                                 const std::string& preset = "earth_hillaire", int threads = 2) {
-    const config::Recipe recipe =
-        test::recipe_of("preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
-                        (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
-                        (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") +
-                        section);
+    const config::Recipe recipe = test::recipe_of(
+        "preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
+        (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
+        (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") + section);
     return bake_asset(recipe, recipe.parameters.bakes.at(0),
                       {threads, Certification::quick, nullptr});
 }

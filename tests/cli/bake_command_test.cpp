@@ -75,6 +75,16 @@ TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
     EXPECT_TRUE(contains(stale.error, "2 assets (1 up to date)")) << stale.error;
 }
 
+TEST_F(Bake, SaysUnderWhichSunTheSkyIsWorstAndWhatIsBetter) {
+    const std::string better = "  multiple_scattering: method = \"solved\" has";
+    const Result measured = bake();
+    EXPECT_TRUE(contains(measured.error, "% (sun ")) << measured.error;
+    EXPECT_TRUE(contains(measured.error, better)) << measured.error;
+    fs::remove_all(out_);
+    const Result blind = bake({"--certify", "off"});
+    EXPECT_FALSE(contains(blind.error, "(sun ") || contains(blind.error, better)) << blind.error;
+}
+
 TEST_F(Bake, ACacheServesOtherFolders) {
     const std::string cache = (folder_ / "cache").string();
     EXPECT_EQ(bake({"--cache-dir", cache}).code, 0);

@@ -118,9 +118,8 @@ TEST(AerosolDecoder, RefusesWhatCannotBe) {
 }
 
 TEST(AerosolDecoder, SpheresAreKnownAtSomeWavelengthsOnly) {
-    const auto outcome = parse("wavelengths = ['1 um']\n" + haze.substr(haze.find('\n') + 1) +
-                               "aerosol = 'urban'\n");
-    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 5:20"});
+    const auto outcome = parse("wavelengths = ['1 um']\n" + haze + "aerosol = 'urban'\n");
+    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 6:20"});
     const std::string& message = outcome.diagnostics.front().message;
     EXPECT_NE(message.find("from 350 nm to 900 nm"), std::string::npos) << message;
     const std::string grit =

@@ -13,7 +13,8 @@ using testing::valid;
 TEST(RecipeDecoder, OneWavelengthMakesOneChannel) {
     const Recipe recipe = valid(
         "wavelengths = ['550 nm']\n[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n"
-        "ground_albedo = 0.1\n[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 km'\nscattering = '1e-6 "
+        "ground_albedo = 0.1\n[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 "
+        "km'\nscattering = '1e-6 "
         "/m'\n");
     EXPECT_EQ(recipe.parameters.wavelengths.size(), 1u);
     EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 550e-9);
@@ -22,8 +23,8 @@ TEST(RecipeDecoder, OneWavelengthMakesOneChannel) {
 }
 
 TEST(RecipeDecoder, ThreeIsTheDefault) {
-    const Recipe recipe = valid(
-        "[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\nground_albedo = 0.1\n");
+    const Recipe recipe =
+        valid("[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\nground_albedo = 0.1\n");
     ASSERT_EQ(recipe.parameters.wavelengths.size(), 3u);
     EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 680e-9);
     EXPECT_EQ(recipe.parameters.wavelengths[2].meters, 440e-9);
@@ -40,7 +41,8 @@ TEST(RecipeDecoder, ListsForThreeWavelengthsAreRefusedWithTwoWithoutATail) {
 
 TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
     const auto diagnostics =
-        parse("[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\nground_albedo = 0\n")
+        parse(
+            "[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\nground_albedo = 0\n")
             .diagnostics;
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0113");

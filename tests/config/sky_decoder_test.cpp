@@ -120,8 +120,8 @@ TEST(Irradiance, OrdersBelongToTheSkyAndLayersToSingleScattering) {
 
 TEST(MultipleScattering, ContentBelongsToSolvedTablesAndDegreeToMoments) {
     const std::string table = "[bake.multiple_scattering]\n";
-    const auto moments = only_bake<MultipleScatteringBake>(
-        earth(table + "content = 'moments'\ndegree = 4"));
+    const auto moments =
+        only_bake<MultipleScatteringBake>(earth(table + "content = 'moments'\ndegree = 4"));
     EXPECT_EQ(moments.content, MultipleScatteringContent::moments);
     EXPECT_EQ(moments.degree, 4);
     EXPECT_EQ(only_bake<MultipleScatteringBake>(earth(table)).content,

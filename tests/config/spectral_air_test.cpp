@@ -163,8 +163,7 @@ TEST(AtmosphereAt, GasesAreLookedUp) {
         "[atmosphere.layers.air]\ngas = 'air'\nphase = 'rayleigh'\n" + exponential;
     const Parameters given = valid(planet + air).parameters;
     const Parameters wanted =
-        valid("wavelengths = ['500 nm', '600 nm']\n" + planet.substr(planet.find('\n') + 1) + air)
-            .parameters;
+        valid("wavelengths = ['500 nm', '600 nm']\n" + planet + air).parameters;
     EXPECT_EQ(atmosphere_at(given.atmosphere, given.wavelengths, wanted.wavelengths),
               wanted.atmosphere);
 }

@@ -26,7 +26,8 @@ std::vector<PreviewAsset> bake_tables(const std::string& preset) {
         "size = [24, 8]\n"
         "[bake.m]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\n"
         "mapping = \"hillaire\"\nsize = [16, 6]\nmax_texel_error = 0.05\n"
-        "[bake.twilight]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\nmapping = \"twilight\"\nsize = [16, "
+        "[bake.twilight]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\nmapping = "
+        "\"twilight\"\nsize = [16, "
         "6]\nmax_texel_error = 0.05\n");
     BakeOptions options;
     options.certification = Certification::off;

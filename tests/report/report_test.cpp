@@ -155,8 +155,7 @@ TEST(Report, WhatCannotBeStoredIsLeftOutWithANote) {
 }
 
 TEST(Report, AnAccuracyThatIsNotReachedIsANoteToo) {
-    const AssetReport report =
-        report_of(kClosure + "size = [16, 8]\nmax_texel_error = 1e-5\n");
+    const AssetReport report = report_of(kClosure + "size = [16, 8]\nmax_texel_error = 1e-5\n");
     ASSERT_EQ(report.notes.size(), 1u);
     EXPECT_EQ(count_if(report, [](const ReportRow& row) { return row.of_recipe; }), 0);
     EXPECT_GT(report.rows.size(), 9u);

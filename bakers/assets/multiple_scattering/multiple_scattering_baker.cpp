@@ -183,12 +183,11 @@ std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const TableOrders& o
     return sky;
 }
 
-// Says which other content has a smaller error of the sky. examples/errors.md has the figures.
+// Says what has a smaller error of the sky. examples/assets/multiple_scattering.md has the figures.
 std::string better_than(const MultipleScatteringBake& asset) {
-    if (!is_solved(asset)) return "method = \"solved\" has a smaller error of the sky, at equal cost";
+    if (!is_solved(asset)) return "method = \"solved\" has a smaller error, with the same lookup";
     if (tables_of(asset) > 1) return "";
-    return "content = \"moments\" has a quarter of this error of the sky, for six lookups in place of "
-           "one";
+    return "content = \"moments\" has about half of the sky's error, for six lookups in place of one";
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters,
