@@ -130,6 +130,9 @@ std::string advice_text(const ManifestAsset& asset) {
         text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
                             asset.error->worst, asset.error->advice);
     }
+    if (asset.error->sky && !asset.error->sky->better.empty()) {
+        text += fmt::format("  {}: {}\n", asset.name, asset.error->sky->better);
+    }
     return text;
 }
 
@@ -186,8 +189,10 @@ std::string sky_error_text(const std::optional<Certificate>& error) {
     if (!error || !error->sky) return "";
     const SkyError& sky = *error->sky;
     if (sky.points == 0) return "too noisy to tell";
-    return fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median, 100 * sky.max,
-                       100 * sky.standard_error);
+    const std::string text = fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median,
+                                         100 * sky.max, 100 * sky.standard_error);
+    if (!sky.worst_sun_deg) return text;
+    return text + fmt::format(" (sun {:.3g}°)", *sky.worst_sun_deg);
 }
 
 std::string color_error_text(const std::optional<Certificate>& error) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -71,6 +72,14 @@ PathTracedRadiance in_colors(const std::vector<PathTracedRadiance>& packets,
     return sum;
 }
 
+// The sun's elevation at a place, in degrees; none where all places have the asset's one sun.
+std::optional<double> sun_of(const Place& place) {
+    for (const auto& [quantity, value] : place) {
+        if (quantity == "sun_elevation_deg") return value;
+    }
+    return std::nullopt;
+}
+
 class SkyComparison {
   public:
     SkyComparison(const TracedLight& light, const Baked& baked, const BakeOptions& options)
@@ -114,8 +123,10 @@ class SkyComparison {
                 if (one.error <= largest) continue;
                 largest = one.error;
                 result.worst = place_text(light_.places[i]);
+                result.worst_sun_deg = sun_of(light_.places[i]);
             }
         }
+        result.better = light_.better;
         result.points = static_cast<int>(errors.size());
         result.reference = fmt::format("{:.0f} paths of light in each of {} places in the mean",
                                        mean_paths(), places_.size());

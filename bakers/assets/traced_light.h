@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/ext/vector_double3.hpp>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "bakers/assets/probe_places.h"
@@ -76,6 +77,7 @@ struct TracedLight {
     std::vector<Place> places;
     LightAtPlaces found;
     std::vector<TraceOfPlace> traced;  // of each packet of wavelengths
+    std::string better = {};           // what would come nearer to the paths, or empty
 };
 
 // Returns the radiance of the samples, with the ground that views see, and what the files have of it.

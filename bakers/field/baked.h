@@ -79,6 +79,8 @@ struct SkyError {
     double standard_error = 0;  // of the reference, relative: the median of its values
     int left_out = 0;           // further values, where there is too little light to tell an error
     std::string worst;          // the place of the largest error
+    std::optional<double> worst_sun_deg = {};  // the sun's elevation there, where places have suns
+    std::string better = {};                   // what would have a smaller error, or empty
 };
 
 // How far colours made of the recipe's wavelengths are from those of whole spectra: the largest

@@ -44,11 +44,18 @@ int chosen_level(const Baked& table) {
     return 0;
 }
 
+bool is_solved(const Bake& bake) {
+    const auto* asset = bake.find<MultipleScatteringBake>();
+    return asset && asset->method == MultipleScatteringMethod::solved;
+}
+
 // Returns the bake that the report is about. For multiple scattering it has the converged method;
-// the paper's method is one of the variants.
+// the paper's method is one of the variants. Solved tables have no bound for the error of texels.
 Bake subject(const Bake& bake) {
+    constexpr double kUsualTexelError = 0.002;
     Bake result = bake;
     if (auto* asset = result.find<MultipleScatteringBake>()) {
+        if (is_solved(bake)) asset->max_texel_error = kUsualTexelError;
         asset->method = MultipleScatteringMethod::converged;
     }
     return result;
@@ -100,7 +107,12 @@ Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake
     report.kind = baked.value->kind;
     report.reference = baked.value->certificate.reference;
     report.scale = baked.value->certificate.scale;
-    report.sky = baked.value->certificate.sky;
+    if (is_solved(bake)) {
+        report.notes.push_back(
+            "these are variants of method = \"converged\"; the recipe's table is solved");
+    } else {
+        report.sky = baked.value->certificate.sky;
+    }
     report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
     const Medium medium = make_medium(recipe.parameters.atmosphere);
     const std::optional<int> level =

@@ -92,8 +92,8 @@ const std::array bruneton_table = {
                   &BrunetonBake::nu_size},
     BrunetonField{{.key = "combined",
                    .kind = Kind::flag,
-                   .fallback = "true",
-                   .documentation = "whether A holds the Mie layers' first order, red alone; "
+                   .documentation = "whether A holds the Mie layers' first order, red alone, as "
+                                    "takram's loader expects, for which it is true by default; "
                                     "otherwise the table is R G B, and single_mie holds that order",
                    .selector = "table",
                    .selected_by = scattering},
@@ -221,6 +221,9 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
     const bool is_flat = !has_light || *table == BrunetonTable::irradiance;
     derive(bake.at("size"), default_size(*table));
     derive(bake.at("flip"), *convention == BrunetonConvention::takram);
+    if (*table == BrunetonTable::scattering) {
+        derive(bake.at("combined"), *convention == BrunetonConvention::takram);
+    }
     if (!is_flat) {
         derive(bake.at("sun_cos_zenith_min"), default_sun_cosine(*convention, recipe));
         if (*convention == BrunetonConvention::calcmysky) check_calcmysky(bake, decoder);

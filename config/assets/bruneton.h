@@ -22,9 +22,9 @@ struct BrunetonBake : LightFiles {
     // sun's cosine (u), the view's cosine (v) and altitude (w). Those of transmittance are zenith
     // angle, altitude and 1, and those of irradiance the sun's cosine, altitude and 1.
     std::array<int, 3> size{};
-    int nu_size = 0;       // for tables of scattering: sub-images along u; it divides size[0]
-    bool combined = true;  // for scattering: A holds the first order of Mie layers, red only
-    int orders = 0;        // orders of scattering; 0: all
+    int nu_size = 0;        // for tables of scattering: sub-images along u; it divides size[0]
+    bool combined = false;  // for scattering: A holds the first order of Mie layers, red only
+    int orders = 0;         // orders of scattering; 0: all
     BrunetonMethod method = BrunetonMethod::solved;
     BrunetonConvention convention = BrunetonConvention::bruneton;
     double sun_cos_zenith_min = 0;         // the least cosine on the sun's axis

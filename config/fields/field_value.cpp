@@ -99,6 +99,13 @@ struct ToText {
                                number_to_string(point.real), number_to_string(point.imaginary));
         });
     }
+    std::string operator()(const std::vector<SpectrumPoint>& spectrum) const {
+        return list_to_string(spectrum, [](const SpectrumPoint& point) {
+            return fmt::format("[{}, {}]",
+                               toml_string(wavelength_to_string(point.wavelength.meters)),
+                               number_to_string(point.value));
+        });
+    }
     std::string operator()(const std::vector<ComponentNumber>& list) const {
         return list_to_string(list, [](const ComponentNumber& one) {
             return fmt::format(

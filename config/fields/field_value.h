@@ -28,7 +28,7 @@ using FieldValue =
                  std::vector<std::array<int, 3>>, std::array<double, 4>, std::uint64_t,
                  std::vector<ChoiceIndex>, std::array<double, 2>, std::array<double, 3>,
                  std::vector<HeightPoint>, std::vector<std::vector<std::string>>,
-                 std::vector<IndexPoint>, std::vector<ComponentNumber>>;
+                 std::vector<IndexPoint>, std::vector<ComponentNumber>, std::vector<SpectrumPoint>>;
 
 // Spells a value as TOML text in base units. Equal values have equal texts.
 std::string canonical_text(const Field& field, const FieldValue& value);

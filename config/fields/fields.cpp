@@ -70,8 +70,9 @@ std::string describe_choices(const Field& field) {
 
 std::string describe_field(const Field& field) {
     std::string text(field.documentation);
-    if (!field.choices.empty()) text += "; " + describe_choices(field);
     if (field.range.minimum < field.range.maximum) text += "; " + describe_range(field);
+    if (!field.choices.empty())
+        text += (field.kind.scale ? "; or " : "; ") + describe_choices(field);
     if (!field.hint.empty()) text += "; " + std::string(field.hint);
     return text;
 }

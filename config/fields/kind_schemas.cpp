@@ -153,6 +153,13 @@ Json components_schema(const Field&) {
     return pair_table({{"type", "string"}}, quantity(Dimension::number_density), 1);
 }
 
+Json albedo_schema(const Field& field) {
+    Json schema = one_or_numbers_schema(field);
+    schema["anyOf"].push_back(pair_table(quantity(Dimension::length), number_schema(field), 2));
+    schema["anyOf"].push_back(choice_schema(field));
+    return schema;
+}
+
 Json swept_schema(const Field&) { return {{"type", {"number", "string"}}}; }
 
 }  // namespace skybake::config

@@ -56,6 +56,7 @@ ReadKind read_bounds;             // two numbers, the first not above the second
 ReadKind read_density_table;      // pairs whose altitudes increase, from 0 up
 ReadKind read_height_table;       // pairs whose heights increase within [0, 1]
 ReadKind read_index_table;        // wavelengths that increase, each with n and k of n + i k
+ReadKind read_albedo;             // as read_channels, a spectrum, or one of the field's choices
 ReadKind read_components;         // names, each with a number density, none of them twice
 ReadKind read_seed;               // an integer, or a text with a decimal or 0x number
 ReadKind read_frequency;          // lattice cells per tile along x, y and z: one or three integers
@@ -78,6 +79,7 @@ KindSchema wholes_schema;          // a list of `fewest` to `most` whole numbers
 KindSchema wavelengths_schema;     // one_or_numbers_schema, or a text
 KindSchema frequency_schema, frequencies_schema, clamp_schema, levels_schema, power_of_two_schema;
 KindSchema density_table_schema, height_table_schema, index_table_schema, components_schema;
+KindSchema albedo_schema;
 
 // --- Scales -------------------------------------------------------------------------------------
 
@@ -150,6 +152,11 @@ struct Kind {
     static constexpr ValueKind fractions = list_kind(
         "a fraction, such as 0.3 or \"30 %\", or a list of one per channel", read_channels,
         one_or_numbers_schema, &S::fraction, 1, most_wavelengths, RangeOver::numbers);
+    static constexpr ValueKind albedo = list_kind(
+        "a fraction, such as 0.3 or \"30 %\", a list of one per channel, pairs of wavelength and "
+        "fraction, such as [[\"450 nm\", 0.07], [\"650 nm\", 0.25]], or a measured ground, such as "
+        "\"sand\"",
+        read_albedo, albedo_schema, &S::fraction, 1, most_wavelengths, RangeOver::numbers);
     static constexpr ValueKind number_density{"a number per volume, such as \"300 /cm3\"",
                                               read_quantity, number_schema, &S::number_density,
                                               RangeOver::numbers};

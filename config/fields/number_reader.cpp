@@ -41,7 +41,9 @@ std::optional<double> check_range(const Reader& reader, const Value& value, doub
     const bool is_percent = is_fraction && number > 1 && within(reader.field.range, number / 100);
     std::string label = with_hint("must be " + describe_range(reader.field), reader.field);
     if (is_percent && !std::holds_alternative<std::string>(value.data)) {
-        label = fmt::format("write \"{0} %\" for {0} per cent; ", number_to_string(number)) + label;
+        label = fmt::format("{0} is {1} %: write \"{0} %\" for {0} per cent; ",
+                            number_to_string(number), number_to_string(100 * number)) +
+                label;
     }
     report_range(reader, value, std::isfinite(number), std::move(label));
     return std::nullopt;

@@ -99,6 +99,7 @@ struct SectionReader {
         }
         std::string label = field.kind == Kind::choice ? "give it " + describe_choices(field)
                                                        : fmt::format("give {}", field.kind.words);
+        if (!field.hint.empty()) label += "; " + std::string(field.hint);
         decoder.diagnostics.error("E0105", place, std::move(message), label);
     }
 

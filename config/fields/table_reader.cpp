@@ -1,5 +1,5 @@
-// This file reads tables: density over altitude, a cloud's profile over height, refractive indices
-// over wavelength, and lists of components.
+// This file reads tables: density over altitude, a cloud's profile over height, albedo and
+// refractive indices over wavelength, and lists of components.
 #include <fmt/format.h>
 
 #include <array>
@@ -17,7 +17,7 @@ namespace {
 
 using Pair = std::array<double, 2>;
 
-// This is what differs between the two kinds of tables.
+// This is what differs between the kinds of tables of pairs.
 struct Columns {
     Field first;              // key, kind and range of the first column
     std::string_view plural;  // "altitudes"
@@ -26,6 +26,7 @@ struct Columns {
     std::size_t fewest;
     std::string_view too_few;
     std::string (*to_string)(double);
+    ValueKind second_kind = Kind::number;
 };
 
 // A table begins at the ground, so a negative altitude is a mistake.
@@ -49,6 +50,17 @@ constexpr Columns height_columns{
     number_to_string,
 };
 
+constexpr Columns spectrum_columns{
+    {.key = "wavelength", .kind = Kind::length, .range = {1e-8, 1e-3}},
+    "wavelengths",
+    "albedo",
+    "[\"450 nm\", 0.07]",
+    2,
+    "fewer than two entries",
+    wavelength_to_string,
+    Kind::fraction,
+};
+
 std::string pair_words(const Columns& columns) {
     return fmt::format("[{}, {}]", columns.first.key, columns.second);
 }
@@ -63,7 +75,7 @@ std::optional<Pair> read_entry(const Reader& reader, const Columns& columns, con
         return std::nullopt;
     }
     const Field second_field{
-        .key = columns.second, .kind = Kind::number, .range = reader.field.range};
+        .key = columns.second, .kind = columns.second_kind, .range = reader.field.range};
     const auto first =
         read_number(Reader{columns.first, reader.path, reader.diagnostics}, (*pair)[0]);
     const auto second =
@@ -186,6 +198,23 @@ std::optional<ComponentNumber> read_component(const Reader& reader, const Value&
 }
 
 }  // namespace
+
+std::optional<FieldValue> read_albedo(const Reader& reader, const Value& value) {
+    const auto* text = std::get_if<std::string>(&value.data);
+    const char first = text && !text->empty() ? text->front() : '0';
+    if ((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')) {
+        return read_one_choice(reader, value);
+    }
+    const auto* array = std::get_if<Array>(&value.data);
+    const bool nested =
+        array && !array->empty() && std::holds_alternative<Array>(array->front().data);
+    if (!nested) return read_channels(reader, value);
+    const auto pairs = read_table(reader, spectrum_columns, value);
+    if (!pairs) return std::nullopt;
+    std::vector<SpectrumPoint> spectrum;
+    for (const Pair& pair : *pairs) spectrum.push_back({{pair[0]}, pair[1]});
+    return spectrum;
+}
 
 std::optional<FieldValue> read_index_table(const Reader& reader, const Value& value) {
     const Array* entries = entries_of(reader, value);

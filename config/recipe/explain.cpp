@@ -105,8 +105,8 @@ std::string explain_choices(const Field& field) {
 std::string explain_field(const Section& section, const Field& field) {
     std::string text = field_path(section, field) + '\n';
     text += wrap(field.documentation, "  ", explanation_width) + '\n';
-    text += field.choices.empty() ? line("takes", field.kind.words)
-                                  : line("choices", explain_choices(field));
+    if (field.choices.empty() || field.kind.scale) text += line("takes", field.kind.words);
+    if (!field.choices.empty()) text += line("choices", explain_choices(field));
     const std::string range = describe_range(field);
     const std::string bounds = with_hint(range, field.hint);
     if (!bounds.empty()) text += line(range.empty() ? "note" : "range", bounds);

@@ -9,6 +9,7 @@
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"
 #include "config/fields/wavelength_reader.h"
+#include "config/optics/ground_spectra.h"
 #include "config/recipe/preview_section.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
@@ -55,6 +56,25 @@ void decode_layers(const Table& atmosphere, const Parameters& recipe, Atmosphere
     }
 }
 
+// Sets what the ground reflects at each of the recipe's wavelengths, and keeps its spectrum, if it
+// has one, for other wavelengths.
+void bind_ground(const DecodedField& albedo, std::span<const Length> wavelengths,
+                 Atmosphere& result) {
+    if (!albedo.value) return;
+    if (const auto* numbers = std::get_if<std::vector<double>>(&*albedo.value)) {
+        result.ground_albedo = *numbers;
+        return;
+    }
+    if (const auto* pairs = std::get_if<std::vector<SpectrumPoint>>(&*albedo.value)) {
+        result.ground_spectrum = *pairs;
+    } else {
+        result.ground_spectrum = spectrum_of(*choice_of<Ground>(albedo));
+    }
+    for (const Length wavelength : wavelengths) {
+        result.ground_albedo.push_back(albedo_at(result.ground_spectrum, wavelength));
+    }
+}
+
 // Decodes [atmosphere]. A recipe without it has an atmosphere of size 0.
 Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decoder& decoder) {
     Atmosphere result;
@@ -68,6 +88,7 @@ Atmosphere decode_atmosphere(const Table& root, const Parameters& recipe, Decode
     check_radii(section, decoder);
     append_values(section, decoder);
     bind_section(section, atmosphere_fields(), result);
+    bind_ground(section.at("ground_albedo"), recipe.wavelengths, result);
     decode_layers(table, recipe, result, decoder);
     return result;
 }

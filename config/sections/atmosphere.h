@@ -56,8 +56,9 @@ struct Layer {
 struct Atmosphere {
     Length ground_radius;
     Length top_radius;
-    std::vector<double> ground_albedo;  // one per channel
-    std::vector<Layer> layers;          // the enabled layers, sorted by name
+    std::vector<double> ground_albedo;           // one per channel
+    std::vector<SpectrumPoint> ground_spectrum;  // from which it follows; empty if it is given
+    std::vector<Layer> layers;                   // the enabled layers, sorted by name
     bool operator==(const Atmosphere&) const = default;
 };
 

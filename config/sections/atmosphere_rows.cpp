@@ -1,6 +1,7 @@
 // This file holds the rows of the recipe as a whole, of [atmosphere] and of its layers.
 #include "config/fields/fields.h"
 #include "config/optics/aerosol_components.h"
+#include "config/optics/ground_spectra.h"
 #include "config/sections/sections.h"
 #include "config/sections/targets.h"
 
@@ -72,6 +73,16 @@ constexpr std::array mixture_choices = {
     Choice{AerosolMixture::antarctic, "antarctic", "the Antarctic continent"},
 };
 
+constexpr std::array ground_choices = {
+    Choice{Ground::vegetation, "vegetation",
+           "green leaves: 0.06 in blue, 0.13 in green, 0.5 beyond "
+           "720 nm (Vermote et al. 1997)"},
+    Choice{Ground::sand, "sand", "dry sand: 0.09 in blue, 0.21 in red (Vermote et al. 1997)"},
+    Choice{Ground::snow, "snow", "clean new snow: 0.99 in blue, 0.97 in red (Kokhanovsky 2004)"},
+    Choice{Ground::sea, "sea", "the open sea: 0.09 in blue, 0.067 in red (Morel 1988)"},
+    Choice{Ground::mars, "mars", "mean of Mars: 0.09 in blue, 0.25 in red (Mallama et al. 2017)"},
+};
+
 constexpr std::string_view exponential[] = {"exponential"};
 constexpr std::string_view tent[] = {"tent"};
 constexpr std::string_view slab[] = {"slab"};
@@ -138,14 +149,18 @@ const std::array atmosphere_table = {
          .hint = "60 to 100 km above the Earth's ground",
          .role = Role::geometry},
         &Atmosphere::top_radius},
-    AtmosphereField{{.key = "ground_albedo",
-                     .kind = Kind::fractions,
-                     .range = unit_range,
-                     .fallback = "0",
-                     .documentation = "share of the light that the ground reflects (Lambert)",
-                     .hint = "the Earth's mean is 0.3",
-                     .role = Role::ground},
-                    &Atmosphere::ground_albedo},
+    AtmosphereField{
+        {.key = "ground_albedo",
+         .kind = Kind::albedo,
+         .range = unit_range,
+         .choices = ground_choices,
+         .required = true,
+         .documentation = "share of the light that the ground reflects (Lambert); pairs "
+                          "are linear between wavelengths and constant beyond",
+         .hint = "the Earth's ground has 0.125 in the mean, the sea 0.06, forests 0.15, "
+                 "deserts 0.35, new snow 0.9; 1 is all light",
+         .role = Role::ground},
+        {}},
 };
 
 const std::array layer_table = {

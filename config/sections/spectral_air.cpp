@@ -11,6 +11,7 @@
 
 #include "config/fields/fields.h"
 #include "config/optics/elementary.h"
+#include "config/optics/ground_spectra.h"
 #include "config/text/units.h"
 
 namespace skybake::config {
@@ -174,7 +175,9 @@ Atmosphere atmosphere_at(const Atmosphere& atmosphere, std::span<const Length> g
     result.ground_albedo.clear();
     for (const Length wavelength : wanted) {
         result.ground_albedo.push_back(
-            on_line(spectrum, atmosphere.ground_albedo, wavelength.meters));
+            atmosphere.ground_spectrum.empty()
+                ? on_line(spectrum, atmosphere.ground_albedo, wavelength.meters)
+                : albedo_at(atmosphere.ground_spectrum, wavelength));
     }
     const Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
     for (Layer& layer : result.layers) {

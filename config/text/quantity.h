@@ -57,6 +57,13 @@ struct IndexPoint {
     bool operator==(const IndexPoint&) const = default;
 };
 
+// This is one entry of a spectrum: `ground_albedo = [["450 nm", 0.07], ...]`.
+struct SpectrumPoint {
+    Length wavelength;
+    double value = 0;
+    bool operator==(const SpectrumPoint&) const = default;
+};
+
 // This is one entry of a list of components: `components = [["soot", "8300
 // /cm3"], ...]`.
 struct ComponentNumber {

@@ -190,7 +190,9 @@ TEST(MultipleScatteringHardCase, Case17SizesOneTwoAndOdd) {
     double worst = 0;
     for (const std::string size : {"[1, 1]", "[2, 2]", "[33, 1]", "[1, 5]", "[7, 3]"}) {
         const config::Recipe recipe = test::recipe_of(
-            "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nsize = " + size + "\n");
+            "preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = 'converged'\n"
+            "mapping = 'hillaire'\nsize = " +
+            size + "\n");
         const auto outcome =
             bake_asset(recipe, recipe.parameters.bakes.at(0), {1, Certification::quick, nullptr});
         ASSERT_TRUE(outcome.value) << size;
@@ -221,7 +223,8 @@ TEST(MultipleScatteringHardCase, Case19GroundBounceOnce) {
 
 TEST(MultipleScatteringHardCase, Case21ThreadsAndOrder) {
     const config::Recipe recipe = test::recipe_of(
-        "preset = \"tiny_planet\"\n[bake.multiple_scattering]\nmax_texel_error = \"2 %\"\n");
+        "preset = \"tiny_planet\"\n[bake.multiple_scattering]\nmethod = 'converged'\n"
+        "mapping = 'hillaire'\nsize = [32, 32]\nmax_texel_error = \"2 %\"\n");
     const auto bake = [&](int threads) {
         return bake_asset(recipe, recipe.parameters.bakes.at(0),
                           {threads, Certification::off, nullptr})

@@ -13,8 +13,10 @@ namespace {
 
 config::Outcome<Baked> try_bake(const std::string& section,
                                 const std::string& preset = "earth_hillaire", int threads = 2) {
-    const config::Recipe recipe =
-        test::recipe_of("preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" + section);
+    const config::Recipe recipe = test::recipe_of(
+        "preset = \"" + preset + "\"\n[bake.multiple_scattering]\n" +
+        (section.find("method") == std::string::npos ? "method = 'converged'\n" : "") +
+        (section.find("mapping") == std::string::npos ? "mapping = 'hillaire'\n" : "") + section);
     return bake_asset(recipe, recipe.parameters.bakes.at(0),
                       {threads, Certification::quick, nullptr});
 }
@@ -84,6 +86,8 @@ TEST(MultipleScatteringTable, GreyTablesHaveOneChannel) {
         scale_height = "8 km"
         scattering = "1.3558e-5 /m"
         [bake.multiple_scattering]
+        method = "converged"
+        mapping = "hillaire"
         size = [16, 16]
     )");
     const auto outcome =

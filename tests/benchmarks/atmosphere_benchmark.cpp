@@ -30,7 +30,8 @@ namespace {
 const config::Recipe& earth_recipe() {
     static const config::Recipe recipe =
         *config::parse_recipe(
-             "preset = \"earth_hillaire\"\n[bake.transmittance]\n[bake.multiple_scattering]\n",
+             "preset = \"earth_hillaire\"\n[bake.transmittance]\n[bake.multiple_scattering]\n"
+             "method = \"converged\"\nmapping = \"hillaire\"\nsize = [32, 32]\n",
              "benchmark")
              .value;
     return recipe;

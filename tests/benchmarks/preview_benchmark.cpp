@@ -24,7 +24,8 @@ struct Sky {
 Sky make_earth() {
     const auto recipe = config::parse_recipe(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [256, 64]\n"
-        "[bake.multiple_scattering]\nsize = [32, 32]\n",
+        "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\nsize = [32, "
+        "32]\n",
         "benchmark.toml");
     PreviewAsset transmittance;
     PreviewAsset multiple_scattering;

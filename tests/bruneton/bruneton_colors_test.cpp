@@ -84,7 +84,7 @@ TEST_F(BrunetonColors, AreWeightedSumsOfWavelengths) {
 
 // A of a combined table is the red of the Mie layers' colours.
 TEST_F(BrunetonColors, AlphaIsTheRedOfSingleMie) {
-    const Baked combined = baked(std::string(kSmall) + "orders = 1\n", {});
+    const Baked combined = baked(std::string(kSmall) + "orders = 1\ncombined = true\n", {});
     const Baked mie = baked(std::string(kSmall) + "table = 'single_mie'\n", {});
     EXPECT_EQ(combined.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
     EXPECT_EQ(voxels_of(combined, 3), voxels_of(mie, 0));

@@ -43,7 +43,7 @@ Baked baked(const std::string& preset, const std::string& keys, int threads = 2)
 constexpr const char* kSmall = "size = [16, 8, 4]\nnu_size = 4\npixel_type = \"float\"\n";
 
 TEST(BrunetonVolume, HasTheSameBytesForAnyNumberOfThreads) {
-    const auto keys = std::string(kSmall) + "table = \"scattering\"\n";
+    const auto keys = std::string(kSmall) + "table = \"scattering\"\ncombined = true\n";
     const Baked one = baked("earth_hillaire", keys, 1);
     const Baked two = baked("earth_hillaire", keys, 2);
     ASSERT_EQ(one.levels.size(), 1U);
@@ -70,7 +70,8 @@ TEST(BrunetonVolume, ScatteringIsTheFirstOrderAndTheRest) {
 }
 
 TEST(BrunetonVolume, AlphaIsTheRedOfSingleMie) {
-    const Baked combined = baked("earth_hillaire", std::string(kSmall) + "orders = 1\n");
+    const Baked combined =
+        baked("earth_hillaire", std::string(kSmall) + "orders = 1\ncombined = true\n");
     const Baked mie = baked("earth_hillaire", std::string(kSmall) + "table = \"single_mie\"\n");
     EXPECT_EQ(voxels_of(combined, 3), voxels_of(mie, 0));
     EXPECT_EQ(mie.channel_names.size(), 3U);

@@ -20,7 +20,7 @@ bake() {
         if [[ " ${presets[*]} " != *" $recipe "* ]]; then
             "${recipe}_recipe" >"$folder/$recipe.toml"
         else
-            printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
+            printf 'preset = "%s"\n[bake.transmittance]\nsize = [64, 16]\n[bake.depth]\nasset = "transmittance"\ncontent = "optical_depth"\nsize = [33, 9]\n[bake.multiple_scattering]\nsize = [16, 8]\nmethod = "converged"\nmapping = "twilight"\nmax_texel_error = "2 %%"\n' \
                 "$recipe" >"$folder/$recipe.toml"
         fi
         # Certificates of solved light are finer solutions: minutes on the slowest targets. That of

@@ -104,6 +104,7 @@ Claim claim_of_transmittance(RandomCase& random) {
 Claim claim_of_multiple_scattering(RandomCase& random) {
     const Medium medium = make_medium(random.atmosphere());
     config::MultipleScatteringBake bake;
+    bake.method = config::MultipleScatteringMethod::converged;
     bake.size = {random.even(12, 48), random.even(8, 32)};
     bake.mapping = static_cast<config::MultipleScatteringMapping>(random.below(2));
     bake.pixel_type = config::PixelType::float32;
@@ -116,7 +117,6 @@ Claim claim_of_multiple_scattering(RandomCase& random) {
 Claim claim_of_solved_scattering(RandomCase& random) {
     const config::Atmosphere atmosphere = random.atmosphere();
     config::MultipleScatteringBake bake;
-    bake.method = config::MultipleScatteringMethod::solved;
     bake.size = {random.even(12, 64), random.even(8, 64)};
     bake.mapping = static_cast<config::MultipleScatteringMapping>(random.below(2));
     bake.pixel_type = config::PixelType::float32;

@@ -17,7 +17,8 @@ class Bake : public ::testing::Test {
     Bake() {
         write(
             "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
-            "[bake.multiple_scattering]\nsize = [8, 8]\nmax_texel_error = \"20 %\"\n");
+            "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+            "size = [8, 8]\nmax_texel_error = \"20 %\"\n");
     }
     void write(const std::string& text) { write_bytes(recipe_, text); }
     std::vector<std::string> words(std::vector<std::string> more = {}) const {
@@ -72,6 +73,16 @@ TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
     const Result stale = bake(change);
     EXPECT_TRUE(contains(stale.error, "  multiple_scattering: " + why + "\n")) << stale.error;
     EXPECT_TRUE(contains(stale.error, "2 assets (1 up to date)")) << stale.error;
+}
+
+TEST_F(Bake, SaysUnderWhichSunTheSkyIsWorstAndWhatIsBetter) {
+    const std::string better = "  multiple_scattering: method = \"solved\" has";
+    const Result measured = bake();
+    EXPECT_TRUE(contains(measured.error, "% (sun ")) << measured.error;
+    EXPECT_TRUE(contains(measured.error, better)) << measured.error;
+    fs::remove_all(out_);
+    const Result blind = bake({"--certify", "off"});
+    EXPECT_FALSE(contains(blind.error, "(sun ") || contains(blind.error, better)) << blind.error;
 }
 
 TEST_F(Bake, ACacheServesOtherFolders) {
@@ -290,7 +301,8 @@ TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
 TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
-        "[bake.multiple_scattering]\nsize = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
+        "[bake.multiple_scattering]\nmethod = \"converged\"\n"
+        "size = [512, 2048]\nmax_texel_error = \"0.2 %\"\n");
     for (const char* certify : {"quick", "full", "off"}) {
         for (const int work_ms : {0, 60, 150, 400}) {
             RunningProgram program(words({"--json", "--certify", certify}));

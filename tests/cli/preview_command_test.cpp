@@ -441,7 +441,8 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
     const Scene scene;
     write_bytes(scene.recipe,
                 "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
-                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+                "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+                "size = [16, 16]\n");
     scene.bake();
     ASSERT_EQ(scene
                   .preview({scene.baked, "--sun-elevation", "30 deg,5", "--altitude", "2km",
@@ -480,7 +481,8 @@ TEST(PreviewCommand, NeedsNoIncludeOnceItIsBaked) {
     write_bytes((scene.folder / "air.toml").string(), "preset = \"earth_hillaire\"\n");
     write_bytes(scene.recipe,
                 "include = [\"air.toml\"]\n[bake.transmittance]\nsize = [64, 16]\n"
-                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+                "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+                "size = [16, 16]\n");
     scene.bake();
     ASSERT_EQ(scene.preview({scene.baked, "--sun-elevation", "30"}).code, 0);
     const json before = data_of(scene.page());
@@ -499,7 +501,8 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
     const std::string sweep = (scene.folder / "sweep").string();
     write_bytes(scene.recipe,
                 "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
-                "[bake.multiple_scattering]\nsize = [16, 16]\n");
+                "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+                "size = [16, 16]\n");
     ASSERT_EQ(
         run_words({"sweep", scene.recipe, "--vary", "atmosphere.ground_albedo=0,0.9", "-o", sweep})
             .code,

@@ -21,8 +21,8 @@ using Codes = std::vector<std::string>;
 
 // Seven lines, so that the first key below is on line 8.
 const std::string haze =
-    "wavelengths = ['680 nm', '550 nm', '440 nm']\n[atmosphere]\nground_radius = '6371 km'\n"
-    "top_radius = '6471 km'\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
+    "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n"
+    "[atmosphere.layers.haze]\nprofile = 'exponential'\n"
     "scale_height = '2 km'\n";
 
 Codes faults(const std::string& text) { return codes_and_places(parse(haze + text).diagnostics); }
@@ -118,9 +118,8 @@ TEST(AerosolDecoder, RefusesWhatCannotBe) {
 }
 
 TEST(AerosolDecoder, SpheresAreKnownAtSomeWavelengthsOnly) {
-    const auto outcome = parse("wavelengths = ['1 um']\n" + haze.substr(haze.find('\n') + 1) +
-                               "aerosol = 'urban'\n");
-    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 5:20"});
+    const auto outcome = parse("wavelengths = ['1 um']\n" + haze + "aerosol = 'urban'\n");
+    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 6:20"});
     const std::string& message = outcome.diagnostics.front().message;
     EXPECT_NE(message.find("from 350 nm to 900 nm"), std::string::npos) << message;
     const std::string grit =

@@ -15,7 +15,7 @@ using testing::valid;
 
 Recipe bake(const std::string& text) { return valid("preset = 'vacuum'\n" + text); }
 
-TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
+TEST(BakeDecoder, HasTheBestDefaults) {
     const Recipe recipe = bake("[bake.transmittance]\n[bake.multiple_scattering]\n");
     ASSERT_EQ(recipe.parameters.bakes.size(), 2u);
     const auto* transmittance = recipe.parameters.bakes[0].find<TransmittanceBake>();
@@ -28,10 +28,11 @@ TEST(BakeDecoder, HasTheDefaultsOfTheIssue) {
     EXPECT_EQ(transmittance->compression, Compression::zip);
     const auto* scattering = recipe.parameters.bakes[1].find<MultipleScatteringBake>();
     ASSERT_TRUE(scattering);
-    EXPECT_EQ(scattering->size, (std::array<int, 2>{32, 32}));
-    EXPECT_EQ(scattering->max_texel_error, 0.002);
-    EXPECT_EQ(scattering->mapping, MultipleScatteringMapping::hillaire);
-    EXPECT_EQ(scattering->method, MultipleScatteringMethod::converged);
+    EXPECT_EQ(scattering->size, (std::array<int, 2>{64, 64}));
+    EXPECT_EQ(scattering->mapping, MultipleScatteringMapping::twilight);
+    EXPECT_EQ(scattering->method, MultipleScatteringMethod::solved);
+    const Recipe closure = bake("[bake.multiple_scattering]\nmethod = 'converged'\n");
+    EXPECT_EQ(closure.parameters.bakes[0].as<MultipleScatteringBake>().max_texel_error, 0.002);
 }
 
 TEST(BakeDecoder, EveryAssetOfTheTablesHasItsStruct) {
@@ -121,7 +122,8 @@ TEST(BakeDecoder, ErrorBoundsHaveRanges) {
         ASSERT_EQ(diagnostics.size(), 1u) << text;
         EXPECT_EQ(diagnostics[0].code, "E0110") << text;
     }
-    EXPECT_EQ(parse("preset = 'vacuum'\n[bake.multiple_scattering]\nmax_texel_error = 0\n")
+    EXPECT_EQ(parse("preset = 'vacuum'\n[bake.multiple_scattering]\nmethod = 'converged'\n"
+                    "max_texel_error = 0\n")
                   .diagnostics[0]
                   .code,
               "E0110");

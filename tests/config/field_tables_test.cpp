@@ -19,7 +19,8 @@ TEST(FieldTables, KeysAreUniqueAndDocumented) {
             EXPECT_FALSE(field.documentation.empty()) << field.key;
             EXPECT_NE(field.documentation.back(), '.') << field.key;
             const bool chooses = field.kind == Kind::choice || field.kind == Kind::choice_list;
-            EXPECT_EQ(chooses, !field.choices.empty()) << field.key;
+            const bool may_choose = chooses || field.kind == Kind::albedo;
+            EXPECT_EQ(may_choose, !field.choices.empty()) << field.key;
             EXPECT_FALSE(!field.exclusive_side.empty() && field.exclusive_group.empty());
             EXPECT_FALSE(field.required && !field.fallback.empty()) << field.key;
             EXPECT_LE(field.range.minimum, field.range.maximum) << field.key;

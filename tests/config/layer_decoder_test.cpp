@@ -14,7 +14,7 @@ using testing::valid;
 using testing::value_at;
 
 const std::string head =
-    "[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
+    "preset = 'vacuum'\n\n\n"
     "[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 km'\n";  // 6 lines
 
 std::vector<double> extinction_of(const std::string& keys) {

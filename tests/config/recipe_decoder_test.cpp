@@ -13,20 +13,22 @@ using testing::valid;
 TEST(RecipeDecoder, OneWavelengthMakesOneChannel) {
     const Recipe recipe = valid(
         "wavelengths = ['550 nm']\n[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n"
-        "[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 km'\nscattering = '1e-6 "
+        "ground_albedo = 0.1\n[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 "
+        "km'\nscattering = '1e-6 "
         "/m'\n");
     EXPECT_EQ(recipe.parameters.wavelengths.size(), 1u);
     EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 550e-9);
-    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, std::vector<double>{0});
+    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, std::vector<double>{0.1});
     EXPECT_EQ(recipe.parameters.atmosphere.layers.at(0).scattering.size(), 1u);
 }
 
 TEST(RecipeDecoder, ThreeIsTheDefault) {
-    const Recipe recipe = valid("[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n");
+    const Recipe recipe =
+        valid("[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\nground_albedo = 0.1\n");
     ASSERT_EQ(recipe.parameters.wavelengths.size(), 3u);
     EXPECT_EQ(recipe.parameters.wavelengths[0].meters, 680e-9);
     EXPECT_EQ(recipe.parameters.wavelengths[2].meters, 440e-9);
-    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, (std::vector<double>{0, 0, 0}));
+    EXPECT_EQ(recipe.parameters.atmosphere.ground_albedo, (std::vector<double>(3, 0.1)));
     EXPECT_TRUE(recipe.parameters.bakes.empty());
 }
 
@@ -39,7 +41,9 @@ TEST(RecipeDecoder, ListsForThreeWavelengthsAreRefusedWithTwoWithoutATail) {
 
 TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
     const auto diagnostics =
-        parse("[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\n").diagnostics;
+        parse(
+            "[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\nground_albedo = 0\n")
+            .diagnostics;
     ASSERT_EQ(diagnostics.size(), 1u);
     EXPECT_EQ(diagnostics[0].code, "E0113");
     EXPECT_EQ(diagnostics[0].where.line, 3);
@@ -48,7 +52,9 @@ TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
               "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
     EXPECT_EQ(diagnostics[0].label, "must be above \"6460 km\"");
     EXPECT_EQ(
-        parse("[atmosphere]\nground_radius = '1 km'\ntop_radius = '1 km'\n").diagnostics[0].code,
+        parse("[atmosphere]\nground_radius = '1 km'\ntop_radius = '1 km'\nground_albedo = 0\n")
+            .diagnostics[0]
+            .code,
         "E0113");
 }
 

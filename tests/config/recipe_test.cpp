@@ -49,7 +49,8 @@ const std::vector<Fault> faults = {
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
     {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
-    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19, "give a number without a unit"},
+    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
+     "give a number without a unit; typical haze has 0.76"},
     {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
      "expected a length with a unit, such as \"8 km\""},
@@ -221,7 +222,8 @@ TEST(Recipe, AnswersInTheUsersUnits) {
             .diagnostics.at(0)
             .label;
     };
-    EXPECT_TRUE(label("max_error = 5").starts_with("write \"5 %\" for 5 per cent; must be in"));
+    EXPECT_TRUE(
+        label("max_error = 5").starts_with("5 is 500 %: write \"5 %\" for 5 per cent; must be in"));
     EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
     EXPECT_TRUE(label("max_error = '500 %'").starts_with("must be in"));
     const auto comma = parse("preset = 'vacuum'\n[atmosphere]\ntop_radius = '6460,5 km'\n");

@@ -11,7 +11,7 @@ using testing::parse;
 using testing::valid;
 using testing::value_at;
 
-const std::string planet = "[atmosphere]\nground_radius = '1 km'\ntop_radius = '2 km'\n";
+const std::string planet = "preset = 'vacuum'\n\n[atmosphere]\n";
 
 TEST(SectionDecoder, UnknownKeysNameTheNearest) {
     const auto diagnostics = parse("fromat = 1\n" + planet +

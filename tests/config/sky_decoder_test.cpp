@@ -120,17 +120,16 @@ TEST(Irradiance, OrdersBelongToTheSkyAndLayersToSingleScattering) {
 
 TEST(MultipleScattering, ContentBelongsToSolvedTablesAndDegreeToMoments) {
     const std::string table = "[bake.multiple_scattering]\n";
-    const auto moments = only_bake<MultipleScatteringBake>(
-        earth(table + "method = 'solved'\ncontent = 'moments'\ndegree = 4"));
+    const auto moments =
+        only_bake<MultipleScatteringBake>(earth(table + "content = 'moments'\ndegree = 4"));
     EXPECT_EQ(moments.content, MultipleScatteringContent::moments);
     EXPECT_EQ(moments.degree, 4);
-    EXPECT_EQ(only_bake<MultipleScatteringBake>(earth(table + "method = 'solved'")).content,
+    EXPECT_EQ(only_bake<MultipleScatteringBake>(earth(table)).content,
               MultipleScatteringContent::hillaire);
-    EXPECT_EQ(faults(table + "content = 'moments'"), Codes{"E0111 3:1"});
+    EXPECT_EQ(faults(table + "method = 'converged'\ncontent = 'moments'"), Codes{"E0111 4:1"});
+    EXPECT_EQ(faults(table + "max_texel_error = '1 %'"), Codes{"E0111 3:1"});
     EXPECT_EQ(faults(table + "degree = 3"), Codes{"E0111 3:1"});
-    EXPECT_EQ(faults(table + "method = 'solved'\ndegree = 3"), Codes{"E0111 4:1"});
-    EXPECT_EQ(faults(table + "method = 'solved'\ncontent = 'moments'\ndegree = 9"),
-              Codes{"E0110 5:10"});
+    EXPECT_EQ(faults(table + "content = 'moments'\ndegree = 9"), Codes{"E0110 4:10"});
 }
 
 TEST(SkyAssets, CarryParametersThatAreARecipe) {

@@ -20,8 +20,7 @@ using Codes = std::vector<std::string>;
 
 // Four lines, so that the first line of a layer is number 5.
 const std::string planet =
-    "wavelengths = ['680 nm', '550 nm', '440 nm']\n[atmosphere]\nground_radius = '6371 km'\n"
-    "top_radius = '6471 km'\n";
+    "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n";
 const std::string exponential = "profile = 'exponential'\nscale_height = '8 km'\n";
 
 Codes faults(const std::string& text) { return codes_and_places(parse(planet + text).diagnostics); }
@@ -110,9 +109,9 @@ TEST(Matter, ContradictionsAreFaults) {
 
 TEST(Matter, AGasIsKnownAtSomeWavelengthsOnly) {
     const auto outcome =
-        parse("wavelengths = ['2 um']\n" + planet.substr(planet.find('\n') + 1) +
+        parse("wavelengths = ['2 um']\n" + planet +
               "[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n" + exponential);
-    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 5:20"});
+    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 6:20"});
     const std::string& message = outcome.diagnostics.front().message;
     EXPECT_NE(message.find("2000 nm"), std::string::npos) << message;
     EXPECT_EQ(faults("[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n"
@@ -142,7 +141,7 @@ std::vector<Length> lengths(const std::vector<double>& nm) {
 }
 
 TEST(AtmosphereAt, NumbersFollowThePowerLawBetweenThem) {
-    const Recipe recipe = valid(planet +
+    const Recipe recipe = valid(planet.substr(0, planet.find("ground_albedo")) +
                                 "ground_albedo = [0.4, 0.2, 0.1]\n[atmosphere.layers.a]\n"
                                 "scattering = ['1e-6 /m', '2e-6 /m', '4e-6 /m']\n" +
                                 exponential);
@@ -164,8 +163,7 @@ TEST(AtmosphereAt, GasesAreLookedUp) {
         "[atmosphere.layers.air]\ngas = 'air'\nphase = 'rayleigh'\n" + exponential;
     const Parameters given = valid(planet + air).parameters;
     const Parameters wanted =
-        valid("wavelengths = ['500 nm', '600 nm']\n" + planet.substr(planet.find('\n') + 1) + air)
-            .parameters;
+        valid("wavelengths = ['500 nm', '600 nm']\n" + planet + air).parameters;
     EXPECT_EQ(atmosphere_at(given.atmosphere, given.wavelengths, wanted.wavelengths),
               wanted.atmosphere);
 }

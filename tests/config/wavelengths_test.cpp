@@ -21,7 +21,7 @@ using testing::valid;
 using Codes = std::vector<std::string>;
 
 const std::string grey_air =
-    "[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6420 km'\n"
+    "preset = 'vacuum'\n\n\n"
     "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
     "scattering = '1e-5 /m'\n";
 
@@ -79,7 +79,7 @@ const std::string matrix = "[bake.transmittance]\n";
 const std::string none = "[color]\nspace = 'none'\n";
 
 TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
-    const std::string mean = "[bake.multiple_scattering]\nmethod = 'solved'\n";
+    const std::string mean = "[bake.multiple_scattering]\n";
     const std::string aerial =
         "[bake.aerial_perspective]\naltitude = '1 km'\nsun_elevation = '9 deg'\n";
     const std::string bruneton = "[bake.bruneton]\ntable = 'scattering'\n";
@@ -98,8 +98,8 @@ TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
     // Four wavelengths leave no channel for anything else.
     EXPECT_EQ(faults_of("'best 4'", none + aerial), Codes{"E0129 11:7"});
     EXPECT_EQ(faults_of("'best 4'", none + aerial + "content = 'in_scatter'\n"), Codes{});
-    EXPECT_EQ(faults_of("'best 8'", none + bruneton), Codes{"E0129 11:7"});
-    EXPECT_EQ(faults_of("'best 8'", none + bruneton + "combined = false\n"), Codes{});
+    EXPECT_EQ(faults_of("'best 8'", none + bruneton), Codes{});
+    EXPECT_EQ(faults_of("'best 8'", none + bruneton + "combined = true\n"), Codes{"E0129 13:12"});
     EXPECT_EQ(faults_of("'best 3'", none + bruneton + aerial), Codes{});
 }
 

@@ -59,7 +59,7 @@ TEST(ZenithOpticalDepth, MultipliesByExtinction) {
     layer.bottom_altitude = {0};
     layer.top_altitude = {1000};
     layer.extinction = {{1e-3}, {2e-3}, {0}};
-    const Atmosphere atmosphere{{1e6}, {1.1e6}, {0, 0, 0}, {}};
+    const Atmosphere atmosphere{{1e6}, {1.1e6}, {0, 0, 0}, {}, {}};
     EXPECT_EQ(zenith_optical_depth(layer, atmosphere), (std::vector<double>{1, 2, 0}));
 }
 

@@ -12,7 +12,7 @@ cat >sky.toml <<'RECIPE'
 preset = "earth_hillaire"
 [bake.transmittance]
 [bake.multiple_scattering]
-size = [64, 64]
+method = "converged"
 max_texel_error = "0.02 %"
 [sweep]
 "atmosphere.ground_albedo" = [0.1, 0.3, 0.5]

@@ -28,6 +28,7 @@ mapping = "ue"
 size = [16, 8]
 [bake.closure]
 asset = "multiple_scattering"
+method = "converged"
 mapping = "twilight"
 size = [8, 4]
 max_texel_error = "20 %"

@@ -28,6 +28,8 @@ preset = "earth_hillaire"
 [bake.transmittance]
 size = [32, 8]
 [bake.multiple_scattering]
+method = "converged"
+mapping = "hillaire"
 size = [8, 8]
 max_texel_error = "20 %"
 [noise.shape.channels.Y]

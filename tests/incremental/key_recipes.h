@@ -27,6 +27,7 @@ size = [4, 4]
 [bake.scattered]
 asset = "multiple_scattering"
 method = "converged"
+mapping = "hillaire"
 size = [2, 2]
 [bake.solved]
 asset = "multiple_scattering"
@@ -234,6 +235,7 @@ white = "sun"
 [atmosphere]
 ground_radius = "6372 km"
 top_radius = "6472 km"
+ground_albedo = [["440 nm", 0.1], ["680 nm", 0.3]]
 [atmosphere.layers.air]
 gas = "air"
 pressure = "840 hPa"

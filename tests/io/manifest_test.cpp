@@ -51,7 +51,8 @@ std::string volume_text() {
     volume.layout = config::SheetLayout::atlas;
     volume.columns = 3;
     volume.seam_error = 1.0 / 3;
-    volume.certificate.sky = SkyError{0.1, 0.2, 0.7, 30, "9 paths", 0.05, 3, "altitude_km 1"};
+    volume.certificate.sky =
+        SkyError{0.1, 0.2, 0.7, 30, "9 paths", 0.05, 3, "altitude_km 1", -4, "moments"};
     return manifest_json(testing::write_sample_volume(folder.path(), volume));
 }
 
@@ -75,6 +76,8 @@ TEST(Manifest, ReadsAVolumeBackAsItWasWritten) {
     EXPECT_FALSE(asset.files[3].layout.has_value());
     EXPECT_EQ(asset.files[3].compression, "none");
     EXPECT_EQ(asset.error.value().sky.value().worst, "altitude_km 1");
+    EXPECT_EQ(asset.error.value().sky.value().worst_sun_deg, -4);
+    EXPECT_EQ(asset.error.value().sky.value().better, "moments");
     EXPECT_EQ(asset.error.value().sky.value().standard_error, 0.05);
     EXPECT_EQ(asset.files[6].grids, (std::vector<std::string>{"R", "G", "B"}));
     EXPECT_EQ(asset.seam_error, 1.0 / 3);

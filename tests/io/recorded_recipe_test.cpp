@@ -63,6 +63,7 @@ max_error = "1 %"
 content = "optical_depth"
 [bake.small]
 asset = "multiple_scattering"
+method = "converged"
 size = [16, 8]
 )");
 }
@@ -112,7 +113,8 @@ RC_GTEST_PROP(RecordedRecipe, AnyNumberComesBack, ()) {
     const double height_m = 1 + *rc::gen::inRange(0, 1 << 30) / 65536.0;
     const double coefficient = 1e-9 * *rc::gen::inRange(1, 1 << 30) / 3.0;
     const std::string text = fmt::format(
-        "[atmosphere]\nground_radius = \"{} m\"\ntop_radius = \"{} m\"\n[atmosphere.layers.a]\n"
+        "[atmosphere]\nground_radius = \"{} m\"\ntop_radius = \"{} m\"\nground_albedo = 0\n"
+        "[atmosphere.layers.a]\n"
         "profile = \"exponential\"\nscale_height = \"{} m\"\nscattering = [\"{} /m\", \"0 /m\", "
         "\"1e-12 /m\"]\nabsorption = \"{} /m\"\n[bake.transmittance]\n",
         radius_m, radius_m + 1e5, height_m, coefficient, coefficient / 7);

@@ -48,6 +48,8 @@ size = [4, 4]
 pixel_type = "float"
 [bake.scattered]
 asset = "multiple_scattering"
+method = "converged"
+mapping = "hillaire"
 size = [4, 4]
 pixel_type = "float"
 [bake.solved]

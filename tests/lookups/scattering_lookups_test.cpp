@@ -71,7 +71,9 @@ void add_relative(const gpu::vec3& found, const std::array<double, 4>& wanted, d
 }
 
 TEST(MultipleScatteringLookup, FloatLosesLittle) {
-    const std::string whole = "preset = 'earth_hillaire'\n[bake.multiple_scattering]\nmapping = ";
+    const std::string whole =
+        "preset = 'earth_hillaire'\n[bake.multiple_scattering]\n"
+        "method = 'converged'\nsize = [32, 32]\nmapping = ";
     for (const std::string& recipe : {whole + "'hillaire'\n", whole + "'twilight'\n"}) {
         SCOPED_TRACE(recipe);
         const SunTable table(recipe);

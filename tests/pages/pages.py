@@ -169,6 +169,8 @@ def same_sky(printed, error):
     if not sky:
         return not printed
     wanted = two_digits(*(100 * sky[name] for name in ("median", "max", "standard_error")))
+    if "worst_sun_elevation_deg" in sky:
+        wanted.append(float(f"{sky['worst_sun_elevation_deg']:.3g}"))
     return [float(figure) for figure in re.findall(r"[\d.e+-]+", printed)] == wanted
 
 
@@ -188,7 +190,7 @@ def wrong_figures(skybake, page):
             yield result.stderr
             return
         manifest = json.loads((pathlib.Path(folder) / "manifest.json").read_text())
-    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (?:(\S+ / \S+ ± \S+ %) +)?(?:(\S+ / \S+ %) +)?" \
+    row = r"^  (\w+) +(\d+(?:x\d+)+) +.*?  (?:(\S+ / \S+ ± \S+ %(?: \(sun \S+°\))?) +)?(?:(\S+ / \S+ %) +)?" \
         r"(\S+ / \S+|not measured)$"
     printed = {name: figures for name, *figures in re.findall(row, table, re.M)}
     baked = {asset["name"]: asset for asset in manifest["assets"]}

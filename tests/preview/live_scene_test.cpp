@@ -21,7 +21,7 @@ using nlohmann::json;
 
 const std::string kSky =
     "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [64, 16]\n"
-    "[bake.multiple_scattering]\nsize = [16, 16]\n";
+    "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\nsize = [16, 16]\n";
 const std::string kCloud =
     "[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 3\n"
     "octaves = 1\n[clouds.c]\nnoise = \"n\"\nextent = [\"3 km\", \"2 km\", \"0.7 km\"]\n"

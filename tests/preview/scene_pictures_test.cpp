@@ -24,7 +24,8 @@ PreviewAssets baked_scene() {
         "base_altitude = \"1 km\"\ncoverage = 0.6\nextinction_scale = \"40 /km\"\n"
         "[clouds.high]\nnoise = \"n\"\nextent = [\"4 km\", \"4 km\", \"0.5 km\"]\n"
         "base_altitude = \"5 km\"\ncoverage = 0.6\nextinction_scale = \"5 /km\"\n"
-        "[bake.transmittance]\nsize = [64, 16]\n[bake.multiple_scattering]\nsize = [16, 16]\n"
+        "[bake.transmittance]\nsize = [64, 16]\n[bake.multiple_scattering]\n"
+        "method = \"converged\"\nmapping = \"hillaire\"\nsize = [16, 16]\n"
         "[bake.coarse]\nasset = \"cloud_volume\"\ncloud = \"low\"\nsize = [16, 10, 8]\n"
         "[bake.fine]\nasset = \"cloud_volume\"\ncloud = \"low\"\nsize = [32, 20, 10]\n"
         "[bake.veil]\nasset = \"cloud_volume\"\ncloud = \"high\"\nsize = [16, 16, 8]\n",

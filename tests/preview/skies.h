@@ -47,10 +47,12 @@ inline void bake_tables(Sky& sky) {
 // A preset's sky from tables of the default sizes, but for `settings`.
 inline Sky sky_of(const std::string& preset, const std::vector<std::string>& settings = {}) {
     Sky sky;
-    sky.recipe = recipe_of("preset = \"" + preset +
-                               "\"\n[bake.transmittance]\nsize = [256, 64]\n"
-                               "[bake.multiple_scattering]\nsize = [32, 32]\n",
-                           settings);
+    sky.recipe =
+        recipe_of("preset = \"" + preset +
+                      "\"\n[bake.transmittance]\nsize = [256, 64]\n"
+                      "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
+                      "size = [32, 32]\n",
+                  settings);
     bake_tables(sky);
     return sky;
 }

@@ -24,8 +24,10 @@ std::vector<PreviewAsset> bake_tables(const std::string& preset) {
         "[bake.t]\nasset = \"transmittance\"\nsize = [24, 8]\n"
         "[bake.ue]\nasset = \"transmittance\"\nmapping = \"ue\"\ncontent = \"optical_depth\"\n"
         "size = [24, 8]\n"
-        "[bake.m]\nasset = \"multiple_scattering\"\nsize = [16, 6]\nmax_texel_error = 0.05\n"
-        "[bake.twilight]\nasset = \"multiple_scattering\"\nmapping = \"twilight\"\nsize = [16, "
+        "[bake.m]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\n"
+        "mapping = \"hillaire\"\nsize = [16, 6]\nmax_texel_error = 0.05\n"
+        "[bake.twilight]\nasset = \"multiple_scattering\"\nmethod = \"converged\"\nmapping = "
+        "\"twilight\"\nsize = [16, "
         "6]\nmax_texel_error = 0.05\n");
     BakeOptions options;
     options.certification = Certification::off;

@@ -238,6 +238,8 @@ content = "optical_depth"
 size = [64, 16]
 pixel_type = "half"
 [bake.multiple_scattering]
+method = "converged"
+mapping = "hillaire"
 size = [16, 16]
 max_texel_error = "20 %"
 [bake.sky_view]
@@ -304,6 +306,7 @@ formats = ["bin"]
 [bake.b_scattering]
 asset = "bruneton"
 table = "scattering"
+combined = true
 orders = 1
 size = [32, 16, 8]
 nu_size = 4

@@ -86,6 +86,7 @@ formats = ["bin"]
 [bake.scattering]
 asset = "bruneton"
 table = "scattering"
+combined = true
 orders = 1
 size = [32, 16, 8]
 nu_size = 4

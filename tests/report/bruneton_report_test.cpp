@@ -40,7 +40,8 @@ long count_if(const AssetReport& report, bool (*holds)(const ReportRow&)) {
 }
 
 TEST(BrunetonReport, ScatteringSweepsMethodsSizesAndPixelTypes) {
-    const AssetReport report = report_of("size = [64, 16, 8]\nnu_size = 8\norders = 2\n");
+    const AssetReport report =
+        report_of("combined = true\nsize = [64, 16, 8]\nnu_size = 8\norders = 2\n");
     const ReportRow& fitted = row_of(report, "solved, fitted, half", "64x16x8");
     const ReportRow& exact = row_of(report, "solved, exact, float", "64x16x8");
     const ReportRow& coarse = row_of(report, "solved, exact, float", "32x8x4");

@@ -15,6 +15,8 @@ asset = "transmittance"
 size = [16, 8]
 [bake."light_2"]
 asset = "multiple_scattering"
+method = "converged"
+mapping = "hillaire"
 size = [4, 4]
 [noise.cells]
 seed = 5

@@ -105,8 +105,7 @@ TEST(ErrorLadder, PolarisationIsThatOfThePublishedDepths) {
 }
 
 TEST(ErrorLadder, TakesClosureAndTableFromTheMethods) {
-    const auto solved = ladder_of(
-        "preset = 'earth'\n[bake.multiple_scattering]\nmethod = 'solved'\nmapping = 'twilight'\n");
+    const auto solved = ladder_of("preset = 'earth'\n[bake.multiple_scattering]\n");
     EXPECT_EQ(solved[3].size->typical, 0.004);
     ASSERT_TRUE(solved[4].size);
     EXPECT_EQ(solved[4].size->typical, 0.02);

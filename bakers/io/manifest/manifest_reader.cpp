@@ -261,6 +261,10 @@ std::optional<Certificate> read_certificate(const Node& node) {
                                    sky["standard_error"].number(),
                                    sky["left_out"].integer<int>(0),
                                    sky["worst"].text()};
+        if (sky.has("worst_sun_elevation_deg")) {
+            certificate.sky->worst_sun_deg = sky["worst_sun_elevation_deg"].number();
+        }
+        if (sky.has("better")) certificate.sky->better = sky["better"].text();
     }
     if (node.has("color")) certificate.color = read_color_error(node["color"]);
     return certificate;

@@ -250,14 +250,17 @@ std::string text_of(const Json& json, int indent) {
 }  // namespace
 
 Json sky_error_json(const SkyError& error) {
-    return {{"median", error.median},
-            {"ninth_decile", error.ninth_decile},
-            {"max", error.max},
-            {"standard_error", error.standard_error},
-            {"points", error.points},
-            {"left_out", error.left_out},
-            {"reference", error.reference},
-            {"worst", error.worst}};
+    Json json = {{"median", error.median},
+                 {"ninth_decile", error.ninth_decile},
+                 {"max", error.max},
+                 {"standard_error", error.standard_error},
+                 {"points", error.points},
+                 {"left_out", error.left_out},
+                 {"reference", error.reference},
+                 {"worst", error.worst}};
+    if (error.worst_sun_deg) json["worst_sun_elevation_deg"] = *error.worst_sun_deg;
+    if (!error.better.empty()) json["better"] = error.better;
+    return json;
 }
 
 std::string manifest_json(const Manifest& manifest) {

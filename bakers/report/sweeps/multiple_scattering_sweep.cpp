@@ -128,6 +128,7 @@ class MultipleScatteringSweep {
     }
 
     void mark_recipe(const Model& own) {
+        if (bake_.method == MultipleScatteringMethod::solved) return;
         if (!level_ && own->cost_per_texel.size() > 1) return;
         const int level = level_of(*own);
         for (Variant& variant : variants_) {
