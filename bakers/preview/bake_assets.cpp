@@ -10,6 +10,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
+#include "bakers/preview/check_options.h"
 #include "bakers/workspace/folder_plan.h"
 
 namespace skybake {
@@ -75,6 +76,7 @@ class PreviewBake {
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
+        diagnostics_ = unused_keys(recipe_);
         const auto expected = options_.intermediates->expect(
             needs_of(recipe_.parameters, bakes, options_.certification));
         for (const config::Bake& bake : bakes) {

@@ -158,7 +158,10 @@ struct CloudVolumeResolver {
     void resolve_size(const Cloud* cloud) const {
         DecodedField& size = bake.at("size");
         const DecodedField& voxel_size = bake.at("voxel_size");
-        if (!size.source && !voxel_size.source) report_missing_size(cloud);
+        if (!size.source && !voxel_size.source) {
+            if (!cloud || !cloud->size) return report_missing_size(cloud);
+            return derive("size", *cloud->size);
+        }
         const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
         if (!known) return;
         size.value.reset();
@@ -237,7 +240,7 @@ struct CloudVolumeResolver {
     }
 };
 
-// Fills in `size` from the cloud's extent and `voxel_size`, and the number of `mips`. If extent and
+// Fills in `size` from the cloud's own, or from its extent and `voxel_size`, and the number of `mips`. If extent and
 // voxel size do not give a whole number of voxels, it also sets `extent` (W0210). It reports a
 // cloud that does not exist (E0132), a size that is not given (E0105) or out of range (E0110), and
 // faults of the files of any volume (file_decoder.h), and frames of what stands still (E0174). It

@@ -126,7 +126,7 @@ const std::array atmosphere_table = {
                      .range = radius_range,
                      .required = true,
                      .documentation = "distance from the planet's centre to the ground",
-                     .hint = "the Earth has 6360 km",
+                     .hint = "the Earth has 6371 km",
                      .role = Role::geometry},
                     &Atmosphere::ground_radius},
     AtmosphereField{
@@ -143,7 +143,7 @@ const std::array atmosphere_table = {
                      .range = unit_range,
                      .fallback = "0",
                      .documentation = "share of the light that the ground reflects (Lambert)",
-                     .hint = "the Earth's mean is 0.3",
+                     .hint = "the ground of the Earth has 0.125 on the mean, snow 0.8",
                      .role = Role::ground},
                     &Atmosphere::ground_albedo},
 };

@@ -60,6 +60,7 @@ struct VariantAsset {
     std::vector<int> size;
     std::optional<ErrorFigures> lookup_error;  // none if it was not measured
     std::optional<ErrorFigures> texel_error;
+    std::optional<double> cover;  // the share of a cloud volume's columns that hold cloud
     std::string content_hash;
     std::vector<std::string> files;  // relative to the variant's folder
 };
