@@ -60,6 +60,14 @@ const std::array cloud_volume_table = {
                       .exclusive_side = "measured",
                       .only_shown = true},
                      {}},
+    CloudVolumeField{
+        {.key = "cover",
+         .kind = Kind::fraction,
+         .range = unit_range,
+         .documentation = "share of the columns of voxels that hold cloud, met exactly, "
+                          "in place of the cloud's coverage; by default the cloud's",
+         .hint = "the bake finds the coverage that gives it"},
+        &CloudVolumeBake::cover},
 };
 
 // Whether cubes of this edge fill the extent exactly.
@@ -158,10 +166,7 @@ struct CloudVolumeResolver {
     void resolve_size(const Cloud* cloud) const {
         DecodedField& size = bake.at("size");
         const DecodedField& voxel_size = bake.at("voxel_size");
-        if (!size.source && !voxel_size.source) {
-            if (!cloud || !cloud->size) return report_missing_size(cloud);
-            return derive("size", *cloud->size);
-        }
+        if (!size.source && !voxel_size.source) report_missing_size(cloud);
         const bool known = cloud && cloud->extent[0].meters > 0 && voxel_size.value;
         if (!known) return;
         size.value.reset();
@@ -240,7 +245,7 @@ struct CloudVolumeResolver {
     }
 };
 
-// Fills in `size` from the cloud's own, or from its extent and `voxel_size`, and the number of `mips`. If extent and
+// Fills in `size` from the cloud's extent and `voxel_size`, and the number of `mips`. If extent and
 // voxel size do not give a whole number of voxels, it also sets `extent` (W0210). It reports a
 // cloud that does not exist (E0132), a size that is not given (E0105) or out of range (E0110), and
 // faults of the files of any volume (file_decoder.h), and frames of what stands still (E0174). It

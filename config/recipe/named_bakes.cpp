@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "config/fields/fields.h"
+#include "config/presets/presets.h"
+#include "config/recipe/merge.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {
@@ -43,6 +45,12 @@ bool is_asset(const std::string& name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool asset_is(const Table& keys, const std::string& name, std::string_view asset) {
+    const Entry* entry = find_entry(keys, "asset");
+    const auto* text = entry ? std::get_if<std::string>(&entry->value.data) : &name;
+    return text && *text == asset;
+}
+
 void report_two(const Entry& bake, DiagnosticList& diagnostics) {
     diagnostics.error("E0118", bake.key_place,
                       fmt::format("[{}] may be the volume of [clouds.{}] or of [noise.{}]",
@@ -67,13 +75,66 @@ void name_bake(const Table& root, Entry& bake, DiagnosticList& diagnostics) {
     add_text(bake, made->key, bake.key, *keys);
 }
 
+// Adds keys of the cloud that the bake names, unless it has them or others that exclude them.
+void take_keys_of_cloud(const Table& root, Table& keys) {
+    const Entry* named = find_entry(keys, "cloud");
+    const auto* name = named ? std::get_if<std::string>(&named->value.data) : nullptr;
+    const Entry* clouds = find_entry(root, "clouds");
+    const Table* all = clouds ? as_table(clouds->value) : nullptr;
+    const Entry* cloud = name && all ? find_entry(*all, *name) : nullptr;
+    const Table* of_cloud = cloud ? as_table(cloud->value) : nullptr;
+    if (!of_cloud) return;
+    Table taken;
+    for (const std::string_view key : {"cover", "size"}) {
+        const Entry* entry = find_entry(*of_cloud, key);
+        if (entry && !(key == "size" && find_entry(keys, "voxel_size"))) taken.push_back(*entry);
+    }
+    merge(taken, keys);
+    keys = std::move(taken);
+}
+
 }  // namespace
 
-void name_bakes_of_sections(Table& root, DiagnosticList& diagnostics) {
+namespace {
+
+// Returns the kind of presets that the bake's `preset` is one of, or null.
+const SectionPresets* swapped_with(const Entry& bake) {
+    const Table* keys = as_table(bake.value);
+    const Entry* preset = keys ? find_entry(*keys, "preset") : nullptr;
+    const auto* name = preset ? std::get_if<std::string>(&preset->value.data) : nullptr;
+    return name ? find_section_presets(*name) : nullptr;
+}
+
+void report_swapped(const Entry& bake, const SectionPresets& kind, DiagnosticList& diagnostics) {
+    const Entry& preset = *find_entry(*as_table(bake.value), "preset");
+    diagnostics.error(
+        "E0102", preset.key_place,
+        fmt::format("unknown key `preset` in [{}]", join_path("bake", bake.key)),
+        fmt::format("`preset` of {} belongs in [{}.{}]", kind.section, kind.section, bake.key));
+}
+
+}  // namespace
+
+bool name_bakes_of_sections(Table& root, DiagnosticList& diagnostics) {
     Entry* const entry = find_entry(root, "bake");
     auto* const bakes = entry ? std::get_if<Table>(&entry->value.data) : nullptr;
-    if (!bakes) return;
-    for (Entry& bake : *bakes) name_bake(root, bake, diagnostics);
+    if (!bakes) return true;
+    const std::size_t count = bakes->size();
+    std::erase_if(*bakes, [&](const Entry& bake) {
+        const SectionPresets* kind = swapped_with(bake);
+        if (!kind) return false;
+        report_swapped(bake, *kind, diagnostics);
+        Entry* const others = find_entry(root, kind->section);
+        auto* const named = others ? std::get_if<Table>(&others->value.data) : nullptr;
+        if (named) std::erase_if(*named, [&](const Entry& e) { return e.key == bake.key; });
+        return true;
+    });
+    for (Entry& bake : *bakes) {
+        name_bake(root, bake, diagnostics);
+        auto* const keys = std::get_if<Table>(&bake.value.data);
+        if (keys && asset_is(*keys, bake.key, "cloud_volume")) take_keys_of_cloud(root, *keys);
+    }
+    return bakes->size() == count;
 }
 
 }  // namespace skybake::config

@@ -54,7 +54,7 @@ MergedSources merge_sources(RecipeSources& sources, DiagnosticList& diagnostics)
     if (!merged.file) return merged;
     const bool laid = lay_sections_over_presets(merged.root, sources.sources, diagnostics);
     merged.complete = sources.complete && laid;
-    name_bakes_of_sections(merged.root, diagnostics);
+    merged.complete = name_bakes_of_sections(merged.root, diagnostics) && merged.complete;
     return merged;
 }
 

@@ -119,11 +119,9 @@ struct Cloud {
     std::array<Length, 3> extent;     // along x, y and height
     Length base_altitude;
     HeightProfile height_profile;
-    std::optional<std::array<int, 3>> size;  // voxels of its volumes that give none
-    double coverage = 1;                     // 1: as noise and profile give it, 0: no cloud
-    std::optional<double> cover;             // the share of columns with cloud; sets coverage
-    CloudMap coverage_map;                   // multiplies coverage
-    CloudMap type_map;                       // replaces cloud_type
+    double coverage = 1;    // 1: as noise and profile give it, 0: no cloud
+    CloudMap coverage_map;  // multiplies coverage
+    CloudMap type_map;      // replaces cloud_type
     double threshold = 0;
     double edge_softness = 0;
     ThresholdAt threshold_at = ThresholdAt::bake;

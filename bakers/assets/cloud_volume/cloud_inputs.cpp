@@ -70,28 +70,28 @@ std::shared_ptr<const cloud::FoundCover> found_cover(const config::Parameters& p
         [&]() -> std::shared_ptr<const cloud::FoundCover> {
             const auto found = cloud::find_cover(
                 plan_of_cloud(cloud, inputs, bake.size),
-                {*cloud.cover, filtered_threshold(cloud), bake.pixel_type}, options);
+                {*bake.cover, filtered_threshold(cloud), bake.pixel_type}, options);
             return options.cancelled() ? nullptr : std::make_shared<cloud::FoundCover>(found);
         });
 }
 
 // Returns E0412 if the share of columns differs from the wanted one by more than a column's, and by
 // more than what ties of columns excuse.
-std::optional<Diagnostic> missed_cover(const config::Cloud& cloud, const std::array<int, 3>& size,
+std::optional<Diagnostic> missed_cover(const config::CloudVolumeBake& bake,
                                        const cloud::FoundCover& found) {
-    const double columns = double{1} * size[0] * size[1];
+    const double columns = double{1} * bake.size[0] * bake.size[1];
     const double most = std::max(1 / columns, 1.0 / cloud::kMostTiedColumns);
-    if (std::fabs(found.share - *cloud.cover) <= most) return std::nullopt;
+    if (std::fabs(found.share - *bake.cover) <= most) return std::nullopt;
     Diagnostic problem;
     problem.code = "E0412";
     problem.message = fmt::format(
         "cloud `{}` cannot cover {:.4g} %: at coverage {:.6g} it covers {:.4g} %, and more at once",
-        cloud.name, 100 * *cloud.cover, found.coverage, 100 * found.share);
+        bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
         problem.message = fmt::format(
             "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and "
             "{:.4g} % at coverage 1",
-            cloud.name, 100 * *cloud.cover, 100 * found.reach[0], 100 * found.reach[1]);
+            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1]);
     }
     problem.label = "`cover` cannot be reached; change it, the height profile or the towers";
     return problem;
@@ -115,12 +115,12 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
     inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);
-    if (outcome.diagnostics.empty() && cloud.cover) {
+    if (outcome.diagnostics.empty() && bake.cover) {
         const auto found = found_cover(parameters, bake, inputs, options);
         if (!found) return {};
         inputs.coverage = found->coverage;
         details.emplace_back("coverage", found->coverage);
-        if (auto problem = missed_cover(cloud, bake.size, *found)) {
+        if (auto problem = missed_cover(bake, *found)) {
             outcome.diagnostics.push_back(std::move(*problem));
         }
     }

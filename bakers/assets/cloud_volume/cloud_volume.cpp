@@ -162,6 +162,7 @@ struct VoxelRequest {
     std::optional<config::VolumeFile> volume;
     std::optional<config::Noise> detail;
     std::array<int, 3> size{};
+    std::optional<double> cover;
     std::optional<config::PixelType> stored_as;  // decides which columns `cover` counts
     bool operator==(const VoxelRequest&) const = default;
 };
@@ -178,8 +179,9 @@ std::optional<Section> copied(const Section* section) {
 
 VoxelRequest request_of(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
                         const config::VolumeFile* volume, const config::Noise* detail) {
-    VoxelRequest request{cloud, copied(base), copied(volume), copied(detail), bake.size, {}};
-    if (cloud.cover) request.stored_as = bake.pixel_type;
+    VoxelRequest request{cloud, copied(base), copied(volume), copied(detail), bake.size, bake.cover,
+                         {}};
+    if (bake.cover) request.stored_as = bake.pixel_type;
     return request;
 }
 
@@ -272,7 +274,7 @@ std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
     std::vector<Need> needs = {
         {NeedKey(request), "voxels of " + cloud.name, seconds,
          voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte}};
-    if (cloud.cover) {
+    if (asset.cover) {
         needs.push_back(
             {NeedKey(CoverageRequest{request}), "coverage of " + cloud.name, seconds, 0});
     }
