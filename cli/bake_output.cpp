@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
 #include "cli/console.h"
@@ -71,6 +72,12 @@ std::string channels_text(const ManifestAsset& asset) {
     return text;
 }
 
+// Returns the share of a cloud volume's columns that hold cloud: "29.3 %".
+std::string cover_text(const ManifestAsset& asset) {
+    const auto share = number_named(asset.details, covered_columns);
+    return share ? fmt::format("{:.3g} %", 100 * *share) : "";
+}
+
 // Returns the cells of the first row of an asset.
 std::vector<std::string> first_row(const FinishedAsset& finished) {
     const ManifestAsset& asset = finished.entry;
@@ -85,6 +92,7 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
             time_text(asset.timing.write_s),
             sky_error_text(asset.error),
             color_error_text(asset.error),
+            cover_text(asset),
             asset.error
                 ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
                 : "not measured"};
@@ -99,14 +107,16 @@ std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestF
 // Returns the table of what was made. It is empty if all was up to date.
 std::string assets_text(const BakedFolder& baked, int columns) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
-                     Align::right, Align::right, Align::left, Align::left, Align::left});
+                     Align::right, Align::right, Align::left, Align::left, Align::right,
+                     Align::left});
     // A narrow terminal does not show these columns: write, certify, pixel type, channels.
     constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
     constexpr std::size_t kSkyError = 8;
     constexpr std::size_t kColorError = 9;
+    constexpr std::size_t kCover = 10;
     table.add_row({"asset", "size", "", "file", "", "bake", "certify", "write",
-                   "sky error median / max", "colour error median / max",
+                   "sky error median / max", "colour error median / max", "cover",
                    "lookup error max / rms"});
     bool made = false;
     for (const FinishedAsset& finished : baked.assets) {
@@ -118,6 +128,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
             if (!first) table.add_row(further_row(finished.entry, file));
         }
     }
+    table.drop_if_empty(kCover);
     table.drop_if_empty(kColorError);
     table.drop_if_empty(kSkyError);
     return made ? table.text_within(columns, expendable, names) : "";

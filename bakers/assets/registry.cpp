@@ -109,18 +109,6 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     return any;
 }
 
-// Returns where a value stands, "earth.toml:14", or no place for a default.
-config::SourceRange recipe_place(const config::ResolvedValue& value) {
-    config::SourceRange place;
-    const std::size_t colon = value.origin.rfind(':');
-    if (colon == std::string::npos) return place;
-    const char* const end = value.origin.data() + value.origin.size();
-    const auto read = std::from_chars(value.origin.data() + colon + 1, end, place.line);
-    if (read.ec != std::errc{} || read.ptr != end) return {};
-    place.source = value.origin.substr(0, colon);
-    return place;
-}
-
 // Gives a diagnostic of a baker its place in the recipe: the line of a key of the section that it
 // speaks of, else the section's first line.
 void add_recipe_place(const config::Recipe& recipe, const Bake& bake,
@@ -190,6 +178,17 @@ void compare_with_paths(const AnyBaker& baker, const config::Parameters& paramet
 }
 
 }  // namespace
+
+config::SourceRange recipe_place(const config::ResolvedValue& value) {
+    config::SourceRange place;
+    const std::size_t colon = value.origin.rfind(':');
+    if (colon == std::string::npos) return place;
+    const char* const end = value.origin.data() + value.origin.size();
+    const auto read = std::from_chars(value.origin.data() + colon + 1, end, place.line);
+    if (read.ec != std::errc{} || read.ptr != end) return {};
+    place.source = value.origin.substr(0, colon);
+    return place;
+}
 
 std::span<const AnyBaker> bakers() {
     static const std::vector<AnyBaker> all = [] {

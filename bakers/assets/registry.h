@@ -47,6 +47,9 @@ std::vector<Need> needs_of(const config::Parameters& parameters,
 // Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
 std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
 
+// Returns where a value stands in the recipe's files, or no place for a default or a preset's value.
+config::SourceRange recipe_place(const config::ResolvedValue& value);
+
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
 // is compared with paths of light. E0405 if it needs light that cannot be solved for
 // (solvable_air.h). W0214 if its lookups are measured and far off. Diagnostics name the line of the

@@ -17,7 +17,7 @@ config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
                                           Baked& made) {
     const config::CloudVolumeBake& bake = source_volume(parameters, of);
     const config::Outcome<CloudInputs> inputs =
-        cloud_inputs(parameters, bake, made.details, options.intermediates);
+        cloud_inputs(parameters, bake, made.details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});

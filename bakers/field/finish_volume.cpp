@@ -129,8 +129,11 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (options.cancelled()) return outcome;
         const auto start = std::chrono::steady_clock::now();
-        outcome.diagnostics =
-            survey_level(volume, static_cast<int>(i), finish.histogram_ranges, options);
+        ColumnCount count{finish.covered_above.value_or(0)};
+        const bool counts = i == 0 && finish.covered_above;
+        outcome.diagnostics = survey_level(volume, static_cast<int>(i), finish.histogram_ranges,
+                                           options, counts ? &count : nullptr);
+        if (counts) volume.details.emplace_back(covered_columns, count.share);
         volume.bake_seconds +=
             std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;

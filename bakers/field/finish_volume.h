@@ -41,7 +41,12 @@ struct VolumeFinish {
     // Returns the physical place for texture coordinates of a level. The coordinates are moved to
     // the nearest ones that a runtime looks up.
     std::function<ProbePlace(const std::array<double, 3>& uvw, int level)> probe_place = {};
+    // Adds covered_columns to the details: the share of columns with a stored value above this.
+    std::optional<float> covered_above = {};
 };
+
+// The name of that share, in [0, 1], among the details of a volume.
+inline constexpr const char* covered_columns = "covered_columns";
 
 // The number of points at which --certify=quick measures lookups of a volume that repeats.
 int quick_lookup_points(bool is_expensive);

@@ -46,6 +46,7 @@ struct Slot {
     std::string bytes;
     std::vector<Summary> channels;
     std::vector<VoxelPeak> peaks;
+    std::vector<char> covered;  // columns of the box with a value above that of ColumnCount
     std::optional<BadValue> bad;
 };
 
@@ -216,6 +217,18 @@ void add_box_peaks(const float* values, const VoxelBox& box, int channel,
     }
 }
 
+// Marks the columns of a box that have a value above `above`.
+void mark_columns(const float* values, const VoxelBox& box, float above,
+                  std::vector<char>& columns) {
+    columns.assign(static_cast<std::size_t>(box.size[0]) * static_cast<std::size_t>(box.size[1]),
+                   0);
+    for (int z = 0; z < box.size[2]; ++z) {
+        for (char& column : columns) {
+            column = static_cast<char>(column | static_cast<char>(*values++ > above));
+        }
+    }
+}
+
 ValueStatistics statistics_of(const Summary& summary, std::array<double, 2> range, double count) {
     ValueStatistics statistics;
     statistics.min = summary.min + 0.0;  // a zero without its sign
@@ -229,14 +242,18 @@ ValueStatistics statistics_of(const Summary& summary, std::array<double, 2> rang
 class Survey {
   public:
     Survey(const Baked& volume, int level,
-           const std::vector<std::array<double, 2>>& histogram_ranges, const BakeOptions& options)
+           const std::vector<std::array<double, 2>>& histogram_ranges, const BakeOptions& options,
+           ColumnCount* count)
         : volume_(volume),
           level_(volume.levels[static_cast<std::size_t>(level)]),
           number_(level),
           ranges_(histogram_ranges),
           options_(options),
+          count_(count),
           boxes_(level_.size, static_cast<int>(volume.channel_names.size())),
-          whole_(volume.channel_names.size()) {}
+          whole_(volume.channel_names.size()) {
+        if (count_ != nullptr) covered_.resize(width() * static_cast<std::size_t>(level_.size[1]));
+    }
 
     // Returns false after an interruption or a bad value.
     bool run() {
@@ -263,9 +280,14 @@ class Survey {
         }
         level.content_hash = hasher_.hex();
         level.peaks = peaks_;
+        if (count_ == nullptr) return;
+        const auto covered = std::count(covered_.begin(), covered_.end(), 1);
+        count_->share = static_cast<double>(covered) / static_cast<double>(covered_.size());
     }
 
   private:
+    std::size_t width() const { return static_cast<std::size_t>(level_.size[0]); }
+
     void look_at(int index, Slot& slot) const {
         if (options_.cancelled()) return;
         const VoxelBox box = boxes_[index];
@@ -292,6 +314,7 @@ class Survey {
         for (std::size_t c = 0; c < channels; ++c) {
             add_box_peaks(planes[c], box, static_cast<int>(c), slot.peaks);
         }
+        if (count_ != nullptr) mark_columns(planes[0], box, count_->above, slot.covered);
         // Several channels are stored interleaved.
         if (channels > 1) {
             store_voxels({planes.begin(), planes.end()}, count, volume_.pixel_type,
@@ -308,6 +331,12 @@ class Survey {
         for (std::size_t c = 0; c < whole_.size(); ++c) add(slot.channels[c], whole_[c]);
         peaks_.insert(peaks_.end(), slot.peaks.begin(), slot.peaks.end());
         hasher_.update(slot.bytes);
+        if (count_ != nullptr) {
+            const std::size_t first = static_cast<std::size_t>(boxes_[index].origin[1]) * width();
+            for (std::size_t i = 0; i < slot.covered.size(); ++i) {
+                covered_[first + i] = std::max(covered_[first + i], slot.covered[i]);
+            }
+        }
         if (options_.progress != nullptr) {
             options_.progress->advance("voxels", (index + 1.0) / boxes_.count());
         }
@@ -349,10 +378,12 @@ class Survey {
     const int number_;
     const std::vector<std::array<double, 2>>& ranges_;
     const BakeOptions& options_;
+    ColumnCount* const count_;
     const BoxSequence boxes_;
     std::vector<Slot> slots_;
     std::vector<Summary> whole_;
     std::vector<VoxelPeak> peaks_;
+    std::vector<char> covered_;
     Hasher hasher_;
     std::optional<Diagnostic> problem_;
 };
@@ -361,8 +392,8 @@ class Survey {
 
 std::vector<Diagnostic> survey_level(Baked& volume, int level,
                                      const std::vector<std::array<double, 2>>& histogram_ranges,
-                                     const BakeOptions& options) {
-    Survey survey(volume, level, histogram_ranges, options);
+                                     const BakeOptions& options, ColumnCount* count) {
+    Survey survey(volume, level, histogram_ranges, options, count);
     if (!survey.run()) {
         if (survey.problem()) return {*survey.problem()};
         return {};

@@ -20,8 +20,14 @@ inline constexpr int kHistogramBins = 32;
 // The first voxel, in the order x, y, z, that the pixel type cannot hold is an error: E0401 if it
 // is NaN or infinite, E0402 if it is beyond the type's range. After an interruption
 // (options.progress->cancelled()), nothing is filled in and nothing is reported.
+//
+// `count` asks for the columns along w of the first channel; null: not counted.
+struct ColumnCount {
+    float above = 0;
+    double share = 0;  // of the columns with a stored value above that
+};
 [[nodiscard]] std::vector<config::Diagnostic> survey_level(
     Baked& volume, int level, const std::vector<std::array<double, 2>>& histogram_ranges,
-    const BakeOptions& options);
+    const BakeOptions& options, ColumnCount* count = nullptr);
 
 }  // namespace skybake

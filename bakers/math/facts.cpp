@@ -29,10 +29,25 @@ struct FactWriter {
 
 std::string fact_text(const FactValue& value) { return std::visit(FactWriter{}, value); }
 
-std::string fact_named(const Facts& facts, const std::string& name) {
+namespace {
+
+const FactValue* find_fact(const Facts& facts, const std::string& name) {
     const auto found = std::find_if(facts.begin(), facts.end(),
                                     [&name](const auto& fact) { return fact.first == name; });
-    return found == facts.end() ? std::string() : fact_text(found->second);
+    return found == facts.end() ? nullptr : &found->second;
+}
+
+}  // namespace
+
+std::string fact_named(const Facts& facts, const std::string& name) {
+    const FactValue* fact = find_fact(facts, name);
+    return fact == nullptr ? std::string() : fact_text(*fact);
+}
+
+std::optional<double> number_named(const Facts& facts, const std::string& name) {
+    const FactValue* fact = find_fact(facts, name);
+    const auto* number = fact == nullptr ? nullptr : std::get_if<double>(fact);
+    return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
 double to_digits(double value, int digits) {

@@ -1,6 +1,7 @@
 // Facts are named values that output files and manifests state for other programs to read.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -19,6 +20,9 @@ std::string fact_text(const FactValue& value);
 
 // Returns the value of that name as text, or an empty text if there is none.
 std::string fact_named(const Facts& facts, const std::string& name);
+
+// Returns the number of that name, or none if there is none.
+std::optional<double> number_named(const Facts& facts, const std::string& name);
 
 // Rounds to the nearest number of at most `digits` significant decimal digits. Files state figures
 // to the digits that are meaningful.

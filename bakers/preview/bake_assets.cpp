@@ -11,6 +11,7 @@
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/math/parallel.h"
+#include "bakers/preview/check_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/workspace/folder_plan.h"
 
@@ -77,6 +78,7 @@ class PreviewBake {
     Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
+        diagnostics_ = unused_keys(recipe_);
         if (memory_ != nullptr) memory_->ready.clear();
         const auto expected = options_.intermediates->expect(
             needs_of(recipe_.parameters, bakes, options_.certification));

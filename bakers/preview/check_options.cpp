@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -76,6 +78,27 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
     return problems;
 }
 
+std::vector<config::Diagnostic> unused_keys(const config::Recipe& recipe) {
+    std::vector<config::Diagnostic> warnings;
+    if (recipe.parameters.bakes.empty()) return warnings;
+    const config::PicturesOfLight pictures = config::pictures_of_light(recipe.parameters.bakes);
+    for (const config::ResolvedValue& value : recipe.values) {
+        const bool is_camera = value.section == "preview.camera";
+        if (value.section != "preview" && !is_camera) continue;
+        const std::string key = is_camera ? "camera" : value.path.substr(value.section.size() + 1);
+        const std::string_view reason = config::why_unused(key, pictures);
+        if (reason.empty() || value.origin.starts_with("preset ")) continue;
+        config::Diagnostic warning;
+        warning.severity = config::Severity::warning;
+        warning.code = "W0216";
+        warning.message = fmt::format("no picture of this recipe uses `{}`", value.path);
+        warning.label = reason;
+        warning.where = recipe_place(value);
+        warnings.push_back(std::move(warning));
+    }
+    return warnings;
+}
+
 std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
                                                    const PreviewOptions& options) {
     if (!options.altitude_m || !assets.recipe || assets.of_kind("transmittance") == nullptr ||
@@ -91,6 +114,53 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
         "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
         *options.altitude_m / 1000, top_m / 1000);
     return diagnostic;
+}
+
+namespace {
+
+// Whether a voxel at the tile's sides has at least a twentieth of the greatest density.
+bool reaches_sides(const PreviewAsset& volume) {
+    const auto [width, rows, depth] =
+        std::array{volume.entry.size[0], volume.entry.size[1], volume.entry.size[2]};
+    const std::size_t channels = volume.entry.channels.size();
+    const double greatest = volume.entry.levels.front().statistics.front().max;
+    const auto is_cloud = [&](int x, int y, int z) {
+        const std::size_t at = (static_cast<std::size_t>(z) * static_cast<std::size_t>(rows) +
+                                static_cast<std::size_t>(y)) *
+                                   static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x);
+        return greatest > 0 && double{volume.voxels[at * channels]} >= greatest / 20;
+    };
+    for (int z = 0; z < depth; ++z) {
+        for (int x = 0; x < width; ++x) {
+            if (is_cloud(x, 0, z) || is_cloud(x, rows - 1, z)) return true;
+        }
+        for (int y = 0; y < rows; ++y) {
+            if (is_cloud(0, y, z) || is_cloud(width - 1, y, z)) return true;
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+std::vector<config::Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
+                                                   const PreviewOptions& options) {
+    std::vector<config::Diagnostic> warnings;
+    if (!options.single) return warnings;
+    for (const PreviewAsset& asset : assets.assets) {
+        if (asset.entry.kind != "cloud_volume" || asset.voxels.empty()) continue;
+        if (!reaches_sides(asset)) continue;
+        config::Diagnostic warning;
+        warning.severity = config::Severity::warning;
+        warning.code = "W0218";
+        warning.message = fmt::format(
+            "`{}` reaches the sides of its tile: a picture of a single one shows walls there",
+            asset.entry.name);
+        warning.label = "show the layer, or give the cloud a larger extent";
+        warnings.push_back(std::move(warning));
+    }
+    return warnings;
 }
 
 config::Recipe draft_of(config::Recipe recipe, int most_voxels) {

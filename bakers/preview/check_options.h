@@ -26,9 +26,18 @@ LitPictures lit_pictures_of(const PreviewAssets& assets);
 [[nodiscard]] std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
                                                              const PreviewOptions& options);
 
+// Returns warnings (W0216) of the keys that the recipe's own [preview] has and that no picture of its
+// bakes uses.
+[[nodiscard]] std::vector<config::Diagnostic> unused_keys(const config::Recipe& recipe);
+
 // Returns E0110 if a sky is to be shown and options.altitude_m is above the top of its air, where
 // the tables end.
 [[nodiscard]] std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
+                                                                 const PreviewOptions& options);
+
+// Returns warnings (W0218) of cloud volumes that reach the sides of their tile, if single tiles are
+// shown.
+[[nodiscard]] std::vector<config::Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
                                                                  const PreviewOptions& options);
 
 // Reduces a recipe for a draft. Volumes have at most `most_voxels` along an edge, in the same

@@ -249,7 +249,12 @@ Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOpti
     if (options.live) return make_live_preview(assets, *complete.value);
     if (auto problem = camera_above_air(assets, *complete.value))
         return {{}, {std::move(*problem)}};
-    return Preview(assets, *complete.value).make();
+    Outcome<PreviewPage> page = Preview(assets, *complete.value).make();
+    for (config::Diagnostic& warning : clouds_cut_by_tile(assets, *complete.value)) {
+        if (page.value) page.value->notes.push_back(warning.message);
+        page.diagnostics.push_back(std::move(warning));
+    }
+    return page;
 }
 
 }  // namespace skybake

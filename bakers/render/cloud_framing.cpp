@@ -13,8 +13,10 @@ namespace skybake {
 namespace {
 
 constexpr double kField = 50;
-// The eye height of somebody who stands on the ground.
+// A camera that is asked for stands no lower than the eyes of somebody on the ground, and one that is
+// chosen no lower than a hill, from where the ground does not hide the distance.
 constexpr double kLowest_m = 2;
+constexpr double kHill_m = 100;
 // The share of the picture's width or height that a framed box fills.
 constexpr double kFilled = 0.9;
 // The share of the greatest value below which voxels do not count for the framing, because they are
@@ -26,7 +28,7 @@ constexpr float kFaint = 0.05F;
 void place_under_layer(const CloudMedium& medium, CloudCamera& camera) {
     const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
     const bool from_below = medium.base_m >= 0.1 * tile;
-    const double below_m = std::max(medium.base_m - 0.25 * tile, kLowest_m);
+    const double below_m = std::max(medium.base_m - 0.25 * tile, kHill_m);
     const double top_m = medium.base_m + medium.extent_m[2];
     camera.position_m = {0.31 * medium.extent_m[0], 0.12 * medium.extent_m[1],
                          from_below ? below_m : top_m + 0.15 * tile};
@@ -70,7 +72,7 @@ void place_before_box(const CloudBox& box, const CameraRequest& request, double 
                       CloudCamera& camera) {
     camera.elevation_degrees = request.pitch_degrees.value_or(8);
     camera.position_m = position_before(box, camera, height_over_width);
-    if (camera.position_m[2] >= kLowest_m || request.pitch_degrees) return;
+    if (camera.position_m[2] >= kHill_m || request.pitch_degrees) return;
     camera.elevation_degrees = -8;
     camera.position_m = position_before(box, camera, height_over_width);
 }
@@ -105,8 +107,7 @@ CloudCamera camera_for(const CloudMedium& medium, const CameraRequest& request,
         const auto& [x, y, z] = *request.position_m;
         camera.position_m = {x, y, z};
     }
-    // The camera must not be below the ground.
-    camera.position_m[2] = std::max(camera.position_m[2], kLowest_m);
+    camera.position_m[2] = std::max(camera.position_m[2], request.position_m ? kLowest_m : kHill_m);
     return camera;
 }
 
@@ -204,7 +205,7 @@ std::vector<CloudViewSettings> turntable_views(const CloudMedium& medium, const 
         settings.camera.azimuth_degrees = 0;
         place_before_box({middle - reach, middle + reach}, request,
                          static_cast<double>(height) / width, settings.camera);
-        settings.camera.position_m.z = std::max(settings.camera.position_m.z, kLowest_m);
+        settings.camera.position_m.z = std::max(settings.camera.position_m.z, kHill_m);
     }
     const CloudCamera first = settings.camera;
     const glm::dvec3 offset = first.position_m - middle;

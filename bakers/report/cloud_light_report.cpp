@@ -40,7 +40,7 @@ Outcome<CloudLayer> layer_of(const config::Recipe& recipe, const CloudLightBake&
                              const std::string& name, const BakeOptions& options) {
     const auto& of = bake_named(recipe.parameters, asked.of).as<CloudVolumeBake>();
     Facts details;
-    const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);
+    const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(recipe.parameters, of.cloud), of, *inputs.value, options, {});

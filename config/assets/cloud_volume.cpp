@@ -60,6 +60,14 @@ const std::array cloud_volume_table = {
                       .exclusive_side = "measured",
                       .only_shown = true},
                      {}},
+    CloudVolumeField{
+        {.key = "cover",
+         .kind = Kind::fraction,
+         .range = unit_range,
+         .documentation = "share of the columns of voxels that hold cloud, met exactly, "
+                          "in place of the cloud's coverage; by default the cloud's",
+         .hint = "the bake finds the coverage that gives it"},
+        &CloudVolumeBake::cover},
 };
 
 // Whether cubes of this edge fill the extent exactly.

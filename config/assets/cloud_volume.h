@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "config/assets/asset.h"
@@ -19,6 +20,7 @@ struct CloudVolumeBake : VolumeFrames {
     std::string cloud;               // NAME of a [clouds.NAME]
     std::array<int, 3> size{};       // voxels along x, y and height
     std::array<Length, 3> extent{};  // that the voxels span along x, y and z; 0: the cloud's
+    std::optional<double> cover;     // the share of columns with cloud; none: as coverage gives it
 };
 
 const AssetKind& asset_kind(Tag<CloudVolumeBake>);

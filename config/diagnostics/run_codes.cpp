@@ -81,6 +81,16 @@ constexpr std::array run_table = {
         "are like that. The message names the value and the shares below and above it. Nothing is "
         "written.",
         "covered = 0.5", "covered = 1", failed_check},
+    DiagnosticCode{
+        "E0412", "cover of a cloud that cannot be reached",
+        "No coverage gives the cloud this cover. With coverage = 1 there may be less cloud than is "
+        "asked for, since nothing grows where height profile, towers and noise are 0, and with "
+        "coverage = 0 there may be more, since towers above 1 remain. Where the noise has one "
+        "value "
+        "in many columns, all of them fill at once. The message says what can be reached. Nothing "
+        "is "
+        "written.",
+        "cover = \"99 %\"", "cover = \"90 %\"", failed_check},
 
     DiagnosticCode{"E0500", "internal error",
                    "skybake reached a state that its authors thought impossible. Please report the "

@@ -134,6 +134,36 @@ constexpr std::array warning_table = {
                    "layout = \"atlas\"\ncolumns = 8",
                    0},
     DiagnosticCode{
+        "W0215", "a cloud volume without cloud",
+        "No voxel holds cloud, so that the file is empty. That is what coverage = 0, or a scatter "
+        "of no towers, gives, and what a threshold above all densities does.",
+        "coverage = 0", "cover = \"40 %\"", 0},
+    DiagnosticCode{
+        "W0216", "a key of pictures that no picture uses",
+        "[preview] has a key that no picture of the recipe uses, because the recipe bakes "
+        "no cloud, or none of the tables that pictures of a sky are made from. Bakes do "
+        "not depend on [preview]; `skybake preview` says what is missing.",
+        "preset = \"earth\"\n[bake.transmittance]\n[preview]\nsun_elevation = \"20 deg\"",
+        "preset = \"earth\"\n[bake.transmittance]\n[bake.multiple_scattering]\n[preview]\n"
+        "sun_elevation = \"20 deg\"",
+        0},
+    DiagnosticCode{
+        "W0217", "a tower that its tile moves or cuts",
+        "A cloud repeats along x and y, so a tower outside the tile stands where one of its copies "
+        "is "
+        "within. Nothing reaches above the cloud's extent: a taller dome has a flat top.",
+        "extent = [\"6 km\", \"6 km\", \"0.75 km\"]\n[clouds.c.towers.0]\nshape = \"dome\"\n"
+        "foot = [\"30 km\", \"3 km\", \"0 m\"]\nsize = [\"1 km\", \"1 km\", \"9 km\"]",
+        "extent = [\"6 km\", \"6 km\", \"0.75 km\"]\n[clouds.c.towers.0]\nshape = \"dome\"\n"
+        "foot = [\"3 km\", \"3 km\", \"0 m\"]\nsize = [\"1 km\", \"1 km\", \"0.7 km\"]",
+        0},
+    DiagnosticCode{
+        "W0218", "a single cloud that its tile cuts",
+        "A picture of a single tile shows no copies of it, and cloud that reaches the tile's sides "
+        "ends there in a straight wall. Show the layer instead (single = false), or give the cloud "
+        "a larger extent, so that it stands free.",
+        "[preview]\nsingle = true", "[preview]\nsingle = false", 0},
+    DiagnosticCode{
         "W0219", "frames that do not make a loop",
         "The number of frames is not a multiple of the `period` of a noise or a cloud, "
         "so that the last frame does not lead to the first. That is right for a shot that does not "

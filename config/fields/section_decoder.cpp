@@ -148,7 +148,13 @@ struct SectionReader {
         for (const std::string_view name : subtables(section.path)) known.push_back(name);
         const std::string where =
             result.path.empty() ? "at the top level" : fmt::format("in [{}]", result.path);
-        std::string label = home_of(entry.key);
+        std::string label;
+        if (as_table(entry.value)) {
+            label = did_you_mean(entry.key, subtables(section.path));
+            // What the table would have told is not reported as missing.
+            if (!label.empty()) decoder.complete = false;
+        }
+        if (label.empty()) label = home_of(entry.key);
         if (label.empty()) label = did_you_mean(entry.key, known);
         if (label.empty()) label = "there is no such key";
         decoder.diagnostics.error("E0102", entry.key_place,

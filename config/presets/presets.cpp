@@ -73,10 +73,21 @@ std::vector<std::string_view> particle_preset_names() { return preset_names(part
 
 std::vector<std::string_view> layer_preset_names() { return preset_names(layer_presets()); }
 
+std::string preset_comment(const Preset& preset) {
+    std::string comment;
+    std::string_view text = preset.text;
+    while (text.starts_with('#')) {
+        text.remove_prefix(text.starts_with("# ") ? 2 : 1);
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        comment += std::string(text.substr(0, end)) + '\n';
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return comment;
+}
+
 std::string preset_title(const Preset& preset) {
-    std::string_view line = preset.text.substr(0, preset.text.find('\n'));
-    while (!line.empty() && (line.front() == '#' || line.front() == ' ')) line.remove_prefix(1);
-    return std::string(line);
+    const std::string comment = preset_comment(preset);
+    return comment.substr(0, comment.find('\n'));
 }
 
 }  // namespace skybake::config

@@ -59,7 +59,10 @@ std::vector<std::string_view> cloud_preset_names();
 std::vector<std::string_view> particle_preset_names();
 std::vector<std::string_view> layer_preset_names();
 
-// Returns the first line of the comment at the preset's head.
+// Returns the comment at the preset's head without its `#`. Paragraphs have an empty line between them.
+std::string preset_comment(const Preset& preset);
+
+// Returns the first line of that comment.
 std::string preset_title(const Preset& preset);
 
 }  // namespace skybake::config

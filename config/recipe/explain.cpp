@@ -6,6 +6,7 @@
 
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/fields/fields.h"
+#include "config/presets/presets.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 
@@ -161,11 +162,26 @@ void append_block(std::string& text, const std::string& block) {
 
 }  // namespace
 
+namespace {
+
+// Returns what the presets of that name say of themselves.
+std::string explain_presets(std::string_view name) {
+    std::string text;
+    const auto append = [&](const Preset* preset) {
+        if (preset) append_block(text, preset_comment(*preset));
+    };
+    append(find_preset(name));
+    for (const SectionPresets& kind : section_presets()) append(find_preset(kind.all(), name));
+    return text;
+}
+
+}  // namespace
+
 std::optional<std::string> explain(std::string_view what) {
     if (const DiagnosticCode* code = find_diagnostic_code(what)) return explain_code(*code);
     const Names asked = names_of(what);
     if (asked.empty() || is_free(asked.front())) return std::nullopt;
-    std::string text;
+    std::string text = explain_presets(what);
     for (const Section& section : sections()) {
         if (section_fits(asked, section)) append_block(text, explain_section(section));
     }

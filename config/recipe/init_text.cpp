@@ -4,13 +4,10 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <utility>
 
 #include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
-#include "config/fields/field_reader.h"
 #include "config/fields/fields.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
@@ -23,15 +20,16 @@ constexpr std::size_t comment_width = 98;
 
 std::string comment(std::string_view text) { return wrap(text, "# ", comment_width); }
 
-// Returns the comment lines at the head of the preset's text.
-std::string head_comment(std::string_view text) {
-    std::string head;
-    while (text.starts_with('#')) {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        head += std::string(text.substr(0, end)) + '\n';
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return head;
+// Returns the first paragraph of the preset's head comment, and how the text is to be read.
+std::string head(const Preset& preset, std::string_view full_name) {
+    const std::string comment_lines = preset_comment(preset);
+    const std::size_t end = std::min(comment_lines.find("\n\n"), comment_lines.size());
+    return comment(std::string_view(comment_lines).substr(0, end)) + "#\n" +
+           comment(fmt::format(
+               "Written by `skybake init --preset {}`. Uncomment a line to change its value. "
+               "`skybake explain {}` prints more of the preset and its sources, `skybake explain "
+               "KEY` more of a key.",
+               full_name, preset.name));
 }
 
 // Returns what the table, or else the default, chooses for a selector such as `profile`.
@@ -68,24 +66,49 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
     });
 }
 
-std::string section_text(const Section& section, const Table& table) {
+// Writes a key with its meaning beside it, or above it where there is no room.
+std::string key_text(const Field& field, const std::string& value, std::string_view prefix) {
+    const std::string assignment = fmt::format("{}{} = {}", prefix, field.key, value);
+    for (const std::string& text : {describe_field(field), std::string(field.documentation)}) {
+        std::string line = fmt::format("{}  # {}\n", assignment, text);
+        if (line.size() <= comment_width + 1) return line;
+    }
+    return comment(field.documentation) + assignment + '\n';
+}
+
+// Lists defaults that take effect: those of keys of files, or those of all others.
+enum class Keys { own, of_files };
+std::string defaults_text(const Section& section, const Table& table, Keys keys,
+                          std::string_view title) {
+    std::string list;
+    for (const Field& field : section.fields) {
+        const bool is_of_files = !section.asset.empty() && field.role == Role::files;
+        if (is_of_files != (keys == Keys::of_files) || find_entry(table, field.key)) continue;
+        if (!is_at_default(field, section, table)) continue;
+        list += fmt::format("{}{} = {}", list.empty() ? "" : "; ", field.key, field.fallback);
+    }
+    return list.empty() ? "" : comment(fmt::format("{}: {}", title, list));
+}
+
+// Writes the keys of a table, each after the prefix, and lists the defaults of others.
+std::string section_text(const Section& section, const Table& table, std::string_view prefix = "") {
     std::string text;
     for (const Field& field : section.fields) {
         const Entry* entry = find_entry(table, field.key);
-        if (entry) {
-            text += comment(describe_field(field));
-            text += fmt::format("{} = {}\n", field.key, value_to_string(entry->value));
-        } else if (is_at_default(field, section, table)) {
-            text += comment(describe_field(field));
-            text += fmt::format("# {} = {}\n", field.key, field.fallback);
-        }
+        if (entry) text += key_text(field, value_to_string(entry->value), prefix);
     }
-    return text;
+    return text + defaults_text(section, table, Keys::own, "by default");
 }
 
 std::string table_text(const Section& section, const std::string& path, const Table& table) {
     return fmt::format("\n# {}\n[{}]\n{}", section.documentation, path,
                        section_text(section, table));
+}
+
+// Says once what all bakes may say of their files, with the defaults of one of them.
+std::string files_text(const Section& bake) {
+    return '\n' + defaults_text(bake, {}, Keys::of_files,
+                                "Keys of files, which each [bake.NAME] may have, are by default");
 }
 
 // Returns the tables below a key, in the order of the text.
@@ -112,6 +135,7 @@ std::string layers_text(const Table& atmosphere) {
 
 std::string bakes_text(const Table& root) {
     std::string text;
+    const Section* last = nullptr;
     for (const Entry* entry : named_tables(root, "bake")) {
         const auto& table = std::get<Table>(entry->value.data);
         const Entry* asset = find_entry(table, "asset");
@@ -119,8 +143,9 @@ std::string bakes_text(const Table& root) {
         const Section* section = find_section("bake.*", named ? *named : entry->key);
         if (!section) continue;  // no preset has such a table
         text += table_text(*section, join_path("bake", entry->key), table);
+        last = section;
     }
-    return text;
+    return last ? text + files_text(*last) : text;
 }
 
 std::optional<Table> parse_preset(const Preset& preset) {
@@ -128,21 +153,6 @@ std::optional<Table> parse_preset(const Preset& preset) {
                         std::string(preset.text)};
     DiagnosticList none_expected;
     return parse_toml(source, none_expected);
-}
-
-// Writes the keys of a table as comments, each with the value that the preset gives it.
-std::string commented_keys(const Section& section, const Table& table) {
-    std::string text;
-    for (const Field& field : section.fields) {
-        const Entry* entry = find_entry(table, field.key);
-        const bool is_worth_showing = entry || is_at_default(field, section, table);
-        if (!is_worth_showing) continue;
-        const std::string value =
-            entry ? value_to_string(entry->value) : std::string(field.fallback);
-        text += comment(describe_field(field));
-        text += fmt::format("# {} = {}\n", field.key, value);
-    }
-    return text;
 }
 
 // Writes what can be overridden in each channel, which is the keys that the preset gives.
@@ -173,73 +183,19 @@ Table bake_of_noise(std::string_view preset, const std::string& name) {
     return {asset, formats, noise, text_entry("pixel_type", "unorm8")};  // sorted by key
 }
 
-std::string note_on_comments(std::string_view preset) {
-    return fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Commented lines show preset and default "
-        "values;\n# uncomment one to change it.\n",
-        preset);
-}
-
 // Writes a section that starts from a preset: keys of its own, and the preset's keys as comments.
 std::string section_from_preset(const Section& section, const std::string& path,
                                 std::string_view preset, const Table& keys) {
     std::string text = fmt::format("\n# {}\n[{}]\n", section.documentation, path);
-    text += comment(describe_field(*find_field(section, "preset")));
-    return text + fmt::format("preset = \"{}\"\n", preset) + commented_keys(section, keys);
+    return text + fmt::format("preset = \"{}\"\n", preset) + section_text(section, keys, "# ");
 }
 
-std::array<int, 3> triple_of(const Table& table, const Section& section, std::string_view key) {
-    const Entry* entry = find_entry(table, key);
-    const Field& field = *find_field(section, key);
-    DiagnosticList none_expected;
-    const std::optional<FieldValue> value =
-        entry ? read_field(field, key, entry->value, std::nullopt, none_expected)
-              : default_value(field, std::nullopt);
-    return value ? std::get<std::array<int, 3>>(*value) : std::array<int, 3>{1, 1, 1};
-}
-
-// These are the noises of a cloud preset, as sections of a recipe, and the number of voxels that
-// shows them all.
-struct CloudNoises {
-    std::string text;
-    std::array<int, 3> size{1, 1, 1};
-
-    void add(const Preset& cloud, const Table& keys, std::string_view key, std::string_view scale) {
-        const Entry* entry = find_entry(keys, key);
-        if (!entry) return;
-        const auto& name = std::get<std::string>(entry->value.data);
-        const CloudNoisePreset noise = noise_of_cloud_preset(cloud.name, name);
-        const std::optional<Table> noise_keys = parse_preset(*noise.preset);
-        if (!noise_keys) return;
-        text += fmt::format("\n# {}\n[noise.{}]\npreset = \"{}\"\n", preset_title(*noise.preset),
-                            name, noise.preset->name);
-        if (noise.pack != "none") text += fmt::format("pack = \"{}\"\n", noise.pack);
-        const auto voxels = triple_of(*noise_keys, *find_section("noise.*"), "size");
-        const auto times = triple_of(keys, *find_section("clouds.*"), scale);
-        for (std::size_t i = 0; i < 3; ++i) size[i] = std::max(size[i], voxels[i] * times[i]);
-    }
-
-    // Adds voxels where noise is coarse along one axis of the extent, so that all are cubes.
-    void make_cubes(const Table& keys) {
-        const Field& field = *find_field(*find_section("clouds.*"), "extent");
-        DiagnosticList none_expected;
-        const std::optional<FieldValue> value = read_field(
-            field, "extent", find_entry(keys, "extent")->value, std::nullopt, none_expected);
-        if (!value) return;
-        const auto& extent = std::get<std::array<double, 3>>(*value);
-        double edge = extent[0] / size[0];
-        for (std::size_t i = 1; i < 3; ++i) edge = std::min(edge, extent[i] / size[i]);
-        for (std::size_t i = 0; i < 3; ++i) {
-            size[i] = static_cast<int>(std::lround(extent[i] / edge));
-        }
-    }
-};
-
-// Writes the tables below a cloud as comments: its height profile and its towers.
+// Writes the tables below a cloud as comments: its height profile, its scatter and the first of its
+// towers.
 std::string commented_tables(const Table& cloud, const std::string& path) {
     std::string text;
     const auto append = [&](std::string_view pattern, const std::string& at, const Table& table) {
-        text += fmt::format("\n# [{}]\n{}", at, commented_keys(*find_section(pattern), table));
+        text += fmt::format("\n# [{}]\n{}", at, section_text(*find_section(pattern), table, "# "));
     };
     for (const std::string_view name : subtables("clouds.*")) {
         const Entry* entry = find_entry(cloud, name);
@@ -251,23 +207,35 @@ std::string commented_tables(const Table& cloud, const std::string& path) {
             append(pattern, at, *table);
             continue;
         }
-        for (const Entry* tower : towers_in_order(*table)) {
-            append(pattern + ".*", join_path(at, tower->key), std::get<Table>(tower->value.data));
-        }
+        const std::vector<const Entry*> towers = towers_in_order(*table);
+        append(pattern + ".*", join_path(at, towers.front()->key),
+               std::get<Table>(towers.front()->value.data));
+        text += comment(fmt::format("The towers are {} to {}; `skybake show` prints them all.",
+                                    towers.front()->key, towers.back()->key));
     }
     return text;
 }
 
-std::string bakes_of_cloud(const std::string& name, const std::array<int, 3>& size) {
-    Array voxels;
-    for (const int edge : size) voxels.push_back({std::int64_t{edge}, {}});
-    const Table volume = {text_entry("asset", "cloud_volume"),
-                          text_entry("cloud", name),
-                          {"size", {}, {std::move(voxels), {}}}};
+// Writes how pictures show the preset.
+std::string preview_text(const Table& cloud) {
+    const Entry* entry = find_entry(cloud, "preview");
+    const Table* preview = entry ? as_table(entry->value) : nullptr;
+    if (!preview) return "";
+    std::string text = table_text(*find_section("preview"), "preview", *preview);
+    const Entry* camera = find_entry(*preview, "camera");
+    if (!camera) return text;
+    return text + '\n' + "[preview.camera]\n" +
+           section_text(*find_section("preview.camera"), std::get<Table>(camera->value.data));
+}
+
+std::string bakes_of_cloud(const std::string& name) {
+    const Section& volume = *find_section("bake.*", "cloud_volume");
     const Table occupancy = {text_entry("asset", "occupancy"), text_entry("of", name)};
-    return table_text(*find_section("bake.*", "cloud_volume"), join_path("bake", name), volume) +
+    return fmt::format("\n# {}, of {}'s name and size\n[{}]\n", volume.documentation, name,
+                       join_path("bake", name)) +
            table_text(*find_section("bake.*", "occupancy"), join_path("bake", name + "_occupancy"),
-                      occupancy);
+                      occupancy) +
+           files_text(volume);
 }
 
 // Says how the recipe would be baked with many values of one of its keys.
@@ -291,11 +259,12 @@ std::string noise_init_text(const Preset& preset) {
     if (!keys) return std::string(preset.text);
     const std::string name = noise_init_name(preset.name);
     const std::string path = join_path("noise", name);
-    std::string text = head_comment(preset.text) + note_on_comments(preset.name);
+    const Section& bake = *find_section("bake.*", "noise_volume");
+    std::string text = head(preset, preset.name);
     text += section_from_preset(*find_section("noise.*"), path, preset.name, *keys);
     text += commented_channels(*keys, path);
-    text += table_text(*find_section("bake.*", "noise_volume"), join_path("bake", name),
-                       bake_of_noise(preset.name, name));
+    text += table_text(bake, join_path("bake", name), bake_of_noise(preset.name, name));
+    text += files_text(bake);
     return text + sweep_text(join_path(path, "seed"), "[1, 2, 3]");
 }
 
@@ -305,16 +274,12 @@ std::string cloud_init_text(const Preset& preset) {
     name_listed_towers_of_cloud(*keys);
     const std::string name(preset.name);
     const std::string path = join_path("clouds", name);
-    CloudNoises noises;
-    noises.add(preset, *keys, "noise", "noise_scale");
-    noises.add(preset, *keys, "detail", "detail_scale");
-    noises.make_cubes(*keys);
-    std::string text = head_comment(preset.text) + note_on_comments("clouds." + name);
-    text += noises.text;
+    std::string text = head(preset, "clouds." + name);
     text += section_from_preset(*find_section("clouds.*"), path, preset.name, *keys);
     text += commented_tables(*keys, path);
-    text += bakes_of_cloud(name, noises.size);
-    return text + sweep_text(join_path(path, "coverage"), "{ from = 0.2, to = 0.8, count = 4 }");
+    text += preview_text(*keys);
+    text += bakes_of_cloud(name);
+    return text + sweep_text(join_path(path, "cover"), "{ from = 0.1, to = 0.4, count = 4 }");
 }
 
 std::string particle_init_text(const Preset& preset) {
@@ -322,7 +287,7 @@ std::string particle_init_text(const Preset& preset) {
     if (!keys) return std::string(preset.text);
     const std::string name(preset.name);
     const Section& bake = *find_section("bake.*", "phase");
-    std::string text = head_comment(preset.text) + note_on_comments(name);
+    std::string text = head(preset, name);
     text += section_from_preset(*find_section("particles.*"), join_path("particles", name), name,
                                 *keys);
     text += table_text(bake, join_path("bake", name),
@@ -330,6 +295,7 @@ std::string particle_init_text(const Preset& preset) {
     text += table_text(bake, join_path("bake", name + "_sampling"),
                        {text_entry("asset", "phase"), text_entry("content", "inverse_cumulative"),
                         text_entry("particles", name)});
+    text += files_text(bake);
     text += fmt::format(
         "\n# In a recipe with an atmosphere, this is a layer of them:\n"
         "#   [atmosphere.layers.{0}]\n#   profile = \"exponential\"\n#   scale_height = \"1 km\"\n"
@@ -341,11 +307,7 @@ std::string particle_init_text(const Preset& preset) {
 std::string init_text(const Preset& preset) {
     const std::optional<Table> root = parse_preset(preset);
     if (!root) return std::string(preset.text);
-    std::string text = head_comment(preset.text);
-    text += fmt::format(
-        "#\n# Written by `skybake init --preset {}`. Commented lines show default values; "
-        "uncomment\n# one to change it.\n\n",
-        preset.name);
+    std::string text = head(preset, preset.name) + '\n';
     text += section_text(*find_section(""), *root);
     for (const Entry* kind : named_tables(*root, "particles")) {
         text += table_text(*find_section("particles.*"), join_path("particles", kind->key),

@@ -39,7 +39,11 @@ const Section* section_of(const Names& names, const Table& table) {
     for (const Section& section : sections()) {
         if (!names_fit(names, section)) continue;
         if (section.asset.empty()) return &section;
-        return find_section(section.path, asset_of(table, names.back()));
+        const Section* asset = find_section(section.path, asset_of(table, names.back()));
+        // A section with another name and no asset is the volume of a cloud, or of a noise, whose
+        // keys exclude no others.
+        return asset || text_at(table, "asset") ? asset
+                                                : find_section(section.path, "cloud_volume");
     }
     return nullptr;
 }

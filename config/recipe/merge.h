@@ -30,7 +30,8 @@ bool names_particles(const Table& layer);
 
 // Lays each section of the merged recipe that has `preset = "..."` over the preset that it names.
 // Noises, clouds, particles and layers can start from a preset. The texts of the presets are added
-// to the sources, which own what places point to. Returns false if a preset is unknown (E0115,
+// to the sources, which own what places point to. The [preview] of a cloud's preset becomes that of the
+// recipe if it has no other cloud; the recipe's own keys override it. Returns false if a preset is unknown (E0115,
 // reported here) or is not a text, so that keys may be missing for that reason.
 bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
                                DiagnosticList& diagnostics);

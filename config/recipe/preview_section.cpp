@@ -19,20 +19,6 @@ namespace {
 constexpr const char* preview_path = "preview";
 constexpr const char* camera_path = "preview.camera";
 
-// Reports each key, and the camera, that the recipe gives and no picture uses.
-void check_use(const Table& table, std::span<const Bake> bakes, Decoder& decoder) {
-    if (bakes.empty()) return;
-    const PicturesOfLight pictures = pictures_of_light(bakes);
-    for (const Entry& entry : table) {
-        const std::string_view reason = why_unused(entry.key, pictures);
-        if (reason.empty()) continue;
-        decoder.diagnostics.error(
-            "E0111", entry.key_place,
-            fmt::format("no picture of this recipe uses `preview.{}`", entry.key),
-            std::string(reason));
-    }
-}
-
 // Reports a time without a place, and half of a place.
 void check_place(const DecodedSection& preview, Decoder& decoder) {
     const std::array pairs = {std::array{"at", "latitude"}, std::array{"at", "longitude"},
@@ -93,7 +79,7 @@ PicturesOfLight pictures_of_light(std::span<const Bake> bakes) {
             any([](const Bake& bake) { return bake.is<CloudVolumeBake>(); })};
 }
 
-void decode_preview(const Table& root, std::span<const Bake> bakes, Decoder& decoder) {
+void decode_preview(const Table& root, Decoder& decoder) {
     const Entry* entry = find_entry(root, preview_path);
     if (entry == nullptr) return;
     const Table& table = subtable(root, preview_path, "", decoder);
@@ -102,7 +88,6 @@ void decode_preview(const Table& root, std::span<const Bake> bakes, Decoder& dec
                        Absent::filled_in, decoder);
     append_values(preview, decoder);
     check_place(preview, decoder);
-    check_use(table, bakes, decoder);
     const Entry* camera_entry = find_entry(table, "camera");
     if (camera_entry == nullptr) return;
     const DecodedSection camera = decode_section(

@@ -11,10 +11,9 @@
 
 namespace skybake::config {
 
-// Decodes [preview] and [preview.camera] and appends their values. It reports keys that no picture
-// of the recipe uses (E0111), a camera below the ground (E0110), and a time or half of a place
-// without the rest of the place (E0105). A recipe without bakes may have any of the keys.
-void decode_preview(const Table& root, std::span<const Bake> bakes, Decoder& decoder);
+// Decodes [preview] and [preview.camera] and appends their values. It reports a camera below the
+// ground (E0110), and a time or half of a place without the rest of the place (E0105).
+void decode_preview(const Table& root, Decoder& decoder);
 
 // Returns the pictures of light that previews of these bakes have.
 PicturesOfLight pictures_of_light(std::span<const Bake> bakes);

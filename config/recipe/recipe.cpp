@@ -10,6 +10,7 @@
 #include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
+#include "config/recipe/named_bakes.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
 #include "config/sweep/sweep_decoder.h"
@@ -53,6 +54,7 @@ MergedSources merge_sources(RecipeSources& sources, DiagnosticList& diagnostics)
     if (!merged.file) return merged;
     const bool laid = lay_sections_over_presets(merged.root, sources.sources, diagnostics);
     merged.complete = sources.complete && laid;
+    merged.complete = name_bakes_of_sections(merged.root, diagnostics) && merged.complete;
     return merged;
 }
 

@@ -256,7 +256,7 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
     parameters.clouds =
         decode_clouds(root, {parameters.noises, parameters.volumes, volume_files}, decoder);
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
-    decode_preview(root, parameters.bakes, decoder);
+    decode_preview(root, decoder);
     check_atmosphere(root, parameters, source, decoder);
     check_wavelengths(root, parameters, source, decoder);
     return parameters;

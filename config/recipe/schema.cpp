@@ -73,9 +73,10 @@ Json section_schema(const Section& section) {
 
 Json reference(std::string_view name) { return {{"$ref", fmt::format("#/definitions/{}", name)}}; }
 
-// Describes a bake section of any asset. Its `asset` must name the asset.
+// Describes a bake section of any asset. Its `asset` must name the asset, unless it is the volume of
+// a cloud or a noise of its name.
 Json named_bake_schema() {
-    Json alternatives = Json::array();
+    Json alternatives = {reference("cloud_volume"), reference("noise_volume")};
     for (const std::string_view asset : asset_names()) {
         alternatives.push_back({{"allOf", {reference(asset), {{"required", {"asset"}}}}}});
     }

@@ -77,9 +77,19 @@ std::optional<Entry> nested(const Table& root, std::string_view path,
     return Entry{entry->key, entry->key_place, {Table{std::move(*inner)}, entry->value.place}};
 }
 
+// Takes what a cloud's preset says of pictures out of its keys.
+std::optional<Entry> take_preview(Table& keys) {
+    Entry* const entry = find_entry(keys, "preview");
+    if (!entry) return std::nullopt;
+    Entry preview = std::move(*entry);
+    keys.erase(keys.begin() + (entry - keys.data()));
+    return preview;
+}
+
 bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source>& sources,
                       DiagnosticList& diagnostics) {
     bool complete = true;
+    std::optional<Entry> preview;
     std::optional<Entry> sections = nested(root, kind.section, [&](const Table& named) {
         Table presets;
         for (const Entry& entry : named) {
@@ -89,12 +99,15 @@ bool lay_over_presets(const SectionPresets& kind, Table& root, std::deque<Source
             std::optional<Table> keys = preset_of(kind, preset->value, sources, diagnostics);
             complete = complete && keys;
             if (!keys) continue;
+            preview = take_preview(*keys);
             presets.push_back({entry.key, entry.key_place, {std::move(*keys), entry.value.place}});
         }
         return presets;
     });
     if (!sections) return true;
     Table base = {std::move(*sections)};
+    const bool is_alone = preview && as_table(find_entry(root, kind.section)->value)->size() == 1;
+    if (is_alone) base.push_back(std::move(*preview));
     merge(base, root);
     root = std::move(base);
     return complete;

@@ -137,7 +137,7 @@ const std::array atmosphere_table = {
                      .range = radius_range,
                      .required = true,
                      .documentation = "distance from the planet's centre to the ground",
-                     .hint = "the Earth has 6360 km",
+                     .hint = "the Earth has 6371 km",
                      .role = Role::geometry},
                     &Atmosphere::ground_radius},
     AtmosphereField{

@@ -11,6 +11,7 @@
 #include "config/sections/sections.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
+#include "config/text/units.h"
 
 namespace skybake::config {
 
@@ -130,6 +131,39 @@ struct CloudReader {
         }
     }
 
+    void warn_of_tower(const DecodedField& key, const DecodedSection& section, std::string what,
+                       std::string label) const {
+        decoder.diagnostics.warning(
+            "W0217", key.source ? key.source->place : section.place,
+            fmt::format("`{}` {}", join_path(section.path, key.field->key), what),
+            std::move(label));
+    }
+
+    // Warns of a tower that stands outside the tile, and of a dome that ends above the cloud's top.
+    void check_place(const DecodedSection& section, const Tower& tower) const {
+        const bool is_dome = tower.shape == TowerShape::dome;
+        const auto& extent = cloud.extent;
+        if (!(extent[0].meters > 0)) return;
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double tiles =
+                is_dome ? tower.foot[axis].meters / extent[axis].meters : tower.center[axis];
+            if (tiles >= 0 && tiles <= 1) continue;
+            warn_of_tower(
+                section.at(is_dome ? "foot" : "center"), section,
+                fmt::format("lies {:.3g} tiles along {}, outside the tile", tiles, "xy"[axis]),
+                fmt::format("the cloud repeats, so the tower stands at {:.3g} tiles",
+                            tiles - std::floor(tiles)));
+            break;
+        }
+        const double top_m = tower.foot[2].meters + tower.size[2].meters;
+        if (!is_dome || top_m <= extent[2].meters) return;
+        warn_of_tower(
+            section.at("size"), section,
+            fmt::format("lets the dome end {} above the cloud's base, and it is cut at {}",
+                        length_to_string(top_m), length_to_string(extent[2].meters)),
+            "lower the dome, or give the cloud a greater extent");
+    }
+
     void check_lobes(const DecodedSection& section) const {
         constexpr double kMostDomes = 1'000'000;
         const double domes = double{1} * cloud.scatter.count * (1 + cloud.scatter.lobes);
@@ -167,6 +201,7 @@ struct CloudReader {
                 decode_into(tower, tower_fields(), "clouds.*.towers.*",
                             join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
             check_life(section, tower, cloud, decoder);
+            check_place(section, tower);
             if (tower.shape == TowerShape::dome) {
                 check_reach(section, "size", tower,
                             std::max(tower.size[0].meters, tower.size[1].meters),

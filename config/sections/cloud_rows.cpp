@@ -11,6 +11,7 @@ namespace {
 constexpr Range scale_range{1, 1024};
 constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would divide by 0
 constexpr Range extent_range{1e-3, 1e8};
+constexpr Range voxel_range{1, 16384};
 constexpr Range base_altitude_range{-1e8, 1e8};
 constexpr Range density_range{0, 1e6};
 constexpr Range full_range{1e-6, 1e6};
@@ -113,15 +114,31 @@ const std::array cloud_table = {
                 .documentation = "altitude of the cloud's base above the ground",
                 .hint = "cumulus has 0.5 to 2 km"},
                &Cloud::base_altitude},
+    CloudField{{.key = "size",
+                .kind = Kind::voxels,
+                .range = voxel_range,
+                .documentation = "voxels along x, y and z of bakes of the cloud that give none",
+                .hint = "presets give as many as show all octaves of their noises",
+                .only_shown = true},
+               {}},
     CloudField{{.key = "coverage",
                 .kind = Kind::fraction,
                 .range = unit_range,
                 .fallback = "1",
-                .documentation = "share of the sky that the noise fills: 1 leaves it as it is, "
-                                 "lower values thin it; at "
-                                 "0 only towers taller than 1 remain",
-                .citation = schneider_2015},
+                .documentation = "how much cloud the noise leaves: 1 keeps all of it, lower values "
+                                 "thin it out; at 0 only towers taller than 1 remain",
+                .citation = schneider_2015,
+                .exclusive_group = "amount",
+                .exclusive_side = "coverage"},
                &Cloud::coverage},
+    CloudField{{.key = "cover",
+                .kind = Kind::fraction,
+                .range = unit_range,
+                .documentation = "share of the columns of voxels that hold cloud; the bake finds "
+                                 "the coverage that gives it exactly",
+                .exclusive_group = "amount",
+                .exclusive_side = "cover"},
+               {}},
     CloudField{{.key = "threshold",
                 .kind = Kind::number,
                 .range = density_range,

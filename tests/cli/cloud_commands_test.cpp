@@ -47,6 +47,27 @@ TEST_F(CloudBake, VerifiesInAllFormats) {
     EXPECT_EQ(again.code, 0) << again.error;
 }
 
+// The share of columns with cloud is stated wherever a bake speaks of its assets.
+TEST_F(CloudBake, StatesItsCoverAndWarnsWhenThereIsNone) {
+    write(7, "cover = \"25 %\"\n");
+    const Result baked = bake({"--only", "c"});
+    ASSERT_EQ(baked.code, 0) << baked.error;
+    EXPECT_NE((baked.out + baked.error).find("25 %"), std::string::npos) << baked.error;
+    EXPECT_EQ(baked.error.find("W0215"), std::string::npos);
+    const auto manifest = nlohmann::json::parse(read_bytes(out_ + "/manifest.json"));
+    EXPECT_EQ(manifest["assets"][0]["details"]["covered_columns"], 0.25);
+    const Result info = run_words({"info", out_ + "/c.vdb"});
+    EXPECT_NE(info.out.find("covered_columns = 0.25"), std::string::npos) << info.out;
+    write(7, "coverage = 0\n");
+    const Result empty = bake({"--only", "c"});
+    EXPECT_EQ(empty.code, 0);
+    EXPECT_NE(empty.error.find("W0215"), std::string::npos) << empty.error;
+    write(7, "cover = 1\n");
+    const Result full = bake({"--only", "c"});
+    EXPECT_EQ(full.code, 4);
+    EXPECT_NE(full.error.find("E0412"), std::string::npos) << full.error;
+}
+
 // A grid of another cloud than the one beside it: every file is what the manifest says, and yet a
 // ray would lose something.
 TEST_F(CloudBake, VerifyFindsWhatAGridLoses) {

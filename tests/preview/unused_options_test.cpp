@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace skybake {
 namespace {
@@ -64,6 +65,62 @@ TEST(UnusedOptions, OfASweepAreThoseOfItsContactSheet) {
     options = {};
     options.picture_size = {64, 64};
     EXPECT_TRUE(unused_options({false, false, true}, options).empty());
+}
+
+config::Recipe recipe_of(const std::string& text) {
+    auto recipe = config::parse_recipe(text, "test.toml");
+    for (const auto& diagnostic : recipe.diagnostics) ADD_FAILURE() << diagnostic.message;
+    return recipe.value ? std::move(*recipe.value) : config::Recipe{};
+}
+
+// A preview warns of what a recipe asks for in vain; a cloud's preset may ask for it.
+TEST(UnusedKeys, AreThoseOfTheRecipeThatNoPictureUses) {
+    const std::string table = "preset = 'earth_hillaire'\n[bake.transmittance]\nsize = [32, 8]\n";
+    const std::string preview =
+        "[preview]\nglare = 'none'\nexposure = 1\n[preview.camera]\nfov = '40 deg'\n";
+    const std::string sky = table + "[bake.multiple_scattering]\nsize = [8, 8]\n";
+    const std::string cloud = "[clouds.c]\npreset = 'cirrus'\n";
+    const auto keys_of = [](const std::string& text) {
+        std::string keys;
+        for (const config::Diagnostic& warning : unused_keys(recipe_of(text))) {
+            EXPECT_EQ(warning.code, "W0216");
+            EXPECT_EQ(warning.severity, config::Severity::warning);
+            EXPECT_EQ(warning.where.source, "test.toml");
+            keys += warning.message.substr(warning.message.find('`')) + ' ';
+        }
+        return keys;
+    };
+    EXPECT_EQ(keys_of(table + preview), "`preview.exposure` `preview.glare` `preview.camera.fov` ");
+    EXPECT_EQ(keys_of(sky + preview), "`preview.camera.fov` ");
+    EXPECT_EQ(keys_of(cloud + "[bake.c]\n" + preview), "`preview.glare` ");
+    EXPECT_EQ(keys_of(table + cloud), "") << "the preset's camera";
+}
+
+PreviewAssets assets_of(int x, int y) {
+    PreviewAssets assets;
+    PreviewAsset& volume = assets.assets.emplace_back();
+    volume.entry.kind = "cloud_volume";
+    volume.entry.name = "c";
+    volume.entry.size = {4, 4, 2};
+    volume.entry.channels = {"Y"};
+    volume.entry.levels.resize(1);
+    volume.entry.levels[0].statistics.resize(1);
+    volume.entry.levels[0].statistics[0].max = 1;
+    volume.voxels.assign(32, 0);
+    volume.voxels[static_cast<std::size_t>(16 + 4 * y + x)] = 0.5F;
+    return assets;
+}
+
+TEST(CutClouds, ReachTheSidesOfASingleTile) {
+    PreviewOptions options;
+    options.single = true;
+    EXPECT_TRUE(clouds_cut_by_tile(assets_of(1, 2), options).empty());
+    for (const auto [x, y] : {std::pair{0, 1}, {3, 1}, {1, 0}, {2, 3}}) {
+        const auto warnings = clouds_cut_by_tile(assets_of(x, y), options);
+        ASSERT_EQ(warnings.size(), 1U) << x << ' ' << y;
+        EXPECT_EQ(warnings[0].code, "W0218");
+    }
+    EXPECT_TRUE(clouds_cut_by_tile(assets_of(0, 1), {}).empty()) << "the layer has no sides";
 }
 
 }  // namespace

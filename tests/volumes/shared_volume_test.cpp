@@ -82,10 +82,11 @@ TEST_F(SharedVolume, IsOpenedOnceForAllAssetsOfARun) {
     Intermediates shared(1 << 20);
     const auto first = shared.expect(needs_of_voxels(parameters, asset));
     const auto second = shared.expect(needs_of_voxels(parameters, asset));
+    const BakeOptions options{.intermediates = &shared};
     Facts details;
-    const auto one = cloud_inputs(parameters, asset, details, &shared);
+    const auto one = cloud_inputs(parameters, asset, details, options);
     std::filesystem::remove(folder_ / "c.nvdb");
-    const auto other = cloud_inputs(parameters, asset, details, &shared);
+    const auto other = cloud_inputs(parameters, asset, details, options);
     ASSERT_TRUE(one.value && other.value);
     EXPECT_EQ(one.value->volume->source.voxels, other.value->volume->source.voxels);
     EXPECT_FALSE(cloud_inputs(parameters, asset, details).value) << "it is gone";

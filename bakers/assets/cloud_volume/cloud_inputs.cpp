@@ -2,10 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
 
+#include "bakers/clouds/cover_search.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/volume_reader.h"
 #include "config/assets/cloud_volume.h"
@@ -56,23 +59,71 @@ std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& det
     return cloud::CloudVolume{*source, file.wrap};
 }
 
+// Returns null after an interruption.
+std::shared_ptr<const cloud::FoundCover> found_cover(const config::Parameters& parameters,
+                                                     const config::CloudVolumeBake& bake,
+                                                     const CloudInputs& inputs,
+                                                     const BakeOptions& options) {
+    const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
+    return shared_or_made<cloud::FoundCover>(
+        options.intermediates, key_of_coverage(parameters, bake),
+        [&]() -> std::shared_ptr<const cloud::FoundCover> {
+            const auto found = cloud::find_cover(
+                plan_of_cloud(cloud, inputs, bake.size),
+                {*bake.cover, filtered_threshold(cloud), bake.pixel_type}, options);
+            return options.cancelled() ? nullptr : std::make_shared<cloud::FoundCover>(found);
+        });
+}
+
+// Returns E0412 if the share of columns differs from the wanted one by more than a column's, and by
+// more than what ties of columns excuse.
+std::optional<Diagnostic> missed_cover(const config::CloudVolumeBake& bake,
+                                       const cloud::FoundCover& found) {
+    const double columns = double{1} * bake.size[0] * bake.size[1];
+    const double most = std::max(1 / columns, 1.0 / cloud::kMostTiedColumns);
+    if (std::fabs(found.share - *bake.cover) <= most) return std::nullopt;
+    Diagnostic problem;
+    problem.code = "E0412";
+    problem.message = fmt::format(
+        "cloud `{}` cannot cover {:.4g} %: at coverage {:.6g} it covers {:.4g} %, and more at once",
+        bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
+    if (found.share == found.reach[0] || found.share == found.reach[1]) {
+        problem.message = fmt::format(
+            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and "
+            "{:.4g} % at coverage 1",
+            bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1]);
+    }
+    problem.label = "`cover` cannot be reached; change it, the height profile or the towers";
+    return problem;
+}
+
 }  // namespace
 
 Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                   const config::CloudVolumeBake& bake, Facts& details,
-                                  Intermediates* shared) {
+                                  const BakeOptions& options) {
     Outcome<CloudInputs> outcome;
     const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
     inputs.base = noise_of(parameters, cloud);
     if (inputs.base == nullptr) {
         inputs.file = &volume_named(parameters, cloud.volume);
-        inputs.volume = read_volume(*inputs.file, details, shared, outcome.diagnostics);
+        inputs.volume =
+            read_volume(*inputs.file, details, options.intermediates, outcome.diagnostics);
     }
     if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
     inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);
+    if (outcome.diagnostics.empty() && bake.cover) {
+        const auto found = found_cover(parameters, bake, inputs, options);
+        if (!found) return {};
+        inputs.coverage = found->coverage;
+        details.emplace_back("coverage", found->coverage);
+        if (auto problem = missed_cover(bake, *found)) {
+            outcome.diagnostics.push_back(std::move(*problem));
+        }
+    }
     if (outcome.diagnostics.empty()) outcome.value = std::move(inputs);
     return outcome;
 }

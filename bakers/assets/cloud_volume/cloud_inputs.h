@@ -3,7 +3,6 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/intermediates.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
@@ -13,8 +12,10 @@ namespace skybake {
 // Reads the maps of the cloud that `bake` names and opens its volume. Adds to `details` the content
 // hashes of maps, since files state only their names, and what the volume is like. Returns E0300 or
 // E0304 if a file cannot be read. The volume is opened once for all assets that share intermediates.
+// So is the coverage searched that gives a cloud with `cover` its cover, at the size of `bake`; E0412
+// if there is none. After an interruption there may be neither inputs nor diagnostics.
 config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
                                           const config::CloudVolumeBake& bake, Facts& details,
-                                          Intermediates* shared = nullptr);
+                                          const BakeOptions& options = {});
 
 }  // namespace skybake

@@ -162,7 +162,14 @@ struct VoxelRequest {
     std::optional<config::VolumeFile> volume;
     std::optional<config::Noise> detail;
     std::array<int, 3> size{};
+    std::optional<double> cover;
+    std::optional<config::PixelType> stored_as;  // decides which columns `cover` counts
     bool operator==(const VoxelRequest&) const = default;
+};
+
+struct CoverageRequest {
+    VoxelRequest voxels;
+    bool operator==(const CoverageRequest&) const = default;
 };
 
 template <class Section>
@@ -170,9 +177,23 @@ std::optional<Section> copied(const Section* section) {
     return section != nullptr ? std::optional<Section>(*section) : std::nullopt;
 }
 
-NeedKey key_of_voxels(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
-                      const config::VolumeFile* volume, const config::Noise* detail) {
-    return NeedKey(VoxelRequest{cloud, copied(base), copied(volume), copied(detail), bake.size});
+VoxelRequest request_of(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
+                        const config::VolumeFile* volume, const config::Noise* detail) {
+    VoxelRequest request{cloud, copied(base), copied(volume), copied(detail), bake.size, bake.cover,
+                         {}};
+    if (bake.cover) request.stored_as = bake.pixel_type;
+    return request;
+}
+
+// Warns (W0215) of a volume in which no column holds cloud.
+std::optional<config::Diagnostic> empty_volume(const Baked& volume) {
+    if (number_named(volume.details, covered_columns).value_or(1) > 0) return std::nullopt;
+    config::Diagnostic warning;
+    warning.severity = config::Severity::warning;
+    warning.code = "W0215";
+    warning.message = fmt::format("`{}` is empty: no voxel holds cloud", volume.name);
+    warning.label = "raise the coverage, or ask for a share of the sky: cover = \"40 %\"";
+    return warning;
 }
 
 // Replaces the voxels on demand of a volume by voxels in memory, if there is room for them.
@@ -180,7 +201,8 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
                  const BakeOptions& options, Baked& volume) {
     auto& voxels = volume.levels.front().voxels;
     const auto held = shared_or_made<VoxelSource>(
-        options.intermediates, key_of_voxels(cloud, bake, inputs.base, inputs.file, inputs.detail),
+        options.intermediates,
+        NeedKey(request_of(cloud, bake, inputs.base, inputs.file, inputs.detail)),
         [&]() -> std::shared_ptr<const VoxelSource> {
             hold_voxels(options, volume);
             return options.cancelled() ? nullptr : voxels;
@@ -190,14 +212,25 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
 
 }  // namespace
 
-cloud::CloudPlan plan_of_cloud(const Cloud& cloud, const CloudInputs& inputs,
+namespace {
+
+Cloud with_coverage(Cloud cloud, const CloudInputs& inputs) {
+    cloud.coverage = inputs.coverage.value_or(cloud.coverage);
+    return cloud;
+}
+
+}  // namespace
+
+cloud::CloudPlan plan_of_cloud(const Cloud& asked, const CloudInputs& inputs,
                                const std::array<int, 3>& size) {
+    const Cloud cloud = with_coverage(asked, inputs);
     return inputs.volume ? make_cloud_plan(cloud, *inputs.volume, inputs.detail, size, inputs.maps)
                          : make_cloud_plan(cloud, *inputs.base, inputs.detail, size, inputs.maps);
 }
 
-cloud::CloudReference reference_of_cloud(const Cloud& cloud, const CloudInputs& inputs,
+cloud::CloudReference reference_of_cloud(const Cloud& asked, const CloudInputs& inputs,
                                          const std::array<int, 3>& size) {
+    const Cloud cloud = with_coverage(asked, inputs);
     if (inputs.volume) return {cloud, *inputs.volume, inputs.detail, size, inputs.maps};
     return {cloud, *inputs.base, inputs.detail, inputs.maps};
 }
@@ -212,20 +245,40 @@ Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const C
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
 }
 
-std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
-                                  const CloudVolumeBake& asset) {
+namespace {
+
+VoxelRequest request_of(const config::Parameters& parameters, const CloudVolumeBake& asset) {
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
     const config::Noise* base = noise_of(parameters, cloud);
     const config::VolumeFile* volume =
         base == nullptr ? &volume_named(parameters, cloud.volume) : nullptr;
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
+    return request_of(cloud, asset, base, volume, detail);
+}
+
+}  // namespace
+
+NeedKey key_of_coverage(const config::Parameters& parameters, const CloudVolumeBake& bake) {
+    return NeedKey(CoverageRequest{request_of(parameters, bake)});
+}
+
+std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
+                                  const CloudVolumeBake& asset) {
+    const VoxelRequest request = request_of(parameters, asset);
+    const Cloud& cloud = request.cloud;
+    const auto& volume = request.volume;
+    const config::Noise* base = noise_of(parameters, cloud);
     const auto channels = config::cloud_channel_names(base, cloud.channels).size();
+    const double seconds = estimate_cloud_volume(parameters, asset).seconds;
     std::vector<Need> needs = {
-        {key_of_voxels(cloud, asset, base, volume, detail), "voxels of " + cloud.name,
-         estimate_cloud_volume(parameters, asset).seconds,
+        {NeedKey(request), "voxels of " + cloud.name, seconds,
          voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte}};
-    if (volume != nullptr) {
+    if (asset.cover) {
+        needs.push_back(
+            {NeedKey(CoverageRequest{request}), "coverage of " + cloud.name, seconds, 0});
+    }
+    if (volume) {
         // Every voxel is read when a file is opened. What is kept of a tree is 24 bytes for each leaf
         // of 512 voxels; the file may have more of them than the bake has voxels.
         constexpr double kSecondsPerVoxel = 1e-9;
@@ -257,7 +310,7 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
     const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
     const auto reference =
         std::make_shared<CloudReference>(reference_of_cloud(cloud, inputs, bake.size));
-    return finish_volume(
+    Outcome<Baked> finished = finish_volume(
         std::move(volume),
         {.histogram_ranges = ranges,
          .reference =
@@ -268,8 +321,13 @@ Outcome<Baked> bake_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake
          .measure = {},
          .probe_place = [spanned = config::stretched(cloud, bake)](
                             const std::array<double, 3>& uvw,
-                            int) { return place_of(spanned, uvw); }},
+                            int) { return place_of(spanned, uvw); },
+         .covered_above = filtered_threshold(cloud)},
         options);
+    if (finished.value) {
+        if (auto warning = empty_volume(*finished.value)) finished.diagnostics.push_back(*warning);
+    }
+    return finished;
 }
 
 }  // namespace skybake

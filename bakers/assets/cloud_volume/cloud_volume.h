@@ -25,7 +25,11 @@ struct CloudInputs {
     std::optional<cloud::CloudVolume> volume;  // of `file`
     const config::Noise* detail = nullptr;     // null if the cloud names none
     cloud::CloudMaps maps;
+    std::optional<double> coverage;  // that gives the cloud its cover
 };
+
+// All that the coverage of a cloud with `cover` depends on.
+NeedKey key_of_coverage(const config::Parameters& parameters, const config::CloudVolumeBake& bake);
 
 // Returns the plan of a cloud at a size.
 cloud::CloudPlan plan_of_cloud(const config::Cloud& cloud, const CloudInputs& inputs,

@@ -22,8 +22,7 @@ namespace {
 Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     Baked volume = labelled_volume(std::move(label));
-    const Outcome<CloudInputs> inputs =
-        cloud_inputs(parameters, asset, volume.details, options.intermediates);
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     return bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value, options,
                              std::move(volume));
@@ -130,7 +129,7 @@ std::string cloud_box_glsl(const Cloud& cloud) {
 }
 
 const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
-    static const Baker<CloudVolumeBake> row = {.version = 4,
+    static const Baker<CloudVolumeBake> row = {.version = 5,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
                                                .needs = needs,

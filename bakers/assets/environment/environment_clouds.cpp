@@ -125,8 +125,7 @@ double fraction_of(double value) { return value - std::floor(value); }
 Outcome<CloudMedium> medium_of(const config::Parameters& parameters, const std::string& clouds,
                                const BakeOptions& options, Facts& details) {
     const auto& of = bake_named(parameters, clouds).as<config::CloudVolumeBake>();
-    const Outcome<CloudInputs> inputs =
-        cloud_inputs(parameters, of, details, options.intermediates);
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, of, details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked volume =
         hold_cloud_volume(cloud_named(parameters, of.cloud), of, *inputs.value, options, {});

@@ -34,7 +34,7 @@ Outcome<Baked> numbers_of_frame(const Parameters& at_its_time, const Bake& first
     }
     const auto& bake = first.as<CloudVolumeBake>();
     Facts details;
-    const Outcome<CloudInputs> inputs = cloud_inputs(at_its_time, bake, details);
+    const Outcome<CloudInputs> inputs = cloud_inputs(at_its_time, bake, details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     return {make_cloud_volume(cloud_named(at_its_time, bake.cloud), bake, *inputs.value, {}), {}};
 }

@@ -54,9 +54,7 @@ void add_lookup(const Baked& baked, Values& values) {
 // What Bruneton's tables say of the sun. An asset without it has 0 and no numbers.
 void add_sun(const Baked& baked, Values& values) {
     const auto number = [&](const std::string& name) {
-        const auto fact = std::find_if(baked.details.begin(), baked.details.end(),
-                                       [&](const auto& entry) { return entry.first == name; });
-        return fact == baked.details.end() ? 0 : std::get<double>(fact->second);
+        return number_named(baked.details, name).value_or(0);
     };
     values["NU_SIZE"] = fmt::format("{}", number("nu_size"));
     values["SUN_ANGLE"] = fmt::format("{}", arc_cosine(number("sun_cos_zenith_min")));

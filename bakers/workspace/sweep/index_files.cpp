@@ -62,6 +62,7 @@ Json to_json(const VariantAsset& asset, const std::string& folder) {
             {"lookup_error", to_json(asset.lookup_error)},
             {"texel_error", to_json(asset.texel_error)},
             {"bytes", asset.bytes},
+            {"cover", asset.cover ? Json(*asset.cover) : Json()},
             {"content_hash", asset.content_hash},
             {"files", std::move(files)}};
 }
@@ -140,7 +141,7 @@ std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
 
 constexpr std::array asset_columns = {"sky_median", "sky_p90",   "sky_max",   "lookup_max",
                                       "lookup_rms", "texel_max", "texel_rms", "bytes",
-                                      "content_hash", "files"};
+                                      "cover",      "content_hash", "files"};
 
 std::vector<std::string> csv_header(const config::Sweep& sweep,
                                     const std::vector<std::string>& assets) {
@@ -173,6 +174,7 @@ void add_asset(const VariantResult& variant, const std::string& name,
     add_figures(asset->lookup_error, fields);
     add_figures(asset->texel_error, fields);
     fields.push_back(fmt::format("{}", asset->bytes));
+    fields.push_back(asset->cover ? figure_to_string(*asset->cover) : "");
     fields.push_back(asset->content_hash);
     std::string files;
     for (const std::string& file : asset->files) {

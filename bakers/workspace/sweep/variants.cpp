@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "bakers/field/finish_volume.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
@@ -168,6 +169,7 @@ VariantAsset variant_asset(const ManifestAsset& entry) {
         asset.lookup_error = entry.error->lookup;
         asset.texel_error = entry.error->texel;
     }
+    asset.cover = number_named(entry.details, covered_columns);
     return asset;
 }
 

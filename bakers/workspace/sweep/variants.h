@@ -61,6 +61,7 @@ struct VariantAsset {
     std::optional<ErrorFigures> lookup_error;  // none if it was not measured
     std::optional<ErrorFigures> texel_error;
     std::uint64_t bytes = 0;  // of all its files
+    std::optional<double> cover;  // the share of a cloud volume's columns that hold cloud
     std::string content_hash;
     std::vector<std::string> files;  // relative to the variant's folder
     Timing timing;

@@ -1,0 +1,193 @@
+#include "bakers/clouds/cover_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "bakers/clouds/cloud_field.h"
+#include "bakers/clouds/cloud_specification.h"
+#include "bakers/clouds/shape_kernel.h"
+#include "bakers/field/pixel_type.h"
+#include "bakers/math/parallel.h"
+
+namespace skybake::cloud {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// How far floats may move q + c m - 1. Where that is about 0, x, e and v are at most 2, and each of
+// some ten steps rounds by half of 2^-23 of them.
+constexpr double kRoom = 2e-6;
+
+constexpr int kRows = 16;
+constexpr int kDepth = 8;
+
+CloudPlan at_coverage(CloudPlan plan, double coverage) {
+    plan.coverage = coverage;
+    return plan;
+}
+
+// The plan that gives v itself where b is above 0, at full coverage and without its map.
+CloudPlan full_plan(CloudPlan plan) {
+    plan.coverage_map.reset();
+    plan.threshold_in_file = false;
+    return at_coverage(std::move(plan), 1);
+}
+
+class CoverSearch {
+  public:
+    CoverSearch(const CloudPlan& plan, const CoverRequest& request, const BakeOptions& options)
+        : plan_(plan), request_(request), width_(static_cast<std::size_t>(plan.size[0])) {
+        const CloudField field(full_plan(plan));
+        const double least = least_cloud();
+        peaks_.assign(width_ * static_cast<std::size_t>(plan.size[1]), -kInfinity);
+        for_each_tile((plan.size[1] + kRows - 1) / kRows, options, "cover",
+                      [&](int tile) { find_peaks(field, least, tile * kRows); });
+    }
+
+    FoundCover search() const {
+        std::pair low{0.0, count_at(0).least};
+        std::pair high{1.0, count_at(1).least};
+        const std::array<double, 2> reach = {share_of(low.second), share_of(high.second)};
+        const auto columns = static_cast<double>(peaks_.size());
+        const auto wanted = static_cast<std::int64_t>(std::llround(request_.share * columns));
+        while (low.second < wanted && wanted < high.second) {
+            const double middle = low.first + (high.first - low.first) / 2;
+            if (middle <= low.first || middle >= high.first) break;
+            const Count count = count_at(middle);
+            if (count.least <= wanted && wanted <= count.most) {
+                return {middle, share_of(count.least), reach};
+            }
+            const bool is_low = count.most < wanted;
+            (is_low ? low : high) = {middle, is_low ? count.most : count.least};
+        }
+        const auto& nearest =
+            std::abs(wanted - low.second) <= std::abs(high.second - wanted) ? low : high;
+        return {nearest.first, share_of(nearest.second), reach};
+    }
+
+  private:
+    // Bounds of the number of columns that hold cloud. They differ where so many may fill at once
+    // that those were not looked at.
+    struct Count {
+        std::int64_t least = 0;
+        std::int64_t most = 0;
+    };
+
+    double share_of(std::int64_t columns) const {
+        return static_cast<double>(columns) / static_cast<double>(peaks_.size());
+    }
+
+    bool is_cloud(float v) const {
+        finish(plan_, 1, &v);
+        return round_to_pixel_type(double{v}, request_.pixel_type) > request_.level;
+    }
+
+    // The least v that is stored as cloud, by bisection of the bits of floats up to 1e9.
+    double least_cloud() const {
+        std::uint32_t low = 0;
+        auto high = std::bit_cast<std::uint32_t>(1e9F);
+        if (!is_cloud(std::bit_cast<float>(high))) return kInfinity;
+        while (high - low > 1) {
+            const std::uint32_t middle = low + (high - low) / 2;
+            (is_cloud(std::bit_cast<float>(middle)) ? high : low) = middle;
+        }
+        return double{std::bit_cast<float>(low)};
+    }
+
+    // q of a voxel from v and the erosion e at full coverage. b must be above the threshold too.
+    double margin(double v, double e, double least) const {
+        const double q = (1 - e) * (v - least);
+        return std::min(q, (1 - e) * v + e - double{plan_.level()});
+    }
+
+    void find_peaks(const CloudField& field, double least, int first_row) {
+        const int rows = std::min(kRows, plan_.size[1] - first_row);
+        std::vector<float> values;
+        std::vector<float> details;
+        std::vector<float*> channels(static_cast<std::size_t>(plan_.channels), nullptr);
+        double* const peaks = &peaks_[static_cast<std::size_t>(first_row) * width_];
+        for (int z = 0; z < plan_.size[2]; z += kDepth) {
+            const VoxelBox box{{0, first_row, z},
+                               {plan_.size[0], rows, std::min(kDepth, plan_.size[2] - z)}};
+            if (field.is_empty(box)) continue;
+            values.resize(static_cast<std::size_t>(box.count()));
+            channels.front() = values.data();
+            field.fill(box, channels);
+            if (*std::max_element(values.begin(), values.end()) <= 0) continue;
+            details.assign(values.size(), 0);
+            if (plan_.detail) plan_.detail->fill(box, {details.data()});
+            const std::size_t slice = width_ * static_cast<std::size_t>(rows);
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (!(values[i] > 0)) continue;
+                const SliceShape& shape = plan_.slices[static_cast<std::size_t>(z) + i / slice];
+                const double e = plan_.detail ? erosion_of(shape, details[i]) : 0;
+                double& peak = peaks[i % slice];
+                peak = std::max(peak, margin(double{values[i]}, e, least));
+            }
+        }
+    }
+
+    static double erosion_of(const SliceShape& shape, float detail) {
+        const double d = std::clamp(double{detail}, 0.0, 1.0);
+        return double{shape.erosion} * (d + double{shape.billow} * (1 - 2 * d));
+    }
+
+    double map_at(std::size_t column) const {
+        if (!plan_.coverage_map) return 1;
+        const double x = (static_cast<double>(column % width_) + 0.5) / plan_.size[0];
+        return plan_.coverage_map->at(x,
+                                      (static_cast<double>(column / width_) + 0.5) / plan_.size[1]);
+    }
+
+    // The columns that hold cloud at a coverage.
+    Count count_at(double coverage) const {
+        constexpr std::size_t kFew = 64;
+        std::int64_t sure = 0;
+        std::vector<std::size_t> unsure;
+        for (std::size_t column = 0; column < peaks_.size(); ++column) {
+            const double above = peaks_[column] + coverage * map_at(column) - 1;
+            if (above > kRoom) ++sure;
+            if (std::fabs(above) <= kRoom) unsure.push_back(column);
+        }
+        if (unsure.size() > std::max(kFew, peaks_.size() / kMostTiedColumns)) {
+            return {sure, sure + static_cast<std::int64_t>(unsure.size())};
+        }
+        if (unsure.empty()) return {sure, sure};
+        const CloudPlan plan = at_coverage(plan_, coverage);
+        for (const std::size_t column : unsure) sure += holds_cloud(plan, column) ? 1 : 0;
+        return {sure, sure};
+    }
+
+    bool holds_cloud(const CloudPlan& plan, std::size_t column) const {
+        const auto x = static_cast<std::int64_t>(column % width_);
+        const auto y = static_cast<std::int64_t>(column / width_);
+        for (std::int64_t z = 0; z < plan.size[2]; ++z) {
+            const double value = double{cloud_at(plan, {x, y, z}).front()};
+            if (round_to_pixel_type(value, request_.pixel_type) > request_.level) return true;
+        }
+        return false;
+    }
+
+    const CloudPlan& plan_;
+    const CoverRequest& request_;
+    std::size_t width_ = 0;
+    std::vector<double> peaks_;  // the greatest q of each column; -infinity: none above 0
+};
+
+}  // namespace
+
+FoundCover find_cover(const CloudPlan& plan, const CoverRequest& request,
+                      const BakeOptions& options) {
+    const CoverSearch search(plan, request, options);
+    if (options.cancelled()) return {};
+    return search.search();
+}
+
+}  // namespace skybake::cloud
