@@ -171,7 +171,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 10,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 11,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

@@ -176,7 +176,7 @@ void draft(CloudLightBake& asset, int) {
 }  // namespace
 
 const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
-    static const Baker<config::CloudLightBake> row = {.version = 4,
+    static const Baker<config::CloudLightBake> row = {.version = 5,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

@@ -212,7 +212,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 9,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 10,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .needs = needs,
