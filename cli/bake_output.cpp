@@ -48,8 +48,10 @@ Json file_event(const FinishedAsset& asset, std::size_t i, const std::filesystem
                   {"size", size_of(entry, file)},
                   {"format", file.format},
                   {"level", file.level},
-                  {"bake_s", entry.timing.bake_s},
-                  {"certify_s", asset.certify_s},
+                  {"light_s", entry.timing.bake.light},
+                  {"colors_s", entry.timing.bake.colors},
+                  {"texels_s", entry.timing.bake.texels},
+                  {"certificate_s", entry.timing.bake.certificate},
                   {"write_s", entry.timing.write_s}};
     if (entry.error) {
         event["lookup_error"] = {{"max", entry.error->lookup.max},
@@ -78,18 +80,23 @@ std::string cover_text(const ManifestAsset& asset) {
     return share ? fmt::format("{:.3g} %", 100 * *share) : "";
 }
 
-// Returns the cells of the first row of an asset.
+// Returns the cells of the first row of an asset. An asset that was copied has no times.
 std::vector<std::string> first_row(const FinishedAsset& finished) {
     const ManifestAsset& asset = finished.entry;
     const ManifestFile& file = asset.files.front();
+    const auto spent = [&finished](double seconds) {
+        return finished.state == AssetState::baked && seconds > 0 ? time_text(seconds) : "";
+    };
     return {asset.name,
             extent_text(asset.size),
             channels_text(asset),
             file.path,
             std::string(to_string(file.pixel_type)),
-            time_text(asset.timing.bake_s),
-            finished.state == AssetState::baked ? time_text(finished.certify_s) : "",
-            time_text(asset.timing.write_s),
+            spent(asset.timing.bake.light),
+            spent(asset.timing.bake.colors),
+            spent(asset.timing.bake.texels),
+            spent(asset.timing.bake.certificate),
+            spent(asset.timing.write_s),
             sky_error_text(asset.error),
             color_error_text(asset.error),
             cover_text(asset),
@@ -107,16 +114,14 @@ std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestF
 // Returns the table of what was made. It is empty if all was up to date.
 std::string assets_text(const BakedFolder& baked, int columns) {
     TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left, Align::right,
-                     Align::right, Align::right, Align::left, Align::left, Align::right,
-                     Align::left});
-    // A narrow terminal does not show these columns: write, certify, pixel type, channels.
-    constexpr std::array<std::size_t, 4> expendable = {7, 6, 4, 2};
+                     Align::right, Align::right, Align::right, Align::right, Align::left,
+                     Align::left, Align::right, Align::left});
+    // A narrow terminal does not show these columns: write, certificate, colours, light, pixel type,
+    // channels.
+    std::vector<std::size_t> expendable = {9, 8, 6, 5, 4, 2};
     constexpr std::array<std::size_t, 2> names = {0, 3};
-    constexpr std::size_t kSkyError = 8;
-    constexpr std::size_t kColorError = 9;
-    constexpr std::size_t kCover = 10;
-    table.add_row({"asset", "size", "", "file", "", "bake", "certify", "write",
-                   "sky error median / max", "colour error median / max", "cover",
+    table.add_row({"asset", "size", "", "file", "", "light", "colours", "texels", "certificate",
+                   "write", "sky error median / max", "colour error median / max", "cover",
                    "lookup error max / rms"});
     bool made = false;
     for (const FinishedAsset& finished : baked.assets) {
@@ -128,9 +133,12 @@ std::string assets_text(const BakedFolder& baked, int columns) {
             if (!first) table.add_row(further_row(finished.entry, file));
         }
     }
-    table.drop_if_empty(kCover);
-    table.drop_if_empty(kColorError);
-    table.drop_if_empty(kSkyError);
+    // Cover, errors of colours and of the sky, and the time of a certificate, of colours and of light.
+    for (const std::size_t column : {12, 11, 10, 8, 6, 5}) {
+        if (!table.drop_if_empty(column)) continue;
+        std::erase(expendable, column);
+        for (std::size_t& other : expendable) other -= other > column ? 1 : 0;
+    }
     return made ? table.text_within(columns, expendable, names) : "";
 }
 

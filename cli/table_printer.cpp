@@ -154,11 +154,13 @@ void TextTable::drop_column(std::size_t column) {
     }
 }
 
-void TextTable::drop_if_empty(std::size_t column) {
+bool TextTable::drop_if_empty(std::size_t column) {
     const auto has_text = [column](const std::vector<std::string>& row) {
         return column < row.size() && !row[column].empty();
     };
-    if (std::count_if(rows_.begin(), rows_.end(), has_text) <= 1) drop_column(column);
+    if (std::count_if(rows_.begin(), rows_.end(), has_text) > 1) return false;
+    drop_column(column);
+    return true;
 }
 
 // Takes characters from the widest of these columns. Returns false if none of them may lose one.

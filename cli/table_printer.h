@@ -36,8 +36,8 @@ class TextTable {
         : columns_(std::move(columns)), indent_(indent) {}
     void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
     bool empty() const { return rows_.empty(); }
-    // Drops a column in which only the heading has a text.
-    void drop_if_empty(std::size_t column);
+    // Drops a column in which only the heading has a text, and returns whether it did.
+    bool drop_if_empty(std::size_t column);
     std::string text() const;
 
     // Returns the text for a terminal with that many columns; 0 means no limit. A table that is too

@@ -16,6 +16,7 @@
 #include "bakers/assets/sky_comparison.h"
 #include "bakers/assets/sky_lights.h"
 #include "bakers/assets/solvable_air.h"
+#include "bakers/math/bake_clock.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
 #include "config/sections/frames.h"
@@ -38,6 +39,12 @@ auto with_own_parameters(const Parameters& parameters, const Bake& bake, const M
     if (frame > 0) return make(config::at_frame(parameters, frame));
     const int packet = config::packet_number(bake);
     return packet == 0 ? make(parameters) : make(config::packet_of(parameters, packet));
+}
+
+// Whether an asset holds light, which becomes colours. What multiplies light has none of its own.
+bool has_colors(const Bake& bake) {
+    const config::UseOfLight use = config::kind_of(bake).facts.use_of_light;
+    return use == config::UseOfLight::channels || use == config::UseOfLight::colors;
 }
 
 // What the light of a packet is compared with, which keeps the packet's parameters.
@@ -77,7 +84,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
                 return baker.needs(own, bake.as<Asset>(), certification);
             });
         }
-        if (config::kind_of(bake).facts.use_of_light != config::UseOfLight::none) {
+        if (has_colors(bake)) {
             for (Need& need : color_needs(parameters)) needs.push_back(std::move(need));
         }
         return needs;
@@ -150,15 +157,15 @@ std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
 // Says how the wavelengths of an asset of light become colours. An interrupted bake has no value.
 void add_colors(const Parameters& parameters, const Bake& bake, const BakeOptions& options,
                 std::optional<Baked>& baked) {
-    const config::UseOfLight use = config::kind_of(bake).facts.use_of_light;
-    if (!baked || use == config::UseOfLight::none) return;
+    if (!baked || !has_colors(bake)) return;
     const std::shared_ptr<const SkyColors> colors = colors_of(parameters, options);
     if (options.cancelled()) baked.reset();
     if (!colors || !baked) return;
     const config::PacketRange own = config::packet_range(parameters, config::packet_number(bake));
     baked->conventions.color = color_convention(
         *parameters.color, std::span(colors->weights).subspan(own.first, own.count),
-        use == config::UseOfLight::colors && holds_colors(parameters));
+        config::kind_of(bake).facts.use_of_light == config::UseOfLight::colors &&
+            holds_colors(parameters));
     if (baked->certified) baked->certificate.color = colors->error;
 }
 
@@ -168,6 +175,7 @@ void compare_with_paths(const AnyBaker& baker, const config::Parameters& paramet
     if (!baked || !baked->certified) return;
     const std::optional<TracedLight> light = baker.traced(parameters, bake);
     if (!light) return;
+    const BakeTime time(BakePart::certificate);
     SkyError error = measure_sky(*light, *baked, options);
     if (options.cancelled()) {
         baked.reset();

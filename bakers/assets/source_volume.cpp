@@ -23,7 +23,6 @@ config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});
     if (options.cancelled()) return {};
     code_levels(voxels);
-    made.bake_seconds += voxels.bake_seconds;
     return {std::move(voxels), {}};
 }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 
@@ -12,6 +11,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/table_search.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
@@ -173,10 +173,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     }
 
     if (options.cancelled()) return outcome;
-    const auto start = std::chrono::steady_clock::now();
     const Image2<double> values = bake_texels(model, level, size, options);
-    table.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     set_image(store_texels(values, table.pixel_type, table.range), table);
     if (options.cancelled()) return outcome;
     if (const auto problem = check_range(values, table, place_of, model)) {
@@ -199,6 +196,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
     }
     table.certified = certify;
     if (certify) {
+        const BakeTime time(BakePart::certificate);
         // Choosing the level has already evaluated the texels of the quick certificate.
         if (!texels || options.certification == Certification::full) {
             texels = reference_texels(model, size, counts, options);
@@ -374,7 +372,6 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
         const Baked& part = parts[k].table;
         table.range.below_normal += part.range.below_normal;
         table.range.above_range += part.range.above_range;
-        table.bake_seconds += part.bake_seconds;
         add_certificate(part.certificate, table.certificate, static_cast<int>(k));
     }
     if (stack) set_image(std::move(*stack), table);

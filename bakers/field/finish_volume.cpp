@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,6 +14,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/volume_search.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
@@ -128,14 +128,11 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
     code_levels(volume);
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (options.cancelled()) return outcome;
-        const auto start = std::chrono::steady_clock::now();
         ColumnCount count{finish.covered_above.value_or(0)};
         const bool counts = i == 0 && finish.covered_above;
         outcome.diagnostics = survey_level(volume, static_cast<int>(i), finish.histogram_ranges,
                                            options, counts ? &count : nullptr);
         if (counts) volume.details.emplace_back(covered_columns, count.share);
-        volume.bake_seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;
         if (const auto problem = add_level_probes(static_cast<int>(i), finish, options, volume)) {
             outcome.diagnostics.push_back(*problem);
@@ -143,6 +140,7 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
         }
     }
     if (options.certification != Certification::off) {
+        const BakeTime time(BakePart::certificate);
         if (finish.measure) {
             volume.certificate = finish.measure(volume, options);
             volume.certified = true;

@@ -46,15 +46,15 @@ class HeldSource : public VoxelSource {
         for (const VoxelBox& part : missing_parts(box, channels)) make(box, part, channels);
     }
 
-    // Knows as much of empty boxes as its source does, and what it holds.
+    // Asks the rows that are held, and the source about boxes with others alone: a source may work
+    // long for its answer.
     bool is_empty(const VoxelBox& box) const override {
-        if (source_->is_empty(box)) return true;
         for (std::size_t c = 0; c < static_cast<std::size_t>(channels_); ++c) {
             for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
                 for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
                     const std::size_t row = index_of(c, y, z);
-                    if (!rows_.holds(row) ||
-                        !rows_.is_zero(row, static_cast<std::size_t>(box.origin[0]),
+                    if (!rows_.holds(row)) return source_->is_empty(box);
+                    if (!rows_.is_zero(row, static_cast<std::size_t>(box.origin[0]),
                                        static_cast<std::size_t>(box.size[0]))) {
                         return false;
                     }

@@ -4,6 +4,7 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/math/bake_clock.h"
 
 namespace skybake {
 
@@ -14,14 +15,8 @@ constexpr double kMibOfLight = 8;
 constexpr double kSecondsOfSunlight = 0.1;
 constexpr double kMibOfSunlight = 24;
 
-// Spheres cost seconds before their moments are known.
-bool has_spheres(const config::Atmosphere& atmosphere) {
-    return std::any_of(
-        atmosphere.layers.begin(), atmosphere.layers.end(),
-        [](const config::Layer& layer) { return layer.phase == config::Phase::mie; });
-}
-
-// Requests for the same light in different words are made equal, where that costs nothing.
+// Requests for the same light in different words are made equal, where that costs nothing: spheres
+// cost seconds before their moments are known.
 LightRequest in_plain_words(LightRequest request) {
     if (has_spheres(request.atmosphere)) return request;
     const SkyMedium medium = make_sky_medium(request.atmosphere);
@@ -43,6 +38,12 @@ SolverSettings settings_of(const LightRequest& request, const SkyMedium& medium)
 
 }  // namespace
 
+bool has_spheres(const config::Atmosphere& atmosphere) {
+    return std::any_of(
+        atmosphere.layers.begin(), atmosphere.layers.end(),
+        [](const config::Layer& layer) { return layer.phase == config::Phase::mie; });
+}
+
 SkyMedium medium_of(const LightRequest& request) {
     SkyMedium medium = make_sky_medium(request.atmosphere);
     if (!request.peaks_of_spheres) medium = without_forward_peaks(std::move(medium));
@@ -61,6 +62,7 @@ Need need_of(const LightRequest& request) {
 
 std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const SkyMedium& medium,
                                             const BakeOptions& options) {
+    const BakeTime time(request.finer ? BakePart::certificate : BakePart::light);
     const auto solve = [&] {
         if (options.progress != nullptr) options.progress->advance("solving light", 0);
         return std::make_shared<const SolvedLight>(
@@ -91,6 +93,7 @@ std::shared_ptr<const TransmittanceField> make_sunlight(const Medium& air, int t
 std::shared_ptr<const TransmittanceField> sunlight_of(const SunlightRequest& request,
                                                       const Medium& air,
                                                       const BakeOptions& options) {
+    const BakeTime time(BakePart::light);
     return shared_or_made<TransmittanceField>(options.intermediates, NeedKey(request),
                                               [&] { return make_sunlight(air, options.threads); });
 }

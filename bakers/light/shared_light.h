@@ -14,6 +14,9 @@
 
 namespace skybake {
 
+// Whether some of the air are spheres, whose light has forward peaks.
+bool has_spheres(const config::Atmosphere& atmosphere);
+
 // The light that an asset is made from.
 struct LightRequest {
     config::Atmosphere atmosphere;

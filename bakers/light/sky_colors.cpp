@@ -10,6 +10,7 @@
 #include "bakers/color/color_weights_fit.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
+#include "bakers/math/bake_clock.h"
 #include "config/fields/fields.h"
 #include "config/sections/spectral_air.h"
 
@@ -106,11 +107,11 @@ class ColorSamples {
 }  // namespace
 
 ColorSkies::ColorSkies(const config::Atmosphere& atmosphere,
-                       const std::vector<config::Length>& given, const BakeOptions& options) {
-    const std::vector<SpectrumView> views = spectrum_views();
-    views_ = views.size();
-    spectra_ = sky_spectra(atmosphere, given, views, options);
-}
+                       const std::vector<config::Length>& given, const BakeOptions& options)
+    : ColorSkies(sky_spectra(atmosphere, given, spectrum_views(), options)) {}
+
+ColorSkies::ColorSkies(Spectra spectra)
+    : views_(spectrum_views().size()), spectra_(std::move(spectra)) {}
 
 ColorError ColorSkies::error(const std::vector<config::Length>& wavelengths,
                              const config::Color& color,
@@ -223,6 +224,7 @@ Need need_of(const ColorRequest& request) {
 
 std::shared_ptr<const SkyColors> colors_of(const ColorRequest& request,
                                            const BakeOptions& options) {
+    const BakeTime time(BakePart::colors);
     return shared_or_made<SkyColors>(
         options.intermediates, NeedKey(request), [&]() -> std::shared_ptr<const SkyColors> {
             auto colors = std::make_shared<const SkyColors>(fit(request, options));

@@ -46,6 +46,9 @@ class ColorSkies {
     ColorSkies(const config::Atmosphere& atmosphere, const std::vector<config::Length>& given,
                const BakeOptions& options);
 
+    // Takes the spectra of spectrum_views.
+    explicit ColorSkies(Spectra spectra);
+
     // Returns the weights of wavelengths in any order, fitted to the views under every second sun
     // and to the sun's disc.
     std::vector<glm::dvec3> fitted_weights(const std::vector<config::Length>& wavelengths,

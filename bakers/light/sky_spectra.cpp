@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "bakers/air/forward_peak.h"
+#include "bakers/air/transmittance_field.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_radiance.h"
+#include "bakers/light/sky_row.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
@@ -32,6 +36,9 @@ constexpr SolverSettings kFewNodes = {.degree = 2,
                                       .ray_tolerance = 0.1,
                                       .sunlight = {64, 32},
                                       .orders = 3};
+
+// Of the table from which rows read sunlight.
+constexpr TransmittanceField::Size kSunlightOfRows = {256, 64};
 
 // The camera, the suns and the views. The views under each second sun are measured, not fitted.
 constexpr double kCameraShare = 0.02;  // of the air's thickness
@@ -68,7 +75,42 @@ class PacketLight {
           integrator_(medium_, &orders_),
           sun_(whole_, nullptr) {}
 
-    Spectrum of(const SpectrumView& view) const {
+    // Views at the same height above the horizon share their way through the air.
+    std::vector<Spectrum> by_rows(const std::vector<SpectrumView>& views) const {
+        const TransmittanceField sunlight(medium_.air, quadrature_altitudes_km(medium_.air),
+                                          kSunlightOfRows, 1);
+        std::map<double, std::vector<std::size_t>> heights_deg;
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            heights_deg[views[i].above_deg].push_back(i);
+        }
+        std::vector<Spectrum> light(views.size());
+        for (const auto& [height_deg, row] : heights_deg) {
+            const SkyRow way(integrator_, medium_, &orders_, ray_of(views[row.front()], 1),
+                             &sunlight);
+            for (const std::size_t i : row) {
+                const auto ray_at = [&](double cosine) { return ray_of(views[i], cosine); };
+                light[i] = way.radiance(ray_at, {azimuth_cosine(views[i])}).front().total();
+            }
+        }
+        return light;
+    }
+
+    Spectrum by_ray(const SpectrumView& view) const {
+        return integrator_.radiance(ray_of(view, azimuth_cosine(view))).total();
+    }
+
+    // The sunlight that reaches the ground.
+    Spectrum of_sun(double elevation_deg) const {
+        return sun_.sunlight(0, shell_.ground_radius_km * sun_at_deg(elevation_deg).cosine);
+    }
+
+  private:
+    static double azimuth_cosine(const SpectrumView& view) {
+        return cosine_of_pi(view.azimuth_deg / 180);
+    }
+
+    // The ray of a view towards another azimuth.
+    SkyRay ray_of(const SpectrumView& view, double azimuth_cosine) const {
         const double altitude_km = kCameraShare * shell_.thickness_km;
         const double above = view.above_deg / 180;
         // The horizon lies below the horizontal.
@@ -78,18 +120,11 @@ class PacketLight {
         const double sine = cosine_of_pi(0.5 - above);
         const double cosine = cosine_of_pi(above);
         const double mu = sine * dip_cosine - cosine * dip_sine;
-        const SkyDirection direction =
-            sky_direction(view.sun, mu, std::sqrt(std::max((1 - mu) * (1 + mu), 0.0)),
-                          cosine_of_pi(view.azimuth_deg / 180));
-        return integrator_.radiance(altitude_km, view.sun, direction).total();
+        return sky_ray(shell_, altitude_km, view.sun,
+                       sky_direction(view.sun, mu, std::sqrt(std::max((1 - mu) * (1 + mu), 0.0)),
+                                     azimuth_cosine));
     }
 
-    // The sunlight that reaches the ground.
-    Spectrum of_sun(double elevation_deg) const {
-        return sun_.sunlight(0, shell_.ground_radius_km * sun_at_deg(elevation_deg).cosine);
-    }
-
-  private:
     SkyMedium whole_;
     // Few nodes cannot solve for the light of peaks, which counts as not scattered.
     SkyMedium medium_;
@@ -133,7 +168,8 @@ std::vector<double> spectrum_nm() {
 
 Spectra sky_spectra(const config::Atmosphere& atmosphere,
                     const std::vector<config::Length>& wavelengths,
-                    const std::vector<SpectrumView>& views, const BakeOptions& options) {
+                    const std::vector<SpectrumView>& views, const BakeOptions& options,
+                    SpectrumRays rays) {
     const std::vector<double> nm = spectrum_nm();
     const std::vector<std::size_t> order = packet_order(nm.size());
     const std::size_t size = kMaxChannels;
@@ -151,7 +187,11 @@ Spectra sky_spectra(const config::Atmosphere& atmosphere,
                 spectra[sample][order[first + c]] = value[c];
             }
         };
-        for (std::size_t i = 0; i < views.size(); ++i) put(i, light.of(views[i]));
+        const bool by_rows = rays == SpectrumRays::in_rows;
+        const std::vector<Spectrum> of_rows = by_rows ? light.by_rows(views) : std::vector<Spectrum>();
+        for (std::size_t i = 0; i < views.size(); ++i) {
+            put(i, by_rows ? of_rows[i] : light.by_ray(views[i]));
+        }
         for (std::size_t i = 0; i < kSpectrumDiscs_deg.size(); ++i) {
             put(views.size() + i, light.of_sun(kSpectrumDiscs_deg[i]));
         }

@@ -36,11 +36,16 @@ std::vector<double> spectrum_nm();
 // [sample][wavelength]: in 1/sr of the views, then the transmittance to the sun at each elevation.
 using Spectra = std::vector<std::vector<double>>;
 
+// How views are integrated: those at one height above the horizon together (sky_row.h), or each ray
+// by itself, which takes several times as long and is what tests compare with.
+enum class SpectrumRays { in_rows, one_by_one };
+
 // Returns the spectra of air that is given at `wavelengths`. After an interruption they must not be
 // used.
 Spectra sky_spectra(const config::Atmosphere& atmosphere,
                     const std::vector<config::Length>& wavelengths,
-                    const std::vector<SpectrumView>& views, const BakeOptions& options);
+                    const std::vector<SpectrumView>& views, const BakeOptions& options,
+                    SpectrumRays rays = SpectrumRays::in_rows);
 
 // Returns the spectra at other wavelengths, by lines; beyond their ends they are constant.
 Spectra at_wavelengths(const Spectra& spectra, const std::vector<config::Length>& wavelengths);

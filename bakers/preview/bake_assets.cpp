@@ -10,6 +10,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/parallel.h"
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/load_assets.h"
@@ -45,10 +46,10 @@ std::vector<float> stored_voxels(const Baked& volume, const Level& level,
     return voxels;
 }
 
-PreviewAsset volume_asset(const Baked& volume, const BakeOptions& options,
+PreviewAsset volume_asset(const Baked& volume, const Timing& timing, const BakeOptions& options,
                           std::vector<std::string>& notes) {
     ManifestAsset entry = describe(volume);
-    entry.timing = {volume.bake_seconds, 0, thread_count(options.threads)};
+    entry.timing = timing;
     const std::optional<std::size_t> level = previewed_level(entry);
     if (level != std::size_t{0}) notes.push_back(level_note(entry, level));
     PreviewAsset asset;
@@ -57,9 +58,9 @@ PreviewAsset volume_asset(const Baked& volume, const BakeOptions& options,
     return asset;
 }
 
-PreviewAsset table_asset(const Baked& table, const BakeOptions& options) {
+PreviewAsset table_asset(const Baked& table, const Timing& timing) {
     ManifestAsset entry = describe(table);
-    entry.timing = {table.bake_seconds, 0, thread_count(options.threads)};
+    entry.timing = timing;
     return {std::move(entry), table.image(), {}};
 }
 
@@ -158,17 +159,19 @@ class PreviewBake {
     }
 
     bool add_baked(const config::Bake& bake, const AssetIdentity& identity) {
+        BakeClock clock;
         Outcome<Baked> baked = bake_asset(recipe_, bake, options_);
+        const Timing timing = {clock.seconds(), 0, thread_count(options_.threads)};
         std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
                   std::back_inserter(diagnostics_));
         if (!baked.value) return false;
         shown_.assets.push_back(baked.value->is_table()
-                                    ? table_asset(*baked.value, options_)
-                                    : volume_asset(*baked.value, options_, shown_.notes));
+                                    ? table_asset(*baked.value, timing)
+                                    : volume_asset(*baked.value, timing, options_, shown_.notes));
         if (memory_ != nullptr && memory_->cache != nullptr && baked.value->is_table() &&
             !options_.cancelled()) {
             ManifestAsset entry = describe_with_files(*baked.value);
-            entry.timing = shown_.assets.back().entry.timing;
+            entry.timing = timing;
             sign(identity, entry);
             memory_->cache->offer(*baked.value, std::move(entry), options_.threads);
         }

@@ -33,7 +33,7 @@ std::string key_of(const PreviewAsset& asset) {
 
 std::string atmosphere_key(const config::Recipe& recipe) {
     return config::parameters_toml(recipe,
-                                   config::reads_of_air(recipe.parameters, config::Roles::all()));
+                                   config::reads_of_light(recipe.parameters, config::Roles::all()));
 }
 
 // Returns what the recipe says on pictures.

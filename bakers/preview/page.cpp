@@ -97,7 +97,7 @@ Json to_json(const ManifestAsset& entry) {
                  {"mapping", entry.mapping},
                  {"axes", std::move(axes)},
                  {"error", error_json(entry.error)},
-                 {"bake_s", entry.timing.bake_s},
+                 {"bake_s", entry.timing.bake.made()},
                  {"threads", entry.timing.threads},
                  {"files", std::move(files)},
                  {"statistics", std::move(statistics)},

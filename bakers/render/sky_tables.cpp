@@ -91,7 +91,8 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
         make_lookup_table(multiple_scattering.table, TexelConvention::end_points_on_texel_centres);
     tables.twilight = sun_mapping == "twilight";
     tables.wavelengths_nm = transmittance.entry.conventions.wavelengths_nm;
-    tables.screen = ScreenColor(transmittance.entry.conventions, transmittance.table.channels);
+    tables.screen = ScreenColor(multiple_scattering.entry.conventions,
+                                multiple_scattering.table.channels);
     // A scene may have cropped the sun's axis to the cosines that the manifest gives.
     const AxisMapping& axis = multiple_scattering.entry.axes[0];
     const auto mapping = tables.twilight ? config::MultipleScatteringMapping::twilight

@@ -12,10 +12,10 @@
 #include "bakers/assets/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
-#include "bakers/io/files/stopwatch.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/assets/asset_kind.h"
@@ -137,17 +137,16 @@ class FolderMaker {
         options.progress = &progress;
         options.held_voxel_bytes = held_voxel_bytes(bake_, plan_);
         options.intermediates = &intermediates_;
-        const Stopwatch stopwatch;
+        BakeClock clock;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
-        const double seconds = stopwatch.seconds();
+        const BakeSeconds seconds = clock.seconds();
         stop(std::move(baked.diagnostics));
         if (!baked.value) return false;
         if (auto changed = changed_input(planned)) return stop({std::move(*changed)});
         ManifestAsset entry = describe_with_files(*baked.value);
-        entry.timing.bake_s = baked.value->bake_seconds;
+        entry.timing.bake = seconds;
         entry.timing.threads = thread_count(bake_.threads);
         sign(planned.identity, entry);
-        result_.assets[i].certify_s = seconds - entry.timing.bake_s;
         prepared_[i] = PreparedAsset{std::move(*baked.value), std::move(entry)};
         return true;
     }
@@ -173,8 +172,7 @@ class FolderMaker {
                 stage_files(baked, entry, bake_.folder, files_, bake_.threads, progress.get());
             if (!staged.value) return stop(std::move(staged.diagnostics));
             if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
-            result_.assets[i] = {AssetState::baked, std::move(entry), std::move(*staged.value),
-                                 result_.assets[i].certify_s};
+            result_.assets[i] = {AssetState::baked, std::move(entry), std::move(*staged.value)};
         }
         return true;
     }

@@ -41,9 +41,6 @@ struct FinishedAsset {
     AssetState state = AssetState::baked;
     ManifestAsset entry;
     std::vector<WriteResult> files;  // in the order of entry.files
-    // Wall time in seconds for choosing a size, certifying and probing, in addition to
-    // entry.timing.bake_s; 0 if this run has not baked the asset.
-    double certify_s = 0;
 };
 
 struct BakedFolder {

@@ -134,7 +134,7 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const AerialPerspectiveBake&) {
-    return reads_of_air(parameters, Roles::all());
+    return reads_of_light(parameters, Roles::all());
 }
 
 }  // namespace

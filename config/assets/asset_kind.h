@@ -36,7 +36,8 @@ using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, D
 // What an asset does with the wavelengths of a recipe.
 enum class UseOfLight {
     none,
-    channels,  // one channel or number for each: what a runtime multiplies
+    factors,   // one channel or number for each, by which a runtime multiplies light
+    channels,  // light, one channel for each, with the weights that make its colours
     colors,    // light, turned into colours if the recipe has [color] with a space
 };
 
@@ -115,6 +116,9 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
 // Lists the wavelengths and, of the planet and its layers, the values with the given roles. It
 // always lists the particles of layers whose coefficients follow from particles.
 std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles);
+
+// Lists the same of light in that air, and what its colours follow from.
+std::vector<Read> reads_of_light(const Parameters& parameters, Roles roles);
 
 // Lists the values of one layer with the given roles, and of its particles.
 std::vector<Read> reads_of_layer(const Layer& layer, Roles roles);

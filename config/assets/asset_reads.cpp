@@ -36,11 +36,15 @@ void append(std::vector<Read>&& more, std::vector<Read>& reads) {
 }
 
 std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles) {
-    // Colours are fitted to the skies of the whole air.
-    const Roles wanted = parameters.color ? Roles::all() : roles;
-    std::vector<Read> reads = {
-        {""}, {"color"}, {"atmosphere", wanted}, {"atmosphere.layers.*", wanted}};
+    std::vector<Read> reads = {{""}, {"atmosphere", roles}, {"atmosphere.layers.*", roles}};
     for (const Layer& layer : parameters.atmosphere.layers) append(reads_of_matter(layer), reads);
+    return reads;
+}
+
+std::vector<Read> reads_of_light(const Parameters& parameters, Roles roles) {
+    // Colours are fitted to the skies of the whole air.
+    std::vector<Read> reads = reads_of_air(parameters, parameters.color ? Roles::all() : roles);
+    reads.push_back({"color"});
     return reads;
 }
 

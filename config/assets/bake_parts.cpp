@@ -16,7 +16,8 @@ namespace {
 // Whether the channels of an asset are wavelengths of the recipe.
 bool holds_wavelengths(const AssetKind& kind, const Parameters& recipe) {
     const UseOfLight use = kind.facts.use_of_light;
-    return use == UseOfLight::channels || (use == UseOfLight::colors && !holds_colors(recipe));
+    return use == UseOfLight::factors || use == UseOfLight::channels ||
+           (use == UseOfLight::colors && !holds_colors(recipe));
 }
 
 // Reports and removes a packet that the recipe does not have, or that an asset of colours cannot

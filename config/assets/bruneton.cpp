@@ -246,7 +246,7 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const BrunetonBake&) {
-    return reads_of_air(parameters, Roles::all());
+    return reads_of_light(parameters, Roles::all());
 }
 
 }  // namespace

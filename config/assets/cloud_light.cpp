@@ -194,7 +194,7 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
 std::vector<Read> reads_of(const Parameters& parameters, const CloudLightBake& bake) {
     std::vector<Read> reads = reads_of_source_volume(parameters, bake.of);
     if (bake.contents == CloudLightContents::clear_sky_radiance) {
-        append(reads_of_air(parameters, Roles::all()), reads);
+        append(reads_of_light(parameters, Roles::all()), reads);
     }
     return reads;
 }

@@ -253,7 +253,7 @@ void resolve_environment(DecodedSection& bake, const RecipeSoFar& recipe, Decode
 }
 
 std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake& bake) {
-    std::vector<Read> reads = reads_of_air(parameters, Roles::all());
+    std::vector<Read> reads = reads_of_light(parameters, Roles::all());
     for (const std::string& clouds : bake.clouds) {
         append(reads_of_source_volume(parameters, clouds), reads);
     }

@@ -62,7 +62,7 @@ const std::array irradiance_table = {
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const IrradianceBake&) {
-    return reads_of_air(parameters, Roles::all());
+    return reads_of_light(parameters, Roles::all());
 }
 
 }  // namespace

@@ -98,11 +98,11 @@ const std::array multiple_scattering_table = {
 std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatteringBake& bake) {
     const Roles coefficients = {Role::geometry, Role::extinction, Role::scattering, Role::ground};
     if (bake.method != MultipleScatteringMethod::solved) {
-        return reads_of_air(parameters, coefficients);
+        return reads_of_light(parameters, coefficients);
     }
     const Roles phases = {Role::geometry, Role::extinction, Role::scattering, Role::ground,
                           Role::phase};
-    std::vector<Read> reads = reads_of_air(parameters, phases);
+    std::vector<Read> reads = reads_of_light(parameters, phases);
     reads.push_back({"scene"});
     return reads;
 }

@@ -171,7 +171,7 @@ const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
             .documentation =
                 "columns, densities or phase functions of up to four kinds of particles",
             .needs_atmosphere = true,
-            .use_of_light = UseOfLight::channels,
+            .use_of_light = UseOfLight::factors,
         },
         std::span<const OpticalDepthField>(rows), reads_of, resolve_optical_depth);
     return kind;

@@ -134,7 +134,7 @@ const AssetKind& asset_kind(Tag<PhaseBake>) {
             .name = "phase",
             .documentation = "how particles or a layer scatter, by angle",
             .is_table = true,
-            .use_of_light = UseOfLight::channels,
+            .use_of_light = UseOfLight::factors,
         },
         std::span<const PhaseField>(rows), reads_of, resolve_phase);
     return kind;

@@ -47,7 +47,7 @@ const std::array sky_view_table = {
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {
-    return reads_of_air(parameters, Roles::all());
+    return reads_of_light(parameters, Roles::all());
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ const AssetKind& asset_kind(Tag<TransmittanceBake>) {
             .documentation = "the share of light that arrives from the top of the atmosphere",
             .is_table = true,
             .needs_atmosphere = true,
-            .use_of_light = UseOfLight::channels,
+            .use_of_light = UseOfLight::factors,
         },
         std::span<const TransmittanceField>(rows), reads_of);
     return kind;

@@ -266,8 +266,8 @@ same() {
         for file in "$1/$recipe"/*; do
             [[ $file == */manifest.json ]] || cmp "$file" "$2/$recipe/${file##*/}"
         done
-        diff <(sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' "$1/$recipe/manifest.json") \
-            <(sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' "$2/$recipe/manifest.json")
+        diff <(sed -E 's/"([a-z]+_s|threads|hash)": [^,]*/"\1"/' "$1/$recipe/manifest.json") \
+            <(sed -E 's/"([a-z]+_s|threads|hash)": [^,]*/"\1"/' "$2/$recipe/manifest.json")
     done
     echo "same bytes: $1 $2"
 }

@@ -151,7 +151,7 @@ TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" +
                               out_ + "/manifest.json\n");
-    EXPECT_TRUE(contains(result.error, "  bake  certify  ")) << result.error;
+    EXPECT_TRUE(contains(result.error, "  texels  certificate  ")) << result.error;
     EXPECT_TRUE(contains(result.error, "lookup error max / rms"));
     EXPECT_EQ(files(), all_);
     EXPECT_EQ(bake({"-q"}).error, "");

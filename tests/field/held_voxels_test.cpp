@@ -34,9 +34,11 @@ class CountedVoxels : public VoxelSource {
         FunctionVoxels(sample_voxel).fill(box, channels);
     }
     bool is_empty(const VoxelBox& box) const override {
+        ++asked;
         return box.origin[2] + box.size[2] <= kSize[2] / 2;
     }
     mutable std::atomic<std::int64_t> made = 0;
+    mutable std::atomic<int> asked = 0;  // whether a box is empty
 };
 
 // Mostly zeros, in pieces of any length, with some voxels that are -0.
@@ -140,6 +142,21 @@ TEST(HeldVoxels, KnowWhichBoxesAreEmpty) {
         held_voxels(std::make_shared<CountedVoxels>(), kSize, kChannels, options_with(kBytes));
     EXPECT_TRUE(held->is_empty({{}, {700, 300, 2}}));
     EXPECT_FALSE(held->is_empty({{}, {700, 300, 3}}));
+}
+
+// To answer may cost a source more than to make the voxels.
+TEST(HeldVoxels, AskTheirSourceOnlyOfRowsThatAreNotHeld) {
+    const auto source = std::make_shared<CountedVoxels>();
+    const auto held = held_voxels(source, kSize, kChannels, options_with(kBytes));
+    const VoxelBox upper{{0, 0, 3}, {700, 300, 2}};
+    held->is_empty(upper);
+    EXPECT_EQ(source->asked, 1);
+    bits_of(*held, upper);
+    EXPECT_FALSE(held->is_empty(upper));
+    EXPECT_FALSE(held->is_empty({{0, 0, 3}, {700, 1, 1}}));
+    EXPECT_EQ(source->asked, 1);
+    held->is_empty({{0, 0, 1}, {700, 300, 3}});
+    EXPECT_EQ(source->asked, 2);
 }
 
 TEST(HeldVoxels, AreMadeOnDemandWhereTheyDoNotFit) {

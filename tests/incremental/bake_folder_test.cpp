@@ -1,5 +1,6 @@
 #include "bakers/workspace/bake_folder.h"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <future>
@@ -324,13 +325,43 @@ TEST(BakeFolder, PruningStaysInTheFolder) {
     EXPECT_TRUE(scene.has("deeper/shape.bin"));
 }
 
-TEST(BakeFolder, CountsTheTimeOfCertifying) {
+// Time is booked where it is spent, none of it twice, and none on a certificate that is not made.
+TEST(BakeFolder, BooksTheTimeOfEachPart) {
+    const std::string sky =
+        "wavelengths = 'best 3'\n[bake.psi]\nasset = 'multiple_scattering'\nmethod = 'solved'\n"
+        "size = [8, 8]\n[bake.view]\nasset = 'sky_view'\nsize = [8, 8]\n"
+        "[bake.sun]\nasset = 'transmittance'\nsize = [8, 8]\n";
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of("preset = 'earth'\n" + sky), folder / "out");
+    bake.bake.certification = Certification::off;
+    const auto started = std::chrono::steady_clock::now();
+    const auto outcome = bake.run();
+    const std::chrono::duration<double> all = std::chrono::steady_clock::now() - started;
+    ASSERT_TRUE(outcome.value.has_value());
+    double sum = 0;
+    for (const FinishedAsset& asset : outcome.value->assets) {
+        const BakeSeconds& spent = asset.entry.timing.bake;
+        EXPECT_GT(spent.texels, 0) << asset.entry.name;
+        EXPECT_EQ(spent.certificate, 0) << asset.entry.name;
+        sum += spent.made() + asset.entry.timing.write_s;
+    }
+    EXPECT_LE(sum, all.count());
+    const auto spent = [&](std::size_t i) { return outcome.value->assets[i].entry.timing.bake; };
+    EXPECT_GT(spent(0).light, 0);
+    EXPECT_GT(spent(0).colors, 0);
+    EXPECT_EQ(spent(2).light, 0) << "a transmittance needs no light";
+    EXPECT_EQ(spent(2).colors, 0) << "and has no colours";
+}
+
+TEST(BakeFolder, BooksCertificatesApart) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(two_tables), folder / "out");
     const auto outcome = bake.run();
     ASSERT_TRUE(outcome.value.has_value());
-    for (const FinishedAsset& asset : outcome.value->assets) EXPECT_GT(asset.certify_s, 0);
-    for (const FinishedAsset& asset : bake.run().value->assets) EXPECT_EQ(asset.certify_s, 0);
+    for (const FinishedAsset& asset : outcome.value->assets) {
+        EXPECT_GT(asset.entry.timing.bake.certificate, 0);
+        EXPECT_GT(asset.entry.timing.bake.texels, 0);
+    }
 }
 
 TEST(BakeFolder, APartialBakeKeepsTheOtherEntries) {

@@ -251,6 +251,33 @@ TEST(Intermediates, PartsOfACloudsRadianceShareTheirSolution) {
     EXPECT_NE(whole.at("rounded"), whole.at("first"));
 }
 
+// A table of multiple scattering is made of the sky's own light, and certified by it.
+TEST(Intermediates, OfASkyAreOneLightItsSunlightAndItsColours) {
+    const config::Recipe recipe = testing::recipe_of(
+        "preset = 'earth'\nwavelengths = 'best 3'\n[bake.transmittance]\nsize = [8, 8]\n"
+        "[bake.psi]\nasset = 'multiple_scattering'\nmethod = 'solved'\nsize = [8, 8]\n"
+        "[bake.sky_view]\nsun_elevations = ['5 deg']\nsize = [8, 8]\n");
+    const testing::TemporaryFolder folder;
+    Intermediates shared(std::int64_t{1} << 30);
+    const auto made_for = [&](std::vector<config::Bake> bakes, const char* name,
+                              Certification certification) {
+        const int before = shared.made();
+        FolderBake bake;
+        bake.recipe = &recipe;
+        bake.bakes = std::move(bakes);
+        bake.folder = folder.path() / name;
+        bake.certification = certification;
+        bake.intermediates = &shared;
+        testing::RememberingObserver observer;
+        EXPECT_TRUE(bake_folder(bake, observer).value) << name;
+        return shared.made() - before;
+    };
+    const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
+    EXPECT_EQ(made_for(bakes, "sky", Certification::quick), 3);
+    EXPECT_EQ(made_for({bakes[0]}, "sun", Certification::off), 0);
+    EXPECT_EQ(made_for({bakes[0]}, "sun certified", Certification::quick), 0);
+}
+
 TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
     const config::Recipe recipe = testing::recipe_of(kSky);
     const testing::TemporaryFolder folder;

@@ -195,7 +195,7 @@ inline Manifest write_sample_bake(const std::filesystem::path& folder,
         AtomicFiles files;
         EXPECT_TRUE(stage_files(table, asset, folder, files, 2).value.has_value());
         EXPECT_TRUE(files.commit().empty());
-        asset.timing.bake_s = 0.004;
+        asset.timing.bake.texels = 0.004;
         manifest.assets.push_back(std::move(asset));
     }
     EXPECT_TRUE(

@@ -173,7 +173,7 @@ TEST(Manifest, TellsWhereItHasBeenChanged) {
                     .starts_with("`assets[0]`, the entry of `transmittance`, has been changed"));
     EXPECT_TRUE(one("\"error\": null", "\"error\": null, \"extra\": 1")
                     .starts_with("`assets[1]`, the entry of `second`"));
-    EXPECT_TRUE(one("\"bake_s\": 0.004", "\"bake_s\": 0.005").starts_with("`assets[0]`"));
+    EXPECT_TRUE(one("\"texels_s\": 0.004", "\"texels_s\": 0.005").starts_with("`assets[0]`"));
     EXPECT_TRUE(
         one("\"parameters\": {}", "\"parameters\": {\"a\": 1}").starts_with("the manifest"));
     EXPECT_TRUE(one("\"version\": \"", "\"version\": \"1").starts_with("the manifest"));

@@ -82,7 +82,7 @@ TEST(OutputFolder, OfAChangedManifestOnlyClaimsCount) {
     const TemporaryFolder folder;
     testing::write_sample_bake(folder.path(), {"transmittance"});
     std::string text = testing::read_bytes(folder / "manifest.json");
-    const std::size_t at = text.find("\"bake_s\": 0.004");
+    const std::size_t at = text.find("\"texels_s\": 0.004");
     ASSERT_NE(at, std::string::npos);
     text[at + 14] = '5';
     testing::write_bytes(folder / "manifest.json", text);

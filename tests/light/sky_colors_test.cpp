@@ -37,6 +37,9 @@ SkyColors colors(const config::Parameters& parameters) {
                       {.threads = 2});
 }
 
+// Of weights, of which all of one channel add up to about 1.
+constexpr double kRowsAgainstRays = 1e-5;
+
 struct Bar {
     const char* wavelengths;
     double median, ninth_decile, disc;
@@ -126,6 +129,30 @@ TEST(SkyColors, TheSunOutsideTheAirIsWhite) {
         glm::dvec3 sum(0);
         for (const glm::dvec3& weight : mountain_colors(wavelengths).weights) sum += weight;
         EXPECT_LT(glm::length(sum - glm::dvec3(1)), 0.03) << wavelengths;
+    }
+}
+
+// Rows of rays that share their way give the colours of rays one by one. Rows read sunlight from a
+// table, which rays integrate.
+TEST(SkyColors, AreThoseOfRaysOneByOne) {
+    for (const char* preset : {"earth", "earth_clear_mountain", "mars"}) {
+        const config::Parameters air = recipe_of(fmt::format("preset = '{}'\n", preset)).parameters;
+        const auto skies = [&](SpectrumRays rays) {
+            return ColorSkies(sky_spectra(air.atmosphere, air.wavelengths, spectrum_views(),
+                                          {.threads = 2}, rays));
+        };
+        const ColorSkies rows = skies(SpectrumRays::in_rows);
+        const ColorSkies rays = skies(SpectrumRays::one_by_one);
+        const auto found = rows.fitted_weights(air.wavelengths, *air.color);
+        const auto wanted = rays.fitted_weights(air.wavelengths, *air.color);
+        for (std::size_t i = 0; i < wanted.size(); ++i) {
+            for (glm::length_t c = 0; c < 3; ++c) {
+                EXPECT_NEAR(found[i][c], wanted[i][c], kRowsAgainstRays) << preset << i << c;
+            }
+        }
+        const ColorError of_rows = rays.error(air.wavelengths, *air.color, found);
+        const ColorError of_rays = rays.error(air.wavelengths, *air.color, wanted);
+        EXPECT_NEAR(of_rows.max, of_rays.max, kRowsAgainstRays) << preset;
     }
 }
 
@@ -371,8 +398,13 @@ TEST_F(VolumesOfColors, TransmittanceIsTheShareOfSunlight) {
     }
 }
 
-TEST_F(TablesOfWavelengths, HaveFourChannelsAndTheWeights) {
-    const Baked table = baked("[bake.transmittance]\nsize = [8, 8]\n", {});
+TEST_F(TablesOfWavelengths, HaveFourChannelsAndTheWeightsOfLight) {
+    const Baked factor = baked("[bake.transmittance]\nsize = [8, 8]\n", {});
+    EXPECT_EQ(factor.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
+    EXPECT_EQ(factor.conventions.wavelengths_nm.size(), 4u);
+    EXPECT_FALSE(factor.conventions.color) << "it multiplies light, which has the weights";
+    const Baked table = baked(
+        "[bake.multiple_scattering]\nmethod = 'as_in_paper'\nsize = [8, 8]\n", {});
     EXPECT_EQ(table.channel_names, (std::vector<std::string>{"R", "G", "B", "A"}));
     ASSERT_TRUE(table.conventions.color);
     EXPECT_FALSE(table.conventions.color->is_applied);

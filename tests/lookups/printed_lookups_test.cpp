@@ -221,7 +221,7 @@ TEST(PrintedLookups, FourWavelengths) {
 
 // One wavelength at a time, and all of them: colours by the manifest's weights.
 TEST(PrintedLookups, ColoursOfWavelengths) {
-    const BakedFile table("transmittance.exr", "four_wavelengths");
+    const BakedFile table("twilight.exr", "four_wavelengths");
     ASSERT_TRUE(table.asset().conventions.color);
     const std::vector<double>& weights = table.asset().conventions.color->weights;
     for (const vec4& light : {vec4(1, 0, 0, 0), vec4(0, 1, 0, 0), vec4(0, 0, 1, 0),
@@ -231,7 +231,7 @@ TEST(PrintedLookups, ColoursOfWavelengths) {
             color[i % 3] += weights[i] * double{light[static_cast<glm::length_t>(i / 3)]};
         }
         test::expect_color_of_call(
-            SKYBAKE_CALL(four_wavelengths_transmittance_exr, baked_transmittance_color, light),
+            SKYBAKE_CALL(four_wavelengths_twilight_exr, baked_twilight_color, light),
             color);
     }
 }

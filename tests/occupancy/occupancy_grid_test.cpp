@@ -214,6 +214,31 @@ TEST(OccupancyProof, FindsALostCell) {
     }
 }
 
+// A voxel in a corner, which the filter takes across the seams along x and y into other cells.
+TEST(OccupancyProof, FindsCellsThatOnlyTheFilterReaches) {
+    const CellGrid grid{{18, 14, 11}, 4};
+    const testing::FunctionVoxels voxels(
+        [](int x, int y, int z, int) { return x == 0 && y == 0 && z == 4 ? 1.0F : 0.0F; });
+    const ChannelSource source{voxels};
+    for (const auto filter : {OccupancyFilter::trilinear, OccupancyFilter::tricubic}) {
+        const OccupiedCells exact = occupied_cells(cell_ranges(source, grid, filter, {}), 0);
+        int reached = 0;
+        for (std::size_t i = 0; i < exact.occupied.size(); ++i) {
+            if (exact.occupied[i] == 0) continue;
+            ++reached;
+            OccupiedCells cells = exact;
+            cells.occupied[i] = 0;
+            const auto lost = find_lost_cell(source, grid, filter, cells, 0, {});
+            ASSERT_TRUE(lost) << i;
+            const auto [x, y, z] = lost->cell;
+            EXPECT_EQ(index_of(cells.size, x, y, z), i);
+            const double faces = (x == 0 ? 1 : 0.5) * (y == 0 ? 1 : 0.5) * (z == 1 ? 1 : 0.5);
+            EXPECT_EQ(lost->value, filter == OccupancyFilter::trilinear ? faces : 1);
+        }
+        EXPECT_EQ(reached, 8);
+    }
+}
+
 TEST(StoredOutwards, IsTheNearestOnTheRightSide) {
     EXPECT_TRUE(rc::check([] {
         const auto value =

@@ -72,7 +72,7 @@ sums() {
         ((${#files[@]})) || exit 0
         md5sum -- "${files[@]}" | sed '/ manifest.json$/d; s/^.* timing.csv$/timing.csv/'
         [[ ! -e manifest.json ]] ||
-            sed -E 's/"(bake_s|write_s|threads|hash)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
+            sed -E 's/"([a-z]+_s|threads|hash)": [^,]*/"\1"/' manifest.json | md5sum | sed 's/-/manifest.json/'
     )
 }
 

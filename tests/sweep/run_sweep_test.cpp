@@ -102,8 +102,8 @@ TEST(RunSweep, SharedAssetsAreBakedOnce) {
             ASSERT_TRUE(manifest.value);
             ASSERT_EQ(manifest.value->assets.size(), 2u);
             EXPECT_EQ(manifest.value->assets[0].name, "n");
-            noise_times.insert(manifest.value->assets[0].timing.bake_s);
-            cloud_times.insert(manifest.value->assets[1].timing.bake_s);
+            noise_times.insert(manifest.value->assets[0].timing.bake.made());
+            cloud_times.insert(manifest.value->assets[1].timing.bake.made());
         }
         EXPECT_EQ(noise_times.size(), 2u);
         EXPECT_EQ(cloud_times.size(), 6u);

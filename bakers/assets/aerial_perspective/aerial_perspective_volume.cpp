@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <numeric>
@@ -288,10 +287,7 @@ config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
     describe(bake, lights, volume);
     const AerialCamera camera(bake);
     const FroxelChannels channels(lights, camera, bake.content);
-    const auto start = std::chrono::steady_clock::now();
     const auto froxels = std::make_shared<const FroxelSource>(channels, camera, bake.size, options);
-    volume.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     VolumeFinish finish;
     for (std::size_t c = 0; c < volume.channel_names.size(); ++c) {
         const double largest = froxels->largest(c);

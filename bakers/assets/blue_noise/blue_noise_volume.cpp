@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -122,13 +121,10 @@ float mask_value(std::uint32_t rank, std::size_t pixels, PixelType type) {
 
 Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& options,
                                Baked volume) {
-    const auto start = std::chrono::steady_clock::now();
     const std::vector<std::uint32_t> ranks = noise::void_and_cluster_ranks(
         {bake.voxels(), bake.spatial_sigma, bake.temporal_sigma, bake.seed}, options);
     if (options.cancelled()) return {};
     const std::shared_ptr<const MaskVoxels> voxels = mask_voxels(bake, ranks);
-    volume.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 
     volume.kind = "blue_noise";
     volume.content = "blue noise, dimensionless: in each frame all values are equally frequent";

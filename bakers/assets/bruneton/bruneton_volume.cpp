@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -180,7 +179,6 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
     if (bake.table == BrunetonTable::transmittance) {
         return bake_transmittance(packets, air.weights, bake, options, std::move(volume));
     }
-    const auto start = std::chrono::steady_clock::now();
     for (std::size_t p = 0; p < packets.size(); ++p) {
         Packet& packet = packets[p];
         const std::optional<LightRequest> request = light_request(air.packets[p], bake);
@@ -192,8 +190,6 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
             return {{}, {*problem}};
         }
     }
-    volume.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (bake.table == BrunetonTable::irradiance) {
         return bake_irradiance(packets, air.weights, bake, options, std::move(volume));
     }

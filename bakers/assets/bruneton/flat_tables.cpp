@@ -1,7 +1,6 @@
 #include "bakers/assets/bruneton/flat_tables.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -75,12 +74,9 @@ VolumeReference flat_values(const FlatTable& table, const FlatRow& row,
 config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
                                  const config::BrunetonBake& bake, const BakeOptions& options,
                                  Baked volume) {
-    const auto start = std::chrono::steady_clock::now();
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
         std::make_shared<DenseVolume>(flat_texels(table, bake.size, channels, options));
-    volume.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
     finish.expensive = bake.table == config::BrunetonTable::irradiance;

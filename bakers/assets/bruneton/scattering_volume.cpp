@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -156,7 +155,6 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     const ScatteringMapping mapping(shell_of(packets.front().medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);
     describe(bake, content, mapping, volume);
-    const auto start = std::chrono::steady_clock::now();
     for (std::size_t p = 0; p < packets.size(); ++p) {
         tables[p]->make_parts(packets[p], bake, mapping, options);
         if (options.cancelled()) return {};
@@ -167,8 +165,6 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     const auto table = std::make_shared<DenseVolume>(
         table_texels(content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }),
                      fits, options));
-    volume.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);
     VolumeFinish finish;
     for (std::size_t c = 0; c < content.channels(); ++c) {

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -17,6 +16,7 @@
 #include "bakers/assets/voxel_blocks.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/occupancy/distance_volume.h"
 #include "bakers/occupancy/nearest_voxel.h"
 #include "config/fields/fields.h"
@@ -133,7 +133,6 @@ class DistanceBake {
 
     Outcome<Baked> run(Baked volume) {
         describe(volume);
-        const auto start = std::chrono::steady_clock::now();
         const ChannelSource source = channel();
         const occupancy::VoxelBits bits = voxel_bits(source, grid_.grid, of_.threshold, options_);
         if (options_.cancelled()) return {};
@@ -144,8 +143,6 @@ class DistanceBake {
         const auto texels = std::make_shared<const DistanceSource>(
             bits, grid_, code_, bake_.contents, std::move(fields), options_);
         if (options_.cancelled()) return {};
-        volume.bake_seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
         if (has(DistanceContent::profile)) volume.details.emplace_back("core_m", texels->core_m());
         volume.levels.push_back(level_of(volume, texels));
         return finish(std::move(volume), check(*texels, bits));
@@ -194,6 +191,7 @@ class DistanceBake {
                               const occupancy::VoxelBits& bits) const {
         const auto [points, rays] = checked_by(options_.certification);
         if (points == 0) return {};
+        const BakeTime time(BakePart::certificate);
         const occupancy::NearestVoxel nearest(bits, grid_.voxel_m);
         return check_distances({texels.size(), texels.distances().data(), bake_.cell}, code_,
                                nearest, grid_.grid.voxels, grid_.voxel_m, points, rays, options_);

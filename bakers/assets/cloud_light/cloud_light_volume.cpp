@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -254,12 +253,9 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     if (config::is_radiance(bake.contents)) volume.conventions.radiance_unit = "1/sr";
     add_details(layer, bake, volume);
     level.repeats = repeating_axes(volume.axes);
-    const auto start = std::chrono::steady_clock::now();
     level.voxels =
         cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, volume.details);
     if (options.cancelled()) return {};
-    volume.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
     const VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);

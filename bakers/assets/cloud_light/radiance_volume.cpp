@@ -16,6 +16,7 @@
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/estimate.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
@@ -121,6 +122,7 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
                                                 const CloudLightBake& bake,
                                                 const BakeOptions& options, Facts& details) {
     const auto solve = [&]() -> std::shared_ptr<const SolvedRadiance> {
+        const BakeTime time(BakePart::light);
         auto solved = std::make_shared<const SolvedRadiance>(
             solve_radiance(layer, places, scattering_of(bake), bake.degree,
                            sources_of(bake, layer.sky.shape), options));

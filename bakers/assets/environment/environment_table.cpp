@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -133,13 +132,10 @@ class EnvironmentFinish {
             bake_.level_content == LevelContent::mean) {
             return;
         }
-        const auto start = std::chrono::steady_clock::now();
         const std::vector<SunPoint> sun = sun_points(lights_, bake_, models_.clouds());
         if (bake_.lights) add_lights(sun, table);
         if (bake_.sun == SunInMap::disc) add_disc(sun, table);
         if (bake_.level_content == LevelContent::ggx) add_rough_levels(table);
-        table.bake_seconds +=
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
 
   private:
@@ -193,11 +189,8 @@ Place environment_place(const EnvironmentLayout& layout, int part, double x, dou
 config::Outcome<Baked> bake_environment(const SkyLights& lights, const EnvironmentBake& bake,
                                         const BakeOptions& options, Baked table,
                                         std::span<const CloudMedium> media) {
-    const auto start = std::chrono::steady_clock::now();
     const EnvironmentModels models(lights, bake, media, options);
     if (options.cancelled()) return {};
-    table.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     describe_environment(bake, models.camera(), lights.first().shell(), table);
     const AccuracyRequest request = request_of_environment(bake, models.layout());
     config::Outcome<Baked> outcome;
@@ -212,7 +205,6 @@ config::Outcome<Baked> bake_environment(const SkyLights& lights, const Environme
                                    made.diagnostics.end());
         if (!made.value) return outcome;
         parts.push_back(std::move(*made.value));
-        table.bake_seconds = 0;  // of what all parts share
     }
     config::Outcome<Baked> stack =
         stack_tables(std::move(parts), options, EnvironmentFinish(lights, bake, models, options));

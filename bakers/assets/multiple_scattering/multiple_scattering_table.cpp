@@ -1,7 +1,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -179,10 +178,7 @@ config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
         return Place{{"altitude_km", y * thickness_km},
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
     };
-    const auto start = std::chrono::steady_clock::now();
     const TableModel model = multiple_scattering_model(medium, bake, options.threads);
-    table.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     config::Outcome<Baked> outcome =
         finish_table(model, request, options, place_of, std::move(table));
     // Where the terminator falls between texels no count of nodes helps, another mapping does.

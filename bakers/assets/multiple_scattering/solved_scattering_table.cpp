@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -27,10 +26,11 @@ using config::MultipleScatteringMapping;
 
 namespace {
 
-// Moments that feed the mean radiance.
-constexpr int kDegree = 4;
-// Of the light that skies are fitted to.
-constexpr int kFitDegree = 8;
+// The light of skies has moments of this degree at least.
+constexpr int kLeastSkyDegree = 8;
+// Of the light of air with spheres, whose peaks the sky's own light leaves out: moments of this degree
+// feed the mean radiance.
+constexpr int kDegreeWithPeaks = 4;
 
 // M_lm of solved_scattering_table.h.
 Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
@@ -125,8 +125,7 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     table.conventions.radiance_unit = "1/sr";
     table.conventions.solar_irradiance.assign(table.channel_names.size(), 1);
     set_files(bake, table);
-    table.certificate.reference =
-        "the same equation on a finer grid of altitudes, directions and rays";
+    table.certificate.reference = "the same light before it was stored";
     table.certificate.scale = kRelativeErrorScale;
     if (bake.content == MultipleScatteringContent::fitted) {
         table.content =
@@ -137,13 +136,27 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
+// The light of the sky itself, which a recipe that has both solves for once, unless spheres have peaks
+// or the table holds moments of a higher degree.
 LightRequest light_request(const config::Atmosphere& atmosphere,
                            const MultipleScatteringBake& bake) {
-    const bool moments = bake.content == MultipleScatteringContent::moments;
+    LightRequest request = {.atmosphere = atmosphere, .peaks_of_spheres = true};
     const bool fitted = bake.content == MultipleScatteringContent::fitted;
-    return {.atmosphere = atmosphere,
-            .peaks_of_spheres = true,
-            .degree = fitted ? kFitDegree : std::max(moments ? bake.degree : 0, kDegree)};
+    const bool moments = bake.content == MultipleScatteringContent::moments;
+    const int wanted = fitted ? kLeastSkyDegree : moments ? bake.degree : 0;
+    if (has_spheres(atmosphere)) {
+        request.degree = std::max(wanted, kDegreeWithPeaks);
+    } else if (wanted > kLeastSkyDegree) {
+        request.degree = wanted;
+    }
+    return request;
+}
+
+// Whether errors are measured against a finer solution. A quick certificate compares with the light
+// that was stored: error.sky tells how far that light is off, by paths.
+bool needs_finer_light(const MultipleScatteringBake& bake, Certification certification) {
+    const bool fitted = bake.content == MultipleScatteringContent::fitted;
+    return !fitted && (certification == Certification::full || bake.max_error);
 }
 
 // The reference of the certificate.
@@ -161,7 +174,7 @@ std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmospher
                                              const MultipleScatteringBake& bake,
                                              Certification certification) {
     std::vector<Need> needs = {need_of(light_request(atmosphere, bake))};
-    if (certification != Certification::off || bake.max_error) {
+    if (needs_finer_light(bake, certification)) {
         needs.push_back(need_of(finer_request(atmosphere, bake)));
     }
     return needs;
@@ -189,14 +202,11 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
         outcome.diagnostics.push_back(std::move(failure));
         return outcome;
     }
-    const auto start = std::chrono::steady_clock::now();
     const auto solved = light_of(light_request(atmosphere, bake), medium, options);
     if (options.cancelled()) return outcome;
     const SolvedLight& light = *solved;
     Image2<double> texels;
     if (fitted) texels = fitted_texels(medium, light, scene, columns, bake.size, options.threads);
-    table.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const EnergyBalance balance = energy_balance(medium, light);
     if (const auto failure = check_light(balance, light, table.name)) {
         outcome.diagnostics.push_back(*failure);
@@ -208,7 +218,9 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     table.details.emplace_back("energy_error", to_digits(balance.largest_error(), 2));
 
     std::shared_ptr<const SolvedLight> finer_light;
-    if (options.certification != Certification::off || bake.max_error) {
+    if (needs_finer_light(bake, options.certification)) {
+        table.certificate.reference =
+            "the same equation on a finer grid of altitudes, directions and rays";
         finer_light = light_of(finer_request(atmosphere, bake), medium, options);
         if (options.cancelled()) return outcome;
     }
@@ -239,7 +251,6 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
                                        part.diagnostics.end());
             if (!part.value) return outcome;
             parts.push_back(std::move(*part.value));
-            table.bake_seconds = 0;
         }
     }
     config::Outcome<Baked> stacked = stack_tables(std::move(parts), options);

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -110,7 +109,6 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
         *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
         static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
     const float threshold = of.threshold;
-    const auto start = std::chrono::steady_clock::now();
     CellRanges ranges = cell_ranges(source, grid, bake.filter, options);
     if (options.cancelled()) return outcome;
     const OccupiedCells exact = occupied_cells(ranges, threshold);
@@ -124,8 +122,6 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
     volume.details.emplace_back("smallest_safe_share", occupied_share(exact));
     const auto cells = std::make_shared<const CellSource>(std::move(ranges), std::move(occupied),
                                                           bake.contents, bake.pixel_type);
-    volume.bake_seconds +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (bake.rule == OccupancyRule::exact) {
         const auto lost = find_lost_cell(source, grid, bake.filter, exact, threshold, options);
         if (lost) outcome.diagnostics.push_back(lost_cell(volume, *lost));

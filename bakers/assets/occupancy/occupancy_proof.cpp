@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <mutex>
+#include <vector>
 
 #include "bakers/occupancy/cell_blocks.h"
 #include "bakers/occupancy/cell_grid.h"
@@ -27,18 +30,6 @@ class Cell {
         for (std::size_t axis = 0; axis < 3; ++axis) {
             voxels_[axis] = grid.voxels_of(axis, place[axis]);
         }
-    }
-
-    float greatest_voxel(int beyond) const {
-        float greatest = voxel(voxels_[0].first, voxels_[1].first, voxels_[2].first);
-        for (int z = voxels_[2].first - beyond; z < voxels_[2].last + beyond; ++z) {
-            for (int y = voxels_[1].first - beyond; y < voxels_[1].last + beyond; ++y) {
-                for (int x = voxels_[0].first - beyond; x < voxels_[0].last + beyond; ++x) {
-                    greatest = std::max(greatest, voxel(x, y, z));
-                }
-            }
-        }
-        return greatest;
     }
 
     double greatest_node() const {
@@ -95,15 +86,23 @@ class Search {
   public:
     Search(const CellGrid& grid, OccupancyFilter filter, const OccupiedCells& cells,
            float threshold)
-        : grid_(grid), filter_(filter), cells_(cells), threshold_(threshold) {}
+        : grid_(grid),
+          filter_(filter),
+          beyond_(voxels_beyond(filter)),
+          cells_(cells),
+          threshold_(threshold) {}
 
     void look_at(const CellBlock& block, const BlockRows& rows) {
+        std::vector<float> greatest;
         for (int z = block.z.first; z < block.z.last; ++z) {
             for (int y = block.y.first; y < block.y.last; ++y) {
+                const std::uint8_t* const occupied =
+                    &cells_.occupied[index_of(cells_.size, 0, y, z)];
+                const std::uint8_t* const end = occupied + cells_.size[0];
+                if (std::find(occupied, end, 0) == end) continue;
+                put_greatest(rows, y, z, greatest);
                 for (int x = 0; x < cells_.size[0]; ++x) {
-                    if (cells_.occupied[index_of(cells_.size, x, y, z)] == 0) {
-                        look_at(rows, {x, y, z});
-                    }
+                    if (occupied[x] == 0) look_at(rows, {x, y, z}, greatest);
                 }
             }
         }
@@ -112,11 +111,38 @@ class Search {
     const std::optional<LostCell>& lost() const { return lost_; }
 
   private:
-    void look_at(const BlockRows& rows, const std::array<int, 3>& place) {
-        const Cell cell(grid_, rows, place);
-        double value = cell.greatest_voxel(voxels_beyond(filter_));
+    // Writes the greatest of the voxels along y and z that lookups in a row of cells use, at each
+    // voxel along x from `beyond_` before the first one to `beyond_` behind the last one.
+    void put_greatest(const BlockRows& rows, int y, int z, std::vector<float>& greatest) const {
+        const Span across = grid_.voxels_of(1, y);
+        const Span up = grid_.voxels_of(2, z);
+        const std::size_t length = rows.length();
+        const auto beyond = static_cast<std::size_t>(beyond_);
+        greatest.assign(length + 2 * beyond, std::numeric_limits<float>::lowest());
+        float* const inside = greatest.data() + beyond;
+        for (int k = up.first - beyond_; k < up.last + beyond_; ++k) {
+            for (int j = across.first - beyond_; j < across.last + beyond_; ++j) {
+                const float* const row = rows.at(j, k);
+                for (std::size_t i = 0; i < length; ++i) {
+                    inside[i] = inside[i] < row[i] ? row[i] : inside[i];
+                }
+            }
+        }
+        for (int i = 1; i <= beyond_; ++i) {
+            const auto before = static_cast<std::size_t>(wrapped(-i, grid_.voxels[0]));
+            const auto behind = static_cast<std::size_t>(wrapped(i - 1, grid_.voxels[0]));
+            *(inside - i) = inside[before];
+            inside[length + static_cast<std::size_t>(i) - 1] = inside[behind];
+        }
+    }
+
+    void look_at(const BlockRows& rows, const std::array<int, 3>& place,
+                 const std::vector<float>& greatest) {
+        const Span along = grid_.voxels_of(0, place[0]);
+        const auto first = greatest.begin() + along.first;
+        double value = *std::max_element(first, first + along.count() + 2 * beyond_);
         if (value <= threshold_) return;
-        if (filter_ == OccupancyFilter::trilinear) value = cell.greatest_node();
+        if (filter_ == OccupancyFilter::trilinear) value = Cell(grid_, rows, place).greatest_node();
         if (value <= threshold_) return;
         const std::lock_guard lock(mutex_);
         const auto index = [&](const std::array<int, 3>& at) {
@@ -127,6 +153,7 @@ class Search {
 
     const CellGrid& grid_;
     OccupancyFilter filter_;
+    int beyond_;  // voxels beyond a cell's faces that its lookups use
     const OccupiedCells& cells_;
     float threshold_;
     std::mutex mutex_;

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -18,6 +17,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
 #include "bakers/field/stored_voxels.h"
+#include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/optical_depth.h"
 
@@ -424,19 +424,17 @@ config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
     describe(bake, *kinds, channels, table, volume);
     Contents contents = contents_of(kinds, channels, bake, table);
     contents.finish.histogram_ranges.assign(volume.channel_names.size(), {0, contents.largest});
-    const auto start = std::chrono::steady_clock::now();
     Level level;
     level.size = bake.size;
     level.repeats = repeating_axes(volume.axes);
     level.voxels =
         kept_if_small(std::make_shared<TexelSource>(kinds->size(), std::move(contents.value)),
                       bake.size, static_cast<int>(volume.channel_names.size()), options);
-    volume.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
     config::Outcome<Baked> outcome = finish_volume(std::move(volume), contents.finish, options);
     if (outcome.value && has_paths(bake) && options.certification != Certification::off) {
+        const BakeTime time(BakePart::certificate);
         add_measured_details(*kinds, channels, table, bake.table == OpticalDepthTable::to_top,
                              options, *outcome.value);
     }

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -212,10 +211,7 @@ TableModel inverse_phase_model(const PhaseSource& source) {
 
 config::Outcome<Baked> bake_phase(const config::Parameters& parameters, const PhaseBake& bake,
                                   const BakeOptions& options, Baked table) {
-    const auto start = std::chrono::steady_clock::now();
     const PhaseSource source = phase_source(parameters, bake, options.threads);
-    table.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (options.cancelled()) return {};
     const bool inverse = bake.content == PhaseContent::inverse_cumulative;
     PhaseSpacing spacing = bake.spacing;

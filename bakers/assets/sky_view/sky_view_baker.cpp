@@ -18,6 +18,7 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/light/strip_orders.h"
+#include "bakers/math/bake_clock.h"
 #include "config/assets/sky_view.h"
 
 namespace skybake {
@@ -39,6 +40,7 @@ std::unique_ptr<const SkyLight> light_of_view(const config::Atmosphere& atmosphe
     if (!is_from_strips(asset)) {
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     }
+    const BakeTime time(BakePart::light);
     SkyMedium medium = make_sky_medium(atmosphere);
     auto strips = std::make_unique<StripOrders>(medium, options);
     return std::make_unique<SkyLight>(std::move(medium), asset.orders, std::move(strips),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <functional>
@@ -227,13 +226,10 @@ std::string content_of(const WeatherMapBake& bake) {
 Outcome<Baked> make_table(WeatherModel& model, const WeatherMapBake& bake,
                           const BakeOptions& options, Baked table) {
     Outcome<Baked> outcome;
-    const auto start = std::chrono::steady_clock::now();
     Image2<float> texels = model.make(options, outcome.diagnostics);
     if (options.cancelled()) return {};
     if (!outcome.diagnostics.empty()) return outcome;
     round_values(texels.texels.data(), texels.texels.size(), bake.pixel_type);
-    table.bake_seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     table.kind = "weather_map";
     table.content = content_of(bake);
     table.mapping = "tile";

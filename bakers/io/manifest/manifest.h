@@ -15,6 +15,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/math/bake_clock.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -44,7 +45,7 @@ struct ManifestInput {
 
 // Wall times, which are the only part of a bake's output that changes from run to run.
 struct Timing {
-    double bake_s = 0;
+    BakeSeconds bake;
     double write_s = 0;
     int threads = 1;
 };

@@ -374,8 +374,11 @@ ManifestAsset read_asset(const Node& node) {
     asset.mapping = node["mapping"]["name"].text();
     asset.axes = {read_axis(node["mapping"]["u"]), read_axis(node["mapping"]["v"])};
     if (of_volume) asset.axes.push_back(read_axis(node["mapping"]["w"]));
-    asset.timing = {node["timing"]["bake_s"].number(), node["timing"]["write_s"].number(),
-                    node["timing"]["threads"].integer<int>(0)};
+    const Node timing = node["timing"];
+    asset.timing = {{timing["light_s"].number(), timing["colors_s"].number(),
+                     timing["texels_s"].number(), timing["certificate_s"].number()},
+                    timing["write_s"].number(),
+                    timing["threads"].integer<int>(0)};
     asset.error = read_certificate(node["error"]);
     asset.range = {node["range"]["below_normal"].integer<long>(0),
                    node["range"]["above_range"].integer<long>(0)};
@@ -515,7 +518,8 @@ config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std
         // The entry in a file does not contain times, hashes or the file's own name, length and
         // level, so these are filled in.
         Json json = parse_json(text);
-        json["timing"] = {{"bake_s", 0.0}, {"write_s", 0.0}, {"threads", 0U}};
+        json["timing"] = {{"light_s", 0.0},       {"colors_s", 0.0}, {"texels_s", 0.0},
+                          {"certificate_s", 0.0}, {"write_s", 0.0},  {"threads", 0U}};
         json["hash"] = "";
         for (Json& file : json.at("files")) {
             file["path"] = std::filesystem::path(name).filename().string();

@@ -201,7 +201,10 @@ Json to_json(const ManifestAsset& asset) {
                  {"size", asset.size},       {"channels", asset.channels}};
     json["conventions"] = to_json(asset.conventions, asset.is_volume());
     json["mapping"] = mapping_json(asset);
-    json["timing"] = {{"bake_s", asset.timing.bake_s},
+    json["timing"] = {{"light_s", asset.timing.bake.light},
+                      {"colors_s", asset.timing.bake.colors},
+                      {"texels_s", asset.timing.bake.texels},
+                      {"certificate_s", asset.timing.bake.certificate},
                       {"write_s", asset.timing.write_s},
                       {"threads", asset.timing.threads}};
     json["error"] = to_json(asset.error);

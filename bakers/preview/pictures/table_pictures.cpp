@@ -43,7 +43,8 @@ std::vector<ChannelName> channel_names(const ManifestAsset& entry, const TableGe
                                           green = {0x2e, 0x8b, 0x57}, blue = {0x2f, 0x6f, 0xc4};
     const std::size_t count = entry.channels.size();
     if (count == 1) return {{"luminance", title("", 0), {0x1f, 0x23, 0x28}}};
-    if (count == 3 && !entry.conventions.color) {
+    const bool falling = std::is_sorted(wavelengths.rbegin(), wavelengths.rend());
+    if (count == 3 && falling && !entry.conventions.color) {
         return {{"red", title("red", 0), red},
                 {"green", title("green", 1), green},
                 {"blue", title("blue", 2), blue}};

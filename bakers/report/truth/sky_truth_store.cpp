@@ -96,7 +96,7 @@ std::string sky_truth_key(const config::Recipe& recipe,
                           const std::vector<SkyTruthDirection>& directions,
                           std::int64_t mean_paths) {
     const std::vector<config::Read> air =
-        config::reads_of_air(recipe.parameters, config::Roles::all());
+        config::reads_of_light(recipe.parameters, config::Roles::all());
     std::string text = fmt::format("version {}\n{} paths\n{}\n", kSkyTruthVersion, mean_paths,
                                    config::parameters_toml(recipe, air));
     for (const SkyTruthDirection& at : directions) {
