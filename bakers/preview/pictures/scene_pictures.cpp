@@ -83,7 +83,12 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     const int reduction = input.draft ? 2 : 1;
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
-    const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true};
+    const SceneFrame frame = {width,
+                              height,
+                              scene.camera,
+                              refinement_of(width, height),
+                              true,
+                              kStepGrowth};
     SceneRenderer renderer(scene.layers, lighting.atmosphere(), sun, threads);
     const CloudView view = renderer.render(frame, threads, progress);
     const Image2<float> shown = lighting.tables.screen.shown(view.radiance);
