@@ -83,16 +83,28 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// The samples along a ray, evenly spaced.
+// The samples along a ray, as cloud_rays.h spaces them.
 struct CloudSamples {
     FloatLanes jitter;
     float step_m;
     float steps_per_m;
+    float growth = 0;
 
-    HWY_INLINE FloatLanes distance(FloatLanes k) const { return (k + jitter) * FloatLanes(step_m); }
-    // Returns, up to rounding, the first sample at or beyond a distance.
+    HWY_INLINE FloatLanes distance(FloatLanes k) const {
+        const FloatLanes u = k + jitter;
+        return u * FloatLanes(step_m) * (FloatLanes(1.0F) + FloatLanes(growth) * u);
+    }
+    // Returns the length that sample k stands for.
+    HWY_INLINE FloatLanes length(FloatLanes k) const {
+        return FloatLanes(step_m) *
+               (FloatLanes(1.0F) + FloatLanes(growth) * (k + k + FloatLanes(1.0F)));
+    }
+    // Returns, up to rounding, the first sample at or beyond a distance. Nothing is beyond negative ones.
     HWY_INLINE FloatLanes first_beyond(FloatLanes distance_m) const {
-        return ceil_of(distance_m * FloatLanes(steps_per_m) - jitter);
+        const FloatLanes even = maximum(distance_m * FloatLanes(steps_per_m), FloatLanes(0.0F));
+        const FloatLanes stretch =
+            square_root(FloatLanes(1.0F) + FloatLanes(4.0F * growth) * even);
+        return ceil_of((even + even) / (FloatLanes(1.0F) + stretch) - jitter);
     }
 };
 

@@ -26,6 +26,7 @@ namespace HWY_NAMESPACE {
 // The points where light is looked up. They are collected while rays are marched and evaluated
 // together.
 struct LightPoints {
+    std::vector<float> distance;        // along the ray, in metres
     std::vector<float> x, y, z;         // in voxels, within the copy of the volume
     std::vector<float> tile_x, tile_y;  // where that begins
     std::vector<float> weight;          // the share of its light that reaches the eye
@@ -34,8 +35,39 @@ struct LightPoints {
     std::vector<float> tau;             // optical depth towards the sun
     std::vector<std::uint32_t> ray;
 
-    std::size_t size() const { return x.size(); }
+    std::size_t size() const { return jitter.size(); }
 };
+
+// Finds where points are from their distances along rays.
+inline void place_points(const CloudMarch& march, const RayBlock& rays, LightPoints& points) {
+    const std::size_t count = points.size();
+    for (auto* values : {&points.x, &points.y, &points.z, &points.tile_x, &points.tile_y}) {
+        values->resize(count + FloatLanes::kCount);
+    }
+    for (std::size_t first = 0; first < count; first += FloatLanes::kCount) {
+        alignas(64) float along[4][FloatLanes::kCount] = {};
+        for (std::size_t i = 0; i < std::min(FloatLanes::kCount, count - first); ++i) {
+            for (std::size_t a = 0; a < 3; ++a) {
+                along[a][i] = rays.direction[a][points.ray[first + i]];
+            }
+            along[3][i] = points.distance[first + i];
+        }
+        const CloudPath path{*march.medium,
+                             FloatLanes(march.origin[0]),
+                             FloatLanes(march.origin[1]),
+                             FloatLanes(march.origin[2]),
+                             FloatLanes::load(along[0]),
+                             FloatLanes::load(along[1]),
+                             FloatLanes::load(along[2]),
+                             {}};
+        const Place at = path.place(FloatLanes::load(along[3]));
+        at.x.store(&points.x[first]);
+        at.y.store(&points.y[first]);
+        at.z.store(&points.z[first]);
+        at.tile_x.store(&points.tile_x[first]);
+        at.tile_y.store(&points.tile_y[first]);
+    }
+}
 
 constexpr float kPi = 3.14159265F;
 
@@ -156,73 +188,66 @@ class Lighting {
     alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
 };
 
-// A sample in cloud as its ray meets it: number k, with the optical depth of its step, and the
-// transmittance before it.
+// Samples in cloud as their rays meet them: the number k, the distance, the extinction, and the share of
+// light from the eye that ends in the sample.
 struct LitSample {
-    FloatLanes k, extinction, depth, transmittance, weight;
+    FloatLanes k, distance, extinction, weight;
 };
 
-// Chooses the samples of a packet of rays at which light is evaluated. A sample that follows one in cloud
-// uses the light of the point before it if the eye sees little of the difference: if at most the share
-// kSharedBehind of its light comes through, or if k is odd and the optical depth of its step is at most
-// kSharedDepth.
+// Gathers the samples of a packet of rays into groups, each of which has the light of one point: the mean
+// place of its samples, weighted by what the eye sees of them, where the light is that of all of them if it
+// changes evenly. A group ends where the eye would see more of it than kSharedWeight, or where it would be
+// longer than kSharedSteps. A sample that shows more than that is a group alone.
 class PointCollector {
   public:
     PointCollector(const RayBlock& rays, LightPoints& points, std::size_t first_ray)
-        : rays_(rays), points_(points), first_ray_(first_ray) {
-        for (float& k : last_k_) k = -2;  // no sample follows it
-    }
+        : rays_(rays), points_(points), first_ray_(first_ray) {}
 
-    void add(const Place& at, const LitSample& sample, FloatMask lit) {
-        alignas(64) float values[5][FloatLanes::kCount];
-        alignas(64) float extinctions[FloatLanes::kCount];
-        alignas(64) float shares[FloatLanes::kCount];
-        alignas(64) float tiles[2][FloatLanes::kCount];
-        at.tile_x.store(tiles[0]);
-        at.tile_y.store(tiles[1]);
-        at.x.store(values[0]);
-        at.y.store(values[1]);
-        at.z.store(values[2]);
-        zero_unless(lit, sample.weight).store(values[3]);
-        sample.k.store(values[4]);
-        sample.extinction.store(extinctions);
-        sharing(sample).store(shares);
-        for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
-            if (values[3][lane] == 0) continue;
-            const bool follows = last_k_[lane] + 1 == values[4][lane];
-            last_k_[lane] = values[4][lane];
-            if (follows && shares[lane] != 0) {
-                points_.weight[last_point_[lane]] += values[3][lane];
-                continue;
-            }
-            last_point_[lane] = points_.size();
-            points_.x.push_back(values[0][lane]);
-            points_.y.push_back(values[1][lane]);
-            points_.z.push_back(values[2][lane]);
-            points_.tile_x.push_back(tiles[0][lane]);
-            points_.tile_y.push_back(tiles[1][lane]);
-            points_.weight.push_back(values[3][lane]);
-            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
-            points_.jitter.push_back(rays_.light_jitter[first_ray_ + lane]);
-            points_.extinction.push_back(extinctions[lane]);
-        }
+    void add(const LitSample& sample, FloatMask lit) {
+        const FloatMask open = lit & (FloatLanes(0.0F) < weight_);
+        const FloatMask joins = (weight_ + sample.weight <= FloatLanes(kSharedWeight)) &
+                                (sample.k < first_ + FloatLanes(kSharedSteps));
+        const FloatMask ends = and_not(open, joins);
+        if (any(ends)) end(ends);
+        const FloatLanes weight = zero_unless(lit, sample.weight);
+        first_ = select(lit & (weight_ <= FloatLanes(0.0F)), sample.k, first_);
+        weight_ = weight_ + weight;
+        distance_ = distance_ + weight * sample.distance;
+        extinction_ = extinction_ + weight * sample.extinction;
     }
+    void end_all() { end(FloatLanes(0.0F) < weight_); }
 
   private:
-    // Returns 1 in the lanes whose sample shares the light of the point before it, if it follows.
-    static FloatLanes sharing(const LitSample& sample) {
-        const FloatLanes half = sample.k * FloatLanes(0.5F);
-        const FloatMask odd = floor_of(half) < half;
-        const FloatMask thin = odd & (sample.depth <= FloatLanes(kSharedDepth));
-        const FloatLanes if_thin = select(thin, FloatLanes(1.0F), FloatLanes(0.0F));
-        return select(sample.transmittance <= FloatLanes(kSharedBehind), FloatLanes(1.0F), if_thin);
+    void end(FloatMask groups) {
+        alignas(64) float weights[FloatLanes::kCount];
+        alignas(64) float distances[FloatLanes::kCount];
+        alignas(64) float extinctions[FloatLanes::kCount];
+        zero_unless(groups, weight_).store(weights);
+        distance_.store(distances);
+        extinction_.store(extinctions);
+        for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
+            const float weight = weights[lane];
+            if (!(weight > 0)) continue;
+            points_.weight.push_back(weight);
+            points_.distance.push_back(distances[lane] / weight);
+            points_.extinction.push_back(extinctions[lane] / weight);
+            points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
+            points_.jitter.push_back(rays_.light_jitter[first_ray_ + lane]);
+        }
+        const FloatLanes none(0.0F);
+        weight_ = select(groups, none, weight_);
+        distance_ = select(groups, none, distance_);
+        extinction_ = select(groups, none, extinction_);
     }
 
     const RayBlock& rays_;
     LightPoints& points_;
     std::size_t first_ray_;
-    float last_k_[FloatLanes::kCount];
-    std::size_t last_point_[FloatLanes::kCount] = {};
+    // Of the group of each ray: its first sample, and sums over all of them.
+    FloatLanes first_ = FloatLanes(0.0F);
+    FloatLanes weight_ = FloatLanes(0.0F);
+    FloatLanes distance_ = FloatLanes(0.0F);
+    FloatLanes extinction_ = FloatLanes(0.0F);
 };
 
 }  // namespace HWY_NAMESPACE

@@ -39,7 +39,7 @@ class LayerPacket {
                 FloatLanes::load(&rays.direction[0][first]),
                 FloatLanes::load(&rays.direction[1][first]),
                 FloatLanes::load(&rays.direction[2][first]),
-                {FloatLanes::load(&rays.jitter[first]), march.step_m, 1 / march.step_m}},
+                {FloatLanes::load(&rays.jitter[first]), march.step_m, 1 / march.step_m, march.growth}},
           pace_{pace_of(path_.direction_x), pace_of(path_.direction_y), pace_of(path_.direction_z)},
           collector_(rays, points, first),
           end_(FloatLanes::load(&rays.end[first])),
@@ -68,23 +68,24 @@ class LayerPacket {
             const FloatLanes sigma = faded(extinction(*march_.medium, at, sampling), t);
             step_on(sampling, sigma, progress_);
             const FloatMask lit = FloatLanes(0.0F) < sigma;
-            if (any(lit)) add(at, k, t, sigma, lit, transmittance);
+            if (any(lit)) add(k, t, sigma, lit, transmittance);
         }
         progress_.k = select(taking, progress_.k, waiting);
     }
 
-    void store(std::size_t first, RayResults& results) const {
+    void store(std::size_t first, RayResults& results) {
+        collector_.end_all();
         opacity_.store(&results.opacity[first]);
         distance_.store(&results.distance_m[first]);
     }
 
   private:
-    void add(const Place& at, FloatLanes k, FloatLanes t, FloatLanes sigma, FloatMask lit,
+    void add(FloatLanes k, FloatLanes t, FloatLanes sigma, FloatMask lit,
              FloatLanes& transmittance) {
-        const FloatLanes depth = sigma * FloatLanes(march_.step_m);
+        const FloatLanes depth = sigma * path_.samples.length(k);
         const FloatLanes through = exponential_of_negative(FloatLanes(0.0F) - depth);
         const FloatLanes weight = transmittance * (FloatLanes(1.0F) - through);
-        collector_.add(at, {k, sigma, depth, transmittance, weight}, lit);
+        collector_.add({k, t, sigma, weight}, lit);
         opacity_ = opacity_ + zero_unless(lit, weight);
         distance_ = distance_ + zero_unless(lit, weight * t);
         transmittance = select(lit, transmittance * through, transmittance);
@@ -152,6 +153,8 @@ void march_all(std::span<const CloudMarch> layers, std::span<const RayBlock> ray
         march_packet(layers, rays, first, packets, points, results, counts);
     }
     for (std::size_t l = 0; l < layers.size(); ++l) {
+        if (points[l].size() == 0) continue;
+        place_points(layers[l], rays[l], points[l]);
         points[l].tau.assign(points[l].size(), 0.0F);
         for (std::size_t m = 0; m < layers.size(); ++m) {
             const PointFrame frame =

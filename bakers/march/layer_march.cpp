@@ -34,6 +34,29 @@ RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
     return span;
 }
 
+void set_layer_ray(const CloudMarch& march, const LayerRay& ray, double reach_m, RayBlock& block,
+                   std::size_t i) {
+    const CloudMedium& medium = *march.medium;
+    const RaySpan span = span_in_layer(medium, ray.position_m, ray.direction, reach_m);
+    for (std::size_t a = 0; a < 3; ++a) {
+        block.direction[a][i] = static_cast<float>(ray.direction[a] / medium.meters_per_voxel(a));
+    }
+    block.sun_offset[i] = static_cast<float>(ray.sun_offset);
+    block.jitter[i] = ray.jitter;
+    block.light_jitter[i] = ray.light_jitter;
+    block.first[i] = 0;
+    block.end[i] = 0;
+    if (span.first_m > span.last_m) return;  // no samples
+    // The u of cloud_rays.h at a distance.
+    const auto samples_to = [&](double distance_m) {
+        const double even = distance_m / double{march.step_m};
+        return 2 * even / (1 + std::sqrt(1 + 4 * double{march.growth} * even));
+    };
+    // One sample is added on each side; the march checks whether samples are inside.
+    block.first[i] = static_cast<float>(std::max(std::floor(samples_to(span.first_m)) - 1, 0.0));
+    block.end[i] = static_cast<float>(std::ceil(samples_to(span.last_m)) + 1);
+}
+
 double sun_march_length_m(const CloudMedium& medium, const SunDirection& sun) {
     const double x = medium.extent_m[0];
     const double y = medium.extent_m[1];
@@ -56,6 +79,15 @@ MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun) {
     steps.light_step_m = std::max(edge_m, sun_march_length_m(medium, sun) / kSunSamples);
     const double tile = std::max(medium.extent_m[0], medium.extent_m[1]);
     steps.reach_m = std::min(std::max(24 * tile, 40e3), 256 * tile);
+    return steps;
+}
+
+MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun) {
+    MarchSteps steps = usual_steps(medium, sun);
+    const double depth = medium.optics.extinction_per_m * voxel_edge_m(medium);
+    const double longer = depth < kThinVoxel / 2 ? 2 : std::max(kThinVoxel / depth, 1.0);
+    steps.step_m *= longer;
+    steps.light_step_m *= longer;
     return steps;
 }
 
@@ -102,24 +134,10 @@ CloudMarch LayerMarch::march_of(const Layer& layer, const DiffuseShare& diffuse,
 
 void LayerMarch::set_ray(std::span<RayBlock> blocks, std::size_t i, const glm::dvec3& direction,
                          float jitter, float light_jitter) const {
+    const LayerRay ray = {position_m_, direction, one_minus_cosine(direction, sun_), jitter,
+                          light_jitter};
     for (std::size_t l = 0; l < layers_.size(); ++l) {
-        const CloudMedium& medium = *layers_[l].medium;
-        const MarchSteps& steps = layers_[l].steps;
-        RayBlock& block = blocks[l];
-        const RaySpan span = span_in_layer(medium, position_m_, direction, steps.reach_m);
-        for (std::size_t a = 0; a < 3; ++a) {
-            block.direction[a][i] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
-        }
-        block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
-        block.jitter[i] = jitter;
-        block.light_jitter[i] = light_jitter;
-        block.first[i] = 0;
-        block.end[i] = 0;
-        if (span.first_m > span.last_m) continue;  // no samples
-        // One sample is added on each side; the march checks whether samples are inside.
-        block.first[i] =
-            static_cast<float>(std::max(std::floor(span.first_m / steps.step_m) - 1, 0.0));
-        block.end[i] = static_cast<float>(std::ceil(span.last_m / steps.step_m) + 1);
+        set_layer_ray(marches_[l], ray, layers_[l].steps.reach_m, blocks[l], i);
     }
 }
 

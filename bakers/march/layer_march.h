@@ -53,6 +53,19 @@ struct RaySpan {
 RaySpan span_in_layer(const CloudMedium& medium, const glm::dvec3& position_m,
                       const glm::dvec3& direction, double reach_m);
 
+// A ray from a place, with the jitters of its samples and of those towards the sun, in [0, 1].
+struct LayerRay {
+    glm::dvec3 position_m{};
+    glm::dvec3 direction{};
+    double sun_offset = 0;  // 1 - cosine of the angle between ray and sun
+    float jitter = 0;
+    float light_jitter = 0;
+};
+
+// Sets ray i of a march's block, up to `reach_m`.
+void set_layer_ray(const CloudMarch& march, const LayerRay& ray, double reach_m, RayBlock& block,
+                   std::size_t i);
+
 // Returns the length of a march towards the sun. It ends where sunlight enters the layer, but it is
 // not longer than the tile's longer edge, after which the same clouds repeat, or than the tile's
 // diagonal if they do not repeat.
@@ -80,6 +93,11 @@ inline constexpr double kDeepVoxel = 3;
 // Returns steps of the length of a voxel's edge, along rays of half of it if voxels are deep, and a reach
 // beyond which a layer that repeats shows no more.
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun);
+
+// The same for pictures for people: in layers of thin voxels, whose optical depth at density 1 is below
+// kThinVoxel, steps are longer by what is missing, at most twice as long.
+inline constexpr double kThinVoxel = 0.5;
+MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun);
 
 // Layers of clouds as rays from one place see them. They may overlap in altitude.
 class LayerMarch {

@@ -119,9 +119,12 @@ HWY_INLINE FloatLanes varied_lookup(const CloudMedium& medium, const Place& at, 
     FloatLanes value =
         lookup(medium.volume, at.x, at.y, z) - greatest * maximum(borders.x.own, borders.y.own);
     for_neighbours(borders, wanted, [&](bool x, bool y, FloatMask lanes) HWY_ATTR {
-        const Place place = in_neighbour(medium, at, borders, x, y);
         const FloatLanes erosion =
             maximum(x ? borders.x.beyond : borders.x.own, y ? borders.y.beyond : borders.y.own);
+        // A copy is not looked up where not even its greatest voxel would count.
+        lanes = lanes & (value < greatest - greatest * erosion);
+        if (!any(lanes)) return;
+        const Place place = in_neighbour(medium, at, borders, x, y);
         const FloatLanes other = lookup(medium.volume, place.x, place.y, z) - greatest * erosion;
         value = select(lanes, maximum(value, other), value);
     });

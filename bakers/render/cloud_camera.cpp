@@ -14,9 +14,8 @@ CameraRays::CameraRays(const CloudCamera& camera, int width, int height)
       height_(height) {}
 
 glm::dvec3 CameraRays::through(double x, double y) const {
-    const double pixel = 2 * half_width_ / width_;
-    const double across = (x + 0.5 - 0.5 * width_) * pixel;
-    const double upwards = (0.5 * height_ - y - 0.5) * pixel;
+    const double across = (x + 0.5 - 0.5 * width_) * pixel();
+    const double upwards = (0.5 * height_ - y - 0.5) * pixel();
     const glm::dvec3 ray = forward_ + across * right_ + upwards * up_;
     return ray / std::sqrt(glm::dot(ray, ray));
 }

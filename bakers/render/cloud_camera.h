@@ -14,6 +14,9 @@ class CameraRays {
     // Returns the direction of the ray through the middle of pixel (x, y), with row 0 at the top.
     glm::dvec3 through(double x, double y) const;
 
+    // The width of a pixel in the middle of the picture, at distance 1.
+    double pixel() const { return 2 * half_width_ / width_; }
+
   private:
     glm::dvec3 forward_{};
     glm::dvec3 right_{};

@@ -162,7 +162,7 @@ CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun
     settings.width = width;
     settings.height = height;
     settings.sun = sun;
-    const MarchSteps steps = usual_steps(medium, sun);
+    const MarchSteps steps = picture_steps(medium, sun);
     settings.step_m = steps.step_m;
     settings.light_step_m = steps.light_step_m;
     settings.camera = camera_for(medium, request, static_cast<double>(height) / width);

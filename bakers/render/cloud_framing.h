@@ -26,7 +26,7 @@ struct CameraRequest {
     bool whole_tile = false;
 };
 
-// Chooses the settings of a view, with usual_steps. If the volume repeats, the camera
+// Chooses the settings of a view, with picture_steps. If the volume repeats, the camera
 // sees much of the layer and the reach is some tiles; if it does not repeat, the camera has the
 // whole volume in the picture.
 CloudViewSettings framed_view(const CloudMedium& medium, const SunDirection& sun, int width,

@@ -48,6 +48,7 @@ FrameMarch::FrameMarch(const std::vector<SceneLayer>& layers, const SunDirection
             const double origin = frame.camera.position_m[a] - (a == 2 ? medium.base_m : 0);
             marches_[l].origin[a] = static_cast<float>(origin / medium.meters_per_voxel(a));
         }
+        marches_[l].growth = static_cast<float>(frame.step_growth * rays_.pixel());
         farthest_m_ = std::max(farthest_m_, layers_[l].reach_m);
     }
 }
@@ -85,23 +86,10 @@ glm::dvec3 FrameMarch::direction_through(const PixelSample& sample) const {
 void FrameMarch::set_ray(std::vector<RayBlock>& blocks, std::size_t i,
                          const PixelSample& sample) const {
     const glm::dvec3 direction = direction_through(sample);
+    const LayerRay ray = {frame_.camera.position_m, direction, one_minus_cosine(direction, sun_),
+                          jitter_of(sample, 0), jitter_of(sample, 1)};
     for (std::size_t l = 0; l < layers_.size(); ++l) {
-        const SceneLayer& layer = layers_[l];
-        RayBlock& block = blocks[l];
-        const RaySpan span =
-            span_in_layer(*layer.medium, frame_.camera.position_m, direction, layer.reach_m);
-        for (std::size_t a = 0; a < 3; ++a) {
-            block.direction[a][i] =
-                static_cast<float>(direction[a] / layer.medium->meters_per_voxel(a));
-        }
-        block.sun_offset[i] = static_cast<float>(one_minus_cosine(direction, sun_));
-        block.jitter[i] = jitter_of(sample, 0);
-        block.light_jitter[i] = jitter_of(sample, 1);
-        if (span.first_m > span.last_m) continue;  // first = end = 0: no samples
-        // One sample is added on each side; the march checks whether samples are inside.
-        block.first[i] =
-            static_cast<float>(std::max(std::floor(span.first_m / layer.step_m) - 1, 0.0));
-        block.end[i] = static_cast<float>(std::ceil(span.last_m / layer.step_m) + 1);
+        set_layer_ray(marches_[l], ray, layers_[l].reach_m, blocks[l], i);
     }
 }
 

@@ -43,7 +43,13 @@ struct SceneFrame {
     CloudCamera camera;
     Refinement refinement = Refinement::none;
     bool ground = false;  // with the shadows of clouds on the ground
+    // Steps along rays grow with the distance t, to step_m sqrt(1 + 4 step_growth w / step_m), where w = t times
+    // the angle of a pixel is what the pixel covers there. 0: they are equal.
+    double step_growth = 0;
 };
+
+// Of pictures for people, which differ by less than 1 of 255 from those of equal steps of half the length.
+inline constexpr double kStepGrowth = 1;
 
 inline constexpr int kSamples = 4;
 

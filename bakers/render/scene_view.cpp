@@ -8,6 +8,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/render/cloud_camera.h"
+#include "bakers/render/ground_albedo.h"
 
 namespace skybake {
 
@@ -110,8 +111,8 @@ Spectrum SceneRenderer::ground_share(double direct) const {
     return share;
 }
 
-Spectrum SceneRenderer::radiance(const CloudAir& air, const Bearing& bearing, bool ground,
-                                 const float* seen) const {
+Spectrum SceneRenderer::radiance(const CloudAir& air, const Bearing& bearing,
+                                 const Spectrum& ground, const float* seen) const {
     const float* behind = seen + MarchedScene::kLayerChannels * layers_.size();
     Spectrum sum{};
     for (std::size_t l = 0; l < layers_.size(); ++l, seen += MarchedScene::kLayerChannels) {
@@ -123,11 +124,7 @@ Spectrum SceneRenderer::radiance(const CloudAir& air, const Bearing& bearing, bo
             along.transmittance * cloud_radiance(lights_[l], seen) + opacity * along.in_scattered;
     }
     const CloudAir::Along along = air.along(bearing.elevation, bearing.azimuth, 0);
-    Spectrum sky = along.sky;
-    if (ground && bearing.elevation < 0) {
-        sky -= along.ground * (Spectrum(1.0) - ground_share(double{behind[1]}));
-    }
-    return sum + double{behind[0]} * sky;
+    return sum + double{behind[0]} * (along.sky + (ground - Spectrum(1.0)) * along.ground);
 }
 
 CloudView SceneRenderer::render(const SceneFrame& frame, int threads, Progress* progress) {
@@ -141,8 +138,15 @@ CloudView SceneRenderer::render(const SceneFrame& frame, int threads, Progress* 
     view.radiance = Image2<float>(frame.width, frame.height, channels);
     parallel_for(frame.height, threads, [&](int y) {
         for (int x = 0; x < frame.width; ++x) {
-            const Spectrum light = radiance(air, bearing_of(rays.through(x, y)), frame.ground,
-                                            marched.results.texel(x, y));
+            const glm::dvec3 ray = rays.through(x, y);
+            const float* seen = marched.results.texel(x, y);
+            Spectrum ground =
+                mottled(atmosphere_.medium.air.ground_albedo,
+                        ground_mottle_along(frame.camera.position_m, ray, rays.pixel()));
+            if (frame.ground && ray.z < 0) {
+                ground *= ground_share(double{seen[marched.results.channels - 1]});
+            }
+            const Spectrum light = radiance(air, bearing_of(ray), ground, seen);
             for (int c = 0; c < channels; ++c) {
                 view.radiance.texel(x, y)[c] =
                     static_cast<float>(light[static_cast<std::size_t>(c)]);

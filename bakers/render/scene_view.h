@@ -12,7 +12,7 @@
 // with E the irradiances of the ground under a clear sky, T the transmittance towards the sun from the
 // point that is seen, D the product of the layers' `through`, and T_mean the product of their mean
 // transmittances: the sunlight that passes the layers, but not directly, is spread evenly. Without
-// clouds, f is 1. A tile that does not repeat covers no share of the sky, so D and T_mean are 1 for it.
+// clouds, f is 1. The ground's albedo varies from place to place (ground_albedo.h). A tile that does not repeat covers no share of the sky, so D and T_mean are 1 for it.
 // Beyond the reach, T is T_mean. Clouds do not shade the air.
 #pragma once
 
@@ -47,7 +47,8 @@ class SceneRenderer {
   private:
     // Returns f, if the ground sees the share `direct` of the sun.
     Spectrum ground_share(double direct) const;
-    Spectrum radiance(const CloudAir& air, const Bearing& bearing, bool ground,
+    // `ground` is the share of its light that ground behind clouds sends.
+    Spectrum radiance(const CloudAir& air, const Bearing& bearing, const Spectrum& ground,
                       const float* seen) const;
     const CloudAir& air_for(const SceneFrame& frame, int threads);
 

@@ -216,3 +216,30 @@ float sunlight_on_ground(vec3 camera, vec3 ray, float jitter, float mean_sunligh
     if (sun.z <= 0.0 || way > farthest) return mean_sunlight;
     return exp(-depth_to_sun(-1, vec3(camera.xy + way * ray.xy, 0.0), 0.0, jitter));
 }
+
+// The ground's albedo varies as bakers/render/ground_albedo.h says.
+float corner_value(ivec2 corner, int noise) {
+    uint bits = uint(corner.x) * 0x9e3779b1u ^ uint(corner.y) * 0x85ebca77u ^ uint(noise) * 0xc2b2ae3du;
+    bits = (bits ^ bits >> 15) * 0x2c1b3c6du;
+    bits = (bits ^ bits >> 12) * 0x297a2d39u;
+    bits ^= bits >> 15;
+    return float(bits >> 8) * exp2(-23.0) - 1.0;
+}
+float value_noise(vec2 p, int noise) {
+    vec2 low = floor(p), t = (p - low) * (p - low) * (3.0 - 2.0 * (p - low));
+    ivec2 corner = ivec2(low);
+    return mix(mix(corner_value(corner, noise), corner_value(corner + ivec2(1, 0), noise), t.x),
+               mix(corner_value(corner + ivec2(0, 1), noise), corner_value(corner + ivec2(1), noise), t.x), t.y);
+}
+Light ground_mottle(vec3 camera, vec3 ray, float pixel) {
+    float way = camera.z / max(-ray.z, 1e-9), cell = 3000.0, sum = 0.0;
+    if (ray.z >= 0.0 || way * pixel >= cell) return Light(1.0);
+    vec2 p = camera.xy + way * ray.xy;
+    for (int noise = 0; noise < 6; ++noise, cell /= 2.75) {
+        float share = clamp((cell * -ray.z / (way * pixel) - 1.0) / 3.0, 0.0, 1.0);
+        if (share == 0.0) break;
+        sum += 0.125 * share * share * (3.0 - 2.0 * share) * value_noise(p / cell, noise);
+        p = mat2(0.8, 0.6, -0.6, 0.8) * p;
+    }
+    return 1.0 + sum * min((1.0 / max(ALBEDO, Light(1e-9)) - 1.0) / 0.75, Light(1.0));
+}

@@ -61,6 +61,7 @@ void main() {
     if (has_shadow && air.grounded && through > OPAQUE) {
         ground = shaded_ground(sunlight_on_ground(camera, ray, noise.y, mean_sunlight));
     }
+    ground *= ground_mottle(camera, ray, 2.0 * tan_half_fov / size.x);
 #endif
     if (air.grounded) {
         light += air.through * ground * ground_light((R + h) * sun.z + air.end * dot(ray, sun));

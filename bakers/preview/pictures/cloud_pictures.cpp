@@ -47,7 +47,7 @@ struct LitScene {
 
 SceneFrame frame_of(const CloudViewSettings& settings) {
     return {settings.width, settings.height, settings.camera,
-            refinement_of(settings.width, settings.height), true};
+            refinement_of(settings.width, settings.height), true, kStepGrowth};
 }
 
 std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,

@@ -82,7 +82,7 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     const int reduction = input.draft ? 2 : 1;
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
-    const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true};
+    const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true, kStepGrowth};
     const auto sky = solved_sky(input, lighting, scene.camera, sun, threads);
     SceneRenderer renderer(scene.layers, {lighting.medium, lighting.tables, sky ? &*sky : nullptr},
                            sun, threads);
