@@ -77,13 +77,13 @@ std::string key_text(const Field& field, const std::string& value, std::string_v
 }
 
 // Lists defaults that take effect: those of keys of files, or those of all others.
-enum class Keys { own, of_files };
-std::string defaults_text(const Section& section, const Table& table, Keys keys,
+enum class KeySet { own, of_files };
+std::string defaults_text(const Section& section, const Table& table, KeySet keys,
                           std::string_view title) {
     std::string list;
     for (const Field& field : section.fields) {
         const bool is_of_files = !section.asset.empty() && field.role == Role::files;
-        if (is_of_files != (keys == Keys::of_files) || find_entry(table, field.key)) continue;
+        if (is_of_files != (keys == KeySet::of_files) || find_entry(table, field.key)) continue;
         if (!is_at_default(field, section, table)) continue;
         list += fmt::format("{}{} = {}", list.empty() ? "" : "; ", field.key, field.fallback);
     }
@@ -97,7 +97,7 @@ std::string section_text(const Section& section, const Table& table, std::string
         const Entry* entry = find_entry(table, field.key);
         if (entry) text += key_text(field, value_to_string(entry->value), prefix);
     }
-    return text + defaults_text(section, table, Keys::own, "by default");
+    return text + defaults_text(section, table, KeySet::own, "by default");
 }
 
 std::string table_text(const Section& section, const std::string& path, const Table& table) {
@@ -107,8 +107,8 @@ std::string table_text(const Section& section, const std::string& path, const Ta
 
 // Says once what all bakes may say of their files, with the defaults of one of them.
 std::string files_text(const Section& bake) {
-    return '\n' + defaults_text(bake, {}, Keys::of_files,
-                                "Keys of files, which each [bake.NAME] may have, are by default");
+    return '\n' + defaults_text(bake, {}, KeySet::of_files,
+                                "KeySet of files, which each [bake.NAME] may have, are by default");
 }
 
 // Returns the tables below a key, in the order of the text.
