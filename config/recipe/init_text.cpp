@@ -108,7 +108,7 @@ std::string table_text(const Section& section, const std::string& path, const Ta
 // Says once what all bakes may say of their files, with the defaults of one of them.
 std::string files_text(const Section& bake) {
     return '\n' + defaults_text(bake, {}, KeySet::of_files,
-                                "KeySet of files, which each [bake.NAME] may have, are by default");
+                                "Keys of files, which each [bake.NAME] may have, are by default");
 }
 
 // Returns the tables below a key, in the order of the text.
