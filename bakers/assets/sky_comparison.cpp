@@ -72,7 +72,7 @@ PathTracedRadiance in_colors(const std::vector<PathTracedRadiance>& packets,
     return sum;
 }
 
-// The sun's elevation at a place, in degrees; none where all places have the asset's one sun.
+// The sun's elevation at a place, in degrees, or none if the place does not say it.
 std::optional<double> sun_of(const Place& place) {
     for (const auto& [quantity, value] : place) {
         if (quantity == "sun_elevation_deg") return value;
