@@ -57,8 +57,8 @@ inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false};
 
 // Of clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
 // is so much brighter than its sky that this would burn out the light around it; so no more than a
-// twentieth of the picture is brighter than 0.8 of white.
-inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.8};
+// twentieth of the picture is brighter than 0.9 of white.
+inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.9};
 
 // Returns the exposure that the rule chooses; 1 if the quantile is black.
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance,

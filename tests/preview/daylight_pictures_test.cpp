@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "bakers/preview/cloud_inputs.h"
 #include "bakers/render/white_balance.h"
 #include "config/presets/presets.h"
+#include "config/recipe/init_text.h"
 #include "tests/preview/skies.h"
 
 namespace skybake {
