@@ -89,7 +89,7 @@ assets() {
         mapfile -t options < <(with_light "$folder/assets/$name.toml")
         drawn "$folder/assets/$name.toml" "assets/$name" "${options[@]}"
     done
-    mapfile -t shown < <(pictures 'assets/*/*.png' | grep -vE '_frame_[0-9]+\.png$')
+    mapfile -t shown < <(pictures 'assets/*/*.png' | grep -vE '_00(0[2-9]|[1-9][0-9])[_.]')
     sheets assets "${shown[@]}"
 }
 
@@ -175,7 +175,7 @@ page() {
         else
             convert "${name%.*}/$file" -quality 88 "$examples/pictures/$name"
         fi
-        sed -i "s/^\(\`skybake preview ${name%.*}.toml.* in \)[0-9]* s/\1${seconds%.*} s/" "$examples/gallery.md"
+        sed -i "s/^\(\`skybake preview ${name%.*}.toml.* in \)[0-9]* s/\1$((${seconds%.*} + 1)) s/" "$examples/gallery.md"
     done 3<entries
     cd "$examples"
     taken earth.toml --sun-elevation 30,10,2,-4 -- sky_panoramas sky_sun_10

@@ -12,7 +12,7 @@ fail() { echo "$*"; exit 1; }
 
 # Each picture of the page has its recipe and its command.
 shown=$(grep -c '^!\[' examples/gallery.md)
-made=$(grep -cE '^`skybake preview [a-z_]+\.toml` makes it, `[a-z0-9_]+\.png`, in [0-9]+ s\.$' examples/gallery.md)
+made=$(grep -cE '^`skybake preview [a-z_]+\.toml[^`]*` makes it, `[a-zA-Z0-9_]+\.png`, in [0-9]+ s\.$' examples/gallery.md)
 recipes=$(grep -c '^```toml$' examples/gallery.md)
 ((shown == made && shown == recipes)) || fail "$shown pictures, $recipes recipes, $made commands"
 
