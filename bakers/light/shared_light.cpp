@@ -62,7 +62,9 @@ Need need_of(const LightRequest& request) {
 
 std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const SkyMedium& medium,
                                             const BakeOptions& options) {
-    const BakeTime time(request.finer ? BakePart::certificate : BakePart::light);
+    // Without a certificate a finer solution serves the choice of a size.
+    const bool certifies = request.finer && options.certification != Certification::off;
+    const BakeTime time(certifies ? BakePart::certificate : BakePart::light);
     const auto solve = [&] {
         if (options.progress != nullptr) options.progress->advance("solving light", 0);
         return std::make_shared<const SolvedLight>(

@@ -15,6 +15,7 @@
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy.h"
 #include "tests/clouds/clouds.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::occupancy {
 namespace {
