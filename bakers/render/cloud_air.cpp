@@ -15,20 +15,13 @@ namespace {
 // Few azimuths suffice, because the sky changes slowly along azimuth.
 constexpr int kAzimuths = 256;
 
-// Replaces the light of the tables, seen in `view`, by that of the solved sky.
-void show(const SolvedSky& sky, const SkyView& view, Image2<float>& panorama) {
-    Spectrum light{};
-    for (int y = 0; y < view.height; ++y) {
-        const double down = (y + 0.5) / view.height;
-        const double elevation =
-            view.highest_degrees + down * (view.lowest_degrees - view.highest_degrees);
-        for (int x = 0; x < view.width; ++x) {
-            sky.look_up(elevation, 360 * ((x + 0.5) / view.width - 0.5), data(light));
-            for (int c = 0; c < panorama.channels; ++c) {
-                panorama.texel(x, y)[c] = static_cast<float>(light[static_cast<std::size_t>(c)]);
-            }
-        }
-    }
+// Returns the atmosphere's solved sky if it is that of this picture.
+const SolvedSky* solved_in(const Atmosphere& atmosphere, const SkyView& view) {
+    const SolvedSky* solved = atmosphere.solved;
+    const SolvedSky::Place place = {view.camera_altitude_km, view.sun_elevation_degrees};
+    const bool is_it = solved != nullptr && solved->place() == place &&
+                       solved->channels() == atmosphere.medium.air.channels;
+    return is_it ? solved : nullptr;
 }
 
 }  // namespace
@@ -57,15 +50,10 @@ CloudAir::CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, cons
     over_black_ground.air.ground_albedo = Spectrum(0.0);
     air_share_ = render_sky(over_black_ground, atmosphere.tables, view, threads);
     for (std::size_t i = 0; i < panorama_.texels.size(); ++i) {
-        const float whole = panorama_.texels[i];
+        const float whole = panorama_.texels[i];  // never less but for rounding
         air_share_.texels[i] = whole > 0 ? std::min(air_share_.texels[i] / whole, 1.0f) : 1.0f;
     }
-    const SolvedSky* solved = atmosphere.solved;
-    if (solved != nullptr && solved->channels() == panorama_.channels &&
-        solved->place() ==
-            SolvedSky::Place{view.camera_altitude_km, view.sun_elevation_degrees}) {
-        show(*solved, view, panorama_);
-    }
+    solved_ = solved_in(atmosphere, view);
 }
 
 CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees,
@@ -75,7 +63,12 @@ CloudAir::Along CloudAir::along(double elevation_degrees, double azimuth_degrees
     const double turns = (azimuth_degrees - sun_azimuth_degrees_) / 360 + 0.5;
     const double u = turns - std::floor(turns);
     Along result;
-    bilinear(panorama_, u, 1 - height, data(result.sky));
+    if (solved_ != nullptr) {
+        solved_->look_up(elevation_degrees, azimuth_degrees - sun_azimuth_degrees_,
+                         data(result.sky));
+    } else {
+        bilinear(panorama_, u, 1 - height, data(result.sky));
+    }
 
     const AirDepths::Depths depths = depths_.at(height, distance_m);
     Spectrum share{};

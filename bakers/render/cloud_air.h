@@ -25,6 +25,7 @@ class CloudAir {
         double degrees_per_pixel = 0;
         double reach_m = 0;
     };
+    // The solved sky must outlive this object.
     CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, const SunDirection& sun,
              const Range& range, int threads);
 
@@ -40,7 +41,8 @@ class CloudAir {
   private:
     Range range_;
     double sun_azimuth_degrees_;
-    Image2<float> panorama_;
+    const SolvedSky* solved_ = nullptr;
+    Image2<float> panorama_;  // of the tables' light
     Image2<float> air_share_;  // of the panorama's light
     AirDepths depths_;
 };
