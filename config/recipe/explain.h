@@ -9,9 +9,10 @@
 
 namespace skybake::config {
 
-// Explains a diagnostic code ("E0102"), a key ("atmosphere.layers.mie.g", "layers.*.g", "g") or a
-// table ("atmosphere.layers.mie", "bake.transmittance"). The front of a key's path may be left out;
-// if several keys fit, all are explained. Returns none if nothing fits.
+// Explains a diagnostic code ("E0102"), a preset ("earth"), by its own comment, a key
+// ("atmosphere.layers.mie.g", "layers.*.g", "g") or a table ("atmosphere.layers.mie",
+// "bake.transmittance"). The front of a key's path may be left out; if several things fit, all are
+// explained. Returns none if nothing fits.
 std::optional<std::string> explain(std::string_view what);
 
 // Lists every key with its one line of documentation, table by table.

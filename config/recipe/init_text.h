@@ -8,9 +8,11 @@
 
 namespace skybake::config {
 
+// No text has more than 80 lines. Each begins with the first paragraph of the preset's comment.
+
 // Writes every value of the preset, with its [bake.*] sections and with what the field tables say
-// of each value. Keys that keep their default stand there as comments. The text reads back as the
-// same parameters.
+// of each value. Each section lists its defaults in a comment, and keys of files stand once at the
+// end. The text reads back as the same parameters.
 std::string init_text(const Preset& preset);
 
 // Writes, for a noise preset, a [noise.NAME] that starts from it, the preset's values as comments,
@@ -20,9 +22,9 @@ std::string noise_init_text(const Preset& preset);
 // Returns the NAME that noise_init_text uses: "shape" for "nubis_shape".
 std::string noise_init_name(std::string_view preset);
 
-// Writes, for a cloud preset, the noises that it names, a [clouds.NAME] that starts from it, the
-// preset's values as comments, and bakes of the cloud and of its occupancy. NAME is the preset's
-// name.
+// Writes, for a cloud preset, a [clouds.NAME] that starts from it, the preset's values as comments,
+// but of towers those of the first one only, the [preview] of the preset, and bakes of the cloud and
+// of its occupancy. NAME is the preset's name.
 std::string cloud_init_text(const Preset& preset);
 
 // Writes, for a preset of particles, a [particles.NAME] that starts from it, the preset's values as

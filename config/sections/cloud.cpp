@@ -139,24 +139,24 @@ struct CloudReader {
             std::move(label));
     }
 
-    // Warns of a tower that stands outside the tile, and of a dome that ends above the cloud's top.
+    // Warns of a dome that stands outside the tile, or ends above the cloud's top.
     void check_place(const DecodedSection& section, const Tower& tower) const {
-        const bool is_dome = tower.shape == TowerShape::dome;
         const auto& extent = cloud.extent;
-        if (!(extent[0].meters > 0)) return;
         for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double tiles =
-                is_dome ? tower.foot[axis].meters / extent[axis].meters : tower.center[axis];
-            if (tiles >= 0 && tiles <= 1) continue;
+            const double place_m = tower.foot[axis].meters;
+            const double radius_m = std::max(tower.size[0].meters, tower.size[1].meters) / 2;
+            const double tile_m = extent[axis].meters;
+            if (place_m + radius_m >= 0 && place_m - radius_m <= tile_m) continue;
             warn_of_tower(
-                section.at(is_dome ? "foot" : "center"), section,
-                fmt::format("lies {:.3g} tiles along {}, outside the tile", tiles, "xy"[axis]),
-                fmt::format("the cloud repeats, so the tower stands at {:.3g} tiles",
-                            tiles - std::floor(tiles)));
+                section.at("foot"), section,
+                fmt::format("lies outside the tile of {} along {}", length_to_string(tile_m),
+                            "xy"[axis]),
+                fmt::format("the cloud repeats, so the tower stands at {}",
+                            length_to_string(place_m - std::floor(place_m / tile_m) * tile_m)));
             break;
         }
         const double top_m = tower.foot[2].meters + tower.size[2].meters;
-        if (!is_dome || top_m <= extent[2].meters) return;
+        if (top_m <= extent[2].meters) return;
         warn_of_tower(
             section.at("size"), section,
             fmt::format("lets the dome end {} above the cloud's base, and it is cut at {}",
@@ -201,8 +201,8 @@ struct CloudReader {
                 decode_into(tower, tower_fields(), "clouds.*.towers.*",
                             join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
             check_life(section, tower, cloud, decoder);
-            check_place(section, tower);
             if (tower.shape == TowerShape::dome) {
+                if (cloud.extent[0].meters > 0) check_place(section, tower);
                 check_reach(section, "size", tower,
                             std::max(tower.size[0].meters, tower.size[1].meters),
                             tower.size[2].meters);

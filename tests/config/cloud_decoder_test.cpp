@@ -145,14 +145,15 @@ TEST(CloudDecoder, TowersHaveRanges) {
 TEST(CloudDecoder, TowersMayBeDomes) {
     const std::string whole =
         "[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['1 km', '-20 m', '0 m']\n"
-        "size = ['800 m', '0.6 km', '1.5 km']\namplitude = 1\n";
+        "size = ['800 m', '0.6 km', '0.4 km']\namplitude = 1\n";
     const Tower plain = cloud_of(whole).towers.at(0);
     EXPECT_EQ(plain.shape, TowerShape::dome);
     EXPECT_EQ(plain.foot[1].meters, -20);
-    EXPECT_EQ(plain.size[2].meters, 1500);
+    EXPECT_EQ(plain.size[2].meters, 400);
     EXPECT_EQ(static_cast<const DomeShape&>(plain), DomeShape{});
-    const Tower all = cloud_of(whole + "widest = 0.5\nlean = [0.2, -1]\nlobes = 7\n"
-                                       "lobe_size = [0.1, 0.2]\nseed = 9\nrotation = '180 deg'\n")
+    const Tower all = cloud_of(whole +
+                               "widest = 0.5\nlean = [0.2, -1]\nlobes = 7\n"
+                               "lobe_size = [0.1, 0.2]\nseed = 9\nrotation = '180 deg'\n")
                           .towers.at(0);
     EXPECT_EQ(static_cast<const DomeShape&>(all), (DomeShape{0.5, {0.2, -1}, 7, {0.1, 0.2}}));
     EXPECT_EQ(all.seed, 9u);
@@ -167,7 +168,7 @@ TEST(CloudDecoder, TowersMayBeDomes) {
     EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nsigma = [0.1, 0.2]\n").code, "E0111");
     EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['2 m', '1 m']\n").code, "E0113");
     EXPECT_EQ(fault("[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['0 m', '0 m', '0 m']\n"
-                    "size = ['1e7 m', '1 km', '1 km']\namplitude = 1\n")
+                    "size = ['1e7 m', '1 km', '0.4 km']\namplitude = 1\n")
                   .code,
               "E0110");
     EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['1 m', '1e7 m']\n").code,

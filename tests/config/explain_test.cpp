@@ -121,5 +121,13 @@ TEST(Explain, UnknownNamesAreUnknown) {
     }
 }
 
+TEST(Explain, PrintsWhatAPresetSaysOfItself) {
+    const auto humilis = explain("cumulus_humilis");
+    ASSERT_TRUE(humilis);
+    EXPECT_TRUE(humilis->starts_with("Fair-weather cumulus"));
+    EXPECT_NE(humilis->find("aufm Kampe 1950"), std::string::npos);
+    EXPECT_NE(explain("earth")->find("Trenberth"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace skybake::config

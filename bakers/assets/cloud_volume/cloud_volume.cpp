@@ -155,36 +155,6 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
     return volume;
 }
 
-// All that voxels depend on.
-struct VoxelRequest {
-    Cloud cloud;  // with the paths of its maps
-    std::optional<config::Noise> base;
-    std::optional<config::VolumeFile> volume;
-    std::optional<config::Noise> detail;
-    std::array<int, 3> size{};
-    std::optional<double> cover;
-    std::optional<config::PixelType> stored_as;  // decides which columns `cover` counts
-    bool operator==(const VoxelRequest&) const = default;
-};
-
-struct CoverageRequest {
-    VoxelRequest voxels;
-    bool operator==(const CoverageRequest&) const = default;
-};
-
-template <class Section>
-std::optional<Section> copied(const Section* section) {
-    return section != nullptr ? std::optional<Section>(*section) : std::nullopt;
-}
-
-VoxelRequest request_of(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
-                        const config::VolumeFile* volume, const config::Noise* detail) {
-    VoxelRequest request{cloud, copied(base), copied(volume), copied(detail), bake.size, bake.cover,
-                         {}};
-    if (bake.cover) request.stored_as = bake.pixel_type;
-    return request;
-}
-
 // Warns (W0215) of a volume in which no column holds cloud.
 std::optional<config::Diagnostic> empty_volume(const Baked& volume) {
     if (number_named(volume.details, covered_columns).value_or(1) > 0) return std::nullopt;
@@ -200,13 +170,12 @@ std::optional<config::Diagnostic> empty_volume(const Baked& volume) {
 void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
                  const BakeOptions& options, Baked& volume) {
     auto& voxels = volume.levels.front().voxels;
-    const auto held = shared_or_made<VoxelSource>(
-        options.intermediates,
-        NeedKey(request_of(cloud, bake, inputs.base, inputs.file, inputs.detail)),
-        [&]() -> std::shared_ptr<const VoxelSource> {
-            hold_voxels(options, volume);
-            return options.cancelled() ? nullptr : voxels;
-        });
+    const auto held =
+        shared_or_made<VoxelSource>(options.intermediates, key_of_voxels(cloud, bake, inputs),
+                                    [&]() -> std::shared_ptr<const VoxelSource> {
+                                        hold_voxels(options, volume);
+                                        return options.cancelled() ? nullptr : voxels;
+                                    });
     if (held) voxels = held;
 }
 
@@ -243,51 +212,6 @@ float filtered_threshold(const Cloud& cloud) {
 Baked make_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,
                         Baked volume) {
     return describe(cloud, bake, inputs, make_field(cloud, bake, inputs), std::move(volume));
-}
-
-namespace {
-
-VoxelRequest request_of(const config::Parameters& parameters, const CloudVolumeBake& asset) {
-    const Cloud& cloud = cloud_named(parameters, asset.cloud);
-    const config::Noise* base = noise_of(parameters, cloud);
-    const config::VolumeFile* volume =
-        base == nullptr ? &volume_named(parameters, cloud.volume) : nullptr;
-    const config::Noise* detail =
-        cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
-    return request_of(cloud, asset, base, volume, detail);
-}
-
-}  // namespace
-
-NeedKey key_of_coverage(const config::Parameters& parameters, const CloudVolumeBake& bake) {
-    return NeedKey(CoverageRequest{request_of(parameters, bake)});
-}
-
-std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
-                                  const CloudVolumeBake& asset) {
-    const VoxelRequest request = request_of(parameters, asset);
-    const Cloud& cloud = request.cloud;
-    const auto& volume = request.volume;
-    const config::Noise* base = noise_of(parameters, cloud);
-    const auto channels = config::cloud_channel_names(base, cloud.channels).size();
-    const double seconds = estimate_cloud_volume(parameters, asset).seconds;
-    std::vector<Need> needs = {
-        {NeedKey(request), "voxels of " + cloud.name, seconds,
-         voxels_of(asset.size, 1) * static_cast<double>(channels * sizeof(float)) / kMebibyte}};
-    if (asset.cover) {
-        needs.push_back(
-            {NeedKey(CoverageRequest{request}), "coverage of " + cloud.name, seconds, 0});
-    }
-    if (volume) {
-        // Every voxel is read when a file is opened. What is kept of a tree is 24 bytes for each leaf
-        // of 512 voxels; the file may have more of them than the bake has voxels.
-        constexpr double kSecondsPerVoxel = 1e-9;
-        constexpr double kBytesPerVoxel = 24.0 / 512;
-        const double voxels = voxels_of(asset.size, 1);
-        needs.push_back({NeedKey(*volume), "opened volume " + volume->name,
-                         kSecondsPerVoxel * voxels, kBytesPerVoxel * voxels / kMebibyte});
-    }
-    return needs;
 }
 
 Baked hold_cloud_volume(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInputs& inputs,

@@ -28,7 +28,9 @@ struct CloudInputs {
     std::optional<double> coverage;  // that gives the cloud its cover
 };
 
-// All that the coverage of a cloud with `cover` depends on.
+// All that the voxels of a volume depend on, and all that the coverage of one with `cover` does.
+NeedKey key_of_voxels(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
+                      const CloudInputs& inputs);
 NeedKey key_of_coverage(const config::Parameters& parameters, const config::CloudVolumeBake& bake);
 
 // Returns the plan of a cloud at a size.
