@@ -87,7 +87,7 @@ MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun) {
     const double depth = medium.optics.extinction_per_m * voxel_edge_m(medium);
     const double longer = depth < kThinVoxel / 2 ? 2 : std::max(kThinVoxel / depth, 1.0);
     steps.step_m *= longer;
-    steps.light_step_m *= longer;
+    steps.light_step_m *= kLongerSunStep * longer;
     return steps;
 }
 

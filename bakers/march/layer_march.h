@@ -94,8 +94,9 @@ inline constexpr double kDeepVoxel = 3;
 // beyond which a layer that repeats shows no more.
 MarchSteps usual_steps(const CloudMedium& medium, const SunDirection& sun);
 
-// The same for pictures for people: in layers of thin voxels, whose optical depth at density 1 is below
-// kThinVoxel, steps are longer by what is missing, at most twice as long.
+// The same for pictures for people: steps towards the sun are longer, and in layers of thin voxels, whose optical
+// depth at density 1 is below kThinVoxel, all steps are longer by what is missing, at most twice as long.
+inline constexpr double kLongerSunStep = 1.5;
 inline constexpr double kThinVoxel = 0.5;
 MarchSteps picture_steps(const CloudMedium& medium, const SunDirection& sun);
 

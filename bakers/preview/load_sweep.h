@@ -21,7 +21,7 @@ struct SweptValue {
 };
 
 // What a sweep measured of an asset, by its column in index.csv ("sky_median", "lookup_rms", "bytes")
-// and in timing.csv ("bake_s"). It is without figures that were not measured.
+// and in timing.csv ("texels_s"). It is without figures that were not measured.
 using SweptFigures = std::map<std::string, double, std::less<>>;
 
 struct SweepVariant {

@@ -58,7 +58,7 @@ SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
             if (!measured.contains(name)) continue;
             figures_.push_back({asset, name, {fmt::format("{}: {}", asset, title), shown}});
         }
-        for (const std::string& name : measured) {  // times: "bake_s"
+        for (const std::string& name : measured) {  // times: "texels_s"
             if (!name.ends_with("_s")) continue;
             const auto title = fmt::format("{}: {}", asset, name.substr(0, name.size() - 2));
             figures_.push_back({asset, name, {title, "duration"}});

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numbers>
 
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/render/cloud_camera.h"
@@ -13,8 +14,6 @@
 namespace skybake {
 
 namespace {
-
-constexpr double kDegreesPerRadian = 180 / std::numbers::pi;
 
 double middle_m(const SceneLayer& layer) {
     return layer.medium->base_m + 0.5 * layer.medium->extent_m[2];

@@ -17,8 +17,8 @@ namespace {
 constexpr double kRim = 1.5;
 
 // The sine and the cosine of an elevation in [-90, 90] degrees.
-double sine_of(double degrees) { return cosine_of_pi(0.5 - degrees / 180); }
-double cosine_of(double degrees) { return cosine_of_pi(std::fabs(degrees) / 180); }
+double sine_of_elevation(double degrees) { return cosine_of_pi(0.5 - degrees / 180); }
+double cosine_of_elevation(double degrees) { return cosine_of_pi(std::fabs(degrees) / 180); }
 
 // A pixel of a dome in units of its radius, with the sun upwards.
 struct DomePoint {
@@ -37,9 +37,9 @@ DomePoint dome_point(const SkyView& view, double x, double y) {
 
 }  // namespace
 
-double sun_sine(const SkyView& view) { return sine_of(view.sun_elevation_degrees); }
+double sun_sine(const SkyView& view) { return sine_of_elevation(view.sun_elevation_degrees); }
 
-double sun_cosine(const SkyView& view) { return cosine_of(view.sun_elevation_degrees); }
+double sun_cosine(const SkyView& view) { return cosine_of_elevation(view.sun_elevation_degrees); }
 
 SkyDirection sky_direction(const SkyView& view, double mu, double sine, double azimuth_cosine) {
     return sky_direction(SunZenith{sun_sine(view), sun_cosine(view)}, mu, sine, azimuth_cosine);
@@ -55,7 +55,7 @@ std::optional<SkyDirection> direction_through(const SkyView& view, double x, dou
             (x / view.width - 0.5) * view.azimuth_span_degrees / 360;  // in turns
         const double degrees =
             view.highest_degrees - y / view.height * (view.highest_degrees - view.lowest_degrees);
-        return sky_direction(view, sine_of(degrees), cosine_of(degrees),
+        return sky_direction(view, sine_of_elevation(degrees), cosine_of_elevation(degrees),
                              cosine_of_pi(2 * std::fabs(azimuth)));
     }
     const DomePoint point = dome_point(view, x, y);

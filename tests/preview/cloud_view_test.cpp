@@ -92,7 +92,7 @@ TEST(CloudView, IsTheSameOnAllThreadsAndTargets) {
     });
 }
 
-// Fine steps of both; what is left is theirs, and that two samples share their light.
+// Fine steps of both; what is left is theirs, and that samples share their light.
 TEST(CloudView, IsTheDefinition) {
     const std::array<int, 3> size = {12, 9, 6};
     for (const SunDirection& sun :

@@ -8,6 +8,8 @@
 
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
+#include "bakers/render/cloud_camera.h"
+#include "bakers/render/ground_albedo.h"
 #include "bakers/render/scene_view.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/multiple_scattering_grid.h"
@@ -144,11 +146,15 @@ struct LitScene {
         const Spectrum sky = light().of_hemisphere(0, true, to_sun(), HazyLight::Mean::irradiance);
         return (sun * (direct + std::max(all - direct, 0.0)) + sky * all) / (sun + sky);
     }
-    Spectrum radiance(const std::vector<SceneLayer>& layers, const glm::dvec3& direction) const {
+    // `pixel` is the width of a pixel at distance 1.
+    Spectrum radiance(const std::vector<SceneLayer>& layers, const glm::dvec3& direction,
+                      double pixel) const {
         const SkyRay ray = HazyLight::ray(camera.position_m.z / 1000, direction, to_sun());
         const ReferenceScene seen = reference_scene(layers, sun, camera, direction, 400);
         const SkyRadiance behind = light().integrator().radiance(ray);
-        const Spectrum ground = ray.meets_ground ? ground_share() : Spectrum(1.0);
+        const Spectrum mottle = mottled(hazy().medium.air.ground_albedo,
+                                        ground_mottle_along(camera.position_m, direction, pixel));
+        const Spectrum ground = ray.meets_ground ? mottle * ground_share() : Spectrum(1.0);
         Spectrum sum =
             seen.transmittance * (behind.single + behind.multiple + ground * behind.ground);
         for (std::size_t l = 0; l < layers.size(); ++l) {
@@ -199,7 +205,7 @@ void expect_parts(const LitScene& scene) {
     const CameraRays rays(frame.camera, kWidth, kHeight);
     for (const auto& [left, top] : {std::pair{0, 0}, {10, 6}, {20, 12}}) {
         const glm::dvec3 middle = rays.through(left + 0.5 * (kBlock - 1), top + 0.5 * (kBlock - 1));
-        const Spectrum wanted = scene.radiance(layers, middle);
+        const Spectrum wanted = scene.radiance(layers, middle, rays.pixel());
         const Spectrum found = mean_of_block(made, left, top);
         for (std::size_t c = 0; c < 3; ++c) {
             EXPECT_NEAR(found[c] / wanted[c], 1, 0.02)

@@ -64,7 +64,7 @@ PreviewSweep loaded(const json& sweep, const std::string& times = "") {
 
 TEST(LoadSweep, KnowsThePlacesOfVariantsAndWhatWasMeasured) {
     const PreviewSweep sweep =
-        loaded(sweep_of({2, 3}), "index,asset,bake_s,write_s,threads,name\n"
+        loaded(sweep_of({2, 3}), "index,asset,texels_s,write_s,threads,name\n"
                                  "4,air,1.5,0.25,2,\"0004_a,b\"\n5,air,1e-3,0,2,x\n9,air,7,7,2,y\n");
     ASSERT_EQ(sweep.variants.size(), 6u);
     EXPECT_EQ(sweep.axes[1], (std::vector<std::string>{"k1 0", "k1 1", "k1 2"}));
@@ -74,11 +74,11 @@ TEST(LoadSweep, KnowsThePlacesOfVariantsAndWhatWasMeasured) {
     EXPECT_EQ(sweep.label(fifth), "k0 1, k1 1");
     EXPECT_EQ(sweep.label(fifth, 1), "k1 1");
     EXPECT_EQ(figure_of(fifth, "air", "sky_p90"), 2 * std::exp2(-4));
-    EXPECT_EQ(figure_of(fifth, "air", "bake_s"), 1.5);
-    EXPECT_EQ(figure_of(sweep.variants[5], "air", "bake_s"), 1e-3);
+    EXPECT_EQ(figure_of(fifth, "air", "texels_s"), 1.5);
+    EXPECT_EQ(figure_of(sweep.variants[5], "air", "texels_s"), 1e-3);
     EXPECT_FALSE(figure_of(fifth, "air", "threads"));
     EXPECT_FALSE(figure_of(fifth, "sun", "sky_median"));
-    EXPECT_FALSE(figure_of(sweep.variants[0], "air", "bake_s"));
+    EXPECT_FALSE(figure_of(sweep.variants[0], "air", "texels_s"));
 }
 
 TEST(LoadSweep, RefusesWhatItCannotPlace) {
@@ -164,14 +164,14 @@ TEST(SweepPlots, AreOfAssetsThatVary) {
     ASSERT_EQ(bytes_only.size(), 1u);
     EXPECT_EQ(bytes_only[0].name, "air_variants");
     EXPECT_EQ(bytes_only[0].kind, PictureKind::plot);
-    const std::string times = "index,asset,bake_s\n0,air,1\n1,air,2\n2,air,3\n3,air,4\n";
+    const std::string times = "index,asset,texels_s\n0,air,1\n1,air,2\n2,air,3\n3,air,4\n";
     const auto with_times = sweep_plots(loaded(sweep_of({2, 2}), times));
     ASSERT_EQ(with_times.size(), 1u);
     EXPECT_GT(with_times[0].picture.width, 3 * bytes_only[0].picture.width / 2) << "a second chart";
 }
 
 TEST(SweepTable, SaysWhatIsMeasuredOfWhat) {
-    const PreviewSweep sweep = loaded(sweep_of({2}), "index,asset,bake_s\n1,air,2.5\n");
+    const PreviewSweep sweep = loaded(sweep_of({2}), "index,asset,texels_s\n1,air,2.5\n");
     const SweepTable table(sweep);
     std::string titles;  // "air", which varies, comes before "sun"
     for (const PageSweep::Column& column : table.columns()) titles += column.title + "\n";

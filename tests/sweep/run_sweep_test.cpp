@@ -287,7 +287,8 @@ VariantResult measured_variant(int sky_points) {
     entry.error->sky->ninth_decile = 0.02;
     entry.error->sky->max = 0.4;
     entry.error->sky->points = sky_points;
-    entry.timing.bake_s = 1.5;
+    entry.timing.bake.light = 1.5;
+    entry.timing.bake.certificate = 0.5;
     entry.timing.write_s = 0.25;
     entry.timing.threads = 2;
     VariantResult result;
@@ -316,13 +317,14 @@ TEST(SweepIndex, HasTheSkysErrorAndBytes) {
 
 TEST(SweepIndex, TimesAreApartFromIt) {
     VariantResult variant = measured_variant(9), slower = variant;
-    slower.assets[0].timing.bake_s = 99;
+    slower.assets[0].timing.bake.texels = 99;
     EXPECT_EQ(index_csv(one_axis, std::array{variant}), index_csv(one_axis, std::array{slower}));
     EXPECT_EQ(sweep_json(one_axis, std::array{variant}), sweep_json(one_axis, std::array{slower}));
     EXPECT_EQ(timing_csv(std::array{variant}),
-              "index,asset,bake_s,write_s,threads,name\n3,air,1.5,0.25,2,\"0003_b=1,2\"\n");
+              "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n"
+              "3,air,1.5,0,0,0.5,0.25,2,\"0003_b=1,2\"\n");
     variant.status = VariantStatus::missing;
-    EXPECT_EQ(timing_csv(std::array{variant}), "index,asset,bake_s,write_s,threads,name\n");
+    EXPECT_EQ(timing_csv(std::array{variant}), "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n");
 }
 
 TEST(SweepIndex, FilesThatAreNotSkybakesAreLeftAlone) {

@@ -166,7 +166,7 @@ void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float octaves[OCT
     float sigma = extinction_at(layer, p) * faded(layer, t);
     samples.was_empty = sigma == 0.0;
     if (sigma > 0.0) {
-        // A sample shares the light of the one before it if the eye sees little of the difference (cloud_points-inl.h).
+        // A sample shares the light of the one before it if the eye sees little of the difference.
         bool thin = mod(samples.k, 2.0) > 0.5 && sigma * stride <= SHARED_DEPTH;
         if (samples.lit_k + 1.0 != samples.k || (!thin && through > SHARED_BEHIND)) {
             samples.light = light_at(layer, p, sigma, noise.y, octaves);

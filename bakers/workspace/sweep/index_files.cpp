@@ -231,14 +231,20 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
 
 std::string timing_csv(std::span<const VariantResult> variants) {
     // The columns of times are the members of `timing` in a manifest.
-    std::string text = csv_line({"index", "asset", "bake_s", "write_s", "threads", "name"});
+    std::string text = csv_line({"index", "asset", "light_s", "colors_s", "texels_s", "certificate_s",
+                                 "write_s", "threads", "name"});
     for (const VariantResult& variant : variants) {
         if (variant.status != VariantStatus::done) continue;
         for (const VariantAsset& asset : variant.assets) {
             const Timing& timing = asset.timing;
-            text += csv_line({std::to_string(variant.index), asset.name,
-                              figure_to_string(timing.bake_s), figure_to_string(timing.write_s),
-                              std::to_string(timing.threads), variant.name});
+            std::vector<std::string> fields = {std::to_string(variant.index), asset.name};
+            for (const double seconds : {timing.bake.light, timing.bake.colors, timing.bake.texels,
+                                         timing.bake.certificate, timing.write_s}) {
+                fields.push_back(figure_to_string(seconds));
+            }
+            fields.push_back(std::to_string(timing.threads));
+            fields.push_back(variant.name);
+            text += csv_line(fields);
         }
     }
     return text;
