@@ -75,7 +75,7 @@ std::vector<PageSweep::Column> SweepTable::columns() const {
         columns.push_back({sweep_.names[i], numbers ? "number" : ""});
     }
     for (const Figure& figure : figures_) columns.push_back(figure.column);
-    columns.push_back({"Picture: difference from the first, RMS of 255", "figure"});
+    columns.push_back({"Picture: difference, RMS of 255", "figure"});
     columns.push_back({"Status", ""});
     return columns;
 }

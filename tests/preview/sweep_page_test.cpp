@@ -179,7 +179,7 @@ TEST(SweepTable, SaysWhatIsMeasuredOfWhat) {
               "k0\nair: sky error, median\nair: sky error, 9 in 10\nair: sky error, max\n"
               "air: lookup error, max\nair: lookup error, RMS\nair: files\nair: bake\n"
               "sun: lookup error, max\nsun: lookup error, RMS\nsun: files\n"
-              "Picture: difference from the first, RMS of 255\nStatus\n");
+              "Picture: difference, RMS of 255\nStatus\n");
     const PageVariant row = table.row(sweep.variants[1], 0.5, "../sweep");
     EXPECT_EQ(row.folder, "../sweep/0001_a,b/");
     ASSERT_EQ(row.cells.size(), table.columns().size());
