@@ -329,7 +329,8 @@ TEST(BakeFolder, PruningStaysInTheFolder) {
 TEST(BakeFolder, BooksTheTimeOfEachPart) {
     const std::string sky =
         "wavelengths = 'best 3'\n[bake.psi]\nasset = 'multiple_scattering'\nmethod = 'solved'\n"
-        "size = [8, 8]\n[bake.view]\nasset = 'sky_view'\nsize = [8, 8]\n"
+        "size = [8, 8]\n[bake.view]\nasset = 'sky_view'\nsun_elevations = ['5 deg']\n"
+        "size = [8, 8]\n"
         "[bake.sun]\nasset = 'transmittance'\nsize = [8, 8]\n";
     const TemporaryFolder folder;
     TestBake bake(recipe_of("preset = 'earth'\n" + sky), folder / "out");
