@@ -66,8 +66,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         scene.input.single ? "" : fmt::format("{}. ", kCopiesText), scene.lighting.name,
         sun_text(settings.sun.elevation_degrees), beside_view(settings.sun, settings.camera),
         sky_text(scene.sky), tone_text(exposure, scene.input.tone_curve),
-        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
-        settings.light_step_m, kOctaves, scene.leaps_name,
+        camera_text(settings.camera), samples_text(frame_of(settings), view.refined_pixels),
+        settings.step_m, settings.light_step_m, kOctaves, scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels);
 }
@@ -143,9 +143,8 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
         const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
-        LitScene scene = {
-            input, lighting, cloud.leaps_name, sky,
-            SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
+        LitScene scene = {input, lighting, cloud.leaps_name, sky,
+                          SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
             PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);

@@ -68,7 +68,8 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
     return fmt::format(
         "The picture shows {} in one sky, with the air before them and their shadows on the "
         "ground. "
-        "The light is that of {} with the {}, {}; {}. It is shown with {}. The camera is `{}`. Rays "
+        "The light is that of {} with the {}, {}; {}. It is shown with {}. The camera is `{}`. "
+        "Rays "
         "have "
         "{}. {}; far layers fade out about 1.5 degrees above the horizon. Layers are flat, and "
         "clouds do not shade the air.",
