@@ -78,7 +78,7 @@ struct PreviewRequest {
     bool force = false;
     bool report = false;
     bool watch = false;
-    int draft_edge = 64;  // voxels along the longest edge of a draft's volumes
+    int draft_edge = 64;          // voxels along the longest edge of a draft's volumes
     std::filesystem::path cache;  // empty: none
     bool owns_cache = false;      // the cache is the program's own, which it keeps small
     PreviewOptions options;

@@ -150,9 +150,10 @@ std::string previewed_event(std::vector<std::string> paths, double seconds) {
 // Writes a live page before its still pictures are made. Returns whether it is there.
 bool show_early(const PreviewPage& page, const PreviewRequest& request, Console& console) {
     std::vector<std::string> paths;
-    if (interrupted() || write_preview(page, request, console, paths) != ExitCode::done) return false;
-    console.note(fmt::format("open {}; pictures for browsers without WebGL 2 follow\n",
-                             paths.back()));
+    if (interrupted() || write_preview(page, request, console, paths) != ExitCode::done)
+        return false;
+    console.note(
+        fmt::format("open {}; pictures for browsers without WebGL 2 follow\n", paths.back()));
     return true;
 }
 

@@ -171,7 +171,8 @@ ExitCode keep(const TruthRequest& request, const std::string& key, const Truth& 
               Console& console) {
     const std::string text = stored_sky_truth(truth, key);
     if (!request.cache.empty()) {
-        console.report(keep_in_cache(request.cache, cached_sky_truth_path(request.cache, key), text));
+        console.report(
+            keep_in_cache(request.cache, cached_sky_truth_path(request.cache, key), text));
     }
     return write_report_files({{kTruthName, text}}, request.folder, console);
 }

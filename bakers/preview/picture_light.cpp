@@ -63,10 +63,10 @@ Outcome<PreviewAssets> PictureLight::tables(const Recipe* air, const BakeOptions
 
 std::optional<SolvedSky> PictureLight::sky(const Recipe* air, const SolvedSky::Place& place,
                                            const BakeOptions& options) {
-    const std::string section =
-        fmt::format("[bake.sky_view]\nsize = [256, 192]\naltitude = \"{} km\"\n"
-                    "sun_elevations = [\"{} deg\"]\n",
-                    place.altitude_km, place.sun_elevation_degrees);
+    const std::string section = fmt::format(
+        "[bake.sky_view]\nsize = [256, 192]\naltitude = \"{} km\"\n"
+        "sun_elevations = [\"{} deg\"]\n",
+        place.altitude_km, place.sun_elevation_degrees);
     const auto baked = bake(air, section, options);
     if (!baked.value) return std::nullopt;
     const Shell shell = shell_of(baked.value->recipe->parameters.atmosphere);

@@ -42,7 +42,7 @@ class CloudAir {
     Range range_;
     double sun_azimuth_degrees_;
     const SolvedSky* solved_ = nullptr;
-    Image2<float> panorama_;  // of the tables' light
+    Image2<float> panorama_;   // of the tables' light
     Image2<float> air_share_;  // of the panorama's light
     AirDepths depths_;
 };

@@ -44,8 +44,7 @@ std::vector<std::string> names_in(int folder) {
 }
 
 FileDescriptor real_folder_in(int parent, const char* name) {
-    return FileDescriptor(
-        ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    return FileDescriptor(::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
 }
 
 // Removes what an open folder holds. Symbolic links are removed and not followed.
@@ -92,10 +91,10 @@ bool is_cache_folder(const fs::path& folder) {
 std::vector<Diagnostic> check_cache_folder(const fs::path& folder) {
     // The tag is looked for a second time because another process may write it in the meantime.
     if (is_cache_folder(folder) || may_become_a_cache(folder) || is_cache_folder(folder)) return {};
-    Diagnostic problem =
-        file_error("E0302", folder.string(),
-                   fmt::format("`{}` is not a cache: it is no empty folder, and holds no {} of skybake",
-                               folder.string(), kTagName));
+    Diagnostic problem = file_error(
+        "E0302", folder.string(),
+        fmt::format("`{}` is not a cache: it is no empty folder, and holds no {} of skybake",
+                    folder.string(), kTagName));
     problem.label = "choose another folder, which is made or may be empty";
     return {std::move(problem)};
 }

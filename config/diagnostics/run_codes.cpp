@@ -14,12 +14,12 @@ constexpr std::array run_table = {
                    "A file could not be written completely: the disk is full, the folder may not "
                    "be written to, or the medium failed. No partial file is left behind.",
                    "", "", input_or_output},
-    DiagnosticCode{"E0302", "output folder not usable",
-                   "The output folder cannot be created or is not a folder. The folder of a cache "
-                   "must be missing or empty, or hold the CACHEDIR.TAG that skybake writes into it.",
-                   "skybake cache gc --cache-dir ~/projects --max-size 10GiB",
-                   "skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB",
-                   input_or_output},
+    DiagnosticCode{
+        "E0302", "output folder not usable",
+        "The output folder cannot be created or is not a folder. The folder of a cache "
+        "must be missing or empty, or hold the CACHEDIR.TAG that skybake writes into it.",
+        "skybake cache gc --cache-dir ~/projects --max-size 10GiB",
+        "skybake cache gc --cache-dir ~/.cache/skybake --max-size 10GiB", input_or_output},
     DiagnosticCode{"E0303", "would overwrite a file that is not skybake's",
                    "A file of that name exists, and no manifest in its folder says that skybake "
                    "wrote it. Move it away, choose another folder with -o, or pass --force.",

@@ -52,7 +52,8 @@ class CacheFolder : public ::testing::Test {
 
 TEST_F(CacheFolder, OnlyWhatAProcessWouldNameItIsRemovedFromPending) {
     make_cache();
-    const std::vector<std::string> foreign = {"work", "12", "12-", "-3", "12-3-4", "12-3x", "1.2-3"};
+    const std::vector<std::string> foreign = {"work",   "12",    "12-",  "-3",
+                                              "12-3-4", "12-3x", "1.2-3"};
     for (const std::string& name : foreign) write("cache/pending/" + name + "/text");
     write("cache/pending/12-3");  // a file
     write("cache/pending/99999999-0/shape.bin");

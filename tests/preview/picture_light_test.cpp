@@ -58,8 +58,7 @@ double largest_error(const test::Sky& sky, const SolvedSky* solved, const CloudC
                 sky_direction(zenith, ray.z, level, std::cos(azimuth))));
             for (int c = 0; c < seen.channels; ++c) {
                 const double wanted = expected[static_cast<std::size_t>(c)];
-                largest = std::max(largest,
-                                   std::fabs(double{seen.texel(x, y)[c]} / wanted - 1));
+                largest = std::max(largest, std::fabs(double{seen.texel(x, y)[c]} / wanted - 1));
             }
         }
     }
@@ -121,7 +120,8 @@ config::Recipe evening(const std::string& coverage, const std::string& ground_al
         "\n[bake.transmittance]\n[bake.multiple_scattering]\nmethod = \"solved\"\n"
         "[noise.n]\nsize = [16, 16, 16]\n[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = 3\n"
         "octaves = 1\n[clouds.c]\nnoise = \"n\"\nextent = [\"3 km\", \"3 km\", \"0.7 km\"]\n"
-        "base_altitude = \"1 km\"\ncoverage = " + coverage +
+        "base_altitude = \"1 km\"\ncoverage = " +
+        coverage +
         "\nextinction_scale = \"40 /km\"\n[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\n"
         "size = [16, 16, 8]\n[preview]\nsize = [32, 18]\n");
 }
@@ -133,9 +133,8 @@ class Saves {
     int made_for(const config::Recipe& recipe, const std::string& sun = "") {
         const int before = shared_.made();
         expected_ = shared_.expect(needs_of_pictures(recipe));
-        const BakeOptions options{.threads = 1,
-                                  .certification = Certification::off,
-                                  .intermediates = &shared_};
+        const BakeOptions options{
+            .threads = 1, .certification = Certification::off, .intermediates = &shared_};
         const auto assets =
             bake_assets(recipe, recipe.parameters.bakes, "evening", options, &assets_);
         EXPECT_TRUE(assets.value);
@@ -169,9 +168,8 @@ config::Recipe alone(config::Recipe recipe) {
 // What the cloud itself is made from.
 int made_for_cloud(const config::Recipe& recipe) {
     Intermediates shared(std::int64_t{1} << 30);
-    const BakeOptions options{.threads = 1,
-                              .certification = Certification::off,
-                              .intermediates = &shared};
+    const BakeOptions options{
+        .threads = 1, .certification = Certification::off, .intermediates = &shared};
     const config::Recipe cloud = alone(recipe);
     EXPECT_TRUE(bake_assets(cloud, cloud.parameters.bakes, "cloud", options).value);
     return shared.made();
@@ -272,7 +270,8 @@ TEST_F(KeptLight, OfAForeignEntryIsNotTaken) {
     const Round first = round();
     const std::vector<fs::path> found = entries();
     ASSERT_EQ(found.size(), 3U);
-    for (std::size_t i = 0; i < found.size(); ++i) fs::rename(found[i], folder_ / std::to_string(i));
+    for (std::size_t i = 0; i < found.size(); ++i)
+        fs::rename(found[i], folder_ / std::to_string(i));
     for (std::size_t i = 0; i < found.size(); ++i) {
         fs::rename(folder_ / std::to_string(i), found[(i + 1) % found.size()]);
     }

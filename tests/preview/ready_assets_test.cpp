@@ -33,8 +33,8 @@ Shown shown(const config::Recipe& recipe, const std::vector<fs::path>& folders,
     AssetMemo memo;
     memo.sources = {&source};
     CountsSteps progress;
-    auto assets = bake_assets(recipe, recipe.parameters.bakes, "test",
-                              {1, certification, &progress}, &memo);
+    auto assets =
+        bake_assets(recipe, recipe.parameters.bakes, "test", {1, certification, &progress}, &memo);
     EXPECT_TRUE(assets.value);
     return {std::move(*assets.value), memo.ready, progress.steps};
 }
@@ -74,8 +74,7 @@ TEST_F(BakedBefore, APreviewAfterABakeBakesNothing) {
 
 TEST_F(BakedBefore, WhatHasChangedIsBaked) {
     bake(Certification::quick);
-    const config::Recipe changed =
-        recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
+    const config::Recipe changed = recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
     const Shown found = shown(changed, {folder_ / "out"});
     EXPECT_EQ(found.ready, (std::vector<std::string>{"transmittance", "shape"}));
     expect_equal(found.assets, shown(changed, {}).assets);

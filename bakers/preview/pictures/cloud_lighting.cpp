@@ -58,9 +58,9 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
 std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighting& lighting,
                                     const CloudCamera& camera, const SunDirection& sun,
                                     int threads) {
-    return lighting.light->sky(lighting.air,
-                               {camera_altitude_km(lighting.medium.air, camera), sun.elevation_degrees},
-                               bake_options(input, threads));
+    return lighting.light->sky(
+        lighting.air, {camera_altitude_km(lighting.medium.air, camera), sun.elevation_degrees},
+        bake_options(input, threads));
 }
 
 std::string sky_text(const std::optional<SolvedSky>& solved) {

@@ -15,8 +15,8 @@ namespace skybake {
 struct Lighting {
     SkyMedium medium;
     SkyTables tables;
-    std::string name;                      // as captions say it
-    const config::Recipe* air = nullptr;   // null: the preset "earth"
+    std::string name;                     // as captions say it
+    const config::Recipe* air = nullptr;  // null: the preset "earth"
     std::shared_ptr<PictureLight> light;
 };
 

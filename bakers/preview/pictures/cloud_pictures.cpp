@@ -193,8 +193,8 @@ std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int t
     std::vector<PreviewPicture> pictures;
     if (const std::optional<Lighting> lighting = lighting_of(input, threads)) {
         add_lit_pictures(input, lit, *lighting, threads, pictures);
-        if (is_cancelled(input.progress)) return pictures;
     }
+    if (is_cancelled(input.progress)) return pictures;
     const Image2<float> depth = column_optical_depth(medium, threads);
     pictures.push_back(optical_depth_picture(medium, name, depth));
     const std::array<int, 3> slices = slice_voxel(medium, depth);

@@ -66,8 +66,8 @@ struct CloudPreviewInput {
     int width = 960;      // of lit pictures
     int height = 540;
     std::shared_ptr<PictureLight> light;  // that pictures share; null: made for these
-    bool draft = false;            // half that size, only the most important pictures
-    Progress* progress = nullptr;  // reports lit pictures
+    bool draft = false;                   // half that size, only the most important pictures
+    Progress* progress = nullptr;         // reports lit pictures
 };
 
 // Makes the pictures. For a volume, they are a lit picture for each sun, or a turntable of pictures
