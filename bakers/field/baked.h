@@ -211,8 +211,6 @@ struct Baked : config::AssetFiles {
     RangeCounts range;
     bool certified = false;
     Certificate certificate;
-    double bake_seconds =
-        0;                   // wall time of making the texels once: the one figure that is not pure
     std::string parameters;  // TOML: the resolved parameters that this asset depends on
     Conventions conventions;
     Facts details;  // further facts, for example counts

@@ -38,7 +38,7 @@ constexpr SolverSettings kFewNodes = {.degree = 2,
                                       .orders = 3};
 
 // Of the table from which rows read sunlight.
-constexpr TransmittanceField::Size kSunlightOfRows = {256, 64};
+constexpr TransmittanceField::Size kSunlightOfRows = {256, 32};
 
 // The camera, the suns and the views. The views under each second sun are measured, not fitted.
 constexpr double kCameraShare = 0.02;  // of the air's thickness

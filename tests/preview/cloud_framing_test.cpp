@@ -62,6 +62,15 @@ std::array<double, 2> place_in_picture(const CloudViewSettings& settings, const 
     return {share(left, right), share(bottom, top)};
 }
 
+// From eye height the ground hides the distance behind its haze; who asks for it gets it.
+TEST(CloudFraming, StandsOnAHillBelowALayer) {
+    const CloudMedium layer = tower(500, true);
+    EXPECT_EQ(framed_view(layer, {20, 105}, 96, 54).camera.position_m[2], 100);
+    CameraRequest request;
+    request.position_m = {0, 0, 2};
+    EXPECT_EQ(framed_view(layer, {20, 105}, 96, 54, request).camera.position_m[2], 2);
+}
+
 TEST(CloudFraming, HasAllOfASingleTileInThePictureAndMostOfThePictureFilled) {
     for (const double base_m : {0.0, 3000.0}) {
         const CloudMedium medium = tower(base_m, false);

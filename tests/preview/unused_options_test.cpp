@@ -115,7 +115,7 @@ TEST(CutClouds, ReachTheSidesOfASingleTile) {
     PreviewOptions options;
     options.single = true;
     EXPECT_TRUE(clouds_cut_by_tile(assets_of(1, 2), options).empty());
-    for (const auto [x, y] : {std::pair{0, 1}, {3, 1}, {1, 0}, {2, 3}}) {
+    for (const auto& [x, y] : {std::pair{0, 1}, {3, 1}, {1, 0}, {2, 3}}) {
         const auto warnings = clouds_cut_by_tile(assets_of(x, y), options);
         ASSERT_EQ(warnings.size(), 1U) << x << ' ' << y;
         EXPECT_EQ(warnings[0].code, "W0218");
