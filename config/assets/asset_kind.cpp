@@ -144,13 +144,6 @@ void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& deco
 
 using Names = std::vector<std::string>;
 
-const DecodedField* find_decoded(const DecodedSection& section, std::string_view key) {
-    const auto found =
-        std::find_if(section.fields.begin(), section.fields.end(),
-                     [&](const DecodedField& decoded) { return decoded.field->key == key; });
-    return found == section.fields.end() ? nullptr : &*found;
-}
-
 // Whether the recipe has a layer of that name. The layer may be at fault or switched off.
 bool is_in_recipe(const Table& root, const std::string& name) {
     const Entry* atmosphere = find_entry(root, "atmosphere");
@@ -172,7 +165,7 @@ std::string what_there_is(const std::string& name, const Atmosphere& atmosphere)
 // this key pass.
 void check_layer_names(const DecodedSection& bake, std::string_view key, const Table& root,
                        const Atmosphere& atmosphere, Decoder& decoder) {
-    const DecodedField* decoded = find_decoded(bake, key);
+    const DecodedField* decoded = bake.find(key);
     if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
     const auto& names = std::get<Names>(*decoded->value);
     for (auto name = names.begin(); name != names.end(); ++name) {
@@ -207,7 +200,7 @@ DecodedSection cut_to_packet(DecodedSection section, const Parameters& recipe, i
 }
 
 Bake bind(const OpenBake& bake, const Parameters& recipe) {
-    const DecodedField* packet = find_decoded(bake.section, "packet");
+    const DecodedField* packet = bake.section.find("packet");
     if (!packet || !packet->value) return bake.kind->bind(bake.name, bake.section);
     const int number = static_cast<int>(std::get<double>(*packet->value));
     return bake.kind->bind(bake.name, cut_to_packet(bake.section, recipe, number));

@@ -66,7 +66,7 @@ void replace(DecodedField& decoded, T value) {
 // Makes a bake forget of how many frames it is one. A frame is the same in a longer sequence.
 void forget_sequence(DecodedSection& bake) {
     for (const std::string_view key : {"frames", "frames_per_second"}) {
-        if (find_decoded(bake, key) == nullptr) continue;
+        if (bake.find(key) == nullptr) continue;
         DecodedField& decoded = bake.at(key);
         decoded.source = nullptr;
         decoded.value.reset();
@@ -99,7 +99,7 @@ std::vector<OpenBake> divided_in_time(const OpenBake& whole, int frames) {
         const bool plays_all = frame == 1 && has_scene(part.section);
         if (!plays_all) forget_sequence(part.section);
         if (frame > 1 && has_scene(part.section)) remove_scene(part.section);
-        if (find_decoded(part.section, "frame") != nullptr) {
+        if (part.section.find("frame") != nullptr) {
             derive(part.section.at("frame"), static_cast<double>(frame));
         } else {
             const std::string* of = text_of(part.section.at("of"));
@@ -131,8 +131,8 @@ void check_part_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
 // Returns the number of frames that a bake is to be divided into, or 0. An asset that holds all its
 // frames has no key `frame`. `sequences` are the frames of bakes that are divided themselves.
 int frames_to_divide(const OpenBake& bake, const std::map<std::string, int>& sequences) {
-    const DecodedField* frames = find_decoded(bake.section, "frames");
-    const DecodedField* frame = find_decoded(bake.section, "frame");
+    const DecodedField* frames = bake.section.find("frames");
+    const DecodedField* frame = bake.section.find("frame");
     if (frames && frames->value && frame && !frame->source) {
         return static_cast<int>(std::get<double>(*frames->value));
     }
@@ -154,7 +154,7 @@ std::vector<OpenBake> divided_into_parts(std::vector<OpenBake> open, const Param
     }
     std::vector<OpenBake> result;
     for (OpenBake& bake : open) {
-        const DecodedField* packet = find_decoded(bake.section, "packet");
+        const DecodedField* packet = bake.section.find("packet");
         if (packet && packet->value) check_packet(bake, recipe, decoder);
         const bool is_divided = packet && !packet->source && packet_count(recipe) > 1 &&
                                 holds_wavelengths(*bake.kind, recipe);
@@ -167,7 +167,7 @@ std::vector<OpenBake> divided_into_parts(std::vector<OpenBake> open, const Param
             check_part_names(bake, parts, entries, "E0147", "packet",
                              "whose wavelengths are held by", decoder);
         } else {
-            const bool is_one_frame = find_decoded(bake.section, "frame") != nullptr;
+            const bool is_one_frame = bake.section.find("frame") != nullptr;
             if (is_one_frame) forget_sequence(bake.section);
             parts.push_back(std::move(bake));
         }

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cassert>
+#include <utility>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
@@ -165,16 +167,21 @@ struct SectionReader {
 
 }  // namespace
 
-DecodedField& DecodedSection::at(std::string_view key) {
+const DecodedField* DecodedSection::find(std::string_view key) const {
     const auto found = std::find_if(fields.begin(), fields.end(), [&](const DecodedField& decoded) {
         return decoded.field->key == key;
     });
-    assert(found != fields.end());
-    return *found;
+    return found == fields.end() ? nullptr : &*found;
 }
 
 const DecodedField& DecodedSection::at(std::string_view key) const {
-    return const_cast<DecodedSection*>(this)->at(key);
+    const DecodedField* found = find(key);
+    assert(found != nullptr);
+    return *found;
+}
+
+DecodedField& DecodedSection::at(std::string_view key) {
+    return const_cast<DecodedField&>(std::as_const(*this).at(key));
 }
 
 DecodedSection decode_section(const Section& section, const std::string& path, const Place& place,

@@ -123,6 +123,8 @@ struct DecodedSection {
 
     DecodedField& at(std::string_view key);
     const DecodedField& at(std::string_view key) const;
+    // Returns null if the section has no such field.
+    const DecodedField* find(std::string_view key) const;
 };
 
 // This says what happens to keys that are not given. They are filled in, and reported where they

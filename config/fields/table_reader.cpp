@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "config/fields/number_reader.h"
+#include "config/text/key_path.h"
 #include "config/text/quantity.h"
 #include "config/text/text.h"
 #include "config/text/units.h"

@@ -16,6 +16,7 @@
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::occupancy {
