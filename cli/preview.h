@@ -38,19 +38,15 @@ inline const Option<std::vector<double>> sun_elevation{
     "sun-elevation", 0, "DEGREES", {}, read_elevations};
 inline const Option<double> sun_azimuth{"sun-azimuth", 0, "DEGREES", {}, read_azimuth};
 inline const Option<double> exposure{"exposure", 0, "STOPS", {}, read_exposure};
-inline const Option<ToneCurve> tone_curve{
-    "tone-curve",
-    0,
-    "CURVE",
-    {{"film", ToneCurve::film},
-     {"exponential", ToneCurve::exponential},
-     {"aces", ToneCurve::aces},
-     {"agx", ToneCurve::agx}}};
+inline const Option<ToneCurve> tone_curve{"tone-curve",
+                                          0,
+                                          "CURVE",
+                                          {{"film", ToneCurve::film},
+                                           {"exponential", ToneCurve::exponential},
+                                           {"aces", ToneCurve::aces},
+                                           {"agx", ToneCurve::agx}}};
 inline const Option<Glare> glare{
-    "glare",
-    0,
-    "KIND",
-    {{"none", Glare::none}, {"camera", Glare::camera}, {"eye", Glare::eye}}};
+    "glare", 0, "KIND", {{"none", Glare::none}, {"camera", Glare::camera}, {"eye", Glare::eye}}};
 inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude};  // in metres
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};

@@ -284,16 +284,18 @@ Command preview_command() {
              options::only("show only [bake.NAME]"),
              options::sun_elevation(
                  "show skies and clouds under these suns; separate them by commas"),
-             options::sun_azimuth("place the sun of clouds, from +x towards +y (default: 112 degrees to "
-                                  "the left of the view)"),
+             options::sun_azimuth(
+                 "place the sun of clouds, from +x towards +y (default: 112 degrees to "
+                 "the left of the view)"),
              options::at(
                  "place the sun as at this time, such as \"2026-06-21 18:30 +02:00\"; without "
                  "an offset or Z it is mean solar time"),
              options::place("take the time at this latitude and longitude, such as 47.4,8.5"),
              options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
              options::tone_curve("show skies and clouds by this tone curve (default film)"),
-             options::glare("scatter the sun's light in pictures of skies as a camera or an eye does "
-                            "(default none)"),
+             options::glare(
+                 "scatter the sun's light in pictures of skies as a camera or an eye does "
+                 "(default none)"),
              options::altitude("place the camera of skies at this altitude (default 200m)"),
              options::camera(
                  "place the camera of clouds by \"position=2km,3km,200m heading=63deg "

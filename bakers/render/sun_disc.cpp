@@ -101,8 +101,8 @@ double share_of_veil() {
         const double u = (i + 0.5) / kSteps;
         const double angle = kWidestGlare * u * u * u;
         const double width = kWidestGlare * 3 * u * u / kSteps;
-        share += std::numbers::pi * std::sin(2 * angle) * width *
-                 glare_veil(angle / kRadiansPerDegree);
+        share +=
+            std::numbers::pi * std::sin(2 * angle) * width * glare_veil(angle / kRadiansPerDegree);
     }
     return share;
 }

@@ -20,7 +20,8 @@ constexpr Range field_of_view_range{std::numbers::pi / 180, 160 * std::numbers::
 constexpr Range stops_range{-32, 32};  // beyond this, every pixel is black or white
 
 constexpr std::array tone_curve_choices = {
-    Choice{ToneCurve::film, "film", "a toe and a shoulder that keep hues; the brightest turns white"},
+    Choice{ToneCurve::film, "film",
+           "a toe and a shoulder that keep hues; the brightest turns white"},
     Choice{ToneCurve::exponential, "exponential", "1 - exp(-light), of each channel"},
     Choice{ToneCurve::aces, "aces", "a fit to the film-like curve of ACES; bright turns white"},
     Choice{ToneCurve::agx, "agx", "the base look of AgX, which keeps the hues of bright colours"},

@@ -54,7 +54,7 @@ struct CloudPreviewInput {
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
     std::vector<SunDirection> suns = {{20, kHeading + kSunBesideView}};  // one lit picture for each
-    bool last_is_against = false;  // the last sun is the first again, before the camera
+    bool last_is_against = false;          // the last sun is the first again, before the camera
     std::optional<double> exposure_stops;  // the exposure is 2 to this power; none: chosen
     std::vector<double> exposures;  // of each sun, as an earlier frame had them; empty: chosen
     ToneCurve tone_curve = ToneCurve::film;
