@@ -196,8 +196,8 @@ class Listener : public StageProgress {
     explicit Listener(int obeys_after) : calls_left_(obeys_after) {}
     void begin_stage(int, int, std::string_view) override {}
     void advance(std::string_view step, double fraction) override {
-        --calls_left_;
         if (!step.starts_with("lighting")) return;  // a step of the light of the sky
+        --calls_left_;
         steps_.emplace(step);
         fractions_.push_back(fraction);
     }
