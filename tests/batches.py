@@ -4,8 +4,9 @@
     tests/batches.py SOURCE...
 
 Prints, for each source that may share a batch, the name of the batch and the source. Sources of a batch
-share their unnamed namespaces, so no two of them may define one name; which names a source defines is
-told from lines that begin in the first column. Kernels that are compiled for several instruction sets
+share their unnamed namespaces and their headers, so no two of them may define one name, nor one a name
+of a header of tests/ that another includes. Which names a file defines is told from lines that begin in
+the first column. Kernels that are compiled for several instruction sets
 include themselves, and some libraries bring macros of their own: sources that include them stay alone.
 """
 
@@ -14,6 +15,7 @@ import sys
 from pathlib import Path
 
 LARGEST = 16
+ROOT = Path(__file__).parent.parent
 ALONE = re.compile(r'#include .*(hwy/|-inl\.h|CLI/|toml\+\+|OpenEXR/|Imf)')
 NO_DEFINITION = re.compile(r"TEST|namespace|using \w+::|extern|return|[A-Z]+_|[#/} ]")
 DEFINITION = re.compile(
@@ -27,22 +29,28 @@ def names_of(text):
     return {name for match in matches if match for name in match.groups() if name}
 
 
+def names_of_headers(text):
+    headers = re.findall(r'#include "(tests/.*)"', text)
+    return set().union(*(names_of((ROOT / header).read_text()) for header in headers))
+
+
 def batches_of(sources):
     batches = []
     for source in sources:
         text = Path(source).read_text()
         if ALONE.search(text):
             continue
-        names = names_of(text)
-        for batch, taken in batches:
-            if len(batch) < LARGEST and not taken & names:
+        own, headers = names_of(text), names_of_headers(text)
+        for batch, taken, included in batches:
+            if len(batch) < LARGEST and not taken & (own | headers) and not included & own:
                 break
         else:
-            batch, taken = [], set()
-            batches.append((batch, taken))
+            batch, taken, included = [], set(), set()
+            batches.append((batch, taken, included))
         batch.append(source)
-        taken |= names
-    return [batch for batch, _ in batches]
+        taken |= own
+        included |= headers
+    return [batch for batch, _, _ in batches]
 
 
 for number, sources in enumerate(batches_of(sys.argv[1:])):

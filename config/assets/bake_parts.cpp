@@ -138,8 +138,9 @@ int frames_to_divide(const OpenBake& bake, const std::map<std::string, int>& seq
         return static_cast<int>(std::get<double>(*frames->value));
     }
     if (!bake.kind->facts.of_another_bake || bake.kind->facts.of_all_frames) return 0;
-    const std::string* of = text_of(bake.section.at("of"));
-    const auto found = of ? sequences.find(*of) : sequences.end();
+    const DecodedField* of = bake.section.find("of");  // an environment has clouds in its place
+    const std::string* name = of ? text_of(*of) : nullptr;
+    const auto found = name ? sequences.find(*name) : sequences.end();
     return found == sequences.end() ? 0 : found->second;
 }
 

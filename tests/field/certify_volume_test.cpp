@@ -17,7 +17,7 @@ using testing::FunctionVoxels;
 using testing::looked_up;
 using testing::plain_volume;
 using testing::sample_voxel;
-using Place = std::array<double, 3>;
+using Point = std::array<double, 3>;
 
 // The level of a volume whose statistics are known.
 Level level_of(const std::array<int, 3>& size, int channels, PixelType type,
@@ -32,12 +32,12 @@ TEST(CertifyVolume, ConstantsAreExact) {
     for (const PixelType type : {PixelType::float32, PixelType::half, PixelType::unorm8}) {
         const float value = round_to_pixel_type(0.4, type);
         const Level level = level_of({7, 5, 1}, 1, type, [=](int, int, int, int) { return value; });
-        const auto reference = [=](const Place&) { return std::vector<double>{double{value}}; };
+        const auto reference = [=](const Point&) { return std::vector<double>{double{value}}; };
         EXPECT_LT(measure_lookups(level, type, reference, 200, {}).figures.max, 1e-15);
         EXPECT_EQ(measure_voxels(level, type, reference, 200, {}).points, 200);
         EXPECT_LT(measure_voxels(level, type, reference, 200, {}).figures.max, 1e-15);
         // Without a range, the difference itself.
-        const auto other = [=](const Place&) { return std::vector<double>{double{value} + 0.25}; };
+        const auto other = [=](const Point&) { return std::vector<double>{double{value} + 0.25}; };
         EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.max, 0.25, 1e-12);
         EXPECT_NEAR(measure_lookups(level, type, other, 50, {}).figures.rms, 0.25, 1e-12);
     }
@@ -50,7 +50,7 @@ TEST(CertifyVolume, FindsAKnownErrorBetweenVoxels) {
     const Level level = level_of(size, 1, PixelType::float32, sample_voxel);
     const double range = level.statistics[0].max - level.statistics[0].min;
     const double a = 0.01;
-    const auto reference = [&](const Place& uvw) {
+    const auto reference = [&](const Point& uvw) {
         const double position = uvw[0] * size[0] - 0.5;
         const double t = position - std::floor(position);
         return std::vector<double>{looked_up(sample_voxel, size, PixelType::float32, 0, uvw) +
@@ -71,7 +71,7 @@ TEST(CertifyVolume, CountsRoundingAtVoxels) {
     const std::array<int, 3> size = {16, 16, 16};
     for (const PixelType type : {PixelType::half, PixelType::unorm8, PixelType::unorm16}) {
         const Level level = level_of(size, 3, type, sample_voxel);
-        const auto exact = [&](const Place& uvw) {
+        const auto exact = [&](const Point& uvw) {
             std::vector<double> values;
             for (int c = 0; c < 3; ++c) {
                 values.push_back(double{sample_voxel(static_cast<int>(uvw[0] * 16),
@@ -93,7 +93,7 @@ TEST(CertifyVolume, CountsRoundingAtVoxels) {
 TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     const std::array<int, 3> size = {5, 7, 9};
     const Level level = level_of(size, 3, PixelType::half, sample_voxel);
-    const auto reference = [](const Place& uvw) {
+    const auto reference = [](const Point& uvw) {
         return std::vector<double>{uvw[0] + uvw[1] * uvw[2], uvw[2], uvw[0]};
     };
     BakeOptions two_threads;

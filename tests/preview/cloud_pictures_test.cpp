@@ -20,11 +20,11 @@ namespace skybake {
 namespace {
 
 // A cloud of 32 x 20 x 10 voxels, whose height is no multiple of the cell.
-struct Baked {
+struct BakedCloud {
     config::Recipe recipe;
     PreviewAssets assets;
 
-    explicit Baked(const std::string& cloud = "", const std::string& grid = "") {
+    explicit BakedCloud(const std::string& cloud = "", const std::string& grid = "") {
         recipe = test::recipe_of(
             "[noise.n]\nsize = [32, 32, 32]\n[noise.n.channels.Y]\ntype = \"worley\"\nfrequency = "
             "3\n"
@@ -82,7 +82,7 @@ bool says(const PreviewPicture& picture, const std::string& words) {
 }
 
 TEST(CloudPictures, ShowAVolumeWithItsGrid) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.suns = {{40, 100}, {-3, 100}};
     const auto pictures = cloud_pictures(input, 2);
@@ -98,7 +98,7 @@ TEST(CloudPictures, ShowAVolumeWithItsGrid) {
 }
 
 TEST(CloudPictures, OfADraftAreFewAndSmall) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.draft = true;
     const auto pictures = cloud_pictures(input, 1);
@@ -115,7 +115,7 @@ double mean_difference(const Picture& a, const Picture& b) {
 
 // The same picture from one tile further on would be the same if the tile repeated as it is.
 TEST(CloudPictures, VaryTheCopiesOfATile) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.draft = true;
     input.exposure_stops = 3;
@@ -151,7 +151,7 @@ Picture quartered(const Picture& picture) {
 // Few samples in thin cloud showed the pattern of their offsets. What a draft should look like: a
 // picture eight times as wide, with shorter steps, reduced to the same size.
 TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.exposure_stops = 3;
     input.width = 768;
@@ -169,7 +169,7 @@ TEST(CloudPictures, OfADraftHaveNoGrainOfTheirSamples) {
 }
 
 TEST(CloudPictures, HaveTheSizeTheCameraAndTheSunThatAreAskedFor) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.width = 48;
     input.height = 64;
@@ -209,7 +209,7 @@ class Listener : public StageProgress {
 };
 
 TEST(CloudPictures, TellHowFarTheirLightIs) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     input.suns = {{40, 100}, {20, 100}};
     Listener listener(1 << 20);
@@ -227,7 +227,7 @@ TEST(CloudPictures, TellHowFarTheirLightIs) {
 }
 
 TEST(CloudPictures, DoNotDependOnTheGrid) {
-    const Baked baked;
+    const BakedCloud baked;
     CloudPreviewInput input = baked.input();
     const auto with = cloud_pictures(input, 1);
     input.occupancy = nullptr;
@@ -237,7 +237,7 @@ TEST(CloudPictures, DoNotDependOnTheGrid) {
 }
 
 TEST(CloudPictures, ShowAGridAlone) {
-    const Baked baked("", "contents = [\"occupied\", \"minimum\", \"maximum\"]\n");
+    const BakedCloud baked("", "contents = [\"occupied\", \"minimum\", \"maximum\"]\n");
     CloudPreviewInput input = baked.input();
     input.volume = nullptr;
     EXPECT_EQ(names_of(cloud_pictures(input, 1)),
@@ -252,15 +252,15 @@ TEST(CloudPictures, ShowAGridAlone) {
 TEST(CloudPictures, ShowAnEmptyCloudAndARuntimesThreshold) {
     for (const std::string cloud :
          {"threshold = 3", "threshold_at = \"runtime\"\nthreshold = 0.2\nedge_softness = 0.1"}) {
-        const Baked baked(cloud);
+        const BakedCloud baked(cloud);
         EXPECT_EQ(names_of(cloud_pictures(baked.input(), 1)).size(), 7U) << cloud;
     }
 }
 
 TEST(OccupancyLeaps, AreTheSameFromEveryChannel) {
-    const Baked leap("", "contents = [\"leap\"]\npixel_type = \"unorm8\"\nformats = [\"bin\"]\n");
-    const Baked occupied("", "contents = [\"occupied\"]\n");
-    const Baked maximum("", "contents = [\"maximum\"]\npixel_type = \"float\"\n");
+    const BakedCloud leap("", "contents = [\"leap\"]\npixel_type = \"unorm8\"\nformats = [\"bin\"]\n");
+    const BakedCloud occupied("", "contents = [\"occupied\"]\n");
+    const BakedCloud maximum("", "contents = [\"maximum\"]\npixel_type = \"float\"\n");
     const auto wanted = leaps_of_grid(leap.asset("grid"), leap.grid_bake(), 0);
     ASSERT_TRUE(wanted);
     EXPECT_EQ(wanted->size(), 8U * 5 * 3);
@@ -269,16 +269,16 @@ TEST(OccupancyLeaps, AreTheSameFromEveryChannel) {
 }
 
 TEST(OccupancyLeaps, AreNoneWhereSomethingCouldBeLost) {
-    const Baked exact;
-    const auto leaps = [](const Baked& baked) {
+    const BakedCloud exact;
+    const auto leaps = [](const BakedCloud& baked) {
         return leap_grid_of(baked.asset("sky"), baked.asset("grid"), baked.grid_bake(), 0);
     };
     ASSERT_TRUE(leaps(exact));
     EXPECT_EQ(leaps(exact)->cell, 4);
-    EXPECT_TRUE(leaps(Baked("", "filter = \"tricubic\"\n")));
-    EXPECT_FALSE(leaps(Baked("", "filter = \"nearest\"\n")));
-    EXPECT_FALSE(leaps(Baked("", "rule = \"thesis\"\n")));
-    EXPECT_FALSE(leaps(Baked("", "contents = [\"minimum\"]\n")));
+    EXPECT_TRUE(leaps(BakedCloud("", "filter = \"tricubic\"\n")));
+    EXPECT_FALSE(leaps(BakedCloud("", "filter = \"nearest\"\n")));
+    EXPECT_FALSE(leaps(BakedCloud("", "rule = \"thesis\"\n")));
+    EXPECT_FALSE(leaps(BakedCloud("", "contents = [\"minimum\"]\n")));
 }
 
 }  // namespace

@@ -80,12 +80,12 @@ std::vector<double> shown(const Image2<float>& radiance, double exposure) {
     return bytes;
 }
 
-struct Picture {
+struct NamedPicture {
     Image2<float> radiance;
     std::int64_t fetches = 0;
 };
 // From below, under a sun at the side, of pixels as wide as those of 720 across 50 degrees.
-Picture picture_with(const CloudMedium& layer, const MarchSteps& steps, double growth) {
+NamedPicture picture_with(const CloudMedium& layer, const MarchSteps& steps, double growth) {
     SceneFrame frame = frame_from({300, 100, 200}, 9, 96, 64);
     frame.camera.horizontal_field_degrees = 6.7;
     frame.refinement = Refinement::all;
@@ -111,7 +111,7 @@ TEST(CloudSteps, PicturesAreThoseOfShortEqualSteps) {
     MarchSteps fine = usual_steps(layer, sun);
     fine.step_m /= 2;
     fine.light_step_m /= 2;
-    const Picture reference = picture_with(layer, fine, 0);
+    const NamedPicture reference = picture_with(layer, fine, 0);
     double brightest = 0;
     for (const float value : reference.radiance.texels) {
         brightest = std::max(brightest, double{value});
@@ -119,12 +119,12 @@ TEST(CloudSteps, PicturesAreThoseOfShortEqualSteps) {
     const double exposure = 1.5 / brightest;
     const std::vector<double> wanted = shown(reference.radiance, exposure);
     const MarchSteps steps = picture_steps(layer, sun);
-    const Picture made = picture_with(layer, steps, kStepGrowth);
+    const NamedPicture made = picture_with(layer, steps, kStepGrowth);
     EXPECT_LT(rms(shown(made.radiance, exposure), wanted), 1);
     EXPECT_LT(5 * made.fetches, reference.fetches);
     MarchSteps coarse = steps;
     coarse.step_m *= 6;
-    const Picture too_coarse = picture_with(layer, coarse, kStepGrowth);
+    const NamedPicture too_coarse = picture_with(layer, coarse, kStepGrowth);
     EXPECT_GT(rms(shown(too_coarse.radiance, exposure), wanted), 1);
 }
 

@@ -40,7 +40,7 @@ CloudPreviewInput input_of(const PreviewAssets& assets, PreviewOptions options) 
         {{2000, 0, 150}}, options.camera ? options.camera->heading_degrees : 63, 12, 55};
     options.picture_size = {192, 108};
     CloudPreviewInput input = cloud_input(assets, assets.assets.front(), options);
-    input.atmosphere = &earth().recipe.parameters.atmosphere;
+    input.air = &earth().recipe;
     input.transmittance = &earth().transmittance;
     input.multiple_scattering = &earth().multiple_scattering;
     return input;
