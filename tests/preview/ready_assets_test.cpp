@@ -58,7 +58,7 @@ class BakedBefore : public ::testing::Test {
     }
 
     TemporaryFolder folder_;
-    config::Recipe recipe_ = recipe_reading(small_recipe);
+    config::Recipe recipe_ = testing::recipe_of(small_recipe);
 };
 
 TEST_F(BakedBefore, APreviewAfterABakeBakesNothing) {
@@ -74,7 +74,7 @@ TEST_F(BakedBefore, APreviewAfterABakeBakesNothing) {
 
 TEST_F(BakedBefore, WhatHasChangedIsBaked) {
     bake(Certification::quick);
-    const config::Recipe changed = recipe_reading(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
+    const config::Recipe changed = testing::recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
     const Shown found = shown(changed, {folder_ / "out"});
     EXPECT_EQ(found.ready, (std::vector<std::string>{"transmittance", "shape"}));
     expect_equal(found.assets, shown(changed, {}).assets);
