@@ -18,7 +18,7 @@
 #include "cli/command.h"
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
-#include "config/recipe/recipe.h"
+#include "config/recipe/asset_parameters.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {
@@ -164,7 +164,7 @@ ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, 
     const auto file = described(path);
     if (!file.value) return console.report(file.diagnostics);
     const auto& [asset, shape] = *file.value;
-    const auto recipe = config::parse_recipe(asset.parameters, path.string());
+    const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
     const config::Bake* own = recipe.value ? own_section(recipe.value->parameters, asset) : nullptr;
     if (own == nullptr) {
         const config::Diagnostic unreadable = file_error(

@@ -11,7 +11,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/field/finish_table.h"
-#include "config/recipe/recipe.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 
@@ -75,7 +75,7 @@ const config::Bake* bake_of(const config::Parameters& parameters, std::string_vi
 std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     // The parameters that an asset carries are themselves a recipe; a grid of occupancy has its
     // volume's too.
-    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
+    const auto recipe = config::parse_asset_parameters(asset.parameters, asset.name);
     const config::Bake* own =
         recipe.value ? bake_of(recipe.value->parameters, asset.name) : nullptr;
     if (own == nullptr) {

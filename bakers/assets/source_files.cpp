@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "bakers/io/formats/format.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 
@@ -29,7 +30,7 @@ std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::st
 }
 
 std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset) {
-    return config::parse_recipe(asset.parameters, asset.name).value;
+    return config::parse_asset_parameters(asset.parameters, asset.name).value;
 }
 
 }  // namespace skybake

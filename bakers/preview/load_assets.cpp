@@ -15,6 +15,7 @@
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 
@@ -126,7 +127,7 @@ void add_recipe(const Manifest& manifest, const ManifestPlace& place, PreviewAss
 // have another name than its section.
 void add_own_recipe(PreviewAssets& shown) {
     const ManifestAsset& entry = shown.assets.front().entry;
-    auto recipe = config::parse_recipe(entry.parameters, "the file");
+    auto recipe = config::parse_asset_parameters(entry.parameters, "the file");
     if (!recipe.value) return;
     for (config::Bake& bake : recipe.value->parameters.bakes) {
         if (baker_of(bake).asset == entry.kind) bake.name = entry.name;

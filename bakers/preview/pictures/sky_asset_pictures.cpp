@@ -18,7 +18,7 @@
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/environment.h"
 #include "config/assets/sky_view.h"
-#include "config/recipe/recipe.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 namespace {
@@ -32,7 +32,7 @@ constexpr int shown_slices = 4;
 // another release.
 template <class Asset>
 std::optional<Asset> bake_of(const ManifestAsset& entry) {
-    const auto recipe = config::parse_recipe(entry.parameters, entry.name);
+    const auto recipe = config::parse_asset_parameters(entry.parameters, entry.name);
     if (!recipe.value) return std::nullopt;
     const auto& bakes = recipe.value->parameters.bakes;
     const auto found = std::find_if(bakes.begin(), bakes.end(), [&](const config::Bake& bake) {

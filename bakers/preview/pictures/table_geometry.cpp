@@ -8,7 +8,7 @@
 #include "bakers/air/transmittance_mapping.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
-#include "config/recipe/recipe.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 namespace {
@@ -36,7 +36,7 @@ double continued(double x, Function&& function) {
 
 std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
     // The parameters that an asset carries are themselves a recipe.
-    const auto recipe = config::parse_recipe(asset.parameters, asset.name);
+    const auto recipe = config::parse_asset_parameters(asset.parameters, asset.name);
     if (!recipe.value || recipe.value->parameters.bakes.size() != 1 || asset.size.size() != 2) {
         return std::nullopt;
     }
