@@ -109,8 +109,8 @@ std::string command_help(const Command& command) {
         }
         text += "\narguments:\n" + table.text();
     }
-    if (!command.options.empty()) text += "\noptions:\n" + option_table(command.options);
-    text += "\n`skybake help` shows the options that every command has.\n";
+    text += "\noptions (`skybake help` shows those that every command has):\n" +
+            option_table(command.options);
     text += "\nexamples:\n" + example_table(command.examples);
     std::vector<ExitCode> codes = command.exit_codes;
     codes.insert(codes.end(), {ExitCode::done, ExitCode::usage});

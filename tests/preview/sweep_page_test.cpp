@@ -177,7 +177,7 @@ TEST(SweepTable, SaysWhatIsMeasuredOfWhat) {
     for (const PageSweep::Column& column : table.columns()) titles += column.title + "\n";
     EXPECT_EQ(titles,
               "k0\nair: sky error, median\nair: sky error, 9 in 10\nair: sky error, max\n"
-              "air: lookup error, max\nair: lookup error, RMS\nair: files\nair: bake\n"
+              "air: lookup error, max\nair: lookup error, RMS\nair: files\nair: texels\n"
               "sun: lookup error, max\nsun: lookup error, RMS\nsun: files\n"
               "Picture: difference, RMS of 255\nStatus\n");
     const PageVariant row = table.row(sweep.variants[1], 0.5, "../sweep");

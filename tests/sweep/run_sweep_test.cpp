@@ -304,8 +304,9 @@ const config::Sweep one_axis = {{{{"a.b"}, {{{"1", "1"}}, {{"2", "2"}}, {{"3", "
 TEST(SweepIndex, HasTheSkysErrorAndBytes) {
     EXPECT_EQ(index_csv(one_axis, std::array{measured_variant(9)}),
               "index,name,a.b,status,error,air.sky_median,air.sky_p90,air.sky_max,air.lookup_max,"
-              "air.lookup_rms,air.texel_max,air.texel_rms,air.bytes,air.content_hash,air.files\n"
-              "3,\"0003_b=1,2\",4,done,,0.01,0.02,0.4,0.5,0.25,0.125,0.0625,1024,c,"
+              "air.lookup_rms,air.texel_max,air.texel_rms,air.bytes,air.cover,air.content_hash,"
+              "air.files\n"
+              "3,\"0003_b=1,2\",4,done,,0.01,0.02,0.4,0.5,0.25,0.125,0.0625,1024,,c,"
               "\"0003_b=1,2/air.exr 0003_b=1,2/air.bin\"\n");
     const auto sky = [](int points) {
         const std::string line = index_jsonl(one_axis, std::array{measured_variant(points)});
@@ -322,7 +323,7 @@ TEST(SweepIndex, TimesAreApartFromIt) {
     EXPECT_EQ(sweep_json(one_axis, std::array{variant}), sweep_json(one_axis, std::array{slower}));
     EXPECT_EQ(timing_csv(std::array{variant}),
               "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n"
-              "3,air,1.5,0,0,0.5,0.25,2,\"0003_b=1,2\"\n");
+              "3,air,1.5,0.0,0.0,0.5,0.25,2,\"0003_b=1,2\"\n");
     variant.status = VariantStatus::missing;
     EXPECT_EQ(timing_csv(std::array{variant}), "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n");
 }
