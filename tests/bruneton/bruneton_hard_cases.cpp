@@ -26,6 +26,7 @@ Table table_of(const config::Atmosphere& atmosphere, std::array<int, 3> size, in
     SkyMedium medium = make_sky_medium(atmosphere);
     config::BrunetonBake bake;
     bake.table = config::BrunetonTable::scattering;
+    bake.combined = true;
     bake.orders = 1;
     bake.mie_layers = std::move(mie_layers);
     bake.solar_irradiance = {1, 1, 1};
