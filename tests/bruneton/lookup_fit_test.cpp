@@ -36,6 +36,7 @@ TEST(LookupFit, LeavesStraightLinesAndDarkTexelsAlone) {
     for (const double scale : lookup_scales({5, 5, 5, 5})) EXPECT_NEAR(scale, 1, 1e-12);
     for (const double scale : lookup_scales({0, 0, 0})) EXPECT_EQ(scale, 1);
     for (const double scale : lookup_scales({0, 3, 0})) EXPECT_EQ(scale, 1);
+    EXPECT_EQ(lookup_scales({1e-15, 0.03, 0.2, 0.3}), lookup_scales({0, 0.03, 0.2, 0.3}));
     EXPECT_EQ(lookup_scales({7}).front(), 1);
     EXPECT_NEAR(lookup_scales({2, 2})[1], 1, 1e-12);
 }

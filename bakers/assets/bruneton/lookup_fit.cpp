@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstddef>
 
+#include "bakers/light/ray_pieces.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
@@ -14,8 +15,9 @@ namespace {
 
 // Beyond this, texels are too far apart for the light between them to be known from them alone.
 constexpr double kMostScaling = 0.25;
-// Positive numbers below it are not normal ones, of which there is no logarithm.
-constexpr double kLeastLight = 1e-37;
+// Darker light of a sun of 1 is what is left of rays where they are given up: how much, or whether it
+// is 0, depends on the wavelengths that are baked together.
+const double kLeastLight = exponential(-ray_pieces::kLastLight);
 
 // Light half way between texels i and i + 1 over their mean; 1 where it is not known.
 double middle_share(const std::vector<double>& logarithms, const std::vector<bool>& is_lit,

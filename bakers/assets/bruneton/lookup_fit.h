@@ -19,7 +19,7 @@
 namespace skybake {
 
 // Returns the scales x of a line of texels, which must not be negative. They are 1 next to texels
-// that are 0, where the light halfway is not known.
+// without light, or with less than rays are followed for, where the light halfway is not known.
 std::vector<double> lookup_scales(const std::vector<double>& line);
 
 // Scales the first `channels` channels of a table of scattering.
