@@ -37,9 +37,12 @@ float extinction_at(int layer, vec3 p) {
 }
 
 // The samples that certainly lie in empty cells, beginning with the one at p; 0 where there may be cloud.
-float empty_samples(int layer, vec3 p, vec3 ray, float stride) {
+float empty_way(int layer, vec3 p, vec3 ray) {
     ++fetches;
-    float way = leap_in_layer(layer, p, ray);
+    return leap_in_layer(layer, p, ray);
+}
+float empty_samples(int layer, vec3 p, vec3 ray, float stride) {
+    float way = empty_way(layer, p, ray);
     return way > 0.0 ? max(floor(way / stride), 1.0) : 0.0;
 }
 
@@ -143,24 +146,33 @@ struct Samples {
     bool was_empty;
     vec4 light;
 };
-Samples samples_in_layer(int layer, vec3 camera, vec3 ray) {
+// Samples lie at t = u (1 + growth u) step with u = k + jitter, and growth is the angle of a pixel
+// (bakers/march/cloud_rays.h). Returns the u of a distance.
+float samples_to(int layer, float t, float growth) {
+    float even = max(t, 0.0) / view_step[layer];
+    return 2.0 * even / (1.0 + sqrt(1.0 + 4.0 * growth * even));
+}
+float sample_at(int layer, float u, float growth) { return u * (1.0 + growth * u) * view_step[layer]; }
+Samples samples_in_layer(int layer, vec3 camera, vec3 ray, float growth) {
     vec2 span = span_in_layer(layer, camera - vec3(0.0, 0.0, BASE[layer]), ray);
-    float first = max(floor(span.x / view_step[layer]) - 1.0, 0.0), last = ceil(span.y / view_step[layer]) + 1.0;
+    float first = max(floor(samples_to(layer, span.x, growth)) - 1.0, 0.0);
+    float last = ceil(samples_to(layer, span.y, growth)) + 1.0;
     return Samples(first, span.x > span.y ? first : last, -2.0, true, vec4(0.0));
 }
 
 // Takes the next sample of a layer, or leaps.
-void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float octaves[OCTAVES], inout Samples samples,
-                 inout Cloud cloud, inout float through) {
-    float stride = view_step[layer], t = (samples.k + noise.x) * stride;
+void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float growth, float octaves[OCTAVES],
+                 inout Samples samples, inout Cloud cloud, inout float through) {
+    float stride = view_step[layer] * (1.0 + growth * (2.0 * samples.k + 1.0));
+    float t = sample_at(layer, samples.k + noise.x, growth);
     vec3 p = camera - vec3(0.0, 0.0, BASE[layer]) + ray * t;
     if (!within(layer, p)) {
         samples.k += 1.0;
         return;
     }
-    float empty = samples.was_empty ? empty_samples(layer, p, ray, stride) : 0.0;
+    float empty = samples.was_empty ? empty_way(layer, p, ray) : 0.0;
     if (empty > 0.0) {
-        samples.k += empty;
+        samples.k = max(floor(samples_to(layer, t + empty, growth) - noise.x), samples.k + 1.0);
         return;
     }
     float sigma = extinction_at(layer, p) * faded(layer, t);
@@ -181,8 +193,8 @@ void take_sample(int layer, vec3 camera, vec3 ray, vec2 noise, float octaves[OCT
     samples.k += 1.0;
 }
 
-// Returns what is seen through all clouds.
-float march_clouds(vec3 camera, vec3 ray, vec2 noise, out Cloud clouds[CLOUDS]) {
+// Returns what is seen through all clouds by a pixel of an angle.
+float march_clouds(vec3 camera, vec3 ray, vec2 noise, float pixel, out Cloud clouds[CLOUDS]) {
     float octaves[OCTAVES], u = 0.5 * dot(ray - sun, ray - sun), bright = 1.0, wide = 1.0, through = 1.0;
     for (int n = 0; n < OCTAVES; ++n) {
         octaves[n] = bright * droplets(u, wide);
@@ -192,18 +204,18 @@ float march_clouds(vec3 camera, vec3 ray, vec2 noise, out Cloud clouds[CLOUDS]) 
     Samples samples[CLOUDS];
     for (int layer = 0; layer < CLOUDS; ++layer) {
         clouds[layer] = Cloud(vec4(0.0), 0.0, 0.0);
-        samples[layer] = samples_in_layer(layer, camera, ray);
+        samples[layer] = samples_in_layer(layer, camera, ray, pixel);
     }
     for (int next = 0; next >= 0 && through >= OPAQUE;) {
         next = -1;
         float nearest = 1e30;
         for (int layer = 0; layer < CLOUDS; ++layer) {
-            float t = (samples[layer].k + noise.x) * view_step[layer];
+            float t = sample_at(layer, samples[layer].k + noise.x, pixel);
             if (samples[layer].k >= samples[layer].last || t >= nearest) continue;
             nearest = t;
             next = layer;
         }
-        if (next >= 0) take_sample(next, camera, ray, noise, octaves, samples[next], clouds[next], through);
+        if (next >= 0) take_sample(next, camera, ray, noise, pixel, octaves, samples[next], clouds[next], through);
     }
     for (int layer = 0; layer < CLOUDS; ++layer) clouds[layer].distance /= max(clouds[layer].opacity, 1e-9);
     return through;

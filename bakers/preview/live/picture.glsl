@@ -57,7 +57,7 @@ void main() {
 #ifdef CLOUDS_OF_RECIPE
     Cloud clouds[CLOUDS];
     vec2 noise = vec2(noise_of(pixel, 0), noise_of(pixel, 1));
-    through = march_clouds(camera, ray, noise, clouds);
+    through = march_clouds(camera, ray, noise, 2.0 * tan_half_fov / size.x, clouds);
     if (has_shadow && air.grounded && through > OPAQUE) {
         ground = shaded_ground(sunlight_on_ground(camera, ray, noise.y, mean_sunlight));
     }
