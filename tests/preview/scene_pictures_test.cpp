@@ -56,9 +56,10 @@ TEST(ScenePictures, ShowEachCloudOnceAtItsAltitude) {
     EXPECT_EQ(layers[0].volume->entry.name, "fine");
     EXPECT_EQ(layers[1].volume->entry.name, "veil");
     const auto pictures = scene_pictures(layers, 1);
-    ASSERT_EQ(pictures.size(), 2U);
+    ASSERT_EQ(pictures.size(), 3U);
     EXPECT_EQ(pictures[0].name, "scene_sun_40");
     EXPECT_EQ(pictures[1].name, "scene_sun_minus_3");
+    EXPECT_EQ(pictures[2].name, "scene_sun_40_against");
     for (const PreviewPicture& picture : pictures) {
         test::expect_sentences(picture);
         EXPECT_EQ(picture.picture.width, 64);
@@ -85,9 +86,11 @@ TEST(ScenePictures, ObeyTheCamera) {
     PreviewOptions options = small();
     options.camera = CameraRequest{{{1500, 1000, 3000}}, 20, -10, 40};
     const auto pictures = scene_pictures(scene_input(assets, options), 1);
-    ASSERT_EQ(pictures.size(), 1U);
-    EXPECT_TRUE(says(pictures[0], "position=1.5km,1km,3km heading=20deg pitch=-10deg fov=40deg"))
-        << pictures[0].caption;
+    ASSERT_EQ(pictures.size(), 2U);
+    for (const PreviewPicture& picture : pictures) {
+        EXPECT_TRUE(says(picture, "position=1.5km,1km,3km heading=20deg pitch=-10deg fov=40deg"))
+            << picture.caption;
+    }
 }
 
 // The page has the scene unless a single tile is asked for.

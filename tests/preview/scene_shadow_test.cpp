@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "bakers/render/ground_albedo.h"
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"
 #include "tests/preview/scenes.h"
@@ -14,12 +15,14 @@ namespace {
 
 using namespace test;
 
-// What has no extinction is not seen, and casts no shadow.
+// What has no extinction is not seen, and casts no shadow. The ground's albedo varies from place to place.
 TEST(SceneView, TransparentLayersGiveTheClearSky) {
     const CloudMedium low =
         medium_of({1000, 1000, 500}, 800, {4, 4, 4}, std::vector<float>(64, 1.0F), 0);
     const CloudMedium high =
         medium_of({1500, 900, 500}, 4000, {4, 4, 4}, std::vector<float>(64, 0.0F));
+    SkyMedium over_black_ground = earth().medium;
+    over_black_ground.air.ground_albedo = Spectrum(0.0);
     for (const double elevation : {60.0, 5.0, 0.0, -4.0}) {
         SceneFrame frame = frame_from({0, 0, 300}, 0, 96, 72);
         frame.ground = true;
@@ -42,10 +45,16 @@ TEST(SceneView, TransparentLayersGiveTheClearSky) {
                 const double turn = std::atan2(ray.y, ray.x) * 180 / M_PI - 80;
                 view.width = 720;
                 const Image2<float> sky = render_sky(earth().medium, earth().tables, view, 1);
+                const Image2<float> air = render_sky(over_black_ground, earth().tables, view, 1);
+                const Spectrum ground =
+                    mottled(earth().medium.air.ground_albedo,
+                            ground_mottle_along(frame.camera.position_m, ray, rays.pixel()));
                 const int column =
                     static_cast<int>(std::floor(std::fmod(turn + 180 + 720, 360) * 2));
                 for (int c = 0; c < 3; ++c) {
-                    const double wanted = sky.texel(column, 0)[c];
+                    const double above = air.texel(column, 0)[c];
+                    const double wanted = above + ground[static_cast<std::size_t>(c)] *
+                                                      (sky.texel(column, 0)[c] - above);
                     EXPECT_NEAR(made.texel(x, y)[c], wanted, 0.03 * wanted + 1e-5)
                         << elevation << " " << up;
                 }
