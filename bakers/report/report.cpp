@@ -16,7 +16,6 @@
 #include "bakers/report/sweeps/table_sweeps.h"
 #include "bakers/report/volume_report.h"
 #include "config/assets/bruneton.h"
-#include "config/assets/cloud_volume.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/noise_volume.h"
 #include "config/assets/occupancy.h"

@@ -4,7 +4,6 @@
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake::cloud_light {
