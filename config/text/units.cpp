@@ -287,7 +287,9 @@ std::optional<std::string_view> unit_meant(std::string_view name, Dimension dime
     // M is mega, and m is milli: they differ by nine powers of ten.
     if (name.find('M') != std::string_view::npos) return std::nullopt;
     for (const std::string_view unit : unit_spellings(dimension)) {
-        if (letters_of(unit) == letters_of(name)) return unit;
+        if (unit.find('M') == std::string_view::npos && letters_of(unit) == letters_of(name)) {
+            return unit;
+        }
     }
     return std::nullopt;
 }

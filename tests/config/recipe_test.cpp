@@ -43,7 +43,7 @@ const std::string cloud =
     perlin + "[clouds.c]\nnoise = \"n\"\n" + "extent = [\"1 km\", \"1 km\", \"1 km\"]\n";
 
 const std::vector<Fault> faults = {
-    {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text in UTF-8"},
+    {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text: save it as UTF-8 in your editor"},
     {"E0101", vacuum + "[atmosphere]\nground_radius = 8 km", 3, 19, 1,
      "write a quantity with a unit in quotes: \"8 km\""},
     {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
@@ -51,7 +51,7 @@ const std::vector<Fault> faults = {
     {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
     {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
      "give a number without a unit; typical haze has 0.76"},
-    {"E0106", layer + "scattering = \"1 /mm\"", 5, 14, 7, "did you mean `/m`?"},
+    {"E0106", layer + "scattering = \"1 /Km\"", 5, 14, 7, "units are case sensitive: write `/km`"},
     {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
      "expected a length with a unit, such as \"8 km\""},
     {"E0108", vacuum + "[atmosphere]\nground_albedo = [0.1, 0.2]", 3, 17, 10,

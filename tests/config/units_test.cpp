@@ -125,7 +125,10 @@ TEST(Units, SpellsCanonically) {
 }
 
 TEST(Units, NamesUnitsOfADimension) {
-    EXPECT_EQ(unit_names(Dimension::inverse_length), (std::vector<std::string_view>{"/m", "/km"}));
+    EXPECT_EQ(unit_names(Dimension::inverse_length),
+              (std::vector<std::string_view>{"/m", "/km", "/Mm"}));
+    EXPECT_EQ(unit_meant("/Km", Dimension::inverse_length), "/km");
+    EXPECT_FALSE(unit_meant("/mm", Dimension::inverse_length));
     EXPECT_TRUE(unit_names(Dimension::number).empty());
     for (const Dimension dimension :
          {Dimension::fraction, Dimension::length, Dimension::inverse_length, Dimension::angle}) {
