@@ -202,13 +202,22 @@ TEST_F(BrunetonColors, MieLightIsThatOfItsOwnPhaseFunctions) {
 
 // --- Products of colours ------------------------------------------------------------------------
 
+// Clean continental air, whose figures the asset's page has.
+constexpr const char* kCleanEarth =
+    "preset = 'earth'\n"
+    "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
+    "[atmosphere.layers.ozone]\ncolumn = '300 DU'\nprofile = 'tent'\n"
+    "center_altitude = '22 km'\nhalf_width = '19 km'\n"
+    "[atmosphere.layers.aerosol]\noptical_depth = 0.064\nsingle_scattering_albedo = 0.972\n"
+    "g = 0.709\n";
+
 // What a runtime does with colours where only products of wavelengths are right: it divides the
 // transmittances of two points to the top of the air by each other, and subtracts the light of the
 // farther point times that from the light of the nearer one. The page of the asset has the errors.
 class ProductsOfColors {
   public:
     ProductsOfColors()
-        : parameters_(recipe_of("preset = 'earth'\n").parameters),
+        : parameters_(recipe_of(kCleanEarth).parameters),
           medium_(make_sky_medium(parameters_.atmosphere)),
           light_(solve_light(medium_, SolverSettings{}, 2)),
           orders_(medium_, light_, light_.degree()),
