@@ -31,7 +31,7 @@ sheets() {
     rm -f "$folder/$name".png "$folder/$name"-*.png
     montage "${labelled[@]}" -tile 4x5 -geometry '400x300>+6+6' -background '#171d26' -fill white \
         -font /usr/share/fonts/truetype/dejavu/DejaVuSans.ttf "$folder/$name.png"
-    ls "$folder/$name".png "$folder/$name"-*.png 2>/dev/null
+    find "$folder" -maxdepth 1 \( -name "$name.png" -o -name "$name-*.png" \) | sort -V
 }
 
 # pictures PATTERN: the files below FOLDER, sorted by their names with numbers in order
