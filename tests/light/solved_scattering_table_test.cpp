@@ -31,7 +31,7 @@ Baked table_of(const std::string& settings, Certification certification = Certif
 }
 
 TEST(SolvedScatteringTable, IsDropIn) {
-    const Baked table = table_of("", Certification::quick);
+    const Baked table = table_of("mapping = \"hillaire\"\nsize = [32, 32]\n", Certification::quick);
     EXPECT_EQ(table.image().width, 32);
     EXPECT_EQ(table.image().height, 32);
     EXPECT_EQ(table.axes[0].formula, "x = (mu_s + 1) / 2");
