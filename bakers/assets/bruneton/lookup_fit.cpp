@@ -15,9 +15,11 @@ namespace {
 
 // Beyond this, texels are too far apart for the light between them to be known from them alone.
 constexpr double kMostScaling = 0.25;
-// Darker light of a sun of 1 is what is left of rays where they are given up: how much, or whether it
-// is 0, depends on the wavelengths that are baked together.
-const double kLeastLight = exponential(-ray_pieces::kLastLight);
+// Positive numbers below it are not normal ones, of which there is no logarithm.
+constexpr double kLeastLight = 1e-37;
+// Below this share of a line's brightest texel, light is what is left of rays where they are given up:
+// how much, or whether it is 0, depends on the wavelengths that are baked together.
+const double kLeastShare = exponential(-ray_pieces::kLastLight);
 
 // Light half way between texels i and i + 1 over their mean; 1 where it is not known.
 double middle_share(const std::vector<double>& logarithms, const std::vector<bool>& is_lit,
@@ -51,8 +53,10 @@ std::vector<double> lookup_scales(const std::vector<double>& line) {
     std::vector<double> scales(count, 1.0);
     std::vector<double> logarithms(count);
     std::vector<bool> is_lit(count);
+    const double brightest = *std::max_element(line.begin(), line.end());
+    const double least = std::max(kLeastLight, kLeastShare * brightest);
     for (std::size_t i = 0; i < count; ++i) {
-        is_lit[i] = line[i] > kLeastLight;
+        is_lit[i] = line[i] > least;
         if (is_lit[i]) logarithms[i] = logarithm(line[i]);
     }
     // A system of three diagonals, diagonally dominant, eliminated downwards and solved upwards.
