@@ -54,7 +54,7 @@ std::shared_ptr<const VoxelSource> held(Intermediates& shared, const test::Cloud
     BakeOptions options = options_with(kPlenty);
     options.intermediates = &shared;
     const Baked volume = hold_cloud_volume(
-        any.cloud, bake_of(any), {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps},
+        any.cloud, bake_of(any), {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
         options, {});
     return volume.levels.front().voxels;
 }
@@ -127,7 +127,7 @@ TEST(HeldClouds, HaveTheBytesOfThoseMadeOnDemand) {
     std::vector<std::vector<std::string>> hashes;
     for (const std::int64_t bytes : {std::int64_t{0}, kPlenty}) {
         const auto outcome = bake_cloud_volume(
-            any.cloud, bake, {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps},
+            any.cloud, bake, {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
             options_with(bytes), {});
         ASSERT_TRUE(outcome.value);
         std::vector<std::string>& of_levels = hashes.emplace_back();
