@@ -296,10 +296,10 @@ TEST_F(BrunetonColors, ProductsOfColoursHoldInTheMedianAlone) {
     }
     hold(products.shares[2], {0.001, 0.2}, "transmittance, 2 km");
     hold(products.shares[10], {0.003, 0.45}, "transmittance, 10 km");
-    hold(products.shares[50], {0.01, 1.5}, "transmittance, 50 km");
-    hold(products.lights[2], {0.1, 4}, "light, 2 km");
-    hold(products.lights[10], {0.08, 2}, "light, 10 km");
-    hold(products.lights[50], {0.04, 2}, "light, 50 km");
+    hold(products.shares[50], {0.01, 1.6}, "transmittance, 50 km");
+    hold(products.lights[2], {0.1, 4.1}, "light, 2 km");
+    hold(products.lights[10], {0.08, 2.1}, "light, 10 km");
+    hold(products.lights[50], {0.04, 2.1}, "light, 50 km");
 }
 
 }  // namespace
