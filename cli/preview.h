@@ -51,6 +51,7 @@ inline const Option<double> altitude{"altitude", 0, "LENGTH", {}, read_altitude}
 inline const Option<CameraRequest> camera{"camera", 0, "PARTS", {}, read_camera};
 inline const Option<std::array<int, 2>> size{"size", 0, "WxH", {}, read_size};
 inline const Option<bool> single{"single"};
+inline const Option<bool> table_sky{"table-sky"};
 inline const Option<config::Moment> at{"at", 0, "TIME", {}, read_time};
 inline const Option<EarthPlace> place{"place", 0, "LAT,LON", {}, read_place};
 inline const Option<int> turntable{"turntable", 0, "N", {}, read_turntable};

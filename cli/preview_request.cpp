@@ -175,6 +175,7 @@ PreviewOptions picture_options(const Invocation& invocation) {
     take(options::camera, given.camera);
     take(options::size, given.picture_size);
     given.single = invocation[options::single];
+    given.table_sky = invocation[options::table_sky];
     take(options::at, given.at);
     take(options::place, given.place);
     take(options::turntable, given.turntable);

@@ -58,6 +58,7 @@ void choose_light(const PreviewOptions& options, CloudPreviewInput& input) {
     for (const double elevation : elevations) input.suns.push_back({elevation, azimuth});
     input.exposure_stops = options.exposure_stops;
     input.tone_curve = options.tone_curve.value_or(ToneCurve::film);
+    input.table_sky = options.table_sky;
 }
 
 // Adds a picture against the light, unless somebody has placed the sun, or has many pictures made.

@@ -45,6 +45,7 @@ struct PreviewOptions {
     std::optional<CameraRequest> camera;             // of lit clouds
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
     bool single = false;  // shows one tile of a cloud alone, completely in the picture
+    bool table_sky = false;  // clouds stand before the sky of the tables, as in a runtime
     int turntable = 0;    // pictures of one tile from all around; 0: none
     std::string note;     // for the page, on the light; empty: none
     bool draft = false;   // few pictures, small and fast

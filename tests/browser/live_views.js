@@ -34,7 +34,7 @@ function rendered(baked, picture, name, view) {
     const {position, heading, pitch, fov, sun_elevation, sun_azimuth, exposure} = view;
     const camera = `position=${position.map((x) => `${x}m`).join(',')} heading=${heading}deg pitch=${pitch}deg fov=${fov}deg`;
     const out = path.join(work, `rendered_${baked}_${name}`);
-    execFileSync(program, ['preview', path.join(work, baked), '-o', out, '-q', '--camera', camera, '--size', size.join('x'),
+    execFileSync(program, ['preview', path.join(work, baked), '-o', out, '-q', '--table-sky', '--camera', camera, '--size', size.join('x'),
         '--exposure', String(exposure), '--sun-elevation', String(sun_elevation), '--sun-azimuth', String(sun_azimuth)], {stdio: 'pipe'});
     const png = fs.readFileSync(path.join(out, `${picture}_sun_${String(sun_elevation).replace('-', 'minus_')}.png`));
     return `data:image/png;base64,${png.toString('base64')}`;

@@ -58,6 +58,7 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
 std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighting& lighting,
                                     const CloudCamera& camera, const SunDirection& sun,
                                     int threads) {
+    if (input.table_sky) return std::nullopt;
     return lighting.light->sky(
         lighting.air, {camera_altitude_km(lighting.medium.air, camera), sun.elevation_degrees},
         bake_options(input, threads));
