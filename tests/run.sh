@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # Installs what the tests need, builds them and runs them through CTest. At the end it prints the time
 # that each step, label and folder took, and every test that was skipped or left out.
-#   tests/run.sh          runs the first tier: laws, references, hard cases and golden hashes, in ten
-#                         minutes on two cores
+#   tests/run.sh          runs the first tier: laws, references, hard cases and golden hashes
 #   tests/run.sh --more   runs the second tier: compilers, farms, browsers, consumers, long random cases
 #   tests/run.sh --all    runs all tests, the slow ones as well, and installs every program that one uses
 #   tests/run.sh --hard   runs only the hard cases, and prints their table

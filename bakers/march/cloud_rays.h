@@ -37,7 +37,7 @@ namespace skybake {
 inline constexpr float kOpaque = 0x1p-10F;
 
 // Samples share the light of one point up to this share of what the eye sees, and over this many steps
-// (cloud_points-inl.h). Against light for every sample this costs a picture less than 0.2 of 255.
+// (cloud_points-inl.h). Against light for every sample this costs a picture an RMS of 0.23 of 255.
 inline constexpr float kSharedWeight = 0x1p-3F;
 inline constexpr float kSharedSteps = 8;
 
