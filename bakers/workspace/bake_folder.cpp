@@ -60,6 +60,8 @@ class FolderMaker {
           own_intermediates_(held_voxel_bytes(bake, plan)),
           intermediates_(bake.intermediates ? *bake.intermediates : own_intermediates_),
           prepared_(plan.assets.size()) {
+        result_.retired = plan.retired;
+        pruned_ = plan.pruned;
         for (const PlannedAsset& planned : plan.assets) {
             expected_.push_back(intermediates_.expect(planned.needs));
             FinishedAsset& finished = result_.assets.emplace_back();
@@ -75,6 +77,8 @@ class FolderMaker {
             !prune()) {
             return {{}, std::move(diagnostics_)};
         }
+        std::erase_if(result_.assets,
+                      [](const FinishedAsset& finished) { return finished.files.empty(); });
         return {std::move(result_), std::move(diagnostics_)};
     }
 
@@ -98,18 +102,18 @@ class FolderMaker {
         return true;
     }
 
-    // Copies each stale asset from a source or bakes it. All assets are tried, so that one run
-    // shows all errors.
+    // Copies each stale asset from a source or bakes it. All assets are tried: one run shows all
+    // errors and makes all that can be made.
     bool make_all() {
-        bool good = true;
+        bool any = plan_.stale_count() == 0;
         for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
             if (!plan_.assets[i].stale()) continue;
             const auto progress = observer_.begin(plan_.assets[i].bake->name);
-            good = (copy(i, *progress) || bake(i, *progress)) && good;
+            any = copy(i, *progress) || bake(i, *progress) || any;
             expected_[i] = {};
             if (observer_.cancelled()) return stop_for_interruption();
         }
-        return good;
+        return any;
     }
 
     // If the asset of a source cannot be read or is damaged, the asset is baked.
@@ -177,19 +181,42 @@ class FolderMaker {
         return true;
     }
 
+    // Returns what the folder held of an asset before, or null.
+    const ManifestAsset* entry_before(const std::string& name) const {
+        if (!plan_.folder.previous) return nullptr;
+        const auto& entries = plan_.folder.previous->assets;
+        const auto entry = std::find_if(entries.begin(), entries.end(),
+                                        [&](const auto& other) { return other.name == name; });
+        return entry == entries.end() ? nullptr : &*entry;
+    }
+
+    // The files of an entry that stays are none that the recipe has given up.
+    void keep_files_of(const ManifestAsset& entry) {
+        const auto is_its = [&entry](const RetiredFile& retired) {
+            return std::any_of(entry.files.begin(), entry.files.end(),
+                               [&](const auto& file) { return file.path == retired.path; });
+        };
+        std::erase_if(result_.retired, is_its);
+        std::erase_if(pruned_, is_its);
+    }
+
     // Stages the manifest last, so that it gets its name first.
     bool stage_manifest() {
         Manifest manifest = new_manifest(*bake_.recipe);
-        for (const FinishedAsset& finished : result_.assets) {
-            manifest.assets.push_back(finished.entry);
+        for (std::size_t i = 0; i < result_.assets.size(); ++i) {
+            const bool failed = result_.assets[i].files.empty();
+            const ManifestAsset* entry =
+                failed ? entry_before(plan_.assets[i].bake->name) : &result_.assets[i].entry;
+            if (entry == nullptr) continue;
+            manifest.assets.push_back(*entry);
+            if (failed) keep_files_of(*entry);
         }
         const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
         if (partial && plan_.folder.previous) {
             manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
             warn_of_other_values();
         }
-        manifest.retired = plan_.retired;
-        result_.retired = plan_.retired;
+        manifest.retired = result_.retired;
         manifest_ = std::move(manifest);
         const auto progress = observer_.begin(manifest_name);
         const std::string text = manifest_json(manifest_);
@@ -205,7 +232,7 @@ class FolderMaker {
     // changed in the meantime is kept.
     bool prune() {
         std::vector<Diagnostic> failures;
-        for (const RetiredFile& file : plan_.pruned) {
+        for (const RetiredFile& file : pruned_) {
             if (!is_as_written(bake_.folder, file)) continue;
             std::error_code error;
             if (fs::remove(bake_.folder / file.path, error)) {
@@ -236,9 +263,8 @@ class FolderMaker {
                 return other.name == section.name;
             };
             if (std::any_of(bake_.bakes.begin(), bake_.bakes.end(), is_this)) continue;
-            const auto& entries = plan_.folder.previous->assets;
-            const auto entry = std::find_if(entries.begin(), entries.end(), is_this);
-            if (entry == entries.end()) continue;
+            const ManifestAsset* entry = entry_before(section.name);
+            if (entry == nullptr) continue;
             const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
             if (!identity.value) continue;
             const auto reasons = differences(*identity.value, *entry);
@@ -256,6 +282,7 @@ class FolderMaker {
         auto failures = files_.commit();
         if (!failures.empty()) return stop(std::move(failures));
         for (const FinishedAsset& finished : result_.assets) {
+            if (finished.files.empty()) continue;
             for (AssetSource* source : bake_.sources) source->offer({bake_.folder, finished.entry});
         }
         return true;
@@ -275,6 +302,7 @@ class FolderMaker {
     Intermediates& intermediates_;
     std::vector<Intermediates::Expected> expected_;  // of each asset, until it is made
     BakedFolder result_;
+    std::vector<RetiredFile> pruned_;  // to be removed
     Manifest manifest_;
     AtomicFiles files_;
     // An asset whose bake has succeeded, and its entry in the manifest. Nothing has been written to
