@@ -62,6 +62,7 @@ std::vector<config::Diagnostic> check_no_sweep(const FolderBake& bake) {
 ExitCode dry_run(const FolderBake& bake, bool json, Console& console) {
     const auto plan = plan_folder(bake);
     if (const ExitCode code = console.report(plan.diagnostics); !plan.value) return code;
+    console.report(long_bake(*plan.value));
     console.result(json ? plan_event(*plan.value) : plan_text(*plan.value));
     return ExitCode::done;
 }
@@ -114,7 +115,8 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
                                       : "interrupted; nothing was written\n");
         return ExitCode::interrupted;
     }
-    if (const ExitCode code = console.report(baked.diagnostics); !baked.value) return code;
+    const ExitCode code = console.report(baked.diagnostics);
+    if (!baked.value) return code;
     if (cache) console.report(cache->problems());
     if (server) console.report(server->problems());
     if (invocation.has(options::depfile)) {
@@ -126,7 +128,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
                         : paths_text(*baked.value, bake.folder));
     console.note(
         summary_text(*baked.value, {elapsed.count(), console.error_columns(), bake.prune}));
-    return ExitCode::done;
+    return code;
 }
 
 }  // namespace

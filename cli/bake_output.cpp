@@ -145,7 +145,8 @@ std::string assets_text(const BakedFolder& baked, int columns) {
 std::string advice_text(const ManifestAsset& asset) {
     if (!asset.error) return "";
     std::string text;
-    if (!asset.error->advice.empty()) {
+    const bool is_of_sky = asset.error->sky && asset.error->sky->better == asset.error->advice;
+    if (!asset.error->advice.empty() && !is_of_sky) {
         text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
                             asset.error->worst, asset.error->advice);
     }
@@ -324,7 +325,28 @@ void BakeReporter::waits() {
     console_.note("waiting: another skybake is baking into this folder\n");
 }
 
+std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
+    constexpr double kLong = 600;  // seconds
+    const double seconds = plan.seconds();
+    if (!(seconds > kLong)) return {};
+    const auto longest = std::max_element(plan.assets.begin(), plan.assets.end(),
+                                          [](const auto& one, const auto& other) {
+                                              return (one.stale() ? one.estimate.seconds : 0) <
+                                                     (other.stale() ? other.estimate.seconds : 0);
+                                          });
+    config::Diagnostic warning;
+    warning.severity = config::Severity::warning;
+    warning.code = "W0220";
+    warning.message = fmt::format(
+        "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",
+        seconds / 60, longest->bake->name, longest->estimate.seconds / 60);
+    warning.label =
+        "an estimate from sizes and from the depth of the air; --dry-run shows its parts";
+    return {std::move(warning)};
+}
+
 void BakeReporter::planned(const FolderPlan& plan) {
+    console_.report(long_bake(plan));
     if (json_) console_.result(plan_event(plan));
     if (console_.display().verbose) {
         console_.detail(plan_text(plan));

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/workspace/bake_folder.h"
+#include "config/diagnostics/diagnostic.h"
 
 namespace skybake::cli {
 
@@ -51,6 +52,9 @@ std::string summary_text(const BakedFolder& baked, const SummaryOptions& options
 
 // Spells an extent: "256x64", "128x128x128".
 std::string extent_text(std::span<const int> size);
+
+// Returns a warning if a bake is estimated to take more than ten minutes of one core.
+std::vector<config::Diagnostic> long_bake(const FolderPlan& plan);
 
 std::string plan_event(const FolderPlan& plan);
 

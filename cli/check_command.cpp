@@ -8,6 +8,7 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/cloud_volume/cloud_files.h"
+#include "bakers/assets/registry.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
@@ -57,6 +58,7 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     auto problems = check_particles(outcome.value->parameters);
     const auto unreadable = check_cloud_files(outcome.value->parameters);
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
+    if (problems.empty()) problems = check_air(*outcome.value);
     if (!problems.empty()) return console.report_results(problems);
     const config::Parameters& parameters = outcome.value->parameters;
     if (console.display().json) {
@@ -78,7 +80,7 @@ Command check_command() {
         .examples = {{"skybake check earth.toml", "shows every error with its line and a remedy"},
                      {"skybake check - < earth.toml", "checks the text that an editor pipes in"},
                      {"skybake check earth.toml --json", "reports the errors to a program"}},
-        .exit_codes = {ExitCode::io},
+        .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_check};
 }
 

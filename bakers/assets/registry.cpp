@@ -181,6 +181,9 @@ void compare_with_paths(const AnyBaker& baker, const config::Parameters& paramet
         baked.reset();
     } else if (error.points + error.left_out > 0) {
         // Where nothing scatters there is no sky to be off.
+        constexpr double kFar = 0.1;
+        std::string& advice = baked->certificate.advice;
+        if (error.median > kFar && advice.empty()) advice = error.better;
         baked->certificate.sky = std::move(error);
     }
 }
@@ -229,6 +232,17 @@ std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
     std::vector<config::Read> reads = config::kind_of(bake).reads(recipe.parameters, bake);
     reads.push_back({config::join_path("bake", bake.name), config::Roles::all()});
     return config::parameters_toml(recipe, reads);
+}
+
+std::vector<config::Diagnostic> check_air(const config::Recipe& recipe) {
+    std::vector<config::Diagnostic> faults;
+    for (const Bake& bake : recipe.parameters.bakes) {
+        auto fault = check_solvable(recipe.parameters.atmosphere, bake);
+        if (!fault) continue;
+        add_recipe_place(recipe, bake, *fault);
+        faults.push_back(std::move(*fault));
+    }
+    return faults;
 }
 
 Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,

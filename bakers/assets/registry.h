@@ -50,6 +50,9 @@ std::string asset_parameters(const config::Recipe& recipe, const config::Bake& b
 // Returns where a value stands in the recipe's files, or no place for a default or a preset's value.
 config::SourceRange recipe_place(const config::ResolvedValue& value);
 
+// Returns E0405 for each asset that check_solvable refuses, with its place in the recipe.
+std::vector<config::Diagnostic> check_air(const config::Recipe& recipe);
+
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
 // is compared with paths of light. E0405 if it needs light that cannot be solved for
 // (solvable_air.h). W0214 if its lookups are measured and far off. Diagnostics name the line of the

@@ -13,7 +13,7 @@ std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyO
     if (orders != config::SkyOrders::single) {
         needs.push_back(need_of(LightRequest{.atmosphere = atmosphere}));
     }
-    if (reads_sunlight) needs.push_back(need_of(SunlightRequest{atmosphere}));
+    if (reads_sunlight) needs.push_back(need_of(sunlight_request(atmosphere, orders)));
     return needs;
 }
 

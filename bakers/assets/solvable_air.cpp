@@ -18,12 +18,12 @@ using config::Diagnostic;
 
 namespace {
 
-// Whether light of all orders is solved for to bake the asset.
-bool is_of_solved_light(const Bake& bake) {
+// Whether the asset is made of light of all orders.
+bool is_of_all_orders(const Bake& bake) {
     const auto scatters_again = [](const auto* asset) {
         return asset != nullptr && asset->orders != config::SkyOrders::single;
     };
-    const auto* closure = bake.find<config::MultipleScatteringBake>();
+    const bool is_closure = bake.find<config::MultipleScatteringBake>() != nullptr;
     const auto* irradiance = bake.find<config::IrradianceBake>();
     const auto* bruneton = bake.find<config::BrunetonBake>();
     const auto* light = bake.find<config::CloudLightBake>();
@@ -31,7 +31,7 @@ bool is_of_solved_light(const Bake& bake) {
            scatters_again(bake.find<config::EnvironmentBake>()) ||
            scatters_again(bake.find<config::AerialPerspectiveBake>()) ||
            (irradiance != nullptr && irradiance->content != config::IrradianceContent::direct) ||
-           (closure != nullptr && closure->method == config::MultipleScatteringMethod::solved) ||
+           is_closure ||
            (bruneton != nullptr && bruneton->table != config::BrunetonTable::transmittance) ||
            (light != nullptr && light->contents == config::CloudLightContents::clear_sky_radiance);
 }
@@ -67,12 +67,12 @@ Diagnostic unsolvable(std::string message, std::string label) {
 std::optional<Diagnostic> check_solvable(const config::Atmosphere& atmosphere, const Bake& bake) {
     constexpr double kGreatestDepth = 100;
     constexpr double kGreatestThickness = 100;  // in radii of the ground
-    if (!is_of_solved_light(bake)) return std::nullopt;
+    if (!is_of_all_orders(bake)) return std::nullopt;
     const double depth = scattering_depth(atmosphere);
     if (depth > kGreatestDepth) {
         return unsolvable(
             fmt::format("`{}`: the air scatters over a zenith optical depth of {:.3g}; light of "
-                        "all orders is solved for up to {}",
+                        "all orders is made for up to {}",
                         bake.name, depth, kGreatestDepth),
             "use smaller scattering coefficients: is the unit right?");
     }
@@ -80,7 +80,7 @@ std::optional<Diagnostic> check_solvable(const config::Atmosphere& atmosphere, c
     if (thickness > kGreatestThickness) {
         return unsolvable(
             fmt::format("`{}`: the air is {:.3g} times as high as the ground's radius; light of "
-                        "all orders is solved for up to {} times",
+                        "all orders is made for up to {} times",
                         bake.name, thickness, kGreatestThickness),
             "use a larger ground_radius or a smaller top_radius: are the units right?");
     }

@@ -1,4 +1,4 @@
-// Whether the light of an asset's air can be solved for in reasonable time.
+// Whether light of all orders in an asset's air can be made in reasonable time and memory.
 #pragma once
 
 #include <optional>
@@ -9,9 +9,9 @@
 
 namespace skybake {
 
-// Returns E0405 if the asset is made of solved light and the solution would take many minutes: the
-// air scatters light very often on its way up, or it is very high above a small planet. The numbers
-// of altitudes and of directions of a solution grow with both.
+// Returns E0405 if the asset is made of light of all orders, which would take many minutes: the air
+// scatters light very often on its way up, or it is very high above a small planet. The numbers of
+// altitudes, of directions and of places along them grow with both.
 std::optional<config::Diagnostic> check_solvable(const config::Atmosphere& atmosphere,
                                                  const config::Bake& bake);
 

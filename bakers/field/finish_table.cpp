@@ -70,6 +70,10 @@ std::optional<Diagnostic> check_range(const Image2<double>& texels, const Baked&
             return failure("E0401",
                            fmt::format("`{}`: the value at {} is not finite", table.name, place));
         }
+        if (value < 0 && model.highest > 1) {
+            return failure("E0405", fmt::format("`{}`: the light at {} came out negative: {:.6g}",
+                                                table.name, place, value));
+        }
         if (!(value >= model.lowest && value <= model.highest)) {
             return failure("E0405",
                            fmt::format("`{}`: the value at {} is {:.6g}, outside [{:g}, {:g}]",

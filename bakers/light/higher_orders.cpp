@@ -122,7 +122,7 @@ class NearbySuns {
           values_(known_.size() * orders()) {}
 
     Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) {
-        const SunStencil stencil = light_.stencil(sun_cos_zenith);
+        const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
         const auto first = static_cast<std::size_t>(stencil.column);
         for (std::size_t column = first; column < first + 4; ++column) {
             if (known_[column]) continue;
@@ -261,22 +261,21 @@ Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
 SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
                            const std::vector<Spectrum>& scattering,
                            const std::vector<std::vector<Spectrum>>& phase_moments)
-    : light_(light) {
+    : light_(light), at_(light.level_at(altitude_km)) {
     assert(scattering.size() == phase_moments.size());
     const int degree = light.degree();
     const auto orders = static_cast<std::size_t>(degree) + 1;
-    const LevelPlace at = light.level_at(altitude_km);
     const std::vector<Spectrum> factors =
         view_factors(degree, view_cos_zenith, scattering, phase_moments);
     values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
     for (int sun = 0; sun < light.suns.count(); ++sun) {
-        add_column(light, at, sun, degree, factors,
+        add_column(light, at_, sun, degree, factors,
                    values_.data() + static_cast<std::size_t>(sun) * orders);
     }
 }
 
 Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
-    const SunStencil stencil = light_.stencil(sun_cos_zenith);
+    const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
     const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
     return between_columns(stencil,
                            values_.data() + static_cast<std::size_t>(stencil.column) * orders,

@@ -148,6 +148,7 @@ class SolvedSource {
 
   private:
     const SolvedLight& light_;
+    LevelPlace at_;
     std::vector<Spectrum> values_;  // [sun * (degree + 1) + m]
 };
 

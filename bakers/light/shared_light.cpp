@@ -4,6 +4,7 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/solver/solution_levels.h"
 #include "bakers/math/bake_clock.h"
 
 namespace skybake {
@@ -24,6 +25,22 @@ LightRequest in_plain_words(LightRequest request) {
     if (without == medium) request.peaks_of_spheres = false;
     if (request.degree == 0) request.degree = sky_degree(medium_of(request));
     return request;
+}
+
+// How much more a solution costs than that of Earth's air: rays pass all levels on their way to each of
+// them, and light is sent on until it has left. Of spheres it is not known before they are computed.
+double effort_of(const LightRequest& request) {
+    constexpr double kLevelsOfEarth = 45;
+    constexpr double kMostOften = 10;  // measured at a depth of 100
+    if (has_spheres(request.atmosphere)) return 1;
+    const SkyMedium medium = medium_of(request);
+    Spectrum depth{};
+    for (const SkyLayer& layer : medium.layers) {
+        if (layer.scatters) depth += scattering_depth(layer, 0, medium.air.ground_radius_km);
+    }
+    const double levels =
+        static_cast<double>(solution_levels_km(medium.air, 1).size()) / kLevelsOfEarth;
+    return std::max(levels * levels, 1.0) * std::min(1 + largest(depth) / 4, kMostOften);
 }
 
 SolverSettings settings_of(const LightRequest& request, const SkyMedium& medium) {
@@ -55,7 +72,8 @@ Need need_of(const LightRequest& request) {
     // Cost grows faster than the degree, and a finer solution has 1.5 times as many directions and
     // 1.25 times as many altitudes.
     const double degree = plain.degree > 0 ? plain.degree : 8;
-    const double seconds = kSecondsOfDegree8 * degree / 8 * (plain.finer ? 2.3 : 1);
+    const double seconds =
+        kSecondsOfDegree8 * degree / 8 * (plain.finer ? 2.3 : 1) * effort_of(plain);
     return {NeedKey(plain), plain.finer ? "finer light, a reference" : "solved light", seconds,
             kMibOfLight};
 }
@@ -80,6 +98,13 @@ std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const S
             return nullptr;
         });
     return light ? light : unfinished;
+}
+
+SunlightRequest sunlight_request(const config::Atmosphere& atmosphere, config::SkyOrders orders) {
+    if (orders != config::SkyOrders::single) return {atmosphere};
+    if (has_spheres(atmosphere)) return {atmosphere, true};
+    const SkyMedium medium = make_sky_medium(atmosphere);
+    return {atmosphere, !(without_forward_peaks(medium) == medium)};
 }
 
 Need need_of(const SunlightRequest& request) {

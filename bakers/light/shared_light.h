@@ -11,6 +11,7 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/scene.h"
 
 namespace skybake {
 
@@ -38,17 +39,21 @@ Need need_of(const LightRequest& request);
 std::shared_ptr<const SolvedLight> light_of(const LightRequest& request, const SkyMedium& medium,
                                             const BakeOptions& options);
 
-// A table of the transmittance towards the sun through the air of an atmosphere, without the forward
-// peaks of its spheres. On Earth its lookups are 3e-6 off in the root mean square, and 2e-4 where
+// A table of the transmittance towards the sun through the air of an atmosphere, in which light that
+// goes into forward peaks counts as not scattered. On Earth its lookups are 3e-6 off in the root mean square, and 2e-4 where
 // rays graze the edge of a layer.
 struct SunlightRequest {
     config::Atmosphere atmosphere;
+    bool peaks = false;  // true: of the air as it is, which has such peaks
     bool operator==(const SunlightRequest&) const = default;
 };
 
+// Returns what light of these orders asks for: light that is scattered once knows no peaks.
+SunlightRequest sunlight_request(const config::Atmosphere& atmosphere, config::SkyOrders orders);
+
 Need need_of(const SunlightRequest& request);
 
-// Returns the table of an atmosphere whose air, without these peaks, is `air`.
+// Returns the table of an atmosphere whose air, as the request has it, is `air`.
 std::shared_ptr<const TransmittanceField> sunlight_of(const SunlightRequest& request,
                                                       const Medium& air,
                                                       const BakeOptions& options);

@@ -46,6 +46,32 @@ SkyMedium without_forward_functions(SkyMedium medium) {
     return medium;
 }
 
+// Takes the peaks of spheres out of the phase functions of light that is scattered once alone, and
+// returns their shares, by layer.
+std::vector<Spectrum> take_peaks_out(SkyMedium& medium) {
+    std::vector<Spectrum> shares;
+    for (SkyLayer& layer : medium.layers) {
+        const WidePhase wide = layer.scatters ? without_peak(layer.phase) : WidePhase{};
+        shares.push_back(1.0 - wide.share);
+        if (!wide.has_peak) continue;
+        layer.first_phase = wide.phase;
+        layer.first_factor = wide.share;
+    }
+    return shares;
+}
+
+// What peaks scatter once comes from next to the sun, where each point of the way adds as much.
+void add_peaks(const SkyLight& light, const std::vector<Spectrum>& shares, double altitude_km,
+               const SunZenith& sun, Spectrum& sum) {
+    if (sun.cosine <= 0) return;
+    const double s_km = (light.shell().ground_radius_km + altitude_km) * sun.cosine;
+    const Spectrum sunlight = sun.cosine * light.integrator().sunlight(altitude_km, s_km);
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+        if (!(largest(shares[k]) > 0)) continue;
+        sum += shares[k] * sunlight * scattering_depth(light.medium().layers[k], altitude_km, s_km);
+    }
+}
+
 // Replaces the light that peaks scatter forward from next to the sun by sunlight that would not
 // arrive without them. No nodes would find the peaks of spheres, so they are not in the sum; those
 // of delta_scaled are, and are taken out: of what such a layer scatters in the medium without peaks,
@@ -113,8 +139,12 @@ SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km)
     : light_(light),
       altitude_km_(altitude_km),
       once_(without_forward_functions(light.medium())),
+      peaks_(light.orders() == config::SkyOrders::single ? take_peaks_out(once_)
+                                                         : std::vector<Spectrum>{}),
       once_integrator_(once_, nullptr),
-      before_integrator_(light.medium(), light.higher_orders()) {}
+      before_integrator_(light.medium(), light.higher_orders()),
+      apart_(light.once() != nullptr ? std::make_unique<SkyIrradiance>(*light.once(), altitude_km)
+                                     : nullptr) {}
 
 SkyIrradiance::~SkyIrradiance() = default;
 
@@ -193,12 +223,14 @@ Spectrum SkyIrradiance::under(double sun_cos_zenith, const IrradianceNodes& node
     assert(sun_cos_zenith >= -1 && sun_cos_zenith <= 1);
     const SunZenith sun = sun_of_cosine(sun_cos_zenith);
     Spectrum sum{};
-    if (light_.orders() != config::SkyOrders::multiple) {
+    if (light_.orders() != config::SkyOrders::multiple || apart_) {
         sum = single(sun, nodes.single);
         if (light_.has_peaks()) add_aureole(light_, altitude_km_, sun, sum);
+        add_peaks(light_, peaks_, altitude_km_, sun, sum);
     }
+    if (apart_) sum -= apart_->under(sun_cos_zenith, nodes);
     if (light_.higher_orders() != nullptr && light_.orders() != config::SkyOrders::single) {
-        sum += not_negative(multiple(sun, nodes));
+        sum = not_negative(sum + multiple(sun, nodes));
     }
     return sum;
 }

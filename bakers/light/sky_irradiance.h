@@ -11,6 +11,7 @@
 // surfaces at the top (nothing above them).
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "bakers/light/sky_light.h"
@@ -51,11 +52,13 @@ class SkyIrradiance {
 
     const SkyLight& light_;
     double altitude_km_;
-    SkyMedium once_;  // the medium without the peaks that no nodes would find
+    SkyMedium once_;               // the medium without the peaks that no nodes would find
+    std::vector<Spectrum> peaks_;  // of light scattered once alone: each layer's share of them
     SkyIntegrator once_integrator_;
     SkyIntegrator before_integrator_;
-    TracedZeniths dark_;    // from the horizon up, of light scattered once
-    TracedZeniths before_;  // the same of light scattered before
+    std::unique_ptr<SkyIrradiance> apart_;  // of SkyLight::once, or null
+    TracedZeniths dark_;                    // from the horizon up, of light scattered once
+    TracedZeniths before_;                  // the same of light scattered before
 };
 
 // Returns the irradiance of one surface.

@@ -32,19 +32,28 @@ std::unique_ptr<const HigherOrders> solved_orders(const SkyMedium& medium, SkyOr
     return std::make_unique<SolvedOrders>(medium, *light, light->degree());
 }
 
+SkyMedium medium_for(const config::Atmosphere& atmosphere, SkyOrders orders) {
+    return orders == SkyOrders::single ? make_sky_medium(atmosphere)
+                                       : medium_of({.atmosphere = atmosphere});
+}
+
 }  // namespace
 
 SkyLight::SkyLight(const config::Atmosphere& atmosphere, SkyOrders orders,
                    const std::vector<std::string>& layers, const BakeOptions& options)
-    : medium_(scattering_only(medium_of({.atmosphere = atmosphere}), layers)),
+    : medium_(scattering_only(medium_for(atmosphere, orders), layers)),
       whole_air_(make_medium(atmosphere)),
       shell_(shell_of(medium_.air)),
       orders_(orders),
       solved_(solve_unless_single(atmosphere, medium_, orders, options)),
       higher_orders_(solved_orders(medium_, orders, solved_.get())),
       integrator_(medium_, higher_orders_.get()),
-      make_sunlight_([this, atmosphere, options] {
-          return sunlight_of({atmosphere}, medium_.air, options);
+      once_(orders == SkyOrders::multiple && has_peaks()
+                ? std::make_unique<SkyLight>(atmosphere, SkyOrders::single,
+                                             std::vector<std::string>{}, options)
+                : nullptr),
+      make_sunlight_([this, atmosphere, orders, options] {
+          return sunlight_of(sunlight_request(atmosphere, orders), medium_.air, options);
       }) {}
 
 SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,

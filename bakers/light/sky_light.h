@@ -22,7 +22,8 @@ namespace skybake {
 
 class SkyLight {
   public:
-    // Solves for all orders unless `orders` is single. `layers` names the layers that scatter, of
+    // Solves for all orders unless `orders` is single: then the air is as it is, and light that goes
+    // into forward peaks counts as scattered. `layers` names the layers that scatter, of
     // single scattering only; if it is empty, all do. The other layers still dim the light. After
     // an interruption the light must not be used.
     SkyLight(const config::Atmosphere& atmosphere, config::SkyOrders orders,
@@ -38,8 +39,8 @@ class SkyLight {
     // Returns an error if the light was solved for and the solution is invalid (energy_balance.h).
     [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
 
-    // The medium, in which light scattered into the forward peaks of spheres counts as not
-    // scattered (forward_peak.h), except for light scattered once.
+    // The medium, in which light scattered into forward peaks counts as not scattered
+    // (forward_peak.h) unless orders() is single.
     const SkyMedium& medium() const { return medium_; }
     bool has_peaks() const;
     // Returns the transmittance to the sun through the whole air, forward peaks included, as
@@ -52,6 +53,9 @@ class SkyLight {
     // many rays (shared_light.h). It is made when it is first asked for, by any thread.
     const TransmittanceField& sunlight() const;
     config::SkyOrders orders() const { return orders_; }
+    // The light that is scattered once, where orders() is multiple and the medium counts some of it
+    // as scattered more often or not at all; else null.
+    const SkyLight* once() const { return once_.get(); }
 
     // Returns the part of a radiance that `orders` asks for: with `single` the light scattered once
     // in the air, with `multiple` the rest, including light from the ground.
@@ -65,10 +69,25 @@ class SkyLight {
     std::shared_ptr<const SolvedLight> solved_;  // null if it was not solved for
     std::unique_ptr<const HigherOrders> higher_orders_;
     SkyIntegrator integrator_;
+    std::unique_ptr<const SkyLight> once_;
     std::function<std::shared_ptr<const TransmittanceField>()> make_sunlight_;
     mutable std::once_flag sunlight_made_;
     mutable std::shared_ptr<const TransmittanceField> sunlight_;
 };
+
+// Returns radiances(light), for light without the part that is scattered once (SkyLight::once): what
+// peaks add to it is light that is scattered more than once.
+template <class Radiances>
+std::vector<SkyRadiance> with_once(const SkyLight& light, const Radiances& radiances) {
+    std::vector<SkyRadiance> values = radiances(light);
+    if (light.once() == nullptr) return values;
+    const std::vector<SkyRadiance> once = radiances(*light.once());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i].multiple += values[i].single - once[i].single;
+        values[i].single = once[i].single;
+    }
+    return values;
+}
 
 // Replaces negative values by 0. Moments that end at a degree, and interpolation between azimuths,
 // leave slightly negative values at night and in deep twilight, where there is hardly any light.

@@ -9,7 +9,6 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
-#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/ray_pieces.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
@@ -29,7 +28,7 @@ SkyIntegrator::SkyIntegrator(const SkyMedium& medium, const HigherOrders* higher
     : medium_(medium),
       higher_orders_(higher_orders),
       shell_(shell_of(medium.air)),
-      break_altitudes_km_(quadrature_altitudes_km(medium.air)) {}
+      skins_(lit_skins(medium.air)) {}
 
 Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     if (s_km < -horizon_distance_km(shell_, altitude_km)) return {};
@@ -60,7 +59,7 @@ ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double a
 std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
     std::vector<double> cuts;
     for (const RayBreak& at :
-         ray_breaks(shell_, ray.altitude_km, ray.s_km, ray.length_km, break_altitudes_km_)) {
+         ray_breaks(shell_, ray.altitude_km, ray.s_km, ray.length_km, skins_.altitudes_km)) {
         cuts.push_back(at.distance_km);
     }
     // The sun's ray through P grazes altitude k where |P|^2 - (P . sun)^2 = (R + k)^2 and the sun
@@ -68,7 +67,7 @@ std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
     const double nu = ray.cosine_to_sun;
     const double a = ray.one_minus_cosine * ray.one_plus_cosine;
     const double b = ray.s_km - ray.sun_s_km * nu;
-    for (const double altitude : break_altitudes_km_) {
+    for (const double altitude : skins_.altitudes_km) {
         const double gain = ray.altitude_km - altitude;
         // r^2 - (R + k)^2 - (r mu_s)^2.
         const double c = gain * (2 * shell_.ground_radius_km + ray.altitude_km + altitude) -

@@ -22,6 +22,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
 #include "bakers/light/higher_orders.h"
+#include "bakers/light/lit_skins.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {
@@ -65,6 +66,8 @@ class SkyIntegrator {
     // planet's shadow.
     Spectrum sunlight(double altitude_km, double s_km) const;
 
+    const LitSkins& skins() const { return skins_; }
+
   private:
     struct Piece;
     std::vector<double> cuts_km(const SkyRay& ray) const;
@@ -76,7 +79,7 @@ class SkyIntegrator {
     const SkyMedium& medium_;
     const HigherOrders* higher_orders_;
     Shell shell_;
-    std::vector<double> break_altitudes_km_;
+    LitSkins skins_;
 };
 
 // Returns the point of a ray after `distance_km`, at an altitude where r mu_s = `sun_s_km`.

@@ -133,13 +133,14 @@ struct DarkStretch {
 // where P . sun < 0; as the ray is above the ground, that part of it is on one side only.
 inline DarkStretch dark_stretch(const Shell& shell, double altitude_km, double s_km,
                                 double length_km, double sun_s_km, double cosine_to_sun) {
-    const double a = (1 - cosine_to_sun) * (1 + cosine_to_sun);
+    // Rounding takes the cosine of a ray along the sun's beyond 1.
+    const double a = std::max((1 - cosine_to_sun) * (1 + cosine_to_sun), 0.0);
     const double b = s_km - sun_s_km * cosine_to_sun;
     const double c = altitude_km * (2 * shell.ground_radius_km + altitude_km) - sun_s_km * sun_s_km;
     const double discriminant = b * b - a * c;
-    if (!(discriminant > 0)) return {};
+    if (!(discriminant > 0) && !(c < 0)) return {};
     const double q = -(b + std::copysign(std::sqrt(discriminant), b));
-    // A ray along the sun's has a root at infinity.
+    // A ray along the sun's has a root at infinity, and one through the planet's centre has two.
     const double first = c / q;
     const double second = a > 0 ? q / a : std::copysign(HUGE_VAL, q);
     const double begin = std::max(std::min(first, second), 0.0);

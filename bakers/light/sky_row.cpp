@@ -7,13 +7,14 @@
 #include <cstddef>
 
 #include "bakers/air/ray.h"
-#include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
 
 namespace {
+
+constexpr std::size_t kMiddleNode = ray_pieces::kNodes / 2;
 
 // Chebyshev points of the second kind, cos(pi k / (n - 1)), with the weights of the barycentric
 // formula: alternating, halved at both ends.
@@ -54,8 +55,8 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
       shell_(shell_of(medium.air)),
       any_(any),
       sunlight_(sunlight) {
-    const ray_pieces::CutRay ray = ray_pieces::cut(
-        medium.air, any.altitude_km, any.s_km, any.length_km, quadrature_altitudes_km(medium.air));
+    const ray_pieces::CutRay ray = ray_pieces::cut(medium.air, any.altitude_km, any.s_km,
+                                                   any.length_km, integrator.skins().altitudes_km);
     for (const ray_pieces::Piece& piece : ray.pieces) add_piece(piece);
     transmittance_ = exponential(-ray.depth);
     for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
@@ -71,7 +72,8 @@ double SkyRow::view_cosine(const Node& node) const {
 }
 
 void SkyRow::add_piece(const ray_pieces::Piece& piece) {
-    pieces_.push_back({piece.from_km, piece.to_km, nodes_.size()});
+    pieces_.push_back({piece.from_km, piece.to_km, nodes_.size(),
+                       integrator_.skins().hold(piece.nodes[kMiddleNode].altitude_km)});
     for (const ray_pieces::Node& at : piece.nodes) {
         Node node;
         node.distance_km = at.distance_km;
@@ -166,8 +168,22 @@ void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, s
             }
         }
         Spectrum sun{};
-        sunlight_->read(at.altitude_km, &s_km, 1, data(sun));
+        read_sunlight(piece, at.altitude_km, {s_km}, data(sun));
         sums.add(index, Spectrum(at.width_km), sun);
+    }
+}
+
+void SkyRow::read_sunlight(const Piece& piece, double altitude_km, const std::vector<double>& s_km,
+                           double* values) const {
+    if (!piece.in_skins) {
+        sunlight_->read(altitude_km, s_km.data(), static_cast<int>(s_km.size()), values);
+        return;
+    }
+    for (std::size_t i = 0; i < s_km.size(); ++i) {
+        const Spectrum sun = integrator_.sunlight(altitude_km, s_km[i]);
+        for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
+            values[c * s_km.size() + i] = sun[c];
+        }
     }
 }
 
@@ -210,7 +226,7 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
             // Rounding may take a place next to the shadow's edge beyond it.
             s[j] = std::max(ray.sun_s_km + node.distance_km * ray.cosine_to_sun, -node.horizon_km);
         }
-        sunlight_->read(node.altitude_km, s.data(), static_cast<int>(s.size()), sun.data());
+        read_sunlight(piece, node.altitude_km, s, sun.data());
         for (std::size_t j = 0; j < lit.size(); ++j) {
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
                 sums.collect(lit[j], k, node.scattering[k]);

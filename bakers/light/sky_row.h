@@ -3,7 +3,8 @@
 // faster.
 //
 // Nodes, transmittances and densities are computed once for the row, which may serve many suns.
-// Sunlight is read from a table for all rays of a node at once. Pieces that the edge of the planet's shadow crosses are integrated over their lit
+// Sunlight is read from a table for all rays of a node at once, and computed in the skins of abrupt
+// layers. Pieces that the edge of the planet's shadow crosses are integrated over their lit
 // stretches, ray by ray. The light of higher orders is a
 // smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
@@ -68,6 +69,7 @@ class SkyRow {
         double from_km;
         double to_km;
         std::size_t first_node;
+        bool in_skins;  // of layers that begin or end abruptly (lit_skins.h)
     };
     void add_piece(const ray_pieces::Piece& piece);
     // Adds light that is scattered once. Sums (sky_row.cpp) collect what a place sends to the eye of
@@ -80,6 +82,9 @@ class SkyRow {
     template <class Sums>
     void add_lit_stretch(const Piece& piece, double from_km, double to_km, std::size_t index,
                          const SkyRay& ray, Sums& sums) const;
+    // Reads the transmittance towards suns from the table, or computes it for a piece in skins.
+    void read_sunlight(const Piece& piece, double altitude_km, const std::vector<double>& s_km,
+                       double* values) const;
     Spectrum ground_of(const SkyRay& ray) const;
     int azimuth_nodes() const;
     double view_cosine(const Node& node) const;

@@ -66,6 +66,8 @@ class FolderMaker {
           files_(LeftOvers::already_looked_for),
           journal_(bake.folder),
           prepared_(plan.assets.size()) {
+        result_.retired = plan.retired;
+        pruned_ = plan.pruned;
         for (const PlannedAsset& planned : plan.assets) {
             expected_.push_back(intermediates_.expect(planned.needs));
             FinishedAsset& finished = result_.assets.emplace_back();
@@ -78,16 +80,16 @@ class FolderMaker {
 
     Outcome<BakedFolder> make() {
         const bool made = has_modules() && make_frames() && make_all() && stage_all() &&
-                          stage_manifest() && commit(unnamed());
+                          stage_manifest() && commit(staged());
         if (made) {
             journal_.end();
         } else if (!is_half_named_) {
             list_named();
         }
-        if (made && offer_up_to_date() && prune()) {
-            return {std::move(result_), std::move(diagnostics_)};
-        }
-        return {{}, std::move(diagnostics_)};
+        if (!made || !offer_up_to_date() || !prune()) return {{}, std::move(diagnostics_)};
+        std::erase_if(result_.assets,
+                      [](const FinishedAsset& finished) { return finished.files.empty(); });
+        return {std::move(result_), std::move(diagnostics_)};
     }
 
   private:
@@ -106,27 +108,32 @@ class FolderMaker {
         return true;
     }
 
-    // Makes the frames of a sequence one after the other, and gives each its names.
+    bool is_made_by_frame(std::size_t i) const {
+        return bake_.frame_by_frame && is_frame(bake_, *plan_.assets[i].bake);
+    }
+
+    // Makes the frames of a sequence one after the other, up to one that fails, and gives each its
+    // names.
     bool make_frames() {
-        if (!bake_.frame_by_frame) return true;
-        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
-            const PlannedAsset& planned = plan_.assets[i];
-            if (!planned.stale() || !is_frame(bake_, *planned.bake)) continue;
+        for (const std::size_t i : unnamed()) {
+            if (!is_made_by_frame(i)) continue;
             const bool made = make(i);
             if (observer_.cancelled()) return stop_for_interruption();
-            if (!made || !stage(i) || !commit({i})) return false;
+            if (!made) break;
+            if (!stage(i) || !commit({i})) return false;
         }
         return true;
     }
 
-    // Makes all other assets. All are tried, so that one run shows all errors.
+    // Makes all other assets. All are tried: one run shows all errors and makes all that can be made.
     bool make_all() {
-        bool good = true;
+        bool any = plan_.stale_count() == 0;
         for (const std::size_t i : unnamed()) {
-            good = make(i) && good;
+            if (is_made_by_frame(i)) continue;
+            any = make(i) || any;
             if (observer_.cancelled()) return stop_for_interruption();
         }
-        return good;
+        return any || !named_.empty();
     }
 
     // Returns the stale assets whose files do not have their names yet.
@@ -135,6 +142,13 @@ class FolderMaker {
         for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
             if (plan_.assets[i].stale() && !named_.contains(i)) assets.push_back(i);
         }
+        return assets;
+    }
+
+    // Returns those of them that were made.
+    std::vector<std::size_t> staged() const {
+        std::vector<std::size_t> assets = unnamed();
+        std::erase_if(assets, [this](std::size_t i) { return result_.assets[i].files.empty(); });
         return assets;
     }
 
@@ -218,19 +232,42 @@ class FolderMaker {
         return true;
     }
 
+    // Returns what the folder held of an asset before, or null.
+    const ManifestAsset* entry_before(const std::string& name) const {
+        if (!plan_.folder.previous) return nullptr;
+        const auto& entries = plan_.folder.previous->assets;
+        const auto entry = std::find_if(entries.begin(), entries.end(),
+                                        [&](const auto& other) { return other.name == name; });
+        return entry == entries.end() ? nullptr : &*entry;
+    }
+
+    // The files of an entry that stays are none that the recipe has given up.
+    void keep_files_of(const ManifestAsset& entry) {
+        const auto is_its = [&entry](const RetiredFile& retired) {
+            return std::any_of(entry.files.begin(), entry.files.end(),
+                               [&](const auto& file) { return file.path == retired.path; });
+        };
+        std::erase_if(result_.retired, is_its);
+        std::erase_if(pruned_, is_its);
+    }
+
     // Stages the manifest last, so that it gets its name last: whoever sees it sees its files.
     bool stage_manifest() {
         Manifest manifest = new_manifest(*bake_.recipe);
-        for (const FinishedAsset& finished : result_.assets) {
-            manifest.assets.push_back(finished.entry);
+        for (std::size_t i = 0; i < result_.assets.size(); ++i) {
+            const bool failed = result_.assets[i].files.empty();
+            const ManifestAsset* entry =
+                failed ? entry_before(plan_.assets[i].bake->name) : &result_.assets[i].entry;
+            if (entry == nullptr) continue;
+            manifest.assets.push_back(*entry);
+            if (failed) keep_files_of(*entry);
         }
         const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
         if (partial && plan_.folder.previous) {
             manifest = merge_manifests(*plan_.folder.previous, std::move(manifest));
             warn_of_other_values();
         }
-        manifest.retired = plan_.retired;
-        result_.retired = plan_.retired;
+        manifest.retired = result_.retired;
         manifest_ = std::move(manifest);
         const auto progress = observer_.begin(manifest_name);
         const std::string text = manifest_json(manifest_);
@@ -246,7 +283,7 @@ class FolderMaker {
     // changed in the meantime is kept.
     bool prune() {
         std::vector<Diagnostic> failures;
-        for (const RetiredFile& file : plan_.pruned) {
+        for (const RetiredFile& file : pruned_) {
             if (!is_as_written(bake_.folder, file)) continue;
             std::error_code error;
             if (fs::remove(bake_.folder / file.path, error)) {
@@ -277,9 +314,8 @@ class FolderMaker {
                 return other.name == section.name;
             };
             if (std::any_of(bake_.bakes.begin(), bake_.bakes.end(), is_this)) continue;
-            const auto& entries = plan_.folder.previous->assets;
-            const auto entry = std::find_if(entries.begin(), entries.end(), is_this);
-            if (entry == entries.end()) continue;
+            const ManifestAsset* entry = entry_before(section.name);
+            if (entry == nullptr) continue;
             const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
             if (!identity.value) continue;
             const auto reasons = differences(*identity.value, *entry);
@@ -298,9 +334,9 @@ class FolderMaker {
         std::vector<ManifestAsset> entries;
         for (const std::size_t i : assets) entries.push_back(result_.assets[i].entry);
         auto failures = journal_.add(entries);
-        const std::size_t staged = files_.size();
+        const std::size_t before = files_.size();
         if (failures.empty()) failures = files_.commit();
-        is_half_named_ = files_.size() < staged && !failures.empty();
+        is_half_named_ = files_.size() < before && !failures.empty();
         if (!failures.empty()) return stop(std::move(failures));
         named_.insert(assets.begin(), assets.end());
         for (const ManifestAsset& entry : entries) offer(entry);
@@ -313,7 +349,8 @@ class FolderMaker {
 
     bool offer_up_to_date() {
         for (const FinishedAsset& finished : result_.assets) {
-            if (finished.state == AssetState::up_to_date) offer(finished.entry);
+            const bool is_made = !finished.files.empty();
+            if (is_made && finished.state == AssetState::up_to_date) offer(finished.entry);
         }
         return true;
     }
@@ -352,6 +389,7 @@ class FolderMaker {
     Intermediates& intermediates_;
     std::vector<Intermediates::Expected> expected_;  // of each asset, until it is made
     BakedFolder result_;
+    std::vector<RetiredFile> pruned_;  // to be removed
     Manifest manifest_;
     AtomicFiles files_;
     BakeJournal journal_;

@@ -50,15 +50,18 @@ struct FinishedAsset {
 };
 
 struct BakedFolder {
-    std::vector<FinishedAsset> assets;  // in the order of FolderBake::bakes
+    std::vector<FinishedAsset>
+        assets;  // in the order of FolderBake::bakes, without those that failed
     WriteResult manifest = WriteResult::unchanged;
     std::vector<RetiredFile> retired;  // from earlier recipes, and kept
     std::vector<RetiredFile> pruned;   // from earlier recipes, and removed
 };
 
-// Bakes into the folder. After errors of plan_folder, of bakers (E0401 to E0405, E0407) or of
-// writing (E0301), the folder is unchanged, except that after a failed rename the files already
-// renamed keep their names, and that complete frames stay and are in the manifest. E0301 can also mean that a file could not be removed; then everything
+// Bakes into the folder. An asset that its baker refuses (E0401 to E0405, E0407) is left out, and
+// what the folder held of it before stays; the errors accompany the value, which there is none of if
+// no asset could be made. After errors of plan_folder or of writing (E0301) the folder is unchanged,
+// except that after a failed rename the files already renamed keep their names, and that complete
+// frames stay and are in the manifest. E0301 can also mean that a file could not be removed; then everything
 // else is as it should be. W0303: after a bake of a part, an entry that was not baked has other
 // values than the recipe. Warnings may accompany a value. After an interruption there is neither a
 // value nor an error.

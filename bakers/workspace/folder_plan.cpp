@@ -167,6 +167,15 @@ double FolderPlan::memory_mib() const {
     return largest->estimate.memory_mib + held;
 }
 
+double FolderPlan::seconds() const {
+    double sum = 0;
+    for (const PlannedAsset& asset : assets) {
+        if (asset.stale()) sum += asset.estimate.seconds;
+    }
+    for (const PlannedIntermediate& one : intermediates()) sum += one.need.seconds;
+    return sum;
+}
+
 Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
     auto folder = inspect_output_folder(bake.folder, output_files(bake), bake.force, false);
     if (!folder.value) return {{}, std::move(folder.diagnostics)};

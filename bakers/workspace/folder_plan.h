@@ -97,6 +97,9 @@ struct FolderPlan {
     std::vector<PlannedIntermediate> intermediates() const;
     // A rough estimate, in MiB, of the most memory that making the stale assets needs at once.
     double memory_mib() const;
+    // A rough estimate of the time that making them takes on one core: of texels by their number, of
+    // light by the altitudes of its solution and the depth of the air (Estimate, Need).
+    double seconds() const;
 };
 
 // Returns the bytes that may be kept of what is made: `most`, or what a bake that needs `used_mib`

@@ -51,20 +51,21 @@ constexpr std::array run_table = {
                    "No table up to the largest size, and no `cell` of a cloud_light, keeps the "
                    "lookup error within `max_error`; the message names the error that it reached. "
                    "Choose a larger `max_error`, or a mapping or pixel type that suits the asset "
-                   "better. Nothing is written.",
+                   "better. The other assets are written.",
                    "max_error = 1e-7\npixel_type = \"half\"", "max_error = 0.01", failed_check},
     DiagnosticCode{
         "E0404", "max_texel_error cannot be reached",
         "Even the finest quadrature does not bring the texel error within `max_texel_error`; the "
-        "message names the error that it reached. Nothing is written.",
+        "message names the error that it reached. The other assets are written.",
         "max_texel_error = 1e-5", "max_texel_error = \"0.2 %\"", failed_check},
     DiagnosticCode{
         "E0405", "physical check failed",
         "A baked table breaks a law that it must obey, such as a transmittance above 1 or energy "
-        "from nowhere, or the light of all orders could not be solved for, as in air with an "
-        "optical depth above 100, in air higher than 100 radii of its ground, or with much "
-        "scattering of g beyond 0.95. Such air is beyond skybake; everything else is a bug: please "
-        "report the recipe. Nothing is written.",
+        "from nowhere, light that came out negative, or the light of all orders could not be made, "
+        "as in "
+        "air with an optical depth above 100, in air higher than 100 radii of its ground, or with "
+        "much scattering of g beyond 0.95. Such air is beyond skybake; everything else is a bug: "
+        "please report the recipe. The other assets are written.",
         "", "", failed_check},
 
     DiagnosticCode{"E0406", "variants of a sweep failed",

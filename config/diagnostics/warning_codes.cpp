@@ -162,6 +162,13 @@ constexpr std::array warning_table = {
         "so that the last frame does not lead to the first. That is right for a shot that does not "
         "repeat.",
         "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
+    DiagnosticCode{
+        "W0220", "a long bake",
+        "The bake is estimated to take more than ten minutes of one core: from the number "
+        "of its texels or voxels, and for light of all orders from the altitudes that its "
+        "solution needs and the optical depth of the air. --dry-run shows the estimate of "
+        "each asset.",
+        "", "", 0},
     DiagnosticCode{"W0214", "lookups far from the truth",
                    "Between its texels the asset is so far off that it is of little use: the root "
                    "mean square of the lookup errors is 0.3 or more, where 1 is what the error "

@@ -254,7 +254,33 @@ TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
     EXPECT_EQ(files(), all_);
 }
 
-TEST_F(Bake, OneFailureWritesNothing) {
+// 268 million texels take hours: said before any is made.
+TEST_F(Bake, ALongBakeIsSaidBeforeItBegins) {
+    const auto dry = [&](const std::string& size) {
+        write("preset = \"earth_hillaire\"\n[bake.sky_view]\nsize = " + size + "\n");
+        return bake({"--dry-run"});
+    };
+    const Result large = dry("[16384, 16384]");
+    EXPECT_EQ(large.code, 0) << large.error;
+    EXPECT_TRUE(contains(large.error, "W0220")) << large.error;
+    EXPECT_TRUE(contains(large.error, "minutes of one core, `sky_view`")) << large.error;
+    EXPECT_FALSE(contains(dry("[256, 256]").error, "W0220"));
+}
+
+// Ten thousand times as much air as the solver takes.
+TEST_F(Bake, AirThatCannotBeSolvedForIsFoundByCheck) {
+    for (const char* method : {"solved", "converged"}) {
+        write(std::string("preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = \"") +
+              method + "\"\nmapping = \"hillaire\"\n" +
+              "[atmosphere]\nground_radius = \"1 m\"\ntop_radius = \"1000 km\"\n");
+        const Result result = run_program({"check", recipe_});
+        EXPECT_EQ(result.code, 4) << result.error;
+        EXPECT_TRUE(contains(result.error, "E0405")) << result.error;
+        EXPECT_TRUE(contains(result.error, "up to 100 times")) << result.error;
+    }
+}
+
+TEST_F(Bake, OneFailureLeavesTheOthers) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
@@ -263,7 +289,8 @@ TEST_F(Bake, OneFailureWritesNothing) {
     EXPECT_TRUE(contains(result.error, "E0403"));
     EXPECT_TRUE(contains(result.error, "no size meets max_error = 2e-07; the best, 2048x2048"))
         << result.error;
-    EXPECT_EQ(files(), std::vector<std::string>{});
+    EXPECT_EQ(files(), (std::vector<std::string>{"manifest.json", "transmittance.exr"}));
+    EXPECT_EQ(run_program({"verify", out_}).code, 0);
 }
 
 TEST_F(Bake, ADiskThatFillsUpLosesNothing) {

@@ -217,31 +217,52 @@ TEST(BakeFolder, AnotherCertificationIsAnotherAsset) {
     EXPECT_EQ(bake.observer.reasons[0], (std::vector<std::string>{"--certify quick → off"}));
 }
 
-TEST(BakeFolder, AFailureLeavesTheFolderAsItWas) {
+// A noise beyond what unorm8 holds: found after the tables have been baked.
+const std::vector<std::string> failing = {"noise.shape.channels.Y.type=constant",
+                                          "noise.shape.channels.Y.value=2",
+                                          "bake.shape.pixel_type=unorm8", "bake.shape.formats=bin"};
+
+TEST(BakeFolder, AFailureLeavesOutItsAssetAlone) {
     const TemporaryFolder folder;
     TestBake good(recipe_of(small_recipe), folder / "out");
     EXPECT_TRUE(good.run().value);
     const auto before = time_stamps(folder / "out");
-    // A noise beyond what unorm8 holds: found after the tables have been baked.
-    TestBake bad(recipe_of(small_recipe, {},
-                           {"atmosphere.ground_albedo=0.1", "noise.shape.channels.Y.type=constant",
-                            "noise.shape.channels.Y.value=2", "bake.shape.pixel_type=unorm8",
-                            "bake.shape.formats=bin"}),
-                 folder / "out");
+    std::vector<std::string> settings = failing;
+    settings.push_back("atmosphere.ground_albedo=0.1");
+    TestBake bad(recipe_of(small_recipe, {}, settings), folder / "out");
+    bad.bake.prune = true;
     const auto outcome = bad.run();
-    EXPECT_FALSE(outcome.value.has_value());
     ASSERT_FALSE(outcome.diagnostics.empty());
     // A table this small is warned of before.
     EXPECT_EQ(outcome.diagnostics.back().code, "E0402");
-    EXPECT_EQ(time_stamps(folder / "out"), before);
-    EXPECT_FALSE(TestBake(recipe_of(small_recipe, {},
-                                    {"noise.shape.channels.Y.type=constant",
-                                     "noise.shape.channels.Y.value=2",
-                                     "bake.shape.pixel_type=unorm8", "bake.shape.formats=bin"}),
-                          folder / "new/deep")
-                     .run()
-                     .value.has_value());
+    ASSERT_TRUE(outcome.value.has_value());
+    ASSERT_EQ(outcome.value->assets.size(), 2U);
+    EXPECT_EQ(outcome.value->assets[0].state, AssetState::up_to_date);
+    EXPECT_EQ(outcome.value->assets[1].state, AssetState::baked);
+    // What the folder held of the asset stays, and so does its entry.
+    const auto after = time_stamps(folder / "out");
+    for (const char* file : {"shape.exr", "shape.bin", "transmittance.exr"}) {
+        EXPECT_EQ(after.at(file), before.at(file)) << file;
+    }
+    EXPECT_NE(after.at("multiple_scattering.exr"), before.at("multiple_scattering.exr"));
+    TestBake again(recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.1"}), folder / "out");
+    EXPECT_EQ(again.states(), (States{up_to_date, up_to_date, up_to_date}));
+}
+
+TEST(BakeFolder, WithoutAnyAssetTheFolderStaysAsItWas) {
+    const TemporaryFolder folder;
+    const auto only_shape = [&](const std::vector<std::string>& settings) {
+        auto bake =
+            std::make_unique<TestBake>(recipe_of(small_recipe, {}, settings), folder / "new/deep");
+        std::erase_if(bake->bake.bakes, [](const auto& one) { return one.name != "shape"; });
+        return bake;
+    };
+    EXPECT_FALSE(only_shape(failing)->run().value.has_value());
     EXPECT_FALSE(fs::exists(folder / "new"));
+    EXPECT_TRUE(only_shape({})->run().value.has_value());
+    const auto before = time_stamps(folder / "new/deep");
+    EXPECT_FALSE(only_shape(failing)->run().value.has_value());
+    EXPECT_EQ(time_stamps(folder / "new/deep"), before);
 }
 
 TEST(BakeFolder, AnInterruptionLeavesTheFolderAsItWas) {

@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
 #include "bakers/assets/registry.h"
+#include "bakers/light/higher_orders.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/volumes.h"
 
@@ -118,6 +120,26 @@ std::size_t place_in_turned(const Values& values, std::size_t c) {
     const std::string name(1, letters[static_cast<std::size_t>(place - kTurned.places.begin())]);
     return static_cast<std::size_t>(std::find(values.names.begin(), values.names.end(), name) -
                                     values.names.begin());
+}
+
+// Hillaire's closure: half of the mean radiance at the ground is the sky's, half the ground's, of its
+// own albedo in each channel. Without air the sun is not dimmed.
+TEST(Channels, TheGroundOfHillairesClosureHasItsOwnAlbedo) {
+    Medium air;
+    air.channels = 3;
+    air.ground_radius_km = 6360;
+    air.thickness_km = 100;
+    air.ground_albedo = {0.1, 0.4, 0.9, 0};
+    const Spectrum sky = {0.2, 0.02, 0.002, 0};
+    const double mu = 0.5;
+    const IsotropicOrders orders(air, [&](double, double sun) {
+        const Spectrum lit = std::max(sun, 0.0) / std::numbers::pi + sky;
+        return 0.5 * (sky + air.ground_albedo * lit);
+    });
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(orders.sky_irradiance(mu)[c], std::numbers::pi * sky[c], 1e-12) << c;
+        EXPECT_NEAR(orders.sky_irradiance(-mu)[c], std::numbers::pi * sky[c], 1e-12) << c;
+    }
 }
 
 TEST(Channels, ChangePlacesWithTheirValues) {

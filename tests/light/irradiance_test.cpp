@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include "bakers/air/forward_peak.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/registry.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/irradiance.h"
@@ -110,6 +112,81 @@ TEST(SkyIrradiance, IsThatOfTheSolvedLightAtTheGround) {
             EXPECT_NEAR(found[c], wanted[c], 0.004 * wanted[c] + 1e-3) << mu;
         }
     }
+}
+
+// Light scattered before, of the twelfth degree in the azimuth.
+class TwelveFold : public HigherOrders {
+  public:
+    explicit TwelveFold(double share) : share_(share) {}
+    Spectrum scattered(const ScatteringPoint& point,
+                       const std::vector<Spectrum>& scattering) const override {
+        return scattering[0] * (1 + share_ * std::cos(12 * std::acos(point.azimuth_cosine)));
+    }
+    Spectrum sky_irradiance(double) const override { return {}; }
+    int azimuth_degree() const override { return 12; }
+
+  private:
+    double share_;
+};
+
+// Over all azimuths it cancels, which three or six of them do not see.
+TEST(SkyIrradiance, HasAzimuthsForTheDegreeOfLightScatteredBefore) {
+    const auto irradiance = [](double share) {
+        const SkyLight light(
+            make_sky_medium(test::preset_atmosphere("earth_hillaire", {"atmosphere.top_radius="
+                                                                       "'6361 km'"})),
+            SkyOrders::multiple, std::make_unique<TwelveFold>(share));
+        return sky_irradiance(light, 0, 0.5, {.single = 4, .zenith_angles = 6, .azimuths = 3});
+    };
+    const Spectrum with = irradiance(1);
+    const Spectrum without = irradiance(0);
+    for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(with[c] / without[c], 1, 0.01);
+}
+
+// What comes from the peaks around the sun is either the sky's or the sun's: their sum is that of air
+// in which peaks count as not scattered, by the same directions.
+TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
+    const config::Atmosphere fog =
+        test::recipe_of(
+            "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
+            "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
+            "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n")
+            .parameters.atmosphere;
+    const SkyLight light(fog, SkyOrders::all, {}, {.threads = 2});
+    ASSERT_TRUE(light.has_peaks());
+    // Its sunlight passes through air without peaks.
+    const SkyLight once(light.medium(), SkyOrders::all, nullptr);
+    const auto solved = light_of({.atmosphere = fog}, light.medium(), {.threads = 2});
+    const SkyLight rest(light.medium(), SkyOrders::multiple,
+                        std::make_unique<SolvedOrders>(light.medium(), *solved, solved->degree()));
+    const IrradianceNodes nodes{8, 6, 3};
+    for (const double mu : {0.9, 0.3}) {
+        const Spectrum sun = sun_irradiance(light, 0.2, mu);
+        const Spectrum sun_of_once = sun_irradiance(once, 0.2, mu);
+        EXPECT_GT(sun_of_once[1], 1.05 * sun[1]);
+        const Spectrum found = sun + sky_irradiance(light, 0.2, mu, nodes);
+        const Spectrum wanted = sun_of_once + sky_irradiance(once, 0.2, mu, nodes) +
+                                sky_irradiance(rest, 0.2, mu, nodes);
+        for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(found[c], wanted[c], 1e-9) << mu;
+    }
+}
+
+// Of closed forms the peak is what moments up to a degree leave out: which degree that is, is no
+// matter of the light on the ground. Thin haze scatters hardly any light twice.
+TEST(SkyIrradiance, IsTheSameWhateverCountsAsPeak) {
+    const SkyMedium haze = make_sky_medium(
+        test::recipe_of("[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
+                        "ground_albedo = 0\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
+                        "scale_height = '1 km'\nphase = 'henyey_greenstein'\ng = 0.97\n"
+                        "scattering = '0.02 /km'\nextinction = '0.02 /km'\n")
+            .parameters.atmosphere);
+    std::vector<double> sums;
+    for (const int degree : {16, 32}) {
+        const SkyLight light(delta_scaled(haze, degree), SkyOrders::all, nullptr);
+        sums.push_back(sun_irradiance(light, 0, 0.6)[0] +
+                       sky_irradiance(light, 0, 0.6, {.single = 28})[0]);
+    }
+    EXPECT_NEAR(sums[0], sums[1], 1e-3);
 }
 
 // Dust of an optical depth of 0.5 up to where the air ends: light scattered before is as sharp at

@@ -2,6 +2,7 @@
 // default asks for an accuracy that the asset's quadratures do not reach.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -62,6 +63,32 @@ TEST_P(PresetDefaults, BakeEveryAsset) {
 
 INSTANTIATE_TEST_SUITE_P(AllPresets, PresetDefaults, ::testing::ValuesIn(config::preset_names()),
                          [](const auto& of) { return std::string(of.param); });
+
+// Moments do not hold the light of its dust: the preset bakes what does, and its table says so.
+TEST(Mars, SaysWhatShowsItsDustRight) {
+    const config::Recipe mars = recipe_of(std::string(config::find_preset("mars")->text));
+    std::vector<std::string> kinds;
+    std::string better;
+    for (const config::Bake& bake : mars.parameters.bakes) {
+        const AnyBaker& baker = baker_of(bake);
+        kinds.emplace_back(baker.asset);
+        if (bake.name != "multiple_scattering") continue;
+        const auto traced = baker.traced(mars.parameters, bake);
+        ASSERT_TRUE(traced);
+        better = traced->better;
+    }
+    for (const char* right : {"bruneton", "sky_view"}) {
+        EXPECT_NE(std::find(kinds.begin(), kinds.end(), right), kinds.end());
+        EXPECT_NE(better.find(right), std::string::npos) << better;
+    }
+    // Haze of a closed form is held by moments.
+    const config::Recipe earth = recipe_of(std::string(config::find_preset("earth")->text));
+    for (const config::Bake& bake : earth.parameters.bakes) {
+        if (bake.name != "multiple_scattering") continue;
+        EXPECT_NE(baker_of(bake).traced(earth.parameters, bake)->better.find("moments"),
+                  std::string::npos);
+    }
+}
 
 }  // namespace
 }  // namespace skybake::test

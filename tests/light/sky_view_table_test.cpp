@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "bakers/assets/registry.h"
+#include "bakers/assets/sky_asset.h"
 #include "bakers/field/interpolation.h"
+#include "bakers/math/relative_error.h"
 #include "config/assets/sky_view.h"
 #include "tests/light/sky_media.h"
 
@@ -41,6 +43,35 @@ TEST(SkyViewTable, HoldsWhatTheIntegratorSees) {
     EXPECT_LT(certificate.lookup.rms, 0.02);
     EXPECT_EQ(certificate.texel_points, 512);
     EXPECT_EQ(baked.value->image().height, 72);
+}
+
+// A range of light has no end that anybody would ask for.
+TEST(SkyViewTable, SaysWhereLightCameOutNegative) {
+    TableModel model;
+    model.channels = 3;
+    model.lowest = 0;
+    model.highest = std::numeric_limits<double>::max();
+    model.cost_per_texel = {1};
+    model.error = relative_error;
+    model.row = [](int, double, const std::vector<double>& x, double* values) {
+        std::fill_n(values, 3 * x.size(), -1.16e-7);
+    };
+    model.reference = [](double, const std::vector<double>& x, double* values) {
+        std::fill_n(values, 3 * x.size(), 0.0);
+    };
+    Baked table;
+    table.name = "view";
+    table.channel_names = {"R", "G", "B"};
+    const auto outcome = finish_table(
+        model, sky_table_request({4, 4}), {.threads = 1, .certification = Certification::off},
+        [](double x, double) {
+            return Place{{"azimuth_deg", 180 * x}};
+        },
+        table);
+    ASSERT_EQ(outcome.diagnostics.size(), 1U);
+    EXPECT_EQ(outcome.diagnostics[0].code, "E0405");
+    EXPECT_EQ(outcome.diagnostics[0].message,
+              "`view`: the light at azimuth_deg 0 came out negative: -1.16e-07");
 }
 
 TEST(SkyViewTable, StacksTheTablesOfItsSuns) {

@@ -93,8 +93,8 @@ def check_truth(program, folder):
 
     kept.write_bytes(truth[:-1])
     (sky / "sky_truth.csv").unlink()
-    # The ladder: five steps, each with a sentence and, for this Earth of papers, a size.
-    names = ["colour", "air", "polarisation", "closure", "table"]
+    # The ladder: six steps, each with a sentence and, for this Earth of papers, a size.
+    names = ["colour", "air", "profile", "polarisation", "closure", "table"]
     assert [step["step"] for step in result["ladder"]] == names, result["ladder"]
     for step in result["ladder"]:
         assert 0 < step["typical"] <= step["high"] < 10, step

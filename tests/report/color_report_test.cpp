@@ -81,7 +81,7 @@ std::vector<LadderStep> ladder_of(const std::string& recipe,
 
 TEST(ErrorLadder, AirOfPapersIsAsFarOffAsPublished) {
     const std::vector<LadderStep> ladder = ladder_of("preset = 'earth_hillaire'\n");
-    ASSERT_EQ(ladder.size(), 5u);
+    ASSERT_EQ(ladder.size(), 6u);
     // Bucholtz 1995 over the real column: 13.5, 12.0 and 9.2 % at 680, 550 and 440 nm. The preset's
     // column has the scale height of 8 km in an air that ends at 100 km.
     EXPECT_NEAR(ladder[1].size->high, 0.135, 0.005);
@@ -93,28 +93,46 @@ TEST(ErrorLadder, AirOfPapersIsAsFarOffAsPublished) {
 
 TEST(ErrorLadder, PolarisationIsThatOfThePublishedDepths) {
     const auto step =
-        ladder_of("preset = 'earth'\n", {"wavelengths=['680 nm', '550 nm', '440 nm']"})[2];
+        ladder_of("preset = 'earth'\n", {"wavelengths=['680 nm', '550 nm', '440 nm']"})[3];
     EXPECT_NEAR(step.size->high, 0.061, 0.001);
     EXPECT_NEAR(step.size->typical, (0.014 + 0.0255 + 0.044) / 3, 0.001);
     // A tenth of the air polarises a tenth of the light that is scattered again.
     const auto thin =
         ladder_of("preset = 'earth'\n", {"wavelengths=['680 nm', '550 nm', '440 nm']",
-                                         "atmosphere.layers.air.pressure='10 hPa'"})[2];
+                                         "atmosphere.layers.air.pressure='10 hPa'"})[3];
     EXPECT_LT(thin.size->high, 0.0021);
     EXPECT_GT(thin.size->high, 0);
 }
 
 TEST(ErrorLadder, TakesClosureAndTableFromTheMethods) {
     const auto solved = ladder_of("preset = 'earth'\n[bake.multiple_scattering]\n");
-    EXPECT_EQ(solved[3].size->typical, 0.004);
-    ASSERT_TRUE(solved[4].size);
-    EXPECT_EQ(solved[4].size->typical, 0.02);
+    EXPECT_EQ(solved[4].size->typical, 0.004);
+    ASSERT_TRUE(solved[5].size);
+    EXPECT_EQ(solved[5].size->typical, 0.02);
     const auto paper =
         ladder_of("preset = 'earth'\n", {"bake.multiple_scattering.method='as_in_paper'",
                                          "bake.multiple_scattering.mapping='hillaire'"});
-    EXPECT_EQ(paper[4].size->typical, 0.04);
+    EXPECT_EQ(paper[5].size->typical, 0.04);
     const auto none = ladder_of("preset = 'mars'\n");
     EXPECT_FALSE(none[1].size);
+    EXPECT_FALSE(none[2].size);
+}
+
+// Own integrals over typed densities of the US Standard Atmosphere 1976, scattered once at 550 nm: an
+// exponential of 8 km gives level ground 1.09, 1.28, 1.76 and 2.19 times as much light at 0, -2, -4
+// and -6 degrees.
+TEST(ErrorLadder, ProfilesAreAsFarOffAsTheirDensities) {
+    const auto profile_of = [](const std::vector<std::string>& settings) {
+        return ladder_of("preset = 'earth'\nwavelengths = ['550 nm']\n", settings)[2];
+    };
+    const LadderStep own = profile_of({});
+    EXPECT_EQ(own.name, "profile");
+    EXPECT_LT(own.size->high, 1e-9);
+    const LadderStep exponential = profile_of({"atmosphere.layers.air.profile='exponential'",
+                                               "atmosphere.layers.air.scale_height='8 km'"});
+    EXPECT_NEAR(exponential.size->high, 1.19, 0.2);
+    EXPECT_LT(exponential.size->typical, 0.28);
+    EXPECT_GT(exponential.size->typical, 0.01);
 }
 
 }  // namespace

@@ -60,6 +60,40 @@ TEST(ForwardPeak, PeakAndRestAreTheWhole) {
     EXPECT_EQ(peaks, 1);
 }
 
+// Henyey and Greenstein's moments are the powers of g: what moments up to a degree cannot hold is the
+// next power, however often the medium was scaled before.
+TEST(ForwardPeak, ScalingTwiceIsScalingToTheLowerDegree) {
+    constexpr double kG = 0.9;
+    const SkyMedium whole = make_sky_medium(
+        test::recipe_of("[atmosphere]\nground_radius = '6360 km'\ntop_radius = '6460 km'\n"
+                        "ground_albedo = 0\n[atmosphere.layers.haze]\nprofile = 'exponential'\n"
+                        "scale_height = '1 km'\nphase = 'henyey_greenstein'\ng = 0.9\n"
+                        "scattering = '0.2 /km'\nextinction = '0.25 /km'\n")
+            .parameters.atmosphere);
+    for (const std::vector<int>& degrees : {std::vector<int>{8}, {20, 8}, {32, 20, 8}}) {
+        SkyMedium scaled = whole;
+        for (const int degree : degrees) scaled = delta_scaled(scaled, degree);
+        const double share = std::pow(kG, 9);
+        const SkyLayer& layer = scaled.layers[0];
+        EXPECT_NEAR(layer.forward_share[0], share, 1e-12);
+        EXPECT_NEAR(scattering_at(scaled.air, 0)[0], 0.2 * (1 - share), 1e-12);
+        EXPECT_NEAR(extinction_at(scaled.air, 0)[0], 0.25 - 0.2 * share, 1e-12);
+        const std::vector<Spectrum> moments = scattered_moments(layer, 8);
+        for (int l = 0; l <= 8; ++l) {
+            EXPECT_NEAR(moments[static_cast<std::size_t>(l)][0],
+                        (std::pow(kG, l) - share) / (1 - share), 1e-12);
+        }
+        // Light that is scattered for the first time is what it was.
+        for (const double one_minus : {1e-4, 0.3, 1.9}) {
+            const double before =
+                0.2 * first_phase_values(whole.layers[0], one_minus, 2 - one_minus)[0];
+            const double after = scattering_at(scaled.air, 0)[0] *
+                                 first_phase_values(layer, one_minus, 2 - one_minus)[0];
+            EXPECT_NEAR(after / before, 1, 1e-12) << one_minus;
+        }
+    }
+}
+
 // Skies of drops, of three phase functions at three wavelengths, against traced paths: with the
 // peak taken out of the scattering, as assets of the sky have it.
 TEST(ForwardPeak, SkiesOfDropsAreThoseOfPaths) {

@@ -211,14 +211,38 @@ RC_GTEST_PROP(SunAxis, StencilsAreExactForCubics, ()) {
     }
 }
 
-// Between the two columns around, up to the first and the last; beyond them the nearest one.
+// Light that falls as a cubic in its logarithm, by at most twice as much from one column to the next
+// as to another, is that of the cubic: at each column, and between them.
+RC_GTEST_PROP(SunAxis, SteepStencilsAreExactForExponentialsOfCubics, ()) {
+    const double slope = test::uniform(0.5, 6);
+    const double bend = test::uniform(-0.05, 0.05) * slope;
+    const double twist = test::uniform(-0.01, 0.01) * slope;
+    const auto light = [&](double x) {
+        return std::exp(slope * x + bend * x * x + twist * x * x * x);
+    };
+    double means[4];
+    for (int k = 0; k < 4; ++k) means[k] = light(k);
+    const double place = test::uniform(0, 3);
+    double weights[4];
+    steep_weights(place, means, weights);
+    double sum = 0;
+    for (int k = 0; k < 4; ++k) {
+        RC_ASSERT(weights[k] >= 0);
+        sum += weights[k] * means[k];
+    }
+    RC_ASSERT(std::fabs(sum / light(place) - 1) < 1e-10);
+}
+
+// Of a stencil whose means do not fall: between the two columns around, up to the first and the last;
+// beyond them the nearest one.
 RC_GTEST_PROP(SunAxis, LinearStencilsAreExactForLinesUpToTheEnds, ()) {
     const SunAxis axis = make_sun_axis({6360, 100}, 24);
     const double cosine =
         *rc::gen::inRange(0, 4) == 0
             ? axis.cosines[static_cast<std::size_t>(*rc::gen::inRange(0, axis.count()))]
             : test::uniform(axis.darkest, 1);
-    const SunStencil stencil = linear_stencil(axis, cosine, sun_stencil(axis, cosine).column);
+    const double means[4] = {1, 1, 1, 1};
+    const SunStencil stencil = steep_stencil(axis, cosine, sun_stencil(axis, cosine).column, means);
     const double u = std::clamp(axis.position(cosine), 0.0, axis.count() - 1.0);
     double sum = 0;
     double first = 0;

@@ -41,6 +41,15 @@ struct TransportCase {
     std::vector<TransportRay> rays;            // with the index of each node's weights
     std::vector<std::vector<double>> weights;  // by moment_index
     std::vector<double> steep;
+    std::vector<double> falls = {};  // SteepSuns'
+    std::vector<double> ground_falls = {};
+
+    SteepSuns steep_suns() const {
+        SteepSuns suns_that_are(steep);
+        suns_that_are.falls = falls;
+        suns_that_are.ground_falls = ground_falls;
+        return suns_that_are;
+    }
 
     TransportCase(const Shell& shell, int sun_count, int degree, unsigned seed)
         : suns(make_sun_axis(shell, sun_count)),
@@ -141,6 +150,35 @@ double power_of_sine(double cosine, double along, int m) {
     return whole / std::pow(squared_sine, (m - power_of_order(m)) / 2);
 }
 
+// From a column to the next, at a node between levels.
+double fall_at(const TransportCase& any, const TransportNode& node, int column) {
+    if (any.falls.empty()) return 0;
+    if (node.ground) return any.ground_falls[static_cast<std::size_t>(column)];
+    const auto at = [&](int level) {
+        return any.falls[static_cast<std::size_t>(level * any.suns.count() + column)];
+    };
+    if (node.fraction == 0) return at(node.level);
+    return (1 - node.fraction) * at(node.level) + node.fraction * at(node.level + 1);
+}
+
+// Multiplies linear weights of columns by the ratio of a mean to the mean there, where the mean's
+// logarithm is a cubic through four columns.
+void follow_falls(const TransportCase& any, const TransportNode& node, double place, int stencil,
+                  int first, std::vector<double>& weights) {
+    const double fall = fall_at(any, node, first);
+    double logarithms[4] = {0, 0, 0, 0};
+    for (int k = 0; k < 3; ++k) {
+        const double here = std::max(fall_at(any, node, stencil + k), 2 * fall);
+        logarithms[k + 1] = logarithms[k] - here;
+    }
+    const std::vector<double> cubic = weights_of_columns(place, 0, 4);
+    double mean = 0;
+    for (std::size_t k = 0; k < 4; ++k) mean += cubic[k] * logarithms[k];
+    for (std::size_t i = 0; i < 2; ++i) {
+        weights[i] *= std::exp(mean - logarithms[static_cast<std::size_t>(first - stencil) + i]);
+    }
+}
+
 // Light that a node sends along its ray, for a sun and a ray that is `azimuth` from it.
 double light_of_node(const TransportCase& any, const TransportNode& node, int sun, double azimuth,
                      std::size_t channel) {
@@ -154,7 +192,8 @@ double light_of_node(const TransportCase& any, const TransportNode& node, int su
     const int stencil = std::clamp(static_cast<int>(std::floor(u)) - 1, 0, last - 3);
     const bool flat = any.steep[static_cast<std::size_t>(stencil)] > 0;
     const int first = flat ? std::clamp(static_cast<int>(std::floor(u)), 0, last - 1) : stencil;
-    const std::vector<double> weights = weights_of_columns(u, first, flat ? 2 : 4);
+    std::vector<double> weights = weights_of_columns(u, first, flat ? 2 : 4);
+    if (flat) follow_falls(any, node, std::clamp(u - stencil, 0.0, 3.0), stencil, first, weights);
     double sum = 0;
     for (int m = 0; m < any.orders(); ++m) {
         double order = 0;
@@ -210,7 +249,7 @@ template <class Number>
 Applied applied(const TransportCase& any) {
     Applied made{std::vector<double>(any.light.level_size(), -1),
                  std::vector<double>(any.light.sky_irradiance.size(), -1)};
-    apply_transport(any.transport<Number>(), any.suns, any.steep,
+    apply_transport(any.transport<Number>(), any.suns, any.steep_suns(),
                     BlockedLight<Number>(any.light, 1), made.moments.data(),
                     made.sky_irradiance.data());
     return made;
@@ -288,6 +327,17 @@ TEST(TransportKernel, SteepStencilsAreLinearUpToTheEnds) {
     }
 }
 
+TEST(TransportKernel, SteepStencilsFollowTheFallOfLight) {
+    for (const Shell& shell : {kEarth, kHighAir}) {
+        TransportCase any(shell, 16, 4, 7);
+        std::fill(any.steep.begin(), any.steep.end(), 1.0);
+        Dice dice(8);
+        for (int i = 0; i < kLevels * 16; ++i) any.falls.push_back(-dice.between(0, 4));
+        for (int i = 0; i < 16; ++i) any.ground_falls.push_back(-dice.between(0, 4));
+        expect_right(any);
+    }
+}
+
 TEST(TransportKernel, SteepStencilsLeaveTheirNeighboursCubic) {
     TransportCase any(kEarth, 32, 2, 4);
     for (std::size_t i = 0; i < any.steep.size(); i += 3) any.steep[i] = 1;
@@ -297,8 +347,8 @@ TEST(TransportKernel, SteepStencilsLeaveTheirNeighboursCubic) {
 TEST(TransportKernel, TheSkyOverOtherLevelsIsNotAskedFor) {
     const TransportCase any(kEarth, 8, 2, 5);
     std::vector<double> alone(any.light.level_size());
-    apply_transport(any.transport<float>(), any.suns, any.steep, BlockedLight<float>(any.light, 1),
-                    alone.data(), nullptr);
+    apply_transport(any.transport<float>(), any.suns, any.steep_suns(),
+                    BlockedLight<float>(any.light, 1), alone.data(), nullptr);
     EXPECT_EQ(alone, applied<float>(any).moments);
 }
 

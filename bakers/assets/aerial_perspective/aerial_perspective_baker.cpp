@@ -12,6 +12,7 @@
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
 #include "bakers/assets/baker.h"
 #include "bakers/assets/sky_asset.h"
+#include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/aerial_perspective.h"
@@ -39,7 +40,12 @@ std::vector<Need> needs(const Parameters& parameters, const AerialPerspectiveBak
 Outcome<Baked> bake(const Parameters& parameters, const AerialPerspectiveBake& asset,
                     const BakeOptions& options, AssetLabel label) {
     const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
-        return std::make_unique<SkyLight>(atmosphere, solved_orders(asset), asset.layers, options);
+        if (solved_orders(asset) == asset.orders) {
+            return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
+        }
+        // The transmittance that goes with light of these orders.
+        return std::make_unique<SkyLight>(medium_of(LightRequest{.atmosphere = atmosphere}),
+                                          config::SkyOrders::single, nullptr, options.threads);
     });
     return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
         return bake_aerial_perspective(found, asset, options,
@@ -170,7 +176,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 11,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 12,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

@@ -121,7 +121,8 @@ void append_along(const SkyLight& light, const CameraRay& ray,
     for (const double distance : distances_km) {
         in_air.push_back(std::clamp(distance - ray.distance_km, 0.0, ray.in_air.length_km));
     }
-    const std::vector<SkyRadiance> values = light.integrator().up_to(ray.in_air, in_air);
+    const std::vector<SkyRadiance> values = with_once(
+        light, [&](const SkyLight& any) { return any.integrator().up_to(ray.in_air, in_air); });
     result.insert(result.end(), values.begin(), values.end());
 }
 

@@ -78,9 +78,11 @@ void AddSunlight(const TransmittanceField& field, const ScatteringView& view,
 // The solved light of one node, as in higher_orders.h, for the suns of a bundle.
 class SolvedNode {
   public:
-    SolvedNode(const SolvedLight& light, const NodePlace& place, const SunBundle& suns)
+    SolvedNode(const SolvedLight& light, const NodePlace& place, double altitude_km,
+               const SunBundle& suns)
         : light_(light),
           place_(place),
+          at_level_(light.level_at(altitude_km)),
           suns_(suns),
           orders_(static_cast<std::size_t>(light.degree()) + 1),
           columns_(static_cast<std::size_t>(suns.count)),
@@ -95,6 +97,7 @@ class SolvedNode {
   private:
     const SolvedLight& light_;
     const NodePlace& place_;
+    LevelPlace at_level_;
     const SunBundle& suns_;
     std::size_t orders_;
     std::vector<std::int64_t> columns_;
@@ -106,6 +109,8 @@ class SolvedNode {
 
 void SolvedNode::place_suns() {
     const SunAxis& axis = light_.suns;
+    std::vector<double> means;
+    for (int k = 0; k < axis.count(); ++k) means.push_back(light_.mean_of(at_level_, k));
     const Lanes mu(place_.view_cosine);
     const Lanes squared_view_sine = (Lanes(1.0) - mu) * (Lanes(1.0) + mu);
     for (int i = 0; i < suns_.count; i += static_cast<int>(Lanes::kCount)) {
@@ -113,7 +118,8 @@ void SolvedNode::place_suns() {
             maximum(minimum(place_.sun_s_km(suns_, i) * Lanes(1 / place_.radius_km), Lanes(1.0)),
                     Lanes(-1.0));
         const Lanes there = maximum(cosine, Lanes(axis.darkest));
-        place_on_axis(axis, light_.steep, there, columns_.data() + i, weights_.data() + 4 * i);
+        place_on_axis(axis, light_.steep, means, there, columns_.data() + i,
+                      weights_.data() + 4 * i);
         const Lanes along = Lanes::load(suns_.nu.data() + i) - mu * cosine;
         const Lanes squared_sines =
             squared_view_sine * ((Lanes(1.0) - cosine) * (Lanes(1.0) + cosine));
@@ -149,14 +155,13 @@ void SolvedNode::gather_rows(const BundleNode& node,
             factors[lm] = sum * harmonics[lm];
         }
     }
-    const LevelPlace at_level = light_.level_at(node.altitude_km);
-    const Channels near(1 - at_level.fraction);
-    const Channels far(at_level.fraction);
+    const Channels near(1 - at_level_.fraction);
+    const Channels far(at_level_.fraction);
     rows_.assign(static_cast<std::size_t>(light_.suns.count()) * orders_ * kChannelSlots, 0.0);
     const auto [first, last] = std::minmax_element(columns_.begin(), columns_.end());
     for (std::int64_t sun = *first; sun < *last + 4; ++sun) {
-        const double* under = light_.light.at(at_level.level, static_cast<int>(sun));
-        const double* over = light_.light.at(at_level.level + 1, static_cast<int>(sun));
+        const double* under = light_.light.at(at_level_.level, static_cast<int>(sun));
+        const double* over = light_.light.at(at_level_.level + 1, static_cast<int>(sun));
         double* row = rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots;
         for (std::size_t m = 0; m < orders_; ++m) {
             Channels sum(0.0);
@@ -184,7 +189,7 @@ void AddSolvedLight(const SolvedLight& light,
     for (const BundleNode& node : piece.nodes) {
         if (node.coarse_weights.empty()) continue;
         const NodePlace place(shell, view, node);
-        SolvedNode solved(light, place, suns);
+        SolvedNode solved(light, place, node.altitude_km, suns);
         solved.place_suns();
         solved.gather_rows(node, phase_moments);
         solved.add(scattered);

@@ -106,19 +106,28 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
                     int, double y, const std::vector<double>& x, double* values) {
         std::vector<double> cosines;
         for (const double azimuth : x) cosines.push_back(cosine_of_pi(azimuth));
-        const SkyRow row(light.integrator(), light.medium(), light.higher_orders(),
-                         camera.ray(y, sun, 1), &light.sunlight());
-        const auto ray_at = [&](double cosine) { return camera.ray(y, sun, cosine); };
-        for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
+        const auto row_of = [&](const SkyLight& any) {
+            const SkyRow row(any.integrator(), any.medium(), any.higher_orders(),
+                             camera.ray(y, sun, 1), &any.sunlight());
+            return row.radiance([&](double cosine) { return camera.ray(y, sun, cosine); }, cosines);
+        };
+        for (const SkyRadiance& radiance : with_once(light, row_of)) {
             const Spectrum wanted = wanted_of(radiance);
             values = std::copy_n(data(wanted), channels, values);
         }
     };
     model.reference = [&light, &camera, sun, channels, wanted_of](
                           double y, const std::vector<double>& x, double* values) {
-        for (const double azimuth : x) {
-            const SkyRay ray = camera.ray(y, sun, cosine_of_pi(azimuth));
-            const Spectrum wanted = wanted_of(light.integrator().radiance(ray));
+        const auto rays_of = [&](const SkyLight& any) {
+            std::vector<SkyRadiance> radiances;
+            for (const double azimuth : x) {
+                const SkyRay ray = camera.ray(y, sun, cosine_of_pi(azimuth));
+                radiances.push_back(any.integrator().radiance(ray));
+            }
+            return radiances;
+        };
+        for (const SkyRadiance& radiance : with_once(light, rays_of)) {
+            const Spectrum wanted = wanted_of(radiance);
             values = std::copy_n(data(wanted), channels, values);
         }
     };

@@ -37,11 +37,11 @@ void drop_less_than_nothing(LightField& light) {
 
 }  // namespace
 
-OrderSum sum_of_orders(const LightField& first, const NextOrder& next,
+OrderSum sum_of_orders(const LightField& first, LightField start, const NextOrder& next,
                        const CorrectResidual& correct, const SumSettings& settings,
                        Progress* progress) {
     OrderSum sum;
-    sum.light = correct(first, light_scale(first));
+    sum.light = std::move(start);
     LightField residual = residual_of(first, next, sum.light);
     sum.applications = 1;
     while (!is_cancelled(progress)) {

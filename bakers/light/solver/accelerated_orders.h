@@ -28,7 +28,8 @@ struct SumSettings {
 };
 
 // Sums orders until the truncation error is within the tolerance or the applications are used up.
-OrderSum sum_of_orders(const LightField& first, const NextOrder& next,
+// `start` is an estimate of the sum.
+OrderSum sum_of_orders(const LightField& first, LightField start, const NextOrder& next,
                        const CorrectResidual& correct, const SumSettings& settings,
                        Progress* progress);
 

@@ -25,6 +25,9 @@ class CoarseOrders {
     CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int zenith_nodes,
                  double ray_tolerance, int threads);
 
+    // Interpolates dark suns as light falls in an estimate on the fine grid (SteepSuns).
+    void follow(const LightField& fine) { steep_.follow(restricted(fine)); }
+
     // Returns residual + P (1 - K)^-1 K R residual, where K is the coarse grid's: about the sum of
     // all orders that begin with the residual. R takes the values at the coarse grid's points, and P
     // interpolates them as shares of the scale.
@@ -41,7 +44,7 @@ class CoarseOrders {
     std::vector<std::size_t> levels_;      // of the fine grid, ascending
     std::vector<LevelPlace> fine_places_;  // of the fine levels among the coarse ones
     SunAxis suns_;
-    std::vector<double> steep_;
+    SteepSuns steep_;
     std::vector<LevelTransport<float>> transports_;
     int threads_;
 };

@@ -100,6 +100,8 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         gather_first_light(medium, phases, fans, sunlight, light.suns, settings.degree,
                            first.at(level, 0), irradiance_of(first, level));
     });
+    SteepSuns steep(light.steep);
+    steep.follow(reading.read_light(light.light));
     LightField last = completed(light.light, first);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
@@ -109,7 +111,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
             const RayFan fan =
                 fan_of(level, zenith_nodes_of_last(settings.degree, settings.zenith_nodes));
             apply_transport(make_level_transport<float>(medium, fan, settings.degree), light.suns,
-                            light.steep, before, next.at(level, 0), irradiance_of(next, level));
+                            steep, before, next.at(level, 0), irradiance_of(next, level));
         });
         add(first, next);
         last = std::move(next);

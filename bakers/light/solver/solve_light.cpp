@@ -23,7 +23,7 @@ namespace skybake {
 
 namespace {
 
-// Light that falls faster than this from column to column is taken as linear between them.
+// Light that falls faster than this from column to column is interpolated in its logarithm.
 constexpr double kSteepest = 4;
 
 // Where light of one of the channels falls too fast for cubics, at any level: a column's 1 stands
@@ -97,10 +97,11 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
                                    settings.zenith_nodes, settings.ray_tolerance),
             settings.degree);
     });
-    solved.steep = steep_columns(first, solved.channels);
+    SteepSuns steep(steep_columns(first, solved.channels));
+    solved.steep = steep.stencils;
     const auto next = [&](const LightField& light, LightField& image) {
-        apply_transports(transports, solved.suns, solved.steep,
-                         reading.blocks_of<Number>(light, threads), threads, image);
+        apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
+                         threads, image);
     };
     if (settings.orders > 0) {
         OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
@@ -108,12 +109,14 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         solved.applications = sum.applications;
         return solved;
     }
-    const CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance,
-                              threads);
+    CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
     };
-    OrderSum sum = sum_of_orders(first, next, correct,
+    LightField start = correct(first, light_scale(first));
+    coarse.follow(start);
+    steep.follow(reading.read_light(start));
+    OrderSum sum = sum_of_orders(first, std::move(start), next, correct,
                                  {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
     solved.applications = sum.applications;

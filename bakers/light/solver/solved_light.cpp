@@ -107,17 +107,38 @@ LevelPlace SolvedLight::level_at(double altitude_km) const {
     return {level, (altitude_km - altitudes_km[i]) / (altitudes_km[i + 1] - altitudes_km[i])};
 }
 
-SunStencil SolvedLight::stencil(double sun_cos_zenith) const {
-    const SunStencil cubic = sun_stencil(suns, sun_cos_zenith);
-    if (steep[static_cast<std::size_t>(cubic.column)] > 0) {
-        return linear_stencil(suns, sun_cos_zenith, cubic.column);
-    }
-    return cubic;
+namespace {
+
+// `mean_of` returns the mean of a column.
+template <class MeanOf>
+SunStencil stencil_of(const SolvedLight& light, double sun_cos_zenith, const MeanOf& mean_of) {
+    const SunStencil cubic = sun_stencil(light.suns, sun_cos_zenith);
+    if (!(light.steep[static_cast<std::size_t>(cubic.column)] > 0)) return cubic;
+    double means[4];
+    for (int j = 0; j < 4; ++j) means[j] = mean_of(cubic.column + j);
+    return steep_stencil(light.suns, sun_cos_zenith, cubic.column, means);
+}
+
+double sum_of_channels(const double* values) {
+    double sum = 0;
+    for (std::size_t c = 0; c < kMaxChannels; ++c) sum += values[c];
+    return sum;
+}
+
+}  // namespace
+
+double SolvedLight::mean_of(const LevelPlace& at, int column) const {
+    return (1 - at.fraction) * sum_of_channels(light.at(at.level, column)) +
+           at.fraction * sum_of_channels(light.at(at.level + 1, column));
+}
+
+SunStencil SolvedLight::stencil(const LevelPlace& at, double sun_cos_zenith) const {
+    return stencil_of(*this, sun_cos_zenith, [&](int column) { return mean_of(at, column); });
 }
 
 void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const {
     const LevelPlace place = level_at(altitude_km);
-    const SunStencil around = stencil(sun_cos_zenith);
+    const SunStencil around = stencil(place, sun_cos_zenith);
     const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
     const auto count = static_cast<std::size_t>(moment_count(light.degree));
     std::fill_n(values, count, Spectrum(0.0));
@@ -141,7 +162,7 @@ void SolvedLight::moments_at(double altitude_km, double sun_cos_zenith, Spectrum
 
 Spectrum SolvedLight::mean_radiance_at(double altitude_km, double sun_cos_zenith) const {
     const LevelPlace place = level_at(altitude_km);
-    const SunStencil around = stencil(sun_cos_zenith);
+    const SunStencil around = stencil(place, sun_cos_zenith);
     Spectrum mean{};
     for (int j = 0; j < 4; ++j) {
         const Spectrum low = packet_at(light.at(place.level, around.column + j));
@@ -152,12 +173,14 @@ Spectrum SolvedLight::mean_radiance_at(double altitude_km, double sun_cos_zenith
 }
 
 Spectrum SolvedLight::sky_irradiance_at(double sun_cos_zenith) const {
-    const SunStencil around = stencil(sun_cos_zenith);
+    const auto of_column = [this](int column) {
+        return light.sky_irradiance.data() + static_cast<std::size_t>(column) * kChannelSlots;
+    };
+    const SunStencil around = stencil_of(
+        *this, sun_cos_zenith, [&](int column) { return sum_of_channels(of_column(column)); });
     Spectrum sum{};
     for (int j = 0; j < 4; ++j) {
-        const double* from = light.sky_irradiance.data() +
-                             static_cast<std::size_t>(around.column + j) * kChannelSlots;
-        sum += around.weights[j] * packet_at(from);
+        sum += around.weights[j] * packet_at(of_column(around.column + j));
     }
     return sum;
 }

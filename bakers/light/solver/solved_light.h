@@ -116,7 +116,7 @@ struct SolvedLight {
     std::vector<double> altitudes_km;  // ascending, from the ground to the top
     SunAxis suns;
     // 1 for each stencil (indexed by its first column) in which light falls too fast for cubics,
-    // else 0.
+    // else 0: there light is interpolated in its logarithm (steep_weights).
     std::vector<double> steep;
     LightField light;  // scattered or reflected once and more, for a solar irradiance of 1
 
@@ -125,8 +125,11 @@ struct SolvedLight {
 
     int degree() const { return light.degree; }
     LevelPlace level_at(double altitude_km) const;
-    // Returns the weights of the columns around a sun.
-    SunStencil stencil(double sun_cos_zenith) const;
+    // Returns the mean radiance under the sun of a column, summed over channels and times
+    // sqrt(4 pi).
+    double mean_of(const LevelPlace& at, int column) const;
+    // Returns the weights of the columns around a sun for light at that place.
+    SunStencil stencil(const LevelPlace& at, double sun_cos_zenith) const;
     // Computes the moments between the grid's points: values[lm].
     void moments_at(double altitude_km, double sun_cos_zenith, Spectrum* values) const;
     // Returns L_00 / sqrt(4 pi), the quantity that Hillaire's texture holds.

@@ -11,7 +11,6 @@
 #define SKYBAKE_BAKERS_LIGHT_SUN_AXIS_INL_H_
 #endif
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -25,34 +24,25 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// Computes linear_stencil for one sun, given by the first of its four columns and by its distance
-// beyond the second of them, in columns.
-inline void flatten_stencil(const SunAxis& axis, int column, double fraction, double* weights) {
-    const double from = column + 1 + fraction;
-    const int at = std::clamp(static_cast<int>(from), 0, axis.count() - 2);
-    const double share = std::clamp(from - at, 0.0, 1.0);
-    std::fill(weights, weights + 4, 0.0);
-    weights[at - column] = 1 - share;
-    weights[at - column + 1] = share;
-}
-
 // Replaces the weights of those suns of a vector whose stencils are steep. Such suns are rare, so
-// this is a function of its own, out of the way of the others.
-HWY_NOINLINE inline void flatten_steep(const SunAxis& axis, const std::vector<double>& steep,
-                                       Lanes fractions, const std::int64_t* columns,
-                                       double* weights) {
+// this is a function of its own, out of the way of the others. `means` are of the columns
+// (steep_weights).
+HWY_NOINLINE inline void place_steep(const std::vector<double>& steep,
+                                     const std::vector<double>& means, Lanes fractions,
+                                     const std::int64_t* columns, double* weights) {
     double beyond[Lanes::kCount];
     fractions.store(beyond);
     for (std::size_t k = 0; k < Lanes::kCount; ++k) {
         const auto first = static_cast<int>(columns[k]);
         if (!(steep[static_cast<std::size_t>(first)] > 0)) continue;
-        flatten_stencil(axis, first, beyond[k], weights + 4 * k);
+        steep_weights(beyond[k] + 1, means.data() + first, weights + 4 * k);
     }
 }
 
 // Computes SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first
 // of four columns for each sun, and the four weights, sun by sun.
-HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep, Lanes cosines,
+HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep,
+                              const std::vector<double>& means, Lanes cosines,
                               std::int64_t* columns, double* weights) {
     const hn::ScalableTag<std::int64_t> integers;
     const Lanes x = (cosines - Lanes(axis.centre)) * Lanes(1 / axis.width);
@@ -75,7 +65,7 @@ HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& st
     const Lanes w3 = outer * after * Lanes(1.0 / 6);
     hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights);
     if (any(Lanes(hn::GatherIndex(Lanes::Tag(), steep.data(), index)) > Lanes(0.0))) {
-        flatten_steep(axis, steep, t, columns, weights);
+        place_steep(steep, means, t, columns, weights);
     }
 }
 

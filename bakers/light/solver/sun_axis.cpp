@@ -66,25 +66,58 @@ int columns_below_horizon(const SunAxis& axis) {
     return static_cast<int>(first_of_day - axis.cosines.begin()) / 8 * 8;
 }
 
+namespace {
+
+// Lagrange's weights of four columns, at t in columns from the second of them.
+void cubic_weights(double t, double* weights) {
+    weights[0] = t * (t - 1) * (2 - t) * (1.0 / 6);
+    weights[1] = (t + 1) * (t - 1) * (t - 2) * 0.5;
+    weights[2] = (t + 1) * t * (2 - t) * 0.5;
+    weights[3] = (t + 1) * t * (t - 1) * (1.0 / 6);
+}
+
+}  // namespace
+
 SunStencil sun_stencil(const SunAxis& axis, double sun_cos_zenith) {
     const double u = axis.position(std::max(sun_cos_zenith, axis.darkest));
     SunStencil stencil;
     stencil.column = std::clamp(static_cast<int>(std::floor(u)) - 1, 0, axis.count() - 4);
-    const double t = u - stencil.column - 1;
-    stencil.weights[0] = t * (t - 1) * (2 - t) * (1.0 / 6);
-    stencil.weights[1] = (t + 1) * (t - 1) * (t - 2) * 0.5;
-    stencil.weights[2] = (t + 1) * t * (2 - t) * 0.5;
-    stencil.weights[3] = (t + 1) * t * (t - 1) * (1.0 / 6);
+    cubic_weights(u - stencil.column - 1, stencil.weights);
     return stencil;
 }
 
-SunStencil linear_stencil(const SunAxis& axis, double sun_cos_zenith, int column) {
-    const double u =
-        std::clamp(axis.position(std::max(sun_cos_zenith, axis.darkest)), 0.0, axis.count() - 1.0);
-    const int at = std::min(static_cast<int>(u), axis.count() - 2);
-    SunStencil stencil{column, {0, 0, 0, 0}};
-    stencil.weights[at - column] = 1 - (u - at);
-    stencil.weights[at - column + 1] = u - at;
+double fall_between(double darker, double brighter) {
+    constexpr double kMost = 60;  // floats hold its exponential
+    if (!(darker > 0 && brighter > darker)) return 0;
+    const double rise = logarithm(brighter / darker);
+    return rise < kMost ? -rise : 0;
+}
+
+void steep_weights(double place, const double* means, double* weights) {
+    const double x = std::clamp(place, 0.0, 3.0);
+    const int low = std::min(static_cast<int>(x), 2);
+    const double share = x - low;
+    const double fall = fall_between(means[low], means[low + 1]);
+    double cubic[4];
+    cubic_weights(x - 1, cubic);
+    // What the cubic of the logarithm has more than the line, by gaps instead of columns.
+    double bend = 0;
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+        sum += cubic[k] - (k == low ? 1 - share : k == low + 1 ? share : 0);
+        bend += sum * std::max(fall_between(means[k], means[k + 1]), 2 * fall);
+    }
+    std::fill_n(weights, 4, 0.0);
+    weights[low] = (1 - share) * exponential(bend - share * fall);
+    weights[low + 1] = share * exponential(bend + (1 - share) * fall);
+}
+
+SunStencil steep_stencil(const SunAxis& axis, double sun_cos_zenith, int column,
+                         const double* means) {
+    SunStencil stencil;
+    stencil.column = column;
+    const double u = axis.position(std::max(sun_cos_zenith, axis.darkest));
+    steep_weights(u - column, means, stencil.weights);
     return stencil;
 }
 

@@ -47,9 +47,20 @@ struct SunStencil {
 
 SunStencil sun_stencil(const SunAxis& axis, double sun_cos_zenith);
 
-// Returns weights of the four columns from `column` on that interpolate linearly between the two
-// columns around the sun, and take the nearest column beyond the axis's ends. No weight is
-// negative.
-SunStencil linear_stencil(const SunAxis& axis, double sun_cos_zenith, int column);
+// Returns the logarithm of the mean light under a darker sun over that under a brighter one, and 0
+// where it does not fall, or to nothing.
+double fall_between(double darker, double brighter);
+
+// Computes weights of four columns for light that falls too fast for cubics, at `place` in columns
+// from the first of them; beyond the ends the nearest column counts. The light's share of a mean is
+// linear between the two columns around, and the mean is a cubic in its logarithm. `means` are of the
+// four columns; where they do not fall, light is linear. No weight is negative.
+//
+// Falls of the outer gaps count up to twice that of the gap around the place: a cubic bends no more.
+void steep_weights(double place, const double* means, double* weights);
+
+// Returns them for a sun, of the four columns from `column` on.
+SunStencil steep_stencil(const SunAxis& axis, double sun_cos_zenith, int column,
+                         const double* means);
 
 }  // namespace skybake

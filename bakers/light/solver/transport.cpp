@@ -325,10 +325,36 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
     return transport;
 }
 
+namespace {
+
+// Of the columns at `values`, `stride` numbers each, the first of which are the channels'.
+void add_falls(const double* values, int columns, std::size_t stride, std::vector<double>& falls) {
+    double before = 0;
+    for (int column = 0; column < columns; ++column, values += stride) {
+        double mean = 0;
+        for (std::size_t c = 0; c < kMaxChannels; ++c) mean += values[c];
+        if (column > 0) falls.push_back(fall_between(before, mean));
+        before = mean;
+    }
+    falls.push_back(0);
+}
+
+}  // namespace
+
+void SteepSuns::follow(const LightField& estimate) {
+    if (*std::max_element(stencils.begin(), stencils.end()) == 0) return;
+    falls.clear();
+    ground_falls.clear();
+    for (int level = 0; level < estimate.levels; ++level) {
+        add_falls(estimate.at(level, 0), estimate.suns, estimate.sun_size(), falls);
+    }
+    add_falls(estimate.sky_irradiance.data(), estimate.suns, kChannelSlots, ground_falls);
+}
+
 template <class Number>
 void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
-                      const std::vector<double>& steep, const BlockedLight<Number>& light,
-                      int threads, LightField& image) {
+                      const SteepSuns& steep, const BlockedLight<Number>& light, int threads,
+                      LightField& image) {
     parallel_for(image.levels, threads, [&](int level) {
         apply_transport(transports[static_cast<std::size_t>(level)], suns, steep, light,
                         image.at(level, 0), level == 0 ? image.sky_irradiance.data() : nullptr);
@@ -338,10 +364,8 @@ void apply_transports(const std::vector<LevelTransport<Number>>& transports, con
 template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int);
 template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int);
 template void apply_transports(const std::vector<LevelTransport<float>>&, const SunAxis&,
-                               const std::vector<double>&, const BlockedLight<float>&, int,
-                               LightField&);
+                               const SteepSuns&, const BlockedLight<float>&, int, LightField&);
 template void apply_transports(const std::vector<LevelTransport<double>>&, const SunAxis&,
-                               const std::vector<double>&, const BlockedLight<double>&, int,
-                               LightField&);
+                               const SteepSuns&, const BlockedLight<double>&, int, LightField&);
 
 }  // namespace skybake

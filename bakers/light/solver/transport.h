@@ -2,6 +2,7 @@
 // it: one more order of scattering.
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "bakers/air/medium.h"
@@ -65,7 +66,20 @@ RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& lev
 //
 // and the ray's azimuth phi' from it satisfies sin theta_s' cos phi' = cos gamma sin theta_s cos
 // phi - sin gamma mu_s. Between suns the light is interpolated by Lagrange's cubic through four
-// columns, and linearly where it falls too fast for that; between levels it is linear.
+// columns, and by steep_weights where it falls too fast for that; between levels it is linear.
+
+// How light falls between suns where it falls too fast for cubics.
+struct SteepSuns {
+    SteepSuns(std::vector<double> of_stencils) : stencils(std::move(of_stencils)) {}  // NOLINT
+    // Takes the falls of light at the levels at which transport reads it. Transport is linear in its
+    // light, so that they are those of an estimate, and stay the same for all orders.
+    void follow(const LightField& estimate);
+
+    std::vector<double> stencils;  // [column]: 1 where the stencil that begins there is steep
+    // From each column to the next (fall_between), never above 0. Empty: light is linear.
+    std::vector<double> falls;         // [level * suns + column]
+    std::vector<double> ground_falls;  // [column], of the sky's irradiance
+};
 
 // A point on a ray with the weights that multiply the moments there.
 struct TransportNode {
@@ -97,21 +111,20 @@ template <class Number>
 LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree);
 
 // Writes the moments of K light at the transport's level to `out` (of one level's size). For the
-// ground `sky_irradiance` is not null and receives the sky's irradiance. `steep[column]` is 1 where
-// light must be taken as linear in the stencil that begins at that column. The bits are the same
-// for any vector width.
+// ground `sky_irradiance` is not null and receives the sky's irradiance. The bits are the same for
+// any vector width.
 void apply_transport(const LevelTransport<float>& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const BlockedLight<float>& light,
-                     double* out, double* sky_irradiance);
+                     const SteepSuns& steep, const BlockedLight<float>& light, double* out,
+                     double* sky_irradiance);
 void apply_transport(const LevelTransport<double>& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const BlockedLight<double>& light,
-                     double* out, double* sky_irradiance);
+                     const SteepSuns& steep, const BlockedLight<double>& light, double* out,
+                     double* sky_irradiance);
 
 // Computes K light by the transports of all levels of `image`. `light` is at the altitudes that the
 // transports' rays were made for.
 template <class Number>
 void apply_transports(const std::vector<LevelTransport<Number>>& transports, const SunAxis& suns,
-                      const std::vector<double>& steep, const BlockedLight<Number>& light,
-                      int threads, LightField& image);
+                      const SteepSuns& steep, const BlockedLight<Number>& light, int threads,
+                      LightField& image);
 
 }  // namespace skybake

@@ -16,6 +16,7 @@
 
 #include "bakers/light/solver/sun_axis-inl.h"
 #include "bakers/math/lanes-inl.h"
+#include "bakers/math/transcendental-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -129,6 +130,12 @@ class Spread {
     Indices channels_;
 };
 
+HWY_INLINE Lanes power_of_e(Lanes x) { return exponential(x); }
+HWY_INLINE FloatLanes power_of_e(FloatLanes x) {
+    const FloatLanes falling = exponential_of_negative(-absolute(x));
+    return select(x > FloatLanes(0.0F), FloatLanes(1.0F) / falling, falling);
+}
+
 // Suns are taken in whole vectors of any width up to this; behind the last sun there is room.
 constexpr std::size_t kMostLanes = 16;
 
@@ -141,8 +148,7 @@ class LevelPass {
     using Index = hwy::MakeSigned<Number>;
 
   public:
-    LevelPass(const SunAxis& suns, const std::vector<double>& steep,
-              const BlockedLight<Number>& light);
+    LevelPass(const SunAxis& suns, const SteepSuns& steep, const BlockedLight<Number>& light);
 
     void apply(const LevelTransport<Number>& transport, double* out, double* sky_irradiance);
 
@@ -153,7 +159,9 @@ class LevelPass {
     }
     void gather_rows(const TransportNode& node, const Moments* weights);
     void gather_ground(const Moments& weight);
+    void gather_falls(const TransportNode& node);
     void place_suns(const TransportNode& node, Number azimuth_cosine);
+    void place_steep(Reals first, Reals place, typename Reals::Mask is_steep, Reals* weight) const;
     void store_powers(Reals along, Reals squared_sine, std::size_t i);
     template <bool kIsFirst>
     void add_rows(std::size_t quads, Moments* sum) const;
@@ -172,6 +180,8 @@ class LevelPass {
     std::vector<Number> sines_;
     std::vector<Number> widths_from_centre_;  // (mu_s - centre) / width
     std::vector<Number> steep_;
+    const SteepSuns& of_steep_;
+    std::vector<Number> falls_;      // of the columns at a node (SteepSuns)
     std::vector<Moments> rows_;      // [sun * quads + q]: what is sent along
     std::vector<Index> columns_;     // of the suns as seen from a node
     std::vector<Number> cubic_;      // [k * room + sun]
@@ -185,7 +195,7 @@ class LevelPass {
 };
 
 template <class Number>
-LevelPass<Number>::LevelPass(const SunAxis& suns, const std::vector<double>& steep,
+LevelPass<Number>::LevelPass(const SunAxis& suns, const SteepSuns& steep,
                              const BlockedLight<Number>& light)
     : axis_(suns),
       light_(light),
@@ -196,7 +206,9 @@ LevelPass<Number>::LevelPass(const SunAxis& suns, const std::vector<double>& ste
       cosines_(room_),
       sines_(room_),
       widths_from_centre_(room_),
-      steep_(steep.begin(), steep.end()),
+      steep_(steep.stencils.begin(), steep.stencils.end()),
+      of_steep_(steep),
+      falls_(suns_),
       rows_(suns_ * quads_),
       columns_(room_),
       cubic_(4 * room_),
@@ -256,6 +268,18 @@ void LevelPass<Number>::gather_rows(const TransportNode& node, const Moments* we
     }
 }
 
+template <class Number>
+void LevelPass<Number>::gather_falls(const TransportNode& node) {
+    if (of_steep_.falls.empty()) return;
+    const double* low = node.ground
+                            ? of_steep_.ground_falls.data()
+                            : of_steep_.falls.data() + static_cast<std::size_t>(node.level) * suns_;
+    const double* high = low + (node.fraction > 0 ? suns_ : 0);
+    for (std::size_t i = 0; i < suns_; ++i) {
+        falls_[i] = static_cast<Number>((1 - node.fraction) * low[i] + node.fraction * high[i]);
+    }
+}
+
 // Stores sine^sine_power(m) cos(m phi') for suns at the node.
 template <class Number>
 HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine, std::size_t i) {
@@ -272,6 +296,40 @@ HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine,
             power[k] = powers.next((q + 1) * kQuad + k, power[(k + 3) % kQuad],
                                    power[(k + 2) % kQuad], power[k]);
         }
+    }
+}
+
+// steep_weights for the suns `is_steep` at a place in columns from their first column.
+template <class Number>
+HWY_NOINLINE void LevelPass<Number>::place_steep(Reals first, Reals place,
+                                                 typename Reals::Mask is_steep,
+                                                 Reals* weight) const {
+    const Reals inside = minimum(maximum(place, Reals(0.0)), Reals(3.0));
+    const Reals low = minimum(floor_of(inside), Reals(2.0));
+    const Reals share = inside - low;
+    const Reals fall = gather(falls_.data(), to_int(first + low));
+    const Reals t = inside - Reals(1.0);
+    const Reals before = t - Reals(1.0);
+    const Reals far = Reals(2.0) - t;
+    const Reals cubic[3] = {t * before * far * Reals(static_cast<Number>(1.0 / 6)),
+                            Reals(-0.5) * inside * far * before, Reals(0.5) * inside * far * t};
+    Reals bend(0.0);
+    Reals sum(0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const Reals column(static_cast<Number>(k));
+        const Reals linear = maximum(Reals(1.0) - absolute(inside - column), Reals(0.0));
+        sum = sum + (cubic[k] - linear);
+        const Reals other = gather(falls_.data(), to_int(first + column));
+        bend = bend + sum * maximum(other, fall + fall);
+    }
+    const Reals darker = (Reals(1.0) - share) * power_of_e(bend - share * fall);
+    const Reals brighter = share * power_of_e(bend + (Reals(1.0) - share) * fall);
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Reals from_low = Reals(static_cast<Number>(k)) - low;
+        const Reals above =
+            select(absolute(from_low - Reals(1.0)) < Reals(0.5), brighter, Reals(0.0));
+        const Reals value = select(absolute(from_low) < Reals(0.5), darker, above);
+        weight[k] = select(is_steep, value, weight[k]);
     }
 }
 
@@ -316,11 +374,7 @@ void LevelPass<Number>::place_suns(const TransportNode& node, Number azimuth_cos
                            outer * from_first * Reals(static_cast<Number>(1.0 / 6))};
         const typename Reals::Mask is_steep = gather(steep_.data(), index) > Reals(0.0);
         if (any(is_steep)) {
-            const Reals inside = minimum(maximum(from_first, Reals(0.0)), Reals(3.0));
-            for (std::size_t k = 0; k < 4; ++k) {
-                const Reals away = absolute(inside - Reals(static_cast<Number>(k)));
-                weight[k] = select(is_steep, maximum(Reals(1.0) - away, Reals(0.0)), weight[k]);
-            }
+            place_steep(column, from_first, is_steep, weight);
         }
         for (std::size_t k = 0; k < 4; ++k) weight[k].store(cubic_.data() + k * room_ + i);
         const Reals there = centre + width * x;
@@ -360,6 +414,7 @@ void LevelPass<Number>::add_node(const LevelTransport<Number>& transport,
     } else {
         gather_rows(node, weights);
     }
+    gather_falls(node);
     const std::size_t set = static_cast<std::size_t>(node.azimuths) == azimuths_of(0) ? 0 : 1;
     const std::size_t quads = node.ground ? 1 : quads_;
     for (std::size_t j = 0; j < azimuths_of(set); ++j) {
@@ -455,13 +510,13 @@ void LevelPass<Number>::apply(const LevelTransport<Number>& transport, double* o
 }
 
 void ApplyInFloat(const LevelTransport<float>& transport, const SunAxis& suns,
-                  const std::vector<double>& steep, const BlockedLight<float>& light, double* out,
+                  const SteepSuns& steep, const BlockedLight<float>& light, double* out,
                   double* sky_irradiance) {
     LevelPass<float>(suns, steep, light).apply(transport, out, sky_irradiance);
 }
 
 void ApplyInDouble(const LevelTransport<double>& transport, const SunAxis& suns,
-                   const std::vector<double>& steep, const BlockedLight<double>& light, double* out,
+                   const SteepSuns& steep, const BlockedLight<double>& light, double* out,
                    double* sky_irradiance) {
     LevelPass<double>(suns, steep, light).apply(transport, out, sky_irradiance);
 }
@@ -477,16 +532,16 @@ HWY_EXPORT(ApplyInFloat);
 HWY_EXPORT(ApplyInDouble);
 
 void apply_transport(const LevelTransport<float>& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const BlockedLight<float>& light,
-                     double* out, double* sky_irradiance) {
-    assert(light.suns == suns.count() && steep.size() >= suns.cosines.size() - 3);
+                     const SteepSuns& steep, const BlockedLight<float>& light, double* out,
+                     double* sky_irradiance) {
+    assert(light.suns == suns.count() && steep.stencils.size() >= suns.cosines.size() - 3);
     HWY_DYNAMIC_DISPATCH(ApplyInFloat)(transport, suns, steep, light, out, sky_irradiance);
 }
 
 void apply_transport(const LevelTransport<double>& transport, const SunAxis& suns,
-                     const std::vector<double>& steep, const BlockedLight<double>& light,
-                     double* out, double* sky_irradiance) {
-    assert(light.suns == suns.count() && steep.size() >= suns.cosines.size() - 3);
+                     const SteepSuns& steep, const BlockedLight<double>& light, double* out,
+                     double* sky_irradiance) {
+    assert(light.suns == suns.count() && steep.stencils.size() >= suns.cosines.size() - 3);
     HWY_DYNAMIC_DISPATCH(ApplyInDouble)(transport, suns, steep, light, out, sky_irradiance);
 }
 

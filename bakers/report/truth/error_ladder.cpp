@@ -10,7 +10,11 @@
 #include "bakers/air/medium.h"
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/sky_colors.h"
+#include "bakers/light/sky_irradiance.h"
+#include "bakers/light/sky_ray.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "config/assets/multiple_scattering.h"
+#include "config/optics/standard_profiles.h"
 #include "config/sections/spectral_air.h"
 
 namespace skybake {
@@ -92,6 +96,68 @@ LadderStep air_step(const Parameters& parameters) {
             fmt::format("The optical depth of the layer `{}` differs so much from that of the "
                         "Earth's air at 1013.25 hPa.",
                         air->name)};
+}
+
+// --- Profile ------------------------------------------------------------------------------------
+
+// In degrees of elevation: by day, and through dusk.
+constexpr std::array kSunsOfProfile = {30.0, 10.0, 5.0, 2.0, 0.0, -2.0, -4.0, -6.0};
+
+// The same amounts of air and ozone, where the US Standard Atmosphere has them.
+config::Atmosphere with_standard_profiles(config::Atmosphere atmosphere) {
+    const config::Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
+    for (config::Layer& layer : atmosphere.layers) {
+        const bool is_air = layer.phase == config::Phase::rayleigh;
+        const bool is_ozone = layer.gas && layer.gas->gas == config::Gas::ozone;
+        if (!is_air && !is_ozone) continue;
+        const double before = config::density_column(layer, thickness);
+        layer.profile = config::Profile::tabulated;
+        layer.table.clear();
+        for (const config::ProfilePoint& point :
+             config::standard_profile(is_air ? config::Gas::air : config::Gas::ozone)) {
+            layer.table.push_back({{point.altitude_m}, point.relative_density});
+        }
+        const double factor = before / config::density_column(layer, thickness);
+        for (auto& one : layer.scattering) one.per_meter *= factor;
+        for (auto& one : layer.extinction) one.per_meter *= factor;
+    }
+    return atmosphere;
+}
+
+// What the sky sends to level ground, scattered once: by sun, then by channel.
+std::vector<double> light_of_dusk(const config::Atmosphere& atmosphere,
+                                  const BakeOptions& options) {
+    std::vector<double> light;
+    for (const config::Atmosphere& packet : packets_of(atmosphere)) {
+        const SkyLight sky(packet, config::SkyOrders::single, {}, {.threads = options.threads});
+        SkyIrradiance ground(sky, 0);
+        for (const double sun : kSunsOfProfile) {
+            const Spectrum irradiance =
+                ground.under(sun_at_elevation(sun / kDegreesPerRadian).cosine, {.single = 16});
+            for (std::size_t c = 0; c < packet.ground_albedo.size(); ++c) {
+                light.push_back(irradiance[c]);
+            }
+        }
+    }
+    return light;
+}
+
+LadderStep profile_step(const Parameters& parameters, const BakeOptions& options) {
+    const config::Atmosphere& atmosphere = parameters.atmosphere;
+    const bool has_air = std::any_of(
+        atmosphere.layers.begin(), atmosphere.layers.end(),
+        [](const config::Layer& layer) { return layer.phase == config::Phase::rayleigh; });
+    if (!is_of_earth(atmosphere) || !has_air) {
+        return {"profile", std::nullopt, "There is no measured profile of this planet's air."};
+    }
+    std::vector<double> off = light_of_dusk(atmosphere, options);
+    const std::vector<double> right = light_of_dusk(with_standard_profiles(atmosphere), options);
+    for (std::size_t i = 0; i < off.size(); ++i) off[i] = std::fabs(off[i] / right[i] - 1);
+    std::sort(off.begin(), off.end());
+    return {"profile", LadderSize{off[off.size() / 2], off.back()},
+            "Light of the sky on level ground, scattered once, differs so much from that of the "
+            "same amounts of air and ozone in the US Standard Atmosphere: in the median of suns "
+            "from 30 degrees to -6, and of the lowest."};
 }
 
 // --- Polarisation -------------------------------------------------------------------------------
@@ -197,8 +263,9 @@ LadderStep table_step(const Parameters& parameters, const MethodErrors& methods)
 
 std::vector<LadderStep> error_ladder(const Parameters& parameters, const MethodErrors& methods,
                                      const BakeOptions& options) {
-    return {color_step(parameters, options), air_step(parameters), polarisation_step(parameters),
-            closure_step(methods), table_step(parameters, methods)};
+    return {
+        color_step(parameters, options), air_step(parameters),  profile_step(parameters, options),
+        polarisation_step(parameters),   closure_step(methods), table_step(parameters, methods)};
 }
 
 }  // namespace skybake

@@ -3,6 +3,8 @@
 //
 //   colour         colours made of the recipe's wavelengths against those of whole spectra
 //   air            the air's coefficients against measured ones
+//   profile        the Earth's light at dusk, with its air and ozone where they are against where the
+//                  US Standard Atmosphere has them
 //   polarisation   light without polarisation against light with it: a published estimate
 //   closure        light of all orders, as it is solved for, against traced paths
 //   table          what a runtime makes of the recipe's table of multiple scattering, against traced
@@ -34,7 +36,7 @@ struct LadderStep {
 // The error of a method of the report, by its key (sky_methods.h).
 using MethodErrors = std::vector<std::pair<std::string, LadderSize>>;
 
-// Returns the five steps. The recipe must have an atmosphere; `methods` are in the order of
+// Returns the six steps. The recipe must have an atmosphere; `methods` are in the order of
 // sky_methods. After an interruption the result must not be used.
 std::vector<LadderStep> error_ladder(const config::Parameters& parameters,
                                      const MethodErrors& methods, const BakeOptions& options);

@@ -299,7 +299,7 @@ class SweepRunner {
         });
         auto baked = bake_folder(bake, observer);
         wake_others();
-        if (baked.value) return true;
+        if (baked.value && !has_errors(baked.diagnostics)) return true;
         finish(std::move(baked), variant.result);
         return false;
     }
@@ -307,7 +307,7 @@ class SweepRunner {
     // If there is neither a value nor an error, the bake was interrupted and the variant stays
     // missing.
     static void finish(config::Outcome<BakedFolder> baked, VariantResult& result) {
-        if (!baked.value) {
+        if (!baked.value || has_errors(baked.diagnostics)) {
             if (!baked.diagnostics.empty()) fail(std::move(baked.diagnostics), result);
             return;
         }
@@ -323,6 +323,12 @@ class SweepRunner {
         result.status = VariantStatus::failed;
         result.assets.clear();
         append(std::move(diagnostics), result);
+    }
+
+    static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+        return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& found) {
+            return found.severity == config::Severity::error;
+        });
     }
 
     static void append(std::vector<Diagnostic> diagnostics, VariantResult& result) {
