@@ -13,13 +13,13 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
 #include "cli/bake_output.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/info_foreign.h"
 #include "cli/info_lookup.h"
 #include "cli/table_printer.h"
 #include "config/text/key_path.h"
@@ -77,15 +77,6 @@ config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
     return {std::move(ranges), {}};
 }
 
-Json attributes_json(const Attributes& attributes) {
-    Json json = Json::object();
-    for (const auto& [name, text] : attributes) {
-        const Json entry = name == metadata_name ? Json::parse(text, nullptr, false) : Json(text);
-        json[name] = entry.is_discarded() ? Json(text) : entry;
-    }
-    return json;
-}
-
 std::string image_json(const std::string& path, const ExrRows& image,
                        const std::vector<ValueRange>& ranges) {
     Json values = Json::object();
@@ -102,38 +93,6 @@ std::string image_json(const std::string& path, const ExrRows& image,
                        {"compression", to_string(image.compression())},
                        {"values", std::move(values)},
                        {"attributes", attributes_json(image.attributes())}});
-}
-
-// Lays out facts. A text of several lines stands below its name, any other beside it.
-std::string lines_text(const FactLines& lines) {
-    TextTable short_ones;
-    std::string long_ones;
-    for (const auto& [name, text] : lines) {
-        if (text.find('\n') == std::string::npos) {
-            short_ones.add_row({config::printable(name), config::printable(text)});
-            continue;
-        }
-        long_ones += fmt::format("  {}\n", config::printable(name));
-        std::istringstream several(text);
-        for (std::string line; std::getline(several, line);) {
-            long_ones += fmt::format("    {}\n", config::printable(line));
-        }
-    }
-    return short_ones.text() + long_ones;
-}
-
-// Shows what the file says of itself. Attributes of a file from another program are shown
-// unchanged.
-std::string attribute_text(const Attributes& attributes) {
-    FactLines lines;
-    for (const auto& [name, text] : attributes) {
-        const auto entry = parse_file_entry(text, "the file");
-        const bool is_ours = name == metadata_name && entry.value;
-        const FactLines found =
-            is_ours ? entry_lines(*entry.value, entry.value->files[0]) : FactLines{{name, text}};
-        lines.insert(lines.end(), found.begin(), found.end());
-    }
-    return lines_text(lines);
 }
 
 std::string image_text(const std::string& name, const ExrRows& image,
@@ -153,63 +112,11 @@ std::string image_text(const std::string& name, const ExrRows& image,
 
 ExitCode show_image(const fs::path& path, bool json, Console& console) {
     auto image = ExrRows::open(path);
-    if (!image.value) return console.report(image.diagnostics);
+    if (!image.value) return show_exr_heads(path, image.diagnostics.at(0), json, console);
     const auto ranges = value_ranges(*image.value);
     if (!ranges.value) return console.report(ranges.diagnostics);
     console.result(json ? image_json(path.string(), *image.value, *ranges.value)
                         : image_text(path.string(), *image.value, *ranges.value));
-    return ExitCode::done;
-}
-
-// --- One OpenVDB file ---------------------------------------------------------------------------
-
-// Returns the size of the box of active voxels: "512 x 512 x 64".
-std::string active_extent(const VdbGrid& grid) {
-    std::array<std::int64_t, 3> size{};
-    for (std::size_t i = 0; i < 3; ++i) size[i] = grid.last_active[i] - grid.first_active[i] + 1;
-    return fmt::format("{}", fmt::join(size, " x "));
-}
-
-std::string vdb_json(const std::string& path, const VdbFile& file) {
-    Json grids = Json::array();
-    for (const VdbGrid& grid : file.grids) {
-        grids.push_back({{"name", grid.name},
-                         {"type", grid.type},
-                         {"class", grid.grid_class},
-                         {"compression", grid.compression},
-                         {"half", grid.half},
-                         {"voxel_size", grid.voxel_size},
-                         {"first_centre", grid.first_centre},
-                         {"first_active", grid.first_active},
-                         {"last_active", grid.last_active},
-                         {"active_voxels", grid.active_voxels},
-                         {"metadata", attributes_json(grid.metadata)}});
-    }
-    return event_line({{"event", "grids"},
-                       {"path", path},
-                       {"uuid", file.uuid},
-                       {"library", file.library},
-                       {"grids", std::move(grids)},
-                       {"attributes", attributes_json(file.attributes)}});
-}
-
-std::string vdb_text(const std::string& name, const VdbFile& file) {
-    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left});
-    table.add_row({"grid", "active", "", "class", "compression", "voxel size"});
-    for (const VdbGrid& grid : file.grids) {
-        table.add_row({grid.name, active_extent(grid), grid.half ? "half" : "float",
-                       grid.grid_class, grid.compression,
-                       fmt::format("{}", fmt::join(grid.voxel_size, ", "))});
-    }
-    return fmt::format("{}\n", name) + table.text() + attribute_text(file.attributes);
-}
-
-ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
-    const auto file = read_vdb(path);
-    const ExitCode code = console.report(file.diagnostics);
-    if (!file.value) return code;
-    console.result(json ? vdb_json(path.string(), *file.value)
-                        : vdb_text(path.string(), *file.value));
     return ExitCode::done;
 }
 
@@ -226,6 +133,7 @@ void show_entry(const fs::path& path, const ManifestAsset& asset, const Manifest
 
 ExitCode show_file(const fs::path& path, bool json, Console& console) {
     const auto entry = entry_of_file(path);
+    if (!entry.value && path.extension() == ".nvdb") return show_nvdb(path, json, console);
     if (!entry.value) return console.report(entry.diagnostics);
     show_entry(path, *entry.value, entry.value->files[0], json, console);
     return ExitCode::done;

@@ -170,6 +170,7 @@ struct Probe {
                                     // table is 1/2
     std::vector<double> value;      // one per channel, in double, as the level is looked up
     std::vector<double> tolerance;  // one per channel; allows filtering in steps of 1/256 texel
+    std::vector<double> column_km = {};       // of tables of columns: what their lookups make of value
     std::optional<BlendedLookup> blend = {};  // of two sub-images, as in Bruneton's tables along nu
 };
 

@@ -162,19 +162,36 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
     check_cubes(bake, voxel_edges(*cloud, coarse), bake.at("of").source->place, decoder);
 }
 
+// Depths beyond what halves hold are floats by default. No ray to a sun of elevation e is deeper than
+// the layer's extinction times its thickness over sin(e), which is at least 2 e / pi.
+void derive_pixel_type(DecodedSection& bake, CloudLightContents contents, const Cloud* cloud) {
+    constexpr double largest_half = 65504;
+    const DecodedField& suns = bake.at("sun_elevations");
+    const bool is_depth = contents == CloudLightContents::optical_depth ||
+                          contents == CloudLightContents::shadow;
+    if (!is_depth || !cloud || !suns.value) return;
+    const auto& elevations = std::get<std::vector<double>>(*suns.value);
+    const double lowest = *std::min_element(elevations.begin(), elevations.end());
+    const double depth = cloud->extinction_scale.per_meter * cloud->extent[2].meters *
+                         std::numbers::pi / (2 * lowest);
+    DecodedField& type = bake.at("pixel_type");
+    if (!(depth <= largest_half)) derive(type, chosen(*type.field, PixelType::float32));
+}
+
 // Fills in the number of `mips`. It reports a name that is not a cloud volume's (E0133), a channel
 // that the volume does not have (E0134), a number of suns that no file holds (E0129), azimuths that
 // are not one for each sun and a part that the harmonics do not have (E0171), several suns of one
 // file of radiance (E0176), a clear sky that is not above the layer (E0189), and faults of the files of any volume (file_decoder.h). It warns of
 // texels that are not cubes (W0211).
 void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
-    check_pixel_type(bake, decoder);
     const auto contents = choice_of<CloudLightContents>(bake.at("contents"));
     const std::size_t channels = contents ? check_contents(bake, *contents, decoder) : 1;
     const CloudVolumeBake* volume = find_source_volume(bake, recipe, decoder);
     if (contents == CloudLightContents::clear_sky_radiance) {
         check_clear_sky(bake, volume ? find_cloud(*volume, recipe) : nullptr, recipe, decoder);
     }
+    if (volume && contents) derive_pixel_type(bake, *contents, find_cloud(*volume, recipe));
+    check_pixel_type(bake, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);
     const DecodedField& cell = bake.at("cell");

@@ -116,6 +116,21 @@ void check_references(const DecodedSection& bake, Decoder& decoder) {
     }
 }
 
+// Reports `flip` of an asset without images, which no reader would see.
+void check_flip(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& flip = bake.at("flip");
+    const bool* value = value_of<bool>(flip);
+    if (!flip.source || !value || !*value) return;
+    const std::vector<FileFormat> formats = formats_of(bake);
+    const auto is_image = [](FileFormat format) { return facts_of(format).is_image; };
+    if (formats.empty() || std::any_of(formats.begin(), formats.end(), is_image)) return;
+    decoder.diagnostics.error(
+        "E0131", flip.source->place,
+        fmt::format("`{}` turns images upside down, and [{}] has none",
+                    join_path(bake.path, "flip"), bake.path),
+        "leave it out, or add an image, such as \"exr\", to the formats");
+}
+
 // Reports axes that the table does not have, and axes with fewer than the two texels that their
 // ends need.
 void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, Decoder& decoder) {
@@ -196,6 +211,7 @@ void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halvin
     const bool is_too_large = voxels_of(size) > most_voxels;  // check_voxel_count reports it
     if (has_good_columns(bake, size, decoder) && !is_too_large) resolve_sheet(bake, size, decoder);
     resolve_levels(bake, size, halving, decoder);
+    check_flip(bake, decoder);
 }
 
 // Edges are quotients of doubles, so the edges of equal voxels may differ by rounding, by about

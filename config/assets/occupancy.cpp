@@ -108,11 +108,25 @@ struct OccupancyResolver {
         }
     }
 
+    static int most_levels(VoxelCounts cells) {
+        const auto is_odd = [](int count) { return count > 1 && count % 2 != 0; };
+        const auto is_one = [](int count) { return count == 1; };
+        int levels = 1;
+        while (std::none_of(cells.begin(), cells.end(), is_odd) &&
+               !std::all_of(cells.begin(), cells.end(), is_one)) {
+            for (int& count : cells) count = (count + 1) / 2;
+            ++levels;
+        }
+        return levels;
+    }
+
     // If a level has an odd number of cells, the next level has half of it, rounded up, and spans
     // more than the level before. Then one texture coordinate does not fit both levels.
+    // "all" is as many levels as there are before that.
     void check_halving(const VoxelCounts& cells) const {
-        const DecodedField& mips = bake.at("mips");
+        DecodedField& mips = bake.at("mips");
         if (!mips.value) return;
+        if (std::get<double>(*mips.value) == 0) mips.value = double{1} * most_levels(cells);
         const int halvings = static_cast<int>(std::get<double>(*mips.value)) - 1;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             int left = cells[axis];
@@ -145,9 +159,9 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     if (!cell.value || volume->size[0] == 0) return;
     const int edge = static_cast<int>(std::get<double>(*cell.value));
     const VoxelCounts cells = cells_of(*volume, edge);
+    resolver.check_halving(cells);
     resolve_files(bake, cells, Halving::up, decoder);
     resolver.check_tiling(*volume, edge);
-    resolver.check_halving(cells);
     check_cell_cubes(bake, *volume, edge, recipe, decoder);
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }

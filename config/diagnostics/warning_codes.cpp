@@ -214,6 +214,10 @@ constexpr std::array warning_table = {
                    "baked. Status 403 or 405 of a PUT says that the server may only be read, and "
                    "409 that its folder does not exist.",
                    "", "", 0},
+    DiagnosticCode{"W0231", "a volume with values below 0",
+                   "Densities are at least 0, so voxels below 0 count as 0. The message names the "
+                   "first of them by its index in the file, and how many there are.",
+                   "", "", 0},
 };
 
 }  // namespace

@@ -118,7 +118,6 @@ std::string describe_field(const Field& field);
 
 // The field tables of several sections share these ranges and sources.
 inline constexpr Range unit_range{0, 1};
-inline constexpr Range density_range{0, 1e6};
 inline constexpr Range coefficient_range{0, 1e6};  // per metre
 inline constexpr Range texel_range{1, 16384};
 inline constexpr Range lookup_error_range{1e-7, 1};

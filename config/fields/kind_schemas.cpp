@@ -133,7 +133,9 @@ Json seed_schema(const Field&) {
 }
 
 Json density_table_schema(const Field& field) {
-    return pair_table(quantity(Dimension::length), bare_number(field.range), 2);
+    const Json text = {{"type", "string"}};
+    const Json file = {{"type", "array"}, {"items", text}, {"minItems", 2}, {"maxItems", 2}};
+    return {{"anyOf", {pair_table(quantity(Dimension::length), bare_number(field.range), 2), text, file}}};
 }
 
 Json height_table_schema(const Field& field) {

@@ -134,6 +134,9 @@ struct Kind {
     static constexpr ValueKind lengths =
         list_kind("three lengths, such as [\"6 km\", \"6 km\", \"1.5 km\"]", read_triple,
                   numbers_schema, &S::length, 3, 3);
+    static constexpr ValueKind two_lengths =
+        list_kind("two lengths, such as [\"120 m\", \"-50 m\"]", read_pair, numbers_schema,
+                  &S::length, 2, 2);
     static constexpr ValueKind length_bounds =
         list_kind("two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]", read_bounds,
                   numbers_schema, &S::length, 2, 2);
@@ -214,8 +217,9 @@ struct Kind {
         "a whole number from 0 up, above 2^63 - 1 in quotes: \"0xffffffffffffffff\"", read_seed,
         seed_schema, nullptr, RangeOver::wholes};
     static constexpr ValueKind density_table{
-        "a list of pairs, such as [[\"0 km\", 1.0], [\"10 km\", 0.5]]", read_density_table,
-        density_table_schema, &S::plain};
+        "a list of pairs, such as [[\"0 km\", 1.0], [\"10 km\", 0.5]], or a file of them, such as "
+        "\"ozone.csv\" or [\"afglus.dat\", \"o3\"]",
+        read_density_table, density_table_schema, &S::plain};
     static constexpr ValueKind height_table{
         "a list of pairs, such as [[0, 0.0], [0.2, 1.0], [1, 0.0]]", read_height_table,
         height_table_schema, &S::plain};

@@ -154,6 +154,11 @@ struct SectionReader {
             // What the table would have told is not reported as missing.
             if (!label.empty()) decoder.complete = false;
         }
+        // A letter too few, too many or exchanged is a slip of the pen, whatever other sections have.
+        const std::optional<std::string> near = nearest_name(entry.key, known);
+        if (label.empty() && near && edit_distance(entry.key, *near) == 1) {
+            label = did_you_mean(entry.key, known);
+        }
         if (label.empty()) label = home_of(entry.key);
         if (label.empty()) label = did_you_mean(entry.key, known);
         if (label.empty()) label = "there is no such key";

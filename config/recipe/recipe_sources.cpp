@@ -12,6 +12,7 @@
 #include "config/fields/fields.h"
 #include "config/presets/presets.h"
 #include "config/recipe/merge.h"
+#include "config/recipe/table_files.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -119,6 +120,7 @@ class Loader {
         }
         name_listed_towers(*root);
         name_particles_of_layers(*root);
+        read_table_files(*root, folder, result_.inputs, diagnostics_);
         check_exclusive_keys(*root, diagnostics_);
         load_preset(effective(*root, "preset", is_root));
         load_includes(effective(*root, "include", is_root), folder);
@@ -132,6 +134,7 @@ class Loader {
             auto* source = const_cast<Source*>(tree.source);
             source->order = next_order_++;
             source->folder = root_folder_;
+            read_table_files(tree.root, root_folder_, result_.inputs, diagnostics_);
             result_.trees.push_back(std::move(tree));
         }
     }

@@ -248,6 +248,30 @@ void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decode
     }
 }
 
+// Where an amount is given, only ratios of a table count: it may be in particles per volume.
+void scale_table(Matter matter, DecodedSection& layer, Decoder& decoder) {
+    constexpr double most = 1e6;
+    DecodedField& table = layer.at("table");
+    auto* points = table.value ? std::get_if<std::vector<DensityPoint>>(&*table.value) : nullptr;
+    if (!points) return;
+    const auto greatest =
+        std::max_element(points->begin(), points->end(), [](const auto& a, const auto& b) {
+            return a.density < b.density;
+        });
+    const double whole = greatest->density;
+    if (whole <= most) return;
+    if (matter == Matter::gas || layer.at("optical_depth").source) {
+        for (DensityPoint& point : *points) point.density /= whole;
+        return;
+    }
+    const auto number = static_cast<std::size_t>(greatest - points->begin());
+    decoder.diagnostics.error(
+        "E0110", std::get<Array>(table.source->data).at(number).place,
+        fmt::format("`{}` is out of range: {}", join_path(layer.path, "table"),
+                    number_to_string(whole)),
+        "densities are at most 1000000; with a gas or optical_depth only their ratios count");
+}
+
 // Returns the number of a field, or another one if it has none.
 double number_or(const DecodedField& decoded, double other) {
     return decoded.value ? std::get<double>(*decoded.value) : other;
@@ -487,6 +511,7 @@ std::optional<Layer> decode_layer(const std::string& name, const Place& place, c
         derive_extinction(section, decoder);
     }
     check_slab(section, decoder);
+    scale_table(matter, section, decoder);
     if (matter == Matter::spheres) derive(section.at("relative_humidity"), usual_humidity);
     if (matter == Matter::gas) derive_phase_of_gas(section);
     append_values(section, decoder);

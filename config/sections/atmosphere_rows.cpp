@@ -237,9 +237,12 @@ const std::array layer_table = {
     LayerField{
         {.key = "table",
          .kind = Kind::density_table,
-         .range = density_range,
+         .range = {0, 1e40},
          .required = true,
-         .documentation = "pairs [altitude, density] with altitudes that increase from at least 0",
+         .documentation = "pairs [altitude, density] with altitudes that increase from at least 0; "
+                          "with a gas or optical_depth only ratios of densities count, else they "
+                          "are at most 1e6. A file's first line names its columns with units, as "
+                          "in altitude(km), ozone(cm-3)",
          .selector = "profile",
          .selected_by = tabulated,
          .role = Role::geometry},

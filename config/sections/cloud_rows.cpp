@@ -13,6 +13,7 @@ constexpr Range erosion_range{0, 0.95};  // at 1 the remap that erodes would div
 constexpr Range extent_range{1e-3, 1e8};
 constexpr Range voxel_range{1, 16384};
 constexpr Range base_altitude_range{-1e8, 1e8};
+constexpr Range corner_range{-1e9, 1e9};
 constexpr Range density_range{0, 1e6};
 constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
@@ -107,11 +108,18 @@ const std::array cloud_table = {
                           "a volume takes that of the file",
          .hint = "it tiles along x and y"},
         &Cloud::extent},
+    CloudField{{.key = "corner",
+                .kind = Kind::two_lengths,
+                .range = corner_range,
+                .documentation = "where the tile begins along x and y in the files' space; 0 by "
+                                 "default, and of a volume that of the file"},
+               &Cloud::corner},
     CloudField{{.key = "base_altitude",
                 .kind = Kind::length,
                 .range = base_altitude_range,
                 .fallback = R"("0 m")",
-                .documentation = "altitude of the cloud's base above the ground",
+                .documentation = "altitude of the cloud's base above the ground; without it, that "
+                                 "of a volume's lowest voxel in its file",
                 .hint = "cumulus has 0.5 to 2 km"},
                &Cloud::base_altitude},
     CloudField{{.key = "size",

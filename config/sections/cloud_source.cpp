@@ -57,18 +57,24 @@ void derive_extent(DecodedSection& section, const VolumeShape& shape, Decoder& d
     derive(extent, meters);
 }
 
-// Takes the extent from the volume's file.
-void read_extent(DecodedSection& section, const VolumeFile& volume, const CloudSources& sources,
-                 Decoder& decoder) {
+// Takes extent and place from the volume's file. A recipe that gives the extent needs no file here.
+void read_shape(DecodedSection& section, const VolumeFile& volume, const CloudSources& sources,
+                Decoder& decoder) {
     const VolumeProbe probe = volume_probe();
     if (probe == nullptr || decoder.diagnostics.has_errors()) return;
     const Outcome<VolumeShape> shape = probe(volume);
+    const bool gives_extent = section.at("extent").source != nullptr;
     const auto number = static_cast<std::size_t>(&volume - sources.volumes.data());
     for (const Diagnostic& diagnostic : shape.diagnostics) {
+        if (gives_extent) break;
         decoder.diagnostics.error(diagnostic.code, sources.volume_files[number], diagnostic.message,
                                   diagnostic.label);
     }
-    if (shape.value) derive_extent(section, *shape.value, decoder);
+    if (!shape.value) return;
+    const auto& [x, y, z] = shape.value->corner_m;
+    derive(section.at("corner"), std::array{x, y});
+    derive(section.at("base_altitude"), z);
+    if (!gives_extent) derive_extent(section, *shape.value, decoder);
 }
 
 }  // namespace
@@ -84,7 +90,9 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
         derive(section.at("edge_softness"), 0.0);
     }
     const DecodedField& extent = section.at("extent");
-    if (volume && !extent.source) read_extent(section, *volume, sources, decoder);
+    const auto is_given = [&](std::string_view key) { return section.at(key).source != nullptr; };
+    const bool says_all = is_given("extent") && is_given("corner") && is_given("base_altitude");
+    if (volume && !says_all) read_shape(section, *volume, sources, decoder);
     const bool is_at_fault = is_of_volume && decoder.diagnostics.has_errors();
     if (extent.source || extent.value || is_at_fault || !decoder.complete) return;
     decoder.diagnostics.error("E0105", section.place,

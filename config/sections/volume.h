@@ -16,6 +16,7 @@ enum class VolumeFormat { vdb, nvdb, raw, slices };
 enum class ByteOrder { little, big };
 enum class VolumeUp { z, y };
 enum class VolumeWrap { empty, repeat };
+enum class NotFinite { refuse, background };
 
 // The axes from the one along which neighbours are adjacent in the file to the slowest one.
 enum class AxisOrder { xyz, xzy, yxz, yzx, zxy, zyx };
@@ -25,6 +26,7 @@ enum class AxisOrder { xyz, xzy, yxz, yzx, zxy, zyx };
 struct VolumeShape {
     std::array<int, 3> size{};             // voxels
     std::array<double, 3> voxel_size_m{};  // edges of a voxel
+    std::array<double, 3> corner_m{};      // of its lowest voxel in the file's space; 0 if it has none
 
     bool operator==(const VolumeShape&) const = default;
 };
@@ -35,7 +37,7 @@ struct VolumeFile {
     std::string file;                          // as the recipe spells it
     std::vector<std::filesystem::path> paths;  // the file, or the slices in their order
     VolumeFormat format = VolumeFormat::vdb;
-    std::string grid = "density";         // vdb and nvdb
+    std::string grid;                     // vdb and nvdb; empty: density, or the only one of numbers
     std::string channel;                  // slices; empty: the first channel
     std::array<int, 3> size{};            // raw
     PixelType type = PixelType::float32;  // raw
@@ -53,6 +55,7 @@ struct VolumeFile {
     double scale = 1;
     VolumeWrap wrap = VolumeWrap::empty;
     int border = 0;
+    NotFinite not_finite = NotFinite::refuse;
     SourceRange file_place;  // of `file` in the recipe
 
     bool operator==(const VolumeFile&) const = default;

@@ -15,7 +15,7 @@ constexpr Range volume_scale_range{1e-9, 1e9};
 constexpr Range volume_border_range{0, 4096};
 
 constexpr std::array volume_format_choices = {
-    Choice{VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of floats"},
+    Choice{VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
     Choice{VolumeFormat::nvdb, "nvdb", "a NanoVDB file with a grid of type Float, Fp8 or Fp16"},
     Choice{VolumeFormat::raw, "raw", "numbers alone, whose layout the section gives"},
     Choice{VolumeFormat::slices, "slices", "numbered EXR, PNG or TIFF pictures, one per slice"},
@@ -47,6 +47,10 @@ constexpr std::array volume_wrap_choices = {
     Choice{VolumeWrap::empty, "empty", "the file's background, which is 0 for raw and slices"},
     Choice{VolumeWrap::repeat, "repeat", "along x and y the volume again; above and below, empty"},
 };
+constexpr std::array volume_not_finite_choices = {
+    Choice{NotFinite::refuse, "refuse", "an error that says how many they are and where the first is"},
+    Choice{NotFinite::background, "background", "the file's background, 0 for raw and slices"},
+};
 
 constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
 constexpr std::string_view of_raw[] = {"raw"};
@@ -68,9 +72,8 @@ const std::array volume_table = {
                 &VolumeFile::format},
     VolumeField{{.key = "grid",
                  .kind = Kind::text,
-                 .fallback = R"("density")",
-                 .documentation = "name of the grid",
-                 .hint = "Blender and Houdini call it density",
+                 .documentation = "name of the grid; density by default, or the file's only grid of "
+                                  "numbers",
                  .selector = "format",
                  .selected_by = of_grids},
                 &VolumeFile::grid},
@@ -201,6 +204,12 @@ const std::array volume_table = {
                  .documentation = "voxels of background that are added at the four sides",
                  .hint = "they keep the tiles of a cloud apart"},
                 &VolumeFile::border},
+    VolumeField{{.key = "not_finite",
+                 .kind = Kind::choice,
+                 .choices = volume_not_finite_choices,
+                 .fallback = R"("refuse")",
+                 .documentation = "what voxels that are NaN or infinite mean"},
+                &VolumeFile::not_finite},
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 // ahead, whose azimuth is 0: to the sun where the asset has no clouds and no `sun_azimuth`. Azimuths grow to the
 // right. Angles come from atan(y, x), which keeps its digits everywhere.
 // A cube texture, as DDS and KTX2 files have it, is read by texture(cube, environment_view(dir, up, ahead)).
+
 vec4 environment_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {              // of four wavelengths
     const float PI = 3.14159265;
     float mu = dot(dir, up);

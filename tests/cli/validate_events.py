@@ -66,6 +66,28 @@ with tempfile.TemporaryDirectory() as folder:
     assert events("info", "other")[1]["missing"] == ["transmittance.exr"]
     assert events("info", "out/transmittance.exr")[0] == ["image"]
     assert events("info", "out/plain.vdb")[0] == ["grids"]
+    # An EXR of another kind: two subsampled channels, RLE, a data window within the display window.
+    def attribute(name, kind, value):
+        return name + b"\0" + kind + b"\0" + len(value).to_bytes(4, "little") + value
+
+    def box(*corners):
+        return b"".join(corner.to_bytes(4, "little", signed=True) for corner in corners)
+
+    channel = lambda name, step: name + b"\0" + box(1, 0, step, step)  # half
+    with open("foreign.exr", "wb") as file:
+        file.write(b"\x76\x2f\x31\x01\x02\0\0\0" + attribute(
+            b"channels", b"chlist", channel(b"BY", 2) + channel(b"Y", 1) + b"\0") +
+            attribute(b"compression", b"compression", b"\x01") +
+            attribute(b"dataWindow", b"box2i", box(-2, 0, 5, 3)) +
+            attribute(b"displayWindow", b"box2i", box(0, 0, 7, 3)) +
+            attribute(b"lineOrder", b"lineOrder", b"\0") +
+            attribute(b"pixelAspectRatio", b"float", b"\0\0\x80\x3f") +
+            attribute(b"screenWindowCenter", b"v2f", bytes(8)) +
+            attribute(b"screenWindowWidth", b"float", b"\0\0\x80\x3f") + b"\0")
+    names, last = events("info", "foreign.exr")
+    part = last["parts"][0]
+    assert names == ["parts"] and part["size"] == [8, 4] and part["compression"] == "rle", last
+    assert part["channels"][0] == {"name": "BY", "type": "half", "sampling": [2, 2]}, part
     assert "vec3 baked_transmittance(" in events(
         "info", "--lookup", "out/transmittance.exr")[1]["glsl"]
     with open("png.toml", "w", encoding="utf-8") as file:

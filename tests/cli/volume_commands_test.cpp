@@ -226,6 +226,7 @@ TEST_F(VolumeBake, OpenVdbIsVerifiedAndShown) {
     EXPECT_TRUE(contains(info.out, "statistics\n")) << info.out;
     const Result machine = run_program({"info", file("wisps.vdb"), "--json"});
     EXPECT_EQ(json::parse(machine.out)["grids"].size(), 3U);
+    EXPECT_EQ(json::parse(machine.out)["grids"][0]["value_type"], "half");
 }
 
 TEST_F(VolumeBake, RefusesToOverwriteAnyOfItsFiles) {

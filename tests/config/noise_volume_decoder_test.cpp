@@ -52,6 +52,8 @@ TEST(NoiseVolumeDecoder, AllLevelsGoDownToOneVoxel) {
     EXPECT_EQ(volume("mips = 'all'").mips, 8);
     EXPECT_EQ(volume("mips = 'all'\nsize = [1, 1, 1]").mips, 1);
     EXPECT_EQ(volume("mips = 'all'\nsize = [5, 300, 7]").mips, 9);
+    EXPECT_EQ(fault("flip = true\nformats = ['bin', 'dds']").code, "E0131") << "no reader would see it";
+    EXPECT_TRUE(volume("flip = true\nformats = ['bin', 'exr']").flip);
     EXPECT_EQ(volume("mips = 'all'\nsize = [16384, 4, 1]", "").mips, 15);
     EXPECT_EQ(volume("mips = 8").mips, 8);
     EXPECT_EQ(fault("mips = 9").code, "E0110");

@@ -62,7 +62,7 @@ TEST(Units, ReadsLengthsExactly) {
 
 TEST(Units, ReadsCoefficientsExactly) {
     for (const char* text : {"5.802e-6 /m", "5.802e-3 /km", "5.802e-6 1/m", "5.802e-3 1/km",
-                             "5.802e-6 m^-1", "5.802e-3 km^-1"}) {
+                             "5.802e-6 m^-1", "5.802e-3 km^-1", "5.802e-6 m-1", "5.802 Mm-1"}) {
         EXPECT_EQ(value_of(text), 5.802e-6) << text;
         EXPECT_EQ(dimension_of(text), Dimension::inverse_length) << text;
     }
@@ -128,7 +128,24 @@ TEST(Units, NamesUnitsOfADimension) {
     EXPECT_EQ(unit_names(Dimension::inverse_length),
               (std::vector<std::string_view>{"/m", "/km", "/Mm"}));
     EXPECT_EQ(unit_meant("/Km", Dimension::inverse_length), "/km");
-    EXPECT_FALSE(unit_meant("/mm", Dimension::inverse_length));
+    // Letters in another order or case; never a unit that is a power of ten away, or another one.
+    EXPECT_EQ(unit_meant("mk", Dimension::length), "km");
+    EXPECT_EQ(unit_meant("CM-ATM", Dimension::column_density), std::nullopt) << "M is mega";
+    EXPECT_EQ(unit_meant("cm-atm", Dimension::column_density), "atm-cm");
+    for (const char* name : {"/mm", "/MM", "/Gm"}) {
+        EXPECT_FALSE(unit_meant(name, Dimension::inverse_length)) << name;
+    }
+    for (const char* name : {"mi", "dm", "Mm", "MM", "ft", "hm", "um2"}) {
+        EXPECT_FALSE(unit_meant(name, Dimension::length)) << name;
+    }
+    for (const Dimension dimension : {Dimension::length, Dimension::inverse_length, Dimension::pressure,
+                                      Dimension::number_density, Dimension::column_density}) {
+        for (const std::string_view one : unit_spellings(dimension)) {
+            const auto meant = unit_meant(one, dimension);
+            if (!meant) continue;
+            EXPECT_EQ(value_of("1 " + std::string(*meant)), value_of("1 " + std::string(one))) << one;
+        }
+    }
     EXPECT_TRUE(unit_names(Dimension::number).empty());
     for (const Dimension dimension :
          {Dimension::fraction, Dimension::length, Dimension::inverse_length, Dimension::angle}) {

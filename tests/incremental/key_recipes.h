@@ -183,6 +183,7 @@ frequency = 2
 noise = "n"
 extent = ["400 m", "400 m", "200 m"]
 base_altitude = "500 m"
+corner = ["20 m", "-30 m"]
 extinction_scale = "20 /km"
 [bake.cloud]
 asset = "cloud_volume"
@@ -279,6 +280,7 @@ crop_corner = ["-25 m", "5 m", "150 m"]
 crop_extent = ["60 m", "20 m", "60 m"]
 up_axis = "y"
 wrap = "repeat"
+not_finite = "refuse"
 [volumes.numbers]
 file = "../volumes/numbers.raw"
 format = "raw"

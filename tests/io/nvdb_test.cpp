@@ -1,5 +1,7 @@
 // NanoVDB files, read back by the library's own readers and by the format's reader.
 #include <fmt/format.h>
+#include <iostream>  // GridValidator.h needs it
+
 #include <nanovdb/util/GridValidator.h>
 #include <nanovdb/util/IO.h>
 

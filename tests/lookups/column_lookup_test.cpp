@@ -49,6 +49,11 @@ struct ColumnTrial {
         for (const Probe& probe : probes) {
             const auto [column, length_km] = lookup(probe);
             test::expect_column(column, length_km, probe);
+            ASSERT_EQ(probe.column_km.size(), probe.value.size());
+            for (std::size_t k = 0; k < probe.column_km.size(); ++k) {
+                const auto found = double{column[static_cast<gpu::vec4::length_type>(k)]};
+                EXPECT_NEAR(found, probe.column_km[k], 2e-3 * probe.column_km[k] + 1e-9);
+            }
         }
     }
 
@@ -247,6 +252,35 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
     }
     SCOPED_TRACE("phase");
     expect_little_loss(phase_loss, phases.baked.asset().certificate);
+}
+
+// The horizon's cosine is a float; those beside it are rays a few millimetres off. Rounding must not
+// decide between texels of two kinds of rays, which hold different errors.
+TEST(ColumnLookup, IsTheSameOneFloatAboveAndBelowTheHorizon) {
+    const ColumnTrial trial("table = 'between'\ncoordinates = 'distance'\nsize = [32, 32, 32]\n");
+    const Shell& shell = trial.geometry.shell;
+    for (const float h : {0.01F, 0.5F, 8.0F, 69.263901F}) {
+        const double rho = horizon_distance_km(shell, double{h});
+        const auto at_horizon = static_cast<float>(-rho / (shell.ground_radius_km + double{h}));
+        for (const double part : {0.1, 0.455, 0.9}) {
+            const auto d = static_cast<float>(part * rho);
+            const auto columns = [&](float mu) {
+                return gpu::column_lookups::column_along({trial.texture}, trial.air, h, mu, d);
+            };
+            const gpu::vec4 wanted = columns(at_horizon);
+            for (const float mu : {std::nextafter(at_horizon, -1.0F), std::nextafter(at_horizon, 0.0F)}) {
+                const double s = (shell.ground_radius_km + double{h}) * double{mu};
+                const auto twin = trial.in_double({double{h}, s, double{d}});
+                const gpu::vec4 found = columns(mu);
+                for (gpu::vec4::length_type k = 0; k < 4; ++k) {
+                    EXPECT_NEAR(found[k], wanted[k], 2e-3 * std::fabs(wanted[k]) + 1e-7) << h << " " << d;
+                    EXPECT_NEAR(twin[static_cast<std::size_t>(k)], double{wanted[k]},
+                                2e-3 * std::fabs(double{wanted[k]}) + 1e-7)
+                        << h << " " << d;
+                }
+            }
+        }
+    }
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST(LevelSet, IsRefusedWhereADistanceIsNotFinite) {
     write_grid(grid, folder / "v.vdb");
     const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels);
     ASSERT_FALSE(file.value);
-    EXPECT_TRUE(file.diagnostics.at(0).message.ends_with("a voxel of it is not finite"));
+    EXPECT_NE(file.diagnostics.at(0).message.find("its voxel (3, -7, 18) is nan; "), std::string::npos);
 }
 
 }  // namespace

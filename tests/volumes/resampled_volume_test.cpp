@@ -221,5 +221,53 @@ TEST(ResampledVolume, KnowsWhatIsEmpty) {
         << "voxel 0 mixes with the other side";
 }
 
+// A single voxel, which alone is not empty.
+class OneVoxel : public VoxelSource {
+  public:
+    OneVoxel(const Size& at, bool says_what_is_empty) : at_(at), says_(says_what_is_empty) {}
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
+        std::fill_n(channels[0], box.count(), 0.0F);
+        if (!holds(box)) return;
+        const std::int64_t row = std::int64_t{at_[2] - box.origin[2]} * box.size[1] + at_[1] - box.origin[1];
+        channels[0][row * box.size[0] + at_[0] - box.origin[0]] = 1;
+    }
+    bool is_empty(const VoxelBox& box) const override { return says_ && !holds(box); }
+
+  private:
+    bool holds(const VoxelBox& box) const {
+        for (std::size_t i = 0; i < 3; ++i) {
+            if (at_[i] < box.origin[i] || at_[i] >= box.origin[i] + box.size[i]) return false;
+        }
+        return true;
+    }
+    const Size at_;
+    const bool says_;
+};
+
+// A voxel at a face shows on the other side of the seam, whatever is known to be empty.
+TEST(ResampledVolume, LosesNothingAcrossItsSeams) {
+    const Size source = {8, 6, 4};
+    for (const Size& at : {Size{0, 3, 1}, Size{7, 3, 1}, Size{3, 0, 1}, Size{3, 5, 1}, Size{0, 0, 2},
+                           Size{7, 5, 0}}) {
+        CloudVolume volume = volume_of(source, nullptr, VolumeWrap::repeat);
+        volume.source.voxels = std::make_shared<OneVoxel>(at, false);
+        CloudVolume knowing = volume;
+        knowing.source.voxels = std::make_shared<OneVoxel>(at, true);
+        for (const Size& size : {Size{16, 12, 4}, Size{12, 9, 4}, Size{5, 4, 3}}) {
+            EXPECT_EQ(resampled(knowing, size), resampled(volume, size));
+            const ResampledVolume voxels(knowing, size);
+            for (int y = 0; y < size[1]; ++y) {
+                for (int x = 0; x < size[0]; ++x) {
+                    const VoxelBox column{{x, y, 0}, {1, 1, size[2]}};
+                    if (!voxels.is_empty(column)) continue;
+                    EXPECT_EQ(testing::planes_of(voxels, column, 1)[0],
+                              std::vector<float>(static_cast<std::size_t>(size[2]), 0.0F))
+                        << x << " " << y;
+                }
+            }
+        }
+    }
+}
+
 }  // namespace
 }  // namespace skybake

@@ -1,6 +1,7 @@
 // Grids that OpenVDB's own writer has written, against OpenVDB's accessors.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tests/volumes/vdb_files.h"
@@ -134,11 +135,12 @@ TEST(VdbGrid, TakesTheTransform) {
 
 TEST(VdbGridRefused, InWordsThatSayWhatItIs) {
     openvdb::initialize();
-    EXPECT_EQ(problem_of(any_grid(), "Density"), "it has no grid `Density`, only `density`");
+    EXPECT_EQ(problem_of(any_grid(), "Density"), "it has no grid `Density`; write grid = \"density\"");
     const auto vectors = openvdb::Vec3SGrid::create();
     vectors->setName("density");
     EXPECT_EQ(problem_of(vectors),
-              "its grid `density` holds vec3s, and only grids of floats are read");
+              "its grid `density` holds vec3s, and only grids of float, double, int32 and int64 are "
+              "read");
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
     EXPECT_EQ(problem_of(empty), "it has no active voxels");
@@ -154,11 +156,9 @@ TEST(VdbGridRefused, WhereItsTransformIsNoBoxAlongTheAxes) {
     };
     EXPECT_EQ(with([](auto&) {}), "");
     EXPECT_EQ(with([](auto& t) { t.postRotate(0.1, openvdb::math::Z_AXIS); }),
-              "its transform turns or shears the axes");
+              "its transform turns the axes by other than right angles, or shears them");
     EXPECT_EQ(with([](auto& t) { t.postShear(0.1, openvdb::math::X_AXIS, openvdb::math::Y_AXIS); }),
-              "its transform turns or shears the axes");
-    EXPECT_EQ(with([](auto& t) { t.preScale(openvdb::Vec3d(1, -1, 1)); }),
-              "its transform mirrors an axis");
+              "its transform turns the axes by other than right angles, or shears them");
 }
 
 TEST(VdbGridRefused, WhereAValueIsNotFinite) {
@@ -166,18 +166,13 @@ TEST(VdbGridRefused, WhereAValueIsNotFinite) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const FloatGrid::Ptr voxel = any_grid();
         voxel->tree().setValue(Coord(3, 4, 5), value);
-        EXPECT_EQ(problem_of(voxel), "a voxel of it is not finite");
+        EXPECT_TRUE(problem_of(voxel).starts_with("its voxel (3, 4, 5) is " +
+                                                  std::string(std::isnan(value) ? "nan; " : "inf; ")));
         const FloatGrid::Ptr tile = any_grid();
         tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
-        EXPECT_EQ(problem_of(tile), "a tile of it is not finite");
+        EXPECT_TRUE(problem_of(tile).starts_with("its voxel (1024, 0, 0) is "));
+        EXPECT_EQ(problem_of(any_grid(value)), "its background is not finite");
     }
-}
-
-TEST(VdbGridRefused, WhereItIsTooLarge) {
-    const FloatGrid::Ptr grid = any_grid();
-    grid->tree().setValue(Coord(0, 20000, 0), 1);
-    EXPECT_NE(problem_of(grid).find("voxels along y, and at most 16384 are read"),
-              std::string::npos);
 }
 
 }  // namespace

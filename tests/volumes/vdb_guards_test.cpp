@@ -261,7 +261,7 @@ TEST(VdbGuards, StatedSizesAreSizes) {
     EXPECT_EQ(with_size({5, 16384, 1}), "");
     EXPECT_EQ(with_size({5, 4, 0}), "its size is damaged");
     EXPECT_EQ(with_size({-5, 4, 1}), "its size is damaged");
-    EXPECT_NE(with_size({5, 16385, 1}).find("at most 16384 are read"), std::string::npos);
+    EXPECT_EQ(with_size({5, 16385, 1}), "") << "a crop may choose a part";
 }
 
 // The voxels are read when they are asked for. A file that is cut or overwritten by then is an

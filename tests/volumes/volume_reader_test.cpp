@@ -121,6 +121,11 @@ std::string first_message(const VolumeFile& volume) {
     return first.code + ": " + first.message;
 }
 
+std::string first_message_anywhere(const VolumeFile& volume) {
+    const auto source = open_volume(volume);
+    return source.value ? "" : source.diagnostics.at(0).message;
+}
+
 TEST(RawVolume, IsReadInEveryLayout) {
     const TemporaryFolder folder;
     for (const PixelType type :
@@ -316,7 +321,54 @@ TEST(VolumeFails, WhereTheFileIsNotWhatTheRecipeSays) {
     testing::write_bytes(path, bytes);
     EXPECT_EQ(first_message(volume),
               "E0304: cannot read `" + path +
-                  "` as a raw volume: voxel 17 (from 0, in the file's order) is nan");
+                  "` as a raw volume: its voxel (1, 1, 1) is nan; not_finite = \"background\" takes the "
+                  "background in their place");
+    volume.not_finite = config::NotFinite::background;
+    const auto cleared = open_volume(volume);
+    ASSERT_TRUE(cleared.value);
+    EXPECT_EQ(voxel_of(*cleared.value, {1, 1, 1}), 0);
+    EXPECT_EQ(voxel_of(*cleared.value, {2, 1, 1}), 112);
+}
+
+// A file knows where it lies; what is cut and bordered lies accordingly.
+TEST(Volume, LiesWhereItsFileSays) {
+    const TemporaryFolder folder;
+    const testing::FloatGrid::Ptr grid = testing::any_grid();
+    const auto transform = openvdb::math::Transform::createLinearTransform(0.5);
+    transform->postTranslate(openvdb::Vec3d(1234.5, -77, 900));
+    grid->setTransform(transform);
+    grid->tree().setValue(testing::Coord(20000, 0, 0), 1);
+    testing::write_grid(grid, folder / "v.vdb");
+    VolumeFile volume;
+    volume.paths = {folder / "v.vdb"};
+    EXPECT_NE(first_message_anywhere(volume).find("it has 20033 voxels along x, and at most 16384 are "
+                                                  "read; crop_first and crop_size choose a part"),
+              std::string::npos);
+    volume.crop_first = {-3, 2, 5};
+    volume.crop_size = {10, 20, 8};
+    const auto corner = [&] { return read_volume_shape(volume).value.value().corner_m; };
+    EXPECT_EQ(corner(), (std::array<double, 3>{1234.5 - 1.75, -77 + 0.75, 900 + 2.25}));
+    volume.border = 2;
+    EXPECT_EQ(corner(), (std::array<double, 3>{1234.5 - 2.75, -77 - 0.25, 900 + 2.25}));
+    volume.border = 0;
+    volume.up_axis = VolumeUp::y;  // the cloud's y is the file's -z, which ends at 900 + 2.25 + 4
+    EXPECT_EQ(corner(), (std::array<double, 3>{1234.5 - 1.75, -906.25, -77 + 0.75}));
+}
+
+TEST(Volume, WarnsOfValuesBelowZero) {
+    const TemporaryFolder folder;
+    const testing::FloatGrid::Ptr grid = testing::any_grid();
+    grid->tree().setValue(testing::Coord(3, 4, 5), -2);
+    testing::write_grid(grid, folder / "v.vdb");
+    VolumeFile volume;
+    volume.paths = {folder / "v.vdb"};
+    const auto source = open_volume(volume);
+    ASSERT_TRUE(source.value);
+    ASSERT_EQ(source.diagnostics.size(), 1U);
+    EXPECT_EQ(source.diagnostics[0].code, "W0231");
+    EXPECT_NE(source.diagnostics[0].message.find("its voxel (3, 4, 5) is -2; they count as 0"),
+              std::string::npos)
+        << source.diagnostics[0].message;
 }
 
 TEST(VolumeFails, WhereTheCropIsBesideTheFile) {

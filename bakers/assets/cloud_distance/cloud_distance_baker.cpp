@@ -108,7 +108,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
     const Uvw spanned = spanned_m(of, asset, cloud);
-    const std::string corner = glsl_vector({0, 0, cloud.base_altitude.meters});
+    const std::string corner = glsl_vector(corner_m_of(cloud));
     const std::string box =
         fmt::format("    vec3 corner = {}, box = {};\n", corner, glsl_vector(spanned));
     const std::array<double, 2> metres =

@@ -117,10 +117,14 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
 AssetPlaces places(const Parameters& parameters, const CloudLightBake& asset, const StoredTexels&) {
     const Cloud cloud = spanned_cloud(parameters, source_volume(parameters, asset.of));
     if (!is_map(asset)) return cloud_places(cloud, extent_m_of(cloud));
-    return single_lookup(
-        {"x_m", "y_m", "altitude_m"}, [extent_m = extent_m_of(cloud)](const Place& at) {
-            return Uvw{at[0].second / extent_m[0], at[1].second / extent_m[1], 0.5};
-        });
+    return single_lookup({"x_m", "y_m", "altitude_m"},
+                         [places = cloud_places(cloud, extent_m_of(cloud))](const Place& at) {
+                             Probe probe;
+                             probe.at = at;
+                             Uvw uvw = places.lookups(probe, 0).front().uvw;
+                             uvw[2] = 0.5;
+                             return uvw;
+                         });
 }
 
 GlslFunction texels_function(const CloudLightBake& asset, const std::string& box) {

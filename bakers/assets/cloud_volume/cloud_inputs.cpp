@@ -23,6 +23,12 @@ using config::Diagnostic;
 using config::Outcome;
 using config::VolumeFile;
 
+bool has_errors(const std::vector<Diagnostic>& diagnostics) {
+    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+        return diagnostic.severity == config::Severity::error;
+    });
+}
+
 // None where the cloud names no map, and after an error.
 std::optional<cloud::MapLookup> read_map(const CloudMap& map, const char* key, Facts& details,
                                          std::vector<Diagnostic>& diagnostics) {
@@ -115,7 +121,7 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
     inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);
-    if (outcome.diagnostics.empty() && bake.cover) {
+    if (!has_errors(outcome.diagnostics) && bake.cover) {
         const auto found = found_cover(parameters, bake, inputs, options);
         if (!found) return {};
         inputs.coverage = found->coverage;
@@ -124,7 +130,7 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
             outcome.diagnostics.push_back(std::move(*problem));
         }
     }
-    if (outcome.diagnostics.empty()) outcome.value = std::move(inputs);
+    if (!has_errors(outcome.diagnostics)) outcome.value = std::move(inputs);
     return outcome;
 }
 

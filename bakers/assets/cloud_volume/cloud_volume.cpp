@@ -28,13 +28,18 @@ using config::CloudVolumeBake;
 using config::Outcome;
 
 std::vector<AxisMapping> axes_of(const Cloud& cloud) {
-    const double base = cloud.base_altitude.meters;
+    const auto [corner_x, corner_y, base] = corner_m_of(cloud);
     std::vector<AxisMapping> axes(3);
     for (std::size_t i = 0; i < 2; ++i) {
+        const char letter = "xy"[i];
+        const double first = i == 0 ? corner_x : corner_y;
         axes[i].quantity = i == 0 ? "x_m" : "y_m";
-        axes[i].last = cloud.extent[i].meters;
-        axes[i].formula = fmt::format("{} = {} / {}", i == 0 ? "u" : "v", i == 0 ? "x" : "y",
-                                      cloud.extent[i].meters);
+        axes[i].first = first;
+        axes[i].last = first + cloud.extent[i].meters;
+        axes[i].formula =
+            fmt::format("{} = {} / {}", "uv"[i],
+                        first == 0 ? std::string(1, letter) : fmt::format("({} - {})", letter, first),
+                        cloud.extent[i].meters);
         axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
         axes[i].wrap = AxisWrap::repeat;
     }
@@ -45,7 +50,8 @@ std::vector<AxisMapping> axes_of(const Cloud& cloud) {
     axes[2].convention = "clamped; voxel i samples (i + 1/2) / size";
     for (AxisMapping& axis : axes) {
         axis.end_points = TexelConvention::end_points_on_edges;
-        axis.constants = {{"first_m", axis.first}, {"extent_m", axis.last - axis.first}};
+        const auto number = static_cast<std::size_t>(&axis - axes.data());
+        axis.constants = {{"first_m", axis.first}, {"extent_m", cloud.extent[number].meters}};
     }
     return axes;
 }
@@ -84,9 +90,10 @@ std::vector<std::string> grid_names(const std::vector<std::string>& channels) {
 }
 
 ProbePlace place_of(const Cloud& cloud, const std::array<double, 3>& uvw) {
-    return {{{"x_m", uvw[0] * cloud.extent[0].meters},
-             {"y_m", uvw[1] * cloud.extent[1].meters},
-             {"altitude_m", cloud.base_altitude.meters + uvw[2] * cloud.extent[2].meters}},
+    const Uvw corner = corner_m_of(cloud);
+    return {{{"x_m", corner[0] + uvw[0] * cloud.extent[0].meters},
+             {"y_m", corner[1] + uvw[1] * cloud.extent[1].meters},
+             {"altitude_m", corner[2] + uvw[2] * cloud.extent[2].meters}},
             {{uvw}}};
 }
 
@@ -135,7 +142,7 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
     volume.sparse = true;
     set_files(bake, volume);
     volume.voxel_size_m = config::voxel_edges(cloud, bake);
-    volume.minimum_m = {0, 0, cloud.base_altitude.meters};
+    volume.minimum_m = corner_m_of(cloud);
     volume.up_axis = "+z";
     volume.conventions.length_unit = "m";
     volume.conventions.coefficient_unit = "1/m";

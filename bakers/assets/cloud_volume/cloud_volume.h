@@ -85,6 +85,8 @@ config::Cloud spanned_cloud(const config::Parameters& parameters,
                             const config::CloudVolumeBake& asset);
 
 Uvw extent_m_of(const config::Cloud& cloud);
+// The lower corner of its tile.
+Uvw corner_m_of(const config::Cloud& cloud);
 
 // A statement of GLSL that declares its lower corner and its edges, `corner` and `tile`, in metres.
 std::string cloud_box_glsl(const config::Cloud& cloud);

@@ -24,8 +24,11 @@ Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
     Baked volume = labelled_volume(std::move(label));
     const Outcome<CloudInputs> inputs = cloud_inputs(parameters, asset, volume.details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
-    return bake_cloud_volume(cloud_named(parameters, asset.cloud), asset, *inputs.value, options,
-                             std::move(volume));
+    Outcome<Baked> baked = bake_cloud_volume(cloud_named(parameters, asset.cloud), asset,
+                                             *inputs.value, options, std::move(volume));
+    const auto& warnings = inputs.diagnostics;
+    baked.diagnostics.insert(baked.diagnostics.end(), warnings.begin(), warnings.end());
+    return baked;
 }
 
 std::vector<Need> needs(const Parameters& parameters, const CloudVolumeBake& asset, Certification) {
@@ -107,10 +110,11 @@ std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,
 }
 
 AssetPlaces cloud_places(const Cloud& cloud, const Uvw& extent_m) {
-    const double base_m = cloud.base_altitude.meters;
-    return single_lookup({"x_m", "y_m", "altitude_m"}, [extent_m, base_m](const Place& at) {
-        return Uvw{at[0].second / extent_m[0], at[1].second / extent_m[1],
-                   (at[2].second - base_m) / extent_m[2]};
+    const Uvw corner_m = corner_m_of(cloud);
+    return single_lookup({"x_m", "y_m", "altitude_m"}, [extent_m, corner_m](const Place& at) {
+        Uvw uvw;
+        for (std::size_t i = 0; i < 3; ++i) uvw[i] = (at[i].second - corner_m[i]) / extent_m[i];
+        return uvw;
     });
 }
 
@@ -122,9 +126,13 @@ Uvw extent_m_of(const Cloud& cloud) {
     return {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters};
 }
 
+Uvw corner_m_of(const Cloud& cloud) {
+    return {cloud.corner[0].meters, cloud.corner[1].meters, cloud.base_altitude.meters};
+}
+
 std::string cloud_box_glsl(const Cloud& cloud) {
     return fmt::format("    vec3 corner = {}, tile = {};\n",
-                       glsl_vector({0, 0, cloud.base_altitude.meters}),
+                       glsl_vector(corner_m_of(cloud)),
                        glsl_vector(extent_m_of(cloud)));
 }
 

@@ -202,18 +202,22 @@ ProbePlace column_probe_place(const ColumnTable& table, const std::array<double,
     return place;
 }
 
-std::array<double, 3> column_texture_coordinates(
-    const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at) {
+ColumnPath column_path_of(const ColumnTable& table,
+                          const std::vector<std::pair<std::string, double>>& at) {
     const Shell& shell = table.geometry().shell;
     if (table.kind() == ColumnTableKind::between_altitudes) {
-        return table.texture_coordinates(
-            path_of_angle(shell, at[0].second, at[1].second, at[2].second / kDegreesOfRadian));
+        return path_of_angle(shell, at[0].second, at[1].second, at[2].second / kDegreesOfRadian);
     }
     ColumnPath path{at[0].second, (shell.ground_radius_km + at[0].second) * at[1].second, 0};
     path.length_km = table.kind() == ColumnTableKind::to_top
                          ? distance_to_top_km(shell, path.altitude_km, path.s_km)
                          : at[2].second;
-    return table.texture_coordinates(path);
+    return path;
+}
+
+std::array<double, 3> column_texture_coordinates(
+    const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at) {
+    return table.texture_coordinates(column_path_of(table, at));
 }
 
 }  // namespace skybake

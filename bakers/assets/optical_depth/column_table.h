@@ -78,6 +78,10 @@ class ColumnTable {
 //   between by distance       altitude_km, cos_zenith, length_km
 ProbePlace column_probe_place(const ColumnTable& table, const std::array<double, 3>& uvw);
 
+// Returns the path that a probe names.
+ColumnPath column_path_of(const ColumnTable& table,
+                          const std::vector<std::pair<std::string, double>>& at);
+
 // Returns the texture coordinates of the place that a probe names.
 std::array<double, 3> column_texture_coordinates(
     const ColumnTable& table, const std::vector<std::pair<std::string, double>>& at);

@@ -25,10 +25,31 @@ namespace {
 using config::OpticalDepthBake;
 using config::OpticalDepthTable;
 
+ColumnTable table_of(const Parameters& parameters, const OpticalDepthBake& asset) {
+    return {asset, column_geometry(make_column_kinds(parameters.atmosphere, asset.kinds))};
+}
+
+// Says at each probe what the lookups make of its value: columns.
+void add_columns(const Parameters& parameters, const OpticalDepthBake& asset, Baked& baked) {
+    const ColumnTable table = table_of(parameters, asset);
+    for (Level& level : baked.levels) {
+        for (Probe& probe : level.probes) {
+            const double length_km = column_path_of(table, probe.at).length_km;
+            for (const double value : probe.value) {
+                probe.column_km.push_back(mean_density_of_stored(value) * length_km);
+            }
+        }
+    }
+}
+
 Outcome<Baked> bake(const Parameters& parameters, const OpticalDepthBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    return bake_columns(parameters.atmosphere, asset, options,
-                        labelled_sky_volume(parameters, std::move(label)));
+    Outcome<Baked> baked = bake_columns(parameters.atmosphere, asset, options,
+                                        labelled_sky_volume(parameters, std::move(label)));
+    const bool is_of_paths =
+        asset.table != OpticalDepthTable::density && asset.table != OpticalDepthTable::phase;
+    if (baked.value && is_of_paths) add_columns(parameters, asset, *baked.value);
+    return baked;
 }
 
 Estimate estimate(const Parameters&, const OpticalDepthBake& asset) {
@@ -37,8 +58,7 @@ Estimate estimate(const Parameters&, const OpticalDepthBake& asset) {
 
 AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
                    const StoredTexels&) {
-    const ColumnTable table(asset,
-                            column_geometry(make_column_kinds(parameters.atmosphere, asset.kinds)));
+    const ColumnTable table = table_of(parameters, asset);
     const int size = asset.size[0];
     const auto along_u = [size](double x) {
         return Uvw{texture_coordinate(TexelConvention::end_points_on_texel_centres, x, size), 0.5,
@@ -96,8 +116,7 @@ GlslFunction column_function(const ColumnTable& table) {
 
 AssetLookup lookup(const Parameters& parameters, const OpticalDepthBake& asset,
                    const StoredTexels& stored) {
-    const ColumnTable table(asset,
-                            column_geometry(make_column_kinds(parameters.atmosphere, asset.kinds)));
+    const ColumnTable table = table_of(parameters, asset);
     GlslFunction function;
     if (asset.table == OpticalDepthTable::phase) {
         function.comment =
@@ -133,7 +152,7 @@ void draft(OpticalDepthBake& asset, int) {
 }  // namespace
 
 const Baker<config::OpticalDepthBake>& baker(BakerTag<config::OpticalDepthBake>) {
-    static const Baker<config::OpticalDepthBake> row = {.version = 5,
+    static const Baker<config::OpticalDepthBake> row = {.version = 6,
                                                         .bake = bake,
                                                         .estimate = estimate,
                                                         .places = places,

@@ -152,10 +152,7 @@ void add_facts(const PhaseBake& bake, const PhaseSource& source, Baked& table) {
     for (std::size_t c = 0; c < source.functions.size(); ++c) {
         const std::string channel = "_" + table.channel_names[c];
         const std::vector<double> moments = legendre_moments(source.functions[c], bake.degree);
-        // Of spheres the series has it to more digits than the table.
-        const PhaseFunction& function = source.functions[c];
-        const double mean_cosine = function.table ? function.g : moments[1];
-        table.details.emplace_back("mean_cosine" + channel, to_digits(mean_cosine, 9));
+        table.details.emplace_back("mean_cosine" + channel, to_digits(moments[1], 9));
         table.details.emplace_back("legendre_moments" + channel, to_digits(moments, 7));
         // Closed forms are alike in all channels.
         if (c == 0 || source.functions[c] != source.functions[c - 1]) {

@@ -298,6 +298,7 @@ Probe read_probe(const Node& node, bool of_volume) {
     }
     probe.value = numbers(node["value"]);
     probe.tolerance = numbers(node["tolerance"]);
+    if (node.has("column_km")) probe.column_km = numbers(node["column_km"]);
     return probe;
 }
 

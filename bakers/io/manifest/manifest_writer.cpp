@@ -114,6 +114,7 @@ Json probe_json(const Probe& probe, bool of_volume) {
     if (probe.blend) json["blend"] = {{"uvw", probe.blend->uvw}, {"share", probe.blend->share}};
     json["value"] = probe.value;
     json["tolerance"] = probe.tolerance;
+    if (!probe.column_km.empty()) json["column_km"] = probe.column_km;
     return json;
 }
 

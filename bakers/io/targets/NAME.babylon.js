@@ -2,6 +2,8 @@
 // lookups need: put both files beside each other and call `await load(BABYLON, scene)`.
 $if PARTS=cube$// Straight ahead is +z, up +y and right +x, as in Babylon.js: use the texture as the reflection of a material, with
 $if PARTS=cube$// coordinatesMode CUBIC_MODE, or SKYBOX_MODE on a box around the camera.
+$if KIND=environment$$if MAPPING=longitude_latitude$// It is a panorama, straight ahead +x and up +y, for the reflection of a material, also of a sphere around the
+$if KIND=environment$$if MAPPING=longitude_latitude$// camera. The sun stands $SUN_PLACE$.
 $if PARTS=none$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture, and --language wgsl the WGSL.
 const size = [$WIDTH$, $HEIGHT$, $DEPTH$];
 const channels = $CHANNELS$;
@@ -39,6 +41,8 @@ $if PARTS=none$    const wraps = { repeat: Texture.WRAP_ADDRESSMODE, clamp: Text
 $if PARTS=none$    texture.wrapU = wraps.$WRAP_U$;
 $if PARTS=none$    texture.wrapV = wraps.$WRAP_V$;
 $if DIM=3$    texture.wrapR = wraps.$WRAP_W$;
+$if KIND=environment$$if MAPPING=longitude_latitude$    texture.coordinatesMode = scene.useRightHandedSystem ? Texture.FIXED_EQUIRECTANGULAR_MODE
+$if KIND=environment$$if MAPPING=longitude_latitude$                                                         : Texture.FIXED_EQUIRECTANGULAR_MIRRORED_MODE;
     texture.gammaSpace = false;
     texture.anisotropicFilteringLevel = 1;  // lookups that jump between pixels would be blurred
     return texture;

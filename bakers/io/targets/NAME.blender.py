@@ -1,5 +1,5 @@
 $if FORMAT=vdb$"""Adds the volume of $FILE$ to the open scene, in metres, with a material whose density is extinction.
-$if FORMAT=exr$"""Makes $FILE$ the world of the open scene, with its numbers taken as they are: the sun stands over +x.
+$if FORMAT=exr$"""Makes $FILE$ the world of the open scene, with its numbers taken as they are: the sun stands $SUN_PLACE$.
 
 Run it in Blender's text editor, or as `blender scene.blend --python $NAME$.blender.py`.
 """

@@ -1,7 +1,7 @@
 // Loads $FILE$ into three.js with the wrapping and the filters that its lookups need: put both files
 // beside each other and call `await load(renderer)`.
 $if KIND=environment$$if FORMAT=exr$// The texture is an equirectangular map of radiance: `scene.background = scene.environment = texture`.
-$if KIND=environment$$if FORMAT=exr$// The sun stands over +x.
+$if KIND=environment$$if FORMAT=exr$// The sun stands $SUN_PLACE$.
 $if KIND=environment$$if FORMAT=ktx2$// The texture is a cube map of radiance: `scene.background = scene.environment = texture`. Straight ahead
 $if KIND=environment$$if FORMAT=ktx2$// is +z and right is -x. A samplerCube of your own is read at (right, up, ahead).
 $if PARTS=none$$if FORMAT=ktx2$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture.

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <map>
+#include <numbers>
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
@@ -13,6 +15,7 @@
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
 #include "config/sections/targets.h"
+#include "config/text/units.h"
 
 namespace skybake {
 namespace {
@@ -61,6 +64,21 @@ void add_sun(const Baked& baked, Values& values) {
     values["SOLAR"] = fmt::format("{}", fmt::join(baked.conventions.solar_irradiance, ", "));
 }
 
+// "over +x", or "40 degrees to the right of +x": where an environment has the sun. Its parameters say
+// it.
+std::string sun_place(const Baked& baked) {
+    constexpr std::string_view key = "\nsun_azimuth = \"";
+    const std::size_t at = baked.parameters.find(key);
+    if (at == std::string::npos) return "over +x";
+    const std::string_view text = std::string_view(baked.parameters).substr(at + key.size());
+    const auto parsed = config::parse_quantity(text.substr(0, text.find('"')));
+    const auto* angle = std::get_if<config::Quantity>(&parsed);
+    const double degrees = angle ? std::remainder(angle->value * 180 / std::numbers::pi, 360) : 0;
+    if (std::fabs(degrees) < 1e-9) return "over +x";
+    return fmt::format("{:.6g} degrees to the {} of +x", std::fabs(degrees),
+                       degrees > 0 ? "right" : "left");
+}
+
 // Returns what the texts may name.
 Values values_of(const Baked& baked, const ManifestAsset& asset) {
     const std::array<int, 3>& size = baked.levels.front().size;
@@ -83,6 +101,7 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
         {"CHANNELS", std::to_string(baked.channel_names.size())},
         {"GRID", asset.is_volume() ? vdb_grid_names(baked).front() : ""},
         {"EXTINCTION", extinction.empty() ? "1" : extinction},
+        {"SUN_PLACE", sun_place(baked)},
     };
     add_lookup(baked, values);
     add_sun(baked, values);

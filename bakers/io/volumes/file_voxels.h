@@ -1,10 +1,11 @@
-// Voxels of a volume's files, whatever the format, along the file's own axes.
+// Voxels of a volume's files, whatever the format, along the axes of the file's space.
 #pragma once
 
 #include <array>
 #include <memory>
 
 #include "bakers/field/baked.h"
+#include "bakers/io/volumes/value_faults.h"
 
 namespace skybake {
 
@@ -13,6 +14,8 @@ struct FileVoxels {
     std::array<int, 3> size{};             // from there
     std::array<double, 3> voxel_size{};    // edges, in the file's units; 0 if it does not say
     std::array<double, 3> index_origin{};  // lower corner of voxel (0, 0, 0) in the file's space
+    bool has_place = false;                // the file says where in space it lies
+    ValueFaults faults;                    // if the voxels were asked for
     float background = 0;
     float largest = 0;  // no value is above it, `background` included
     // One channel, by index. A box may reach beyond the voxels, where there is background. Null if

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstring>
 #include <mutex>
-#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -76,8 +75,8 @@ class RawVoxels : public VoxelSource {
     }
     std::uint64_t file_bytes() const { return file_.size(); }
 
-    // Reads all voxels. Returns the largest value, at least 0, or what is wrong with one.
-    std::optional<std::string> survey(float& largest) const {
+    // Reads all voxels once, for the largest value, at least 0, and the faults.
+    void survey(FileVoxels& voxels) const {
         constexpr std::int64_t most = 1 << 18;
         const std::int64_t count = VoxelBox{{}, layout_.size}.count();
         std::string bytes;
@@ -86,14 +85,13 @@ class RawVoxels : public VoxelSource {
             const auto part = static_cast<std::size_t>(std::min(most, count - first));
             read(first, part, bytes, values.data());
             for (std::size_t i = 0; i < part; ++i) {
-                if (!std::isfinite(values[i])) {
-                    return fmt::format("voxel {} (from 0, in the file's order) is {}",
-                                       first + static_cast<std::int64_t>(i), values[i]);
+                if (ValueFaults::is_fault(values[i])) {
+                    voxels.faults.add(values[i], index_at(first + static_cast<std::int64_t>(i)));
+                } else {
+                    voxels.largest = std::max(voxels.largest, values[i]);
                 }
-                largest = std::max(largest, values[i]);
             }
         }
-        return std::nullopt;
     }
 
     // Voxels along the fastest axis are read together.
@@ -121,12 +119,24 @@ class RawVoxels : public VoxelSource {
                 for (std::size_t i = 0; i < 3; ++i) {
                     to += (at[i] - box.origin[i]) * step_of(box, i);
                 }
-                for (std::size_t i = 0; i < count; ++i, to += step) *to = line[i];
+                for (std::size_t i = 0; i < count; ++i, to += step) {
+                    *to = std::isfinite(line[i]) ? line[i] : 0;
+                }
             }
         }
     }
 
   private:
+    // Of a voxel in the file's order.
+    std::array<std::int64_t, 3> index_at(std::int64_t number) const {
+        std::array<std::int64_t, 3> index{};
+        for (const std::size_t axis : axes_) {
+            index[axis] = number % layout_.size[axis];
+            number /= layout_.size[axis];
+        }
+        return index;
+    }
+
     // The distance of neighbours along an axis in a box.
     static std::int64_t step_of(const VoxelBox& box, std::size_t axis) {
         if (axis == 0) return 1;
@@ -166,7 +176,7 @@ Outcome<FileVoxels> not_such_a_volume(const std::filesystem::path& path,
 }  // namespace
 
 Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path, const RawLayout& layout,
-                                    VolumePart part) {
+                                    VolumePart part, config::NotFinite not_finite) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     const auto source = std::make_shared<RawVoxels>(std::move(*file.value), layout);
@@ -178,11 +188,12 @@ Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path, const Raw
     voxels.size = layout.size;
     if (part == VolumePart::shape) return {std::move(voxels), {}};
     try {
-        if (const auto problem = source->survey(voxels.largest)) {
-            return not_such_a_volume(path, *problem);
-        }
+        source->survey(voxels);
     } catch (const std::exception& error) {
         return not_such_a_volume(path, error.what());
+    }
+    if (not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0) {
+        return not_such_a_volume(path, refusal_of(voxels.faults));
     }
     voxels.voxels = source;
     return {std::move(voxels), {}};

@@ -21,8 +21,9 @@ struct RawLayout {
 
 // Opens a file of this layout. Integers of n bits become v / (2^n - 1). Before voxels are returned,
 // all of them have been read once. E0300 if the file cannot be read; E0304 if its size is not that of
-// the layout, or if a voxel is not finite.
-config::Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path,
-                                            const RawLayout& layout, VolumePart part);
+// the layout, or if a voxel is not finite, unless such voxels are the background, 0.
+config::Outcome<FileVoxels> open_raw_volume(
+    const std::filesystem::path& path, const RawLayout& layout, VolumePart part,
+    config::NotFinite not_finite = config::NotFinite::refuse);
 
 }  // namespace skybake

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/png/image_codec.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/raw_volume.h"
@@ -28,7 +29,8 @@ Diagnostic not_a_slice(const fs::path& path, const std::string& reason) {
         fmt::format("cannot read `{}` as a slice of a volume: {}", path.string(), reason));
 }
 
-Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel) {
+Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel,
+                              config::NotFinite not_finite) {
     const Outcome<FileInput> opened = FileInput::open(path);  // says why it cannot be
     if (!opened.value) return {{}, opened.diagnostics};
     const LoadedImageCodec& loaded = image_codec();
@@ -37,6 +39,9 @@ Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel) 
                 {file_error("E0300", path.string(),
                             fmt::format("cannot read `{}`: {}", path.string(), loaded.reason))}};
     }
+    const auto parts = read_exr_heads(path);
+    const std::string subsampled = parts.value ? subsampled_channel(*parts.value) : "";
+    if (!subsampled.empty()) return {{}, {not_a_slice(path, subsampled)}};
     MapPixels pixels = loaded.codec->read(path, channel);
     if (!pixels.problem.empty()) return {{}, {not_a_slice(path, pixels.problem)}};
     if (pixels.values.empty()) {
@@ -46,10 +51,11 @@ Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel) 
     }
     const auto worst = std::find_if(pixels.values.begin(), pixels.values.end(),
                                     [](float value) { return !std::isfinite(value); });
-    if (worst != pixels.values.end()) {
+    if (not_finite == config::NotFinite::refuse && worst != pixels.values.end()) {
         const auto at = worst - pixels.values.begin();
         return {{},
-                {not_a_slice(path, fmt::format("the pixel in column {}, row {} is {}",
+                {not_a_slice(path, fmt::format("the pixel in column {}, row {} is {}; not_finite = "
+                                               "\"background\" takes 0 in its place",
                                                at % pixels.width, at / pixels.width, *worst))}};
     }
     return {std::move(pixels), {}};
@@ -72,8 +78,8 @@ class ScratchFile {
 }  // namespace
 
 Outcome<FileVoxels> open_slice_stack(std::span<const fs::path> paths, const std::string& channel,
-                                     VolumePart part) {
-    Outcome<MapPixels> slice = read_slice(paths[0], channel);
+                                     VolumePart part, config::NotFinite not_finite) {
+    Outcome<MapPixels> slice = read_slice(paths[0], channel, not_finite);
     if (!slice.value) return {{}, std::move(slice.diagnostics)};
     RawLayout layout;
     layout.size = {slice.value->width, slice.value->height, static_cast<int>(paths.size())};
@@ -87,7 +93,7 @@ Outcome<FileVoxels> open_slice_stack(std::span<const fs::path> paths, const std:
     const ScratchFile scratch;
     FileOutput output(scratch.path());
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        if (i > 0) slice = read_slice(paths[i], channel);
+        if (i > 0) slice = read_slice(paths[i], channel, not_finite);
         if (!slice.value) return {{}, std::move(slice.diagnostics)};
         const MapPixels& pixels = *slice.value;
         if (pixels.width != layout.size[0] || pixels.height != layout.size[1]) {
@@ -101,7 +107,7 @@ Outcome<FileVoxels> open_slice_stack(std::span<const fs::path> paths, const std:
                       pixels.values.size() * sizeof(float)});
     }
     if (!output.finish()) return {{}, {output.diagnostic()}};
-    return open_raw_volume(scratch.path(), layout, part);
+    return open_raw_volume(scratch.path(), layout, part, not_finite);
 }
 
 }  // namespace skybake

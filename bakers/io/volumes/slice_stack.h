@@ -7,6 +7,7 @@
 
 #include "bakers/io/volumes/file_voxels.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/volume.h"
 
 namespace skybake {
 
@@ -15,8 +16,10 @@ namespace skybake {
 // program sees, so memory holds a single slice.
 //
 // E0300 if a file cannot be read, E0301 if the temporary file cannot be written, E0304 if a picture
-// is damaged, lacks the channel, has another size than the first one or a value that is not finite.
+// is damaged, lacks the channel, has another size than the first one or a value that is not finite,
+// unless such values are 0.
 config::Outcome<FileVoxels> open_slice_stack(std::span<const std::filesystem::path> paths,
-                                             const std::string& channel, VolumePart part);
+                                             const std::string& channel, VolumePart part,
+                                             config::NotFinite not_finite);
 
 }  // namespace skybake

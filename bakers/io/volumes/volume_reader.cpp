@@ -29,14 +29,18 @@ constexpr std::int64_t most_voxels = 16384;  // along an axis
 
 Outcome<FileVoxels> open_file(const VolumeFile& volume, VolumePart part) {
     if (volume.format == VolumeFormat::slices) {
-        return open_slice_stack(volume.paths, volume.channel, part);
+        return open_slice_stack(volume.paths, volume.channel, part, volume.not_finite);
     }
     const std::filesystem::path& path = volume.paths.at(0);
-    if (volume.format == VolumeFormat::vdb) return open_vdb_grid(path, volume.grid, part);
-    if (volume.format == VolumeFormat::nvdb) return open_nvdb_grid(path, volume.grid, part);
+    if (volume.format == VolumeFormat::vdb) {
+        return open_vdb_grid(path, volume.grid, part, volume.not_finite);
+    }
+    if (volume.format == VolumeFormat::nvdb) {
+        return open_nvdb_grid(path, volume.grid, part, volume.not_finite);
+    }
     RawLayout layout{volume.size, volume.type, volume.byte_order, volume.axis_order, 0};
     layout.offset = static_cast<std::uint64_t>(volume.offset);
-    return open_raw_volume(path, layout, part);
+    return open_raw_volume(path, layout, part, volume.not_finite);
 }
 
 // Where the voxels that count are, by index along the file's axes.
@@ -44,6 +48,8 @@ struct Cut {
     std::array<int, 3> first{};
     std::array<int, 3> size{};
     std::array<double, 3> voxel_size_m{};
+    std::array<double, 3> corner_m{};  // in the file's space
+    bool has_place = false;            // the file says where it lies
 };
 
 struct Problem {
@@ -84,21 +90,26 @@ std::optional<Problem> find_cut(const VolumeFile& volume, const FileVoxels& file
     for (std::size_t i = 0; i < 3; ++i) {
         const double border = i == up ? 0 : 2.0 * volume.border;
         if (count[i] + border > most_voxels) {
+            const bool is_cut = count[i] != file.size[i] || border > 0;
             return Problem{"E0110",
-                           fmt::format("with its crop and border it has {} voxels along {}, "
-                                       "and at most {} are read",
-                                       count[i] + border, "xyz"[i], most_voxels)};
+                           fmt::format("{} {} voxels along {}, and at most {} are read{}",
+                                       is_cut ? "with its crop and border it has" : "it has",
+                                       count[i] + border, "xyz"[i], most_voxels,
+                                       is_cut ? "" : "; crop_first and crop_size choose a part")};
         }
-        if (first[i] >= file.first[i] + file.size[i] || first[i] + count[i] <= file.first[i]) {
+        const double end = double{1} * file.first[i] + file.size[i];
+        if (first[i] >= end || first[i] + count[i] <= file.first[i]) {
             return Problem{"E0110",
                            fmt::format("its voxels along {} are {} to {}, and the crop is {} to {}",
-                                       "xyz"[i], file.first[i], file.first[i] + file.size[i] - 1,
+                                       "xyz"[i], file.first[i], end - 1,
                                        first[i], first[i] + count[i] - 1)};
         }
         cut.first[i] = static_cast<int>(first[i]);
         cut.size[i] = static_cast<int>(count[i]);
         cut.voxel_size_m[i] = file.voxel_size[i];
+        cut.corner_m[i] = file.index_origin[i] + first[i] * file.voxel_size[i];
     }
+    cut.has_place = file.has_place;
     return std::nullopt;
 }
 
@@ -111,8 +122,17 @@ std::array<T, 3> turned(const std::array<T, 3>& of_file, VolumeUp up) {
 
 config::VolumeShape shape_of(const VolumeFile& volume, const Cut& cut) {
     config::VolumeShape shape{turned(cut.size, volume.up_axis),
-                              turned(cut.voxel_size_m, volume.up_axis)};
-    for (std::size_t i = 0; i < 2; ++i) shape.size[i] += 2 * volume.border;
+                              turned(cut.voxel_size_m, volume.up_axis),
+                              turned(cut.corner_m, volume.up_axis)};
+    // With y up, the cloud's y is the file's -z.
+    if (volume.up_axis == VolumeUp::y) {
+        shape.corner_m[1] = -(cut.corner_m[2] + cut.size[2] * cut.voxel_size_m[2]);
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+        shape.size[i] += 2 * volume.border;
+        shape.corner_m[i] -= volume.border * shape.voxel_size_m[i];
+    }
+    if (!cut.has_place) shape.corner_m = {};
     return shape;
 }
 
@@ -211,6 +231,18 @@ Outcome<T> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics
     return {{}, std::move(diagnostics)};
 }
 
+// Warns (W0231) of values below 0, which are no densities.
+std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults& faults) {
+    if (faults.negative.count == 0) return {};
+    Diagnostic warning = file_error("W0231", volume.paths[0].string(),
+                                    fmt::format("`{}`: {}; they count as 0", volume.paths[0].string(),
+                                                words_of_fault(faults.negative, "below 0")));
+    warning.severity = config::Severity::warning;
+    warning.label = "densities are at least 0";
+    if (!volume.file_place.source.empty()) warning.where = volume.file_place;
+    return {std::move(warning)};
+}
+
 template <class T, class Make>
 Outcome<T> with_cut(const VolumeFile& volume, VolumePart part, const Make& make) {
     Outcome<FileVoxels> file = open_file(volume, part);
@@ -223,7 +255,8 @@ Outcome<T> with_cut(const VolumeFile& volume, VolumePart part, const Make& make)
             fmt::format("cannot take a volume from `{}`: {}", path, problem->reason);
         return located<T>(volume, {file_error(problem->code, path, message)});
     }
-    return {make(cut, std::move(*file.value)), {}};
+    std::vector<Diagnostic> warnings = warnings_of(volume, file.value->faults);
+    return {make(cut, std::move(*file.value)), std::move(warnings)};
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "bakers/io/formats/exr/exr_file.h"
 
 #include <ImfFrameBuffer.h>
-#include <ImfIO.h>
 #include <ImfInputFile.h>
 #include <fmt/format.h>
 
@@ -15,6 +14,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_chunks.h"
 #include "bakers/io/formats/exr/exr_library.h"
+#include "bakers/io/formats/exr/exr_stream.h"
 
 namespace skybake {
 namespace {
@@ -115,39 +115,6 @@ RowSource rows_of(ExrRows& file) {
         [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
 }
 
-namespace {
-
-class InputStream : public Imf::IStream {
-  public:
-    InputStream(const std::string& name, FileInput file)
-        : Imf::IStream(name.c_str()), file_(std::move(file)) {}
-    bool read(char out[], int count) override {
-        const auto wanted = static_cast<std::size_t>(std::max(count, 0));
-        const auto done = file_.read(position_, out, wanted);
-        if (!done) {
-            failed_ = true;
-            throw std::runtime_error("it cannot be read");
-        }
-        if (*done < wanted) throw std::runtime_error("it ends early");
-        position_ += wanted;
-        return position_ < file_.size();
-    }
-    uint64_t tellg() override { return position_; }
-    void seekg(uint64_t position) override { position_ = position; }
-    std::uint64_t size() const { return file_.size(); }
-    // Returns why the file could not be read, if the system gave a reason.
-    std::optional<config::Diagnostic> failure() const {
-        return failed_ ? std::optional(file_.diagnostic()) : std::nullopt;
-    }
-
-  private:
-    FileInput file_;
-    std::uint64_t position_ = 0;
-    bool failed_ = false;
-};
-
-}  // namespace
-
 struct ExrRows::File {
     File(std::string name_, FileInput input)
         : name(std::move(name_)), stream(name, std::move(input)) {}
@@ -158,7 +125,7 @@ struct ExrRows::File {
     }
 
     std::string name;
-    InputStream stream;
+    ExrStream stream;
     std::unique_ptr<Imf::InputFile> image;
     ExrFacts facts;
 };

@@ -266,19 +266,32 @@ std::optional<std::string> bad_attribute_name(const Attributes& attributes) {
     return std::nullopt;
 }
 
-std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes) {
-    constexpr std::uint64_t first_attribute = 8;
+std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, int& version) {
+    constexpr std::size_t most_parts = 1024;
     const std::int32_t magic = read_integer(stream);
-    int version = read_integer(stream);
+    version = read_integer(stream);
     if (magic != Imf::MAGIC || !Imf::supportsFlags(Imf::getFlags(version))) {
-        return "it is not an OpenEXR file";
+        throw std::runtime_error("it is not an OpenEXR file");
     }
-    if (auto reason = oversized_attribute(stream, bytes)) return reason;
-    stream.seekg(first_attribute);
-    Imf::Header header;
-    header.readFrom(stream, version);
+    std::vector<Imf::Header> headers;
+    while (headers.size() < most_parts) {
+        const std::uint64_t begin = stream.tellg();
+        if (auto reason = oversized_attribute(stream, bytes)) throw std::runtime_error(*reason);
+        const std::uint64_t end = stream.tellg();
+        if (end == begin + 1) break;  // an empty header ends those of several parts
+        stream.seekg(begin);
+        headers.emplace_back().readFrom(stream, version);
+        if (!Imf::isMultiPart(version)) break;
+    }
+    if (headers.empty()) throw std::runtime_error("its header is empty");
+    return headers;
+}
+
+std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes) {
+    int version = 0;
+    const std::vector<Imf::Header> headers = exr_headers(stream, bytes, version);
     stream.seekg(0);
-    return unknown_layout(header, version, bytes);
+    return unknown_layout(headers.front(), version, bytes);
 }
 
 ExrFacts facts_of(const Imf::Header& header) {

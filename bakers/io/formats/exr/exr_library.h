@@ -44,6 +44,11 @@ std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string&
 // file, so long texts are already in pieces.
 std::optional<std::string> bad_attribute_name(const Attributes& attributes);
 
+// Reads the headers of all parts of a file of `bytes` bytes, at least one, and its version with its
+// flags. Throws what the library and the stream throw, and std::runtime_error with the reason if they
+// claim more bytes than the file has.
+std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, int& version);
+
 // Returns what the header of a file of `bytes` bytes contains that skybake does not read or that
 // the file is too short to hold, in words, or nothing. Call this before the library opens the file,
 // because the library trusts the header and allocates what it claims. The stream is at the file's

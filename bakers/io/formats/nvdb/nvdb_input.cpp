@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint16_t most_grids = 64;
 constexpr std::uint32_t most_name = 4096;             // bytes
 constexpr std::uint64_t most_description = 64 << 20;  // bytes
+constexpr const char* nvdb_way_on =
+    "`nanovdb_convert FILE.nvdb FILE.vdb` makes an OpenVDB file of it, for format = \"vdb\"";
 
 }  // namespace
 
@@ -33,15 +35,16 @@ void NvdbInput::read_heads() {
 // Returns the offset behind its grids.
 std::uint64_t NvdbInput::read_segment(std::uint64_t offset) {
     const auto segment = read<NvdbSegment>(offset);
-    if (segment.magic != NANOVDB_MAGIC_NUMBER) {
-        throw NvdbDamage{offset == 0 ? "it does not begin with `NanoVDB0`"
+    expect_nvdb(segment.magic != nvdb_new_grid_magic, "it is a grid without a file's head");
+    if (segment.magic != nvdb_magic && segment.magic != nvdb_new_file_magic) {
+        throw NvdbDamage{offset == 0 ? "it begins with neither `NanoVDB0` nor `NanoVDB2`"
                                      : "there is more behind its grids"};
     }
     if (segment.version.getMajor() != NANOVDB_MAJOR_VERSION_NUMBER) {
-        throw NvdbDamage{fmt::format("its version is {}.{}", segment.version.getMajor(),
-                                     segment.version.getMinor())};
+        throw NvdbDamage{fmt::format("its version is {}.{}, and {} is read; {}",
+                                     segment.version.getMajor(), segment.version.getMinor(),
+                                     NANOVDB_MAJOR_VERSION_NUMBER, nvdb_way_on)};
     }
-    expect_nvdb(segment.codec == 0, "it is compressed");
     const std::size_t first = grids_.size();
     if (segment.grids == 0 || first + segment.grids > most_grids) {
         throw NvdbDamage{fmt::format("it has {} grids", first + segment.grids)};
@@ -50,7 +53,12 @@ std::uint64_t NvdbInput::read_segment(std::uint64_t offset) {
     for (int i = 0; i < segment.grids; ++i) offset = read_head(offset);
     for (std::size_t i = first; i < grids_.size(); ++i) {
         grids_[i].begin = offset;
-        const std::uint64_t bytes = grids_[i].head.grid_size;
+        if (segment.codec != 0) {
+            grids_[i].unread = fmt::format("it is compressed by {}; {}",
+                                           segment.codec == 1 ? "zip" : "blosc", nvdb_way_on);
+        }
+        const NvdbGridHead& head = grids_[i].head;
+        const std::uint64_t bytes = segment.codec == 0 ? head.grid_size : head.file_size;
         expect_nvdb(bytes <= file_.size() - offset, "it ends within a grid");
         offset += bytes;
     }
@@ -71,13 +79,24 @@ std::uint64_t NvdbInput::read_head(std::uint64_t offset) {
     return offset;
 }
 
+std::string nvdb_type_name(nanovdb::GridType type) {
+    constexpr std::array names = {"unknown", "float", "double", "int16",  "int32", "int64",
+                                  "vec3f",   "vec3d", "mask",   "half",   "uint32", "bool",
+                                  "rgba8",   "fp4",   "fp8",    "fp16",   "fpN",    "vec4f",
+                                  "vec4d",   "index"};
+    const auto number = static_cast<std::size_t>(type);
+    return number < names.size() ? names[number] : fmt::format("type {}", number);
+}
+
 nanovdb::GridData NvdbInput::grid_data(const NvdbGrid& grid) {
+    if (!grid.unread.empty()) throw NvdbDamage{grid.unread};
     if (nvdb_leaf_bytes(grid.head.type) == 0) {
-        throw NvdbDamage{
-            fmt::format("its grids are of type {}", static_cast<std::uint32_t>(grid.head.type))};
+        throw NvdbDamage{fmt::format("its grid `{}` holds {}; {}", grid.name,
+                                     nvdb_type_name(grid.head.type), nvdb_way_on)};
     }
     const auto data = read<nanovdb::GridData>(grid.begin);
-    expect_nvdb(data.mMagic == NANOVDB_MAGIC_NUMBER && data.mGridType == grid.head.type &&
+    const bool is_known = data.mMagic == nvdb_magic || data.mMagic == nvdb_new_grid_magic;
+    expect_nvdb(is_known && data.mGridType == grid.head.type &&
                     data.mGridSize == grid.head.grid_size,
                 "a grid contradicts its head");
     return data;
@@ -95,6 +114,7 @@ std::uint64_t NvdbInput::root_of(const NvdbGrid& grid) {
 
 std::string NvdbInput::description() {
     const NvdbGrid& grid = grids_.front();
+    if (!grid.unread.empty()) return "";
     const auto data = read<nanovdb::GridData>(grid.begin);
     if (data.mBlindMetadataCount == 0) return "";
     const auto at = static_cast<std::uint64_t>(data.mBlindMetadataOffset);

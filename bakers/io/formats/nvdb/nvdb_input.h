@@ -30,7 +30,11 @@ struct NvdbGrid {
     std::string name;
     NvdbGridHead head;
     std::uint64_t begin = 0;  // in the file
+    std::string unread = {};  // why its voxels are not read: "it is compressed"; empty: they are
 };
+
+// "float", "vec3f", "mask", as the library calls them; "type 27" of one that it does not know.
+std::string nvdb_type_name(nanovdb::GridType type);
 
 using NvdbLeafValues = std::array<float, nvdb_leaf_voxels>;  // z fastest, then y, then x
 
@@ -54,8 +58,8 @@ class NvdbInput {
         read(offset, memory.data(), sizeof(Node));
     }
 
-    // Returns what a grid says of itself, which must agree with its head. Its leaves must be of a
-    // type that skybake uses.
+    // Returns what a grid says of itself, which must agree with its head. It must not be compressed, and
+    // its leaves must be of a type that skybake uses.
     nanovdb::GridData grid_data(const NvdbGrid& grid);
     // Returns where the root is in the grid, of which the tiles lie behind it.
     std::uint64_t root_of(const NvdbGrid& grid);

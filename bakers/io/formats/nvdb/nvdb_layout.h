@@ -11,6 +11,12 @@
 
 namespace skybake {
 
+// Files and grids of OpenVDB 12 and later begin with other numbers: `NanoVDB2` and `NanoVDB1`. What
+// follows is the same for all releases of major version 32.
+inline constexpr std::uint64_t nvdb_magic = NANOVDB_MAGIC_NUMBER;  // `NanoVDB0`
+inline constexpr std::uint64_t nvdb_new_grid_magic = nvdb_magic + (std::uint64_t{1} << 56);
+inline constexpr std::uint64_t nvdb_new_file_magic = nvdb_magic + (std::uint64_t{2} << 56);
+
 // The head of a segment, and of each of its grids, after which its name follows.
 struct NvdbSegment {
     std::uint64_t magic = NANOVDB_MAGIC_NUMBER;

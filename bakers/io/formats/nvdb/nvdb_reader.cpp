@@ -74,7 +74,35 @@ bool visit_nvdb_slabs(NvdbInput& file, const FileShape& shape, const VoxelVisito
     return true;
 }
 
+std::string class_name(nanovdb::GridClass grid_class) {
+    constexpr std::array names = {"unknown", "level set", "fog volume", "staggered"};
+    const auto number = static_cast<std::size_t>(grid_class);
+    return number < names.size() ? names[number] : fmt::format("class {}", number);
+}
+
 }  // namespace
+
+Outcome<NvdbFacts> read_nvdb_facts(const fs::path& path) {
+    return with_nvdb_file<NvdbFacts>(path, [&](NvdbInput& file) -> Outcome<NvdbFacts> {
+        NvdbFacts facts;
+        for (const NvdbGrid& grid : file.grids()) {
+            const NvdbGridHead& head = grid.head;
+            facts.version =
+                fmt::format("NanoVDB {}.{}", head.version.getMajor(), head.version.getMinor());
+            constexpr std::array codecs = {"none", "zip", "blosc"};
+            NvdbGridFacts one{grid.name, nvdb_type_name(head.type), class_name(head.grid_class),
+                              head.codec < codecs.size() ? codecs[head.codec] : "unknown"};
+            one.active_voxels = static_cast<std::int64_t>(head.active_voxels);
+            one.voxel_size = head.voxel_size;
+            for (nanovdb::Coord::IndexType a = 0; a < 3; ++a) {
+                one.first[static_cast<std::size_t>(a)] = head.bounds.min()[a];
+                one.last[static_cast<std::size_t>(a)] = head.bounds.max()[a];
+            }
+            facts.grids.push_back(std::move(one));
+        }
+        return {std::move(facts), {}};
+    });
+}
 
 Outcome<FileFacts> inspect_nvdb(const fs::path& path) {
     return with_nvdb_file<FileFacts>(path, [&](NvdbInput& file) -> Outcome<FileFacts> {

@@ -1,10 +1,8 @@
 #include "bakers/io/formats/nvdb/nvdb_source.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
@@ -15,14 +13,14 @@
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_tree.h"
 #include "bakers/io/volumes/density_ramp.h"
+#include "bakers/io/volumes/grid_names.h"
+#include "bakers/io/volumes/index_axes.h"
 #include "bakers/io/volumes/leaf_cubes.h"
 
 namespace skybake {
 namespace {
 
 using config::Outcome;
-
-constexpr std::int64_t most_voxels = 16384;  // along an axis
 
 // The tree's corner that a part of a box lies in.
 std::array<int, 3> leaf_of(const VoxelBox& part) {
@@ -36,27 +34,25 @@ class NvdbVoxels : public VoxelSource {
     NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree, DensityRamp density)
         : file_(std::move(file)), type_(type), tree_(std::move(tree)), density_(density) {}
 
-    // Decodes every leaf once, and makes those tiles that hold only the background. Returns the
-    // largest value of the grid.
-    float survey() {
+    // Decodes every leaf once, for the largest value of the grid and the faults, and makes those tiles
+    // that hold only zeros.
+    void survey(FileVoxels& voxels) {
         expect_nvdb(tree_.has_finite_tiles(), "a tile of it is not finite");
-        float largest = std::max(density_(tree_.least_tile()), density_(tree_.largest_tile()));
+        voxels.largest = std::max(density_(tree_.least_tile()), density_(tree_.largest_tile()));
         std::vector<NvdbUnit> memory;
         NvdbLeafValues values;
         for (NvdbCube& cube : tree_.leaf_cubes()) {
             if (cube.leaf == 0) continue;
             read_nvdb_leaf(file_, type_, cube.leaf, memory, values);
-            const auto is_finite = [](float value) { return std::isfinite(value); };
-            expect_nvdb(std::all_of(values.begin(), values.end(), is_finite),
-                        "a voxel of it is not finite");
+            add_faults(cube, values, voxels.faults);
             expect_in_bounds(cube, memory);
-            for (float& value : values) value = density_(value);
-            largest = std::max(largest, *std::max_element(values.begin(), values.end()));
+            for (float& value : values) value = density_of(value);
+            voxels.largest = std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
             if (std::all_of(values.begin(), values.end(), [](float v) { return v == 0; })) {
                 cube = {cube.corner, 0, 0};
             }
         }
-        return largest;
+        if (density_.changes()) voxels.faults.negative = {};
     }
 
     // Last, because other checks say what is wrong.
@@ -74,7 +70,7 @@ class NvdbVoxels : public VoxelSource {
             } else {
                 read(*cube, memory, values);
                 copy_leaf(
-                    part, box, [&](auto at) { return density_(values[at]); }, channels[0]);
+                    part, box, [&](auto at) { return density_of(values[at]); }, channels[0]);
             }
             return true;
         });
@@ -91,6 +87,21 @@ class NvdbVoxels : public VoxelSource {
     }
 
   private:
+    // What is not finite is the background.
+    float density_of(float value) const {
+        return density_(std::isfinite(value) ? value : tree_.background());
+    }
+
+    void add_faults(const NvdbCube& cube, const NvdbLeafValues& values, ValueFaults& faults) const {
+        for (std::uint32_t i = 0; i < values.size(); ++i) {
+            if (!ValueFaults::is_fault(values[i]) || values[i] == tree_.background()) continue;
+            const std::array<int, 3> place = nvdb_place(i, 3);
+            std::array<std::int64_t, 3> index{};
+            for (std::size_t a = 0; a < 3; ++a) index[a] = cube.corner[a] + place[a];
+            faults.add(values[i], index);
+        }
+    }
+
     float tile_density(const NvdbCube* cube) const {
         return density_(cube == nullptr ? tree_.background() : cube->value);
     }
@@ -122,42 +133,32 @@ class NvdbVoxels : public VoxelSource {
     const DensityRamp density_;
 };
 
-const NvdbGrid& find_grid(const NvdbInput& file, const std::string& name) {
-    std::vector<std::string> names;
+const NvdbGrid& find_grid(const NvdbInput& file, const std::string& asked) {
+    std::vector<GridName> names;
     for (const NvdbGrid& grid : file.grids()) {
-        if (grid.name == name) return grid;
-        names.push_back(grid.name);
+        names.push_back({grid.name, nvdb_leaf_bytes(grid.head.type) != 0});
     }
-    throw NvdbDamage{fmt::format("it has no grid `{}`, only `{}`", name, fmt::join(names, "`, `"))};
+    std::size_t number = 0;
+    if (const auto reason = find_grid_name(names, asked, number)) throw NvdbDamage{*reason};
+    return file.grids()[number];
 }
 
-// Fills in the edges of a voxel and the corner of voxel (0, 0, 0). Indices are of voxels' centres.
-void read_map(const nanovdb::Map& map, FileVoxels& voxels) {
-    constexpr double rounding = 1e-9;
+IndexAxes read_map(const nanovdb::Map& map, FileVoxels& voxels) {
+    IndexMap of_indices;
     for (std::size_t i = 0; i < 3; ++i) {
-        const double edge = map.mMatD[4 * i];
-        for (std::size_t j = 0; j < 3; ++j) {
-            expect_nvdb(i == j || std::fabs(map.mMatD[3 * i + j]) <= rounding * std::fabs(edge),
-                        "its transform turns or shears the axes");
-        }
-        expect_nvdb(std::isfinite(edge) && std::isfinite(map.mVecD[i]),
-                    "its transform is not finite");
-        expect_nvdb(edge > 0, "its transform mirrors an axis");
-        voxels.voxel_size[i] = edge;
-        voxels.index_origin[i] = map.mVecD[i] - edge / 2;
+        for (std::size_t j = 0; j < 3; ++j) of_indices.steps[j][i] = map.mMatD[3 * i + j];
+        of_indices.centre[i] = map.mVecD[i];
     }
+    IndexAxes axes;
+    if (const auto reason = read_index_map(of_indices, voxels, axes)) throw NvdbDamage{*reason};
+    return axes;
 }
 
 void read_bounds(const NvdbTree& tree, FileVoxels& voxels) {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int64_t size = std::int64_t{tree.last()[i]} - tree.first()[i] + 1;
         expect_nvdb(size > 0, "it has no active voxels");
-        if (size > most_voxels) {
-            throw NvdbDamage{
-                fmt::format("its active voxels span {} voxels along {}, and at most "
-                            "{} are read",
-                            size, "xyz"[i], most_voxels)};
-        }
+        expect_nvdb(size <= std::numeric_limits<int>::max(), "its active voxels lie too far apart");
         voxels.first[i] = tree.first()[i];
         voxels.size[i] = static_cast<int>(size);
     }
@@ -174,22 +175,28 @@ DensityRamp ramp_of(const NvdbTree& tree, nanovdb::GridClass grid_class) {
 }  // namespace
 
 Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std::string& name,
-                                   VolumePart part) {
+                                   VolumePart part, config::NotFinite not_finite) {
     return with_nvdb_file<FileVoxels>(path, [&](NvdbInput& file) -> Outcome<FileVoxels> {
         const NvdbGrid grid = find_grid(file, name);
         const nanovdb::GridData data = file.grid_data(grid);
         FileVoxels voxels;
-        read_map(data.mMap, voxels);
+        voxels.has_place = true;
+        const IndexAxes axes = read_map(data.mMap, voxels);
         NvdbTree tree(file, grid);
         read_bounds(tree, voxels);
         const DensityRamp density = ramp_of(tree, data.mGridClass);
         voxels.background = density(tree.background());
-        if (part == VolumePart::shape) return {std::move(voxels), {}};
-        auto source =
-            std::make_shared<NvdbVoxels>(std::move(file), grid.head.type, std::move(tree), density);
-        voxels.largest = source->survey();
-        source->expect_checksum(grid);
-        voxels.voxels = std::move(source);
+        if (part == VolumePart::voxels) {
+            auto source = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
+                                                       std::move(tree), density);
+            source->survey(voxels);
+            const bool refused = not_finite == config::NotFinite::refuse &&
+                                 voxels.faults.not_finite.count > 0;
+            if (refused) throw NvdbDamage{refusal_of(voxels.faults)};
+            source->expect_checksum(grid);
+            voxels.voxels = std::move(source);
+        }
+        turn_to_space(axes, voxels);
         return {std::move(voxels), {}};
     });
 }

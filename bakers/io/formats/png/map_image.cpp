@@ -13,6 +13,7 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
 #include "config/text/text.h"
@@ -99,6 +100,10 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     if (loaded.codec == nullptr) {
         return {{}, {map_error("E0300", map, map.file_place, loaded.reason)}};
     }
+    // The library would fail without a word.
+    const auto parts = read_exr_heads(map.path);
+    const std::string subsampled = parts.value ? subsampled_channel(*parts.value) : "";
+    if (!subsampled.empty()) return {{}, {not_a_map(map, subsampled)}};
     MapPixels pixels = loaded.codec->read(map.path, map.channel);
     if (!pixels.problem.empty()) return {{}, {not_a_map(map, pixels.problem)}};
     if (pixels.values.empty()) {

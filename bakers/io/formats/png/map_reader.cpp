@@ -76,10 +76,17 @@ const char* format_of(const std::filesystem::path& path) {
     return format->name;
 }
 
-// Returns the first line of the library's error message, which says most.
-std::string reason(const ImageInput& input) {
-    const std::string words = input.geterror();
-    return words.empty() ? "it is damaged" : words.substr(0, words.find('\n'));
+// Returns the first line of the library's error message, which says most, without the file's name,
+// which stands in front of it already.
+std::string reason(const ImageInput& input, const std::string& file = "") {
+    std::string words = input.geterror();
+    words = words.substr(0, words.find('\n'));
+    if (words.empty()) return "it is damaged";
+    for (const std::string& name : {"\"" + file + "\"", file}) {
+        const std::size_t at = file.empty() ? words.npos : words.find(name);
+        if (at != words.npos) words.replace(at, name.size(), "it");
+    }
+    return "OpenImageIO says: " + words;
 }
 
 std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* format,
@@ -93,7 +100,8 @@ std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* 
     ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     as_stored.attribute("oiio:RawColor", 1);
-    expect(input->open(path.string(), specification, as_stored), reason(*input));
+    expect(input->open(path.string(), specification, as_stored),
+           reason(*input, path.string()));
     return input;
 }
 

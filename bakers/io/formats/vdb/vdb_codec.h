@@ -90,7 +90,8 @@ struct VdbCodec {
                                          const std::function<bool(const VdbSlab& slab)>& visit);
     // Implements open_vdb_grid.
     config::Outcome<FileVoxels> (*open_grid)(const std::filesystem::path& path,
-                                             const std::string& grid, VolumePart part);
+                                             const std::string& grid, VolumePart part,
+                                             config::NotFinite not_finite);
 };
 
 // The function that the module exports, and its name.

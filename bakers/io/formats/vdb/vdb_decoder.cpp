@@ -15,27 +15,43 @@ namespace {
 using config::Outcome;
 namespace io = openvdb::io;
 
+// "float", "half", "int32", "vec3s", "bool", "points", "mask".
+std::string value_type_of(const openvdb::GridBase& grid, bool half) {
+    const std::string type = grid.valueType();
+    if (type.starts_with("ptdataidx")) return "points";
+    return half && type == "float" ? "half" : type;
+}
+
 VdbGrid describe(const Grid& head) {
     using openvdb::GridBase;
     const GridBase& grid = *head.grid;
     VdbGrid described;
     described.name = io::GridDescriptor::nameAsString(head.descriptor.uniqueName());
+    described.half = head.descriptor.saveFloatAsHalf();
     described.type = grid.type();
+    described.value_type = value_type_of(grid, described.half);
     described.grid_class = GridBase::gridClassToString(grid.getGridClass());
     described.compression = io::compressionToString(head.compression);
     const openvdb::Vec3d edges = grid.voxelSize();
     const openvdb::Vec3d centre = grid.transform().indexToWorld(openvdb::Coord(0, 0, 0));
     described.voxel_size = {edges[0], edges[1], edges[2]};
     described.first_centre = {centre[0], centre[1], centre[2]};
-    described.first_active = stated_vector(grid, GridBase::META_FILE_BBOX_MIN).value_or(Vector{});
-    described.last_active = stated_vector(grid, GridBase::META_FILE_BBOX_MAX).value_or(Vector{});
-    const Vector& last = described.last_active;
+    const auto first = stated_vector(grid, GridBase::META_FILE_BBOX_MIN);
+    const auto last = stated_vector(grid, GridBase::META_FILE_BBOX_MAX);
+    described.states_active = first && last;
+    for (std::size_t i = 0; described.states_active && i < 3; ++i) {
+        described.first_active[i] = (*first)[i];
+        described.last_active[i] = (*last)[i];
+        described.empty = described.empty || (*last)[i] < (*first)[i];
+    }
     described.size =
-        stated_vector(grid, vdb_size_name).value_or(Vector{last[0] + 1, last[1] + 1, last[2] + 1});
+        stated_vector(grid, vdb_size_name).value_or(
+            Vector{described.last_active[0] + 1, described.last_active[1] + 1,
+                   described.last_active[2] + 1});
     using openvdb::Int64Metadata;
     const auto count = grid.getMetadata<Int64Metadata>(GridBase::META_FILE_VOXEL_COUNT);
     if (count) described.active_voxels = count->value();
-    described.half = head.descriptor.saveFloatAsHalf();
+    described.empty = described.empty || (count && count->value() == 0);
     described.metadata = texts_of(grid);
     return described;
 }
@@ -59,7 +75,7 @@ std::vector<Coord> read_node(std::istream& in, std::int64_t file_size, const Coo
     active_tiles.load(in);
     expect(active_tiles.isOff(), "it has active tiles");
     std::vector<float> tiles(Node::NUM_VALUES);
-    end_of_values(in, file_size, Node::NUM_VALUES, 0, half);
+    end_of_values(in, file_size, Node::NUM_VALUES, 0, size_of_value<float>(half));
     io::readCompressedValues(in, tiles.data(), Node::NUM_VALUES, active_tiles, half);
     std::vector<Coord> corners;
     for (openvdb::Index i = 0; i < Node::NUM_VALUES; ++i) {
@@ -200,6 +216,7 @@ Vector Volume::find_size(const std::vector<Grid>& grids) {
     for (const Grid& grid : grids) {
         expect(grid.grid->isType<openvdb::FloatGrid>(), "a grid does not hold floats");
         expect(!grid.descriptor.isInstance(), "grids share a tree");
+        expect(!grid.streamed, "it is a stream");
         const VdbGrid described = describe(grid);
         expect(described.size == size, "its grids have different sizes");
         const bool says_size = stated_vector(*grid.grid, vdb_size_name).has_value();
@@ -220,7 +237,8 @@ std::vector<LeafEntry> Volume::find_leaves(const Grid& grid) {
         leaf.position = input_.position();
         Leaf::NodeMaskType active;
         active.load(in);
-        in.seekg(end_of_values(in, input_.file_size(), Leaf::NUM_VALUES, active.countOn(), half));
+        in.seekg(end_of_values(in, input_.file_size(), Leaf::NUM_VALUES, active.countOn(),
+                               size_of_value<float>(half)));
     }
     expect(input_.position() == grid.descriptor.getEndPos(),
            "its voxels do not end where they should");

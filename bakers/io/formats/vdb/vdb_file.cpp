@@ -163,9 +163,10 @@ Outcome<bool> read_vdb_voxels(const fs::path& path,
         path, [&](const VdbCodec& codec) { return codec.read_voxels(path, visit); });
 }
 
-Outcome<FileVoxels> open_vdb_grid(const fs::path& path, const std::string& grid, VolumePart part) {
+Outcome<FileVoxels> open_vdb_grid(const fs::path& path, const std::string& grid, VolumePart part,
+                                  config::NotFinite not_finite) {
     return read_with_module<FileVoxels>(
-        path, [&](const VdbCodec& codec) { return codec.open_grid(path, grid, part); });
+        path, [&](const VdbCodec& codec) { return codec.open_grid(path, grid, part, not_finite); });
 }
 
 namespace {

@@ -64,6 +64,7 @@ config::Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes
 struct VdbGrid {
     std::string name;                      // "density", "R", ...
     std::string type;                      // "Tree_float_5_4_3"
+    std::string value_type;                // "float", "half", "int32", "vec3s", "points", "mask"
     std::string grid_class;                // "fog volume"
     std::string compression;               // "blosc + active values"
     std::array<double, 3> voxel_size{};    // in the file's units: metres in ours
@@ -76,6 +77,8 @@ struct VdbGrid {
     // 0).
     std::array<std::int64_t, 3> size{};
     bool half = false;
+    bool states_active = false;  // it has the bounds of its active voxels
+    bool empty = false;          // it says that no voxel is active
     Attributes metadata;  // all metadata of the grid, as text, by name
 };
 

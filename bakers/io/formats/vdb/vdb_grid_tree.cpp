@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace skybake::vdb {
@@ -14,6 +15,7 @@ using Coord = openvdb::Coord;
 
 Vector vector_at(const Coord& at) { return {at[0], at[1], at[2]}; }
 
+template <class Value>
 class TreeReader {
   public:
     TreeReader(Input& input, const Grid& grid)
@@ -26,8 +28,11 @@ class TreeReader {
         in_.seekg(grid_.tree_at);
         io::setDataCompression(in_, grid_.compression);
         expect(read_raw<std::int32_t>(in_) == 1, "its leaves have several buffers");
-        tree_.background = read_raw<float>(in_);
-        io::setGridBackgroundValuePtr(in_, &tree_.background);
+        const auto background = read_raw<Value>(in_);
+        std::memcpy(tree_.stored_background.data(), &background, sizeof background);
+        io::setGridBackgroundValuePtr(in_, tree_.stored_background.data());
+        tree_.background = static_cast<float>(background);
+        expect(std::isfinite(tree_.background), "its background is not finite");
         take_tile(tree_.background);
         const auto tiles = read_raw<openvdb::Index>(in_);
         const auto children = read_raw<openvdb::Index>(in_);
@@ -48,9 +53,18 @@ class TreeReader {
     }
 
     void take_tile(float value) {
-        tree_.finite_tiles = tree_.finite_tiles && std::isfinite(value);
         tree_.least_tile = std::min(tree_.least_tile, value);
         tree_.largest_tile = std::max(tree_.largest_tile, value);
+    }
+
+    // Returns the value of a tile, or the background for one that is not finite.
+    float tile_value(float value, const Coord& corner, int edge) {
+        if (value != tree_.background) {
+            tree_.faults.add(value, vector_at(corner), std::int64_t{edge} * edge * edge);
+        }
+        const float taken = std::isfinite(value) ? value : tree_.background;
+        take_tile(taken);
+        return taken;
     }
 
     // Returns the corner of a node of the root.
@@ -71,10 +85,10 @@ class TreeReader {
 
     void read_root_tile() {
         const Coord corner = read_corner();
-        const auto value = read_raw<float>(in_);
+        const auto value = static_cast<float>(read_raw<Value>(in_));
         const bool is_active = read_raw<std::int8_t>(in_) != 0;
-        tree_.root_tiles[{corner[0], corner[1], corner[2]}] = value;
-        take_tile(value);
+        tree_.root_tiles[{corner[0], corner[1], corner[2]}] =
+            tile_value(value, corner, vdb_upper_node_edge);
         if (is_active) add_active(corner, vdb_upper_node_edge);
     }
 
@@ -90,9 +104,12 @@ class TreeReader {
         typename Node::NodeMaskType children, active;
         children.load(in_);
         active.load(in_);
+        std::vector<Value> stored(Node::NUM_VALUES);
+        end_of_values(in_, input_.file_size(), Node::NUM_VALUES, active.countOn(), size_);
+        io::readCompressedValues(in_, stored.data(), Node::NUM_VALUES, active, half_);
         std::vector<float> tiles(Node::NUM_VALUES);
-        end_of_values(in_, input_.file_size(), Node::NUM_VALUES, active.countOn(), half_);
-        io::readCompressedValues(in_, tiles.data(), Node::NUM_VALUES, active, half_);
+        std::transform(stored.begin(), stored.end(), tiles.begin(),
+                       [](Value value) { return static_cast<float>(value); });
         constexpr int edge = Node::ChildNodeType::DIM;
         const auto corner_of = [&](openvdb::Index place) {
             Coord local;
@@ -101,7 +118,7 @@ class TreeReader {
         };
         for (openvdb::Index i = 0; i < Node::NUM_VALUES; ++i) {
             if (children.isOn(i)) continue;
-            take_tile(tiles[i]);
+            tiles[i] = tile_value(tiles[i], corner_of(i), edge);
             if (active.isOn(i)) add_active(corner_of(i), edge);
         }
         nodes.emplace_back(children, std::move(tiles), first_child);
@@ -120,7 +137,7 @@ class TreeReader {
     void read_leaf_mask(const Coord& corner) {
         Leaf::NodeMaskType active;
         active.load(in_);
-        tree_.leaves.emplace_back();
+        tree_.leaves.emplace_back().corner = {corner[0], corner[1], corner[2]};
         const Vector from = vector_at(corner);
         if (active.isOn()) return add_active(corner, vdb_leaf_edge);
         for (auto voxel = active.beginOn(); voxel; ++voxel) {
@@ -131,17 +148,17 @@ class TreeReader {
     }
 
     void find_leaves() {
-        grid_.descriptor.seekToBlocks(in_);
+        if (!grid_.streamed) grid_.descriptor.seekToBlocks(in_);
         for (LeafRecord& leaf : tree_.leaves) {
             leaf.begin = input_.position();
             Leaf::NodeMaskType active;
             active.load(in_);
             const std::int64_t end =
-                end_of_values(in_, input_.file_size(), Leaf::NUM_VALUES, active.countOn(), half_);
+                end_of_values(in_, input_.file_size(), Leaf::NUM_VALUES, active.countOn(), size_);
             leaf.bytes = static_cast<std::uint32_t>(end - leaf.begin);
             in_.seekg(end);
         }
-        expect(input_.position() == grid_.descriptor.getEndPos(),
+        expect(grid_.streamed || input_.position() == grid_.descriptor.getEndPos(),
                "its voxels do not end where they should");
     }
 
@@ -149,6 +166,7 @@ class TreeReader {
     std::istream& in_;
     const Grid& grid_;
     const bool half_;
+    const ValueSize size_ = size_of_value<Value>(half_);
     GridTree tree_;
 };
 
@@ -172,6 +190,26 @@ GridTree::Place GridTree::find(const Coord& index) const {
     return {&leaves[of_upper.child(below)], 0, vdb_leaf_edge};
 }
 
-GridTree read_grid_tree(Input& input, const Grid& grid) { return TreeReader(input, grid).read(); }
+bool is_of_numbers(const Grid& grid) {
+    const openvdb::GridBase& base = *grid.grid;
+    return base.isType<openvdb::FloatGrid>() || base.isType<openvdb::DoubleGrid>() ||
+           base.isType<openvdb::Int32Grid>() || base.isType<openvdb::Int64Grid>();
+}
+
+GridTree read_grid_tree(Input& input, const Grid& grid) {
+    return with_number_type(
+        grid, [&]<class Value>(Value) { return TreeReader<Value>(input, grid).read(); });
+}
+
+void skip_streamed_grid(Input& input, const Grid& grid) {
+    if (grid.descriptor.isInstance()) return;
+    if (!is_of_numbers(grid)) {
+        throw Damaged(fmt::format("its grid `{}` holds {} and stands before others in a stream, "
+                                  "where only grids of numbers are passed over; write a file by "
+                                  "openvdb::io::File",
+                                  grid.descriptor.gridName(), grid.grid->valueType()));
+    }
+    read_grid_tree(input, grid);
+}
 
 }  // namespace skybake::vdb

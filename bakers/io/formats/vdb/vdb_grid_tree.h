@@ -1,4 +1,4 @@
-// The tree of a grid of floats, as it stands in a VDB file, without its voxels: where each leaf is in
+// The tree of a grid of numbers, as it stands in a VDB file, without its voxels: where each leaf is in
 // the file, and the values of tiles. Only the module skybake_vdb includes this header.
 #pragma once
 
@@ -13,6 +13,7 @@
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
 #include "bakers/io/volumes/density_ramp.h"
+#include "bakers/io/volumes/value_faults.h"
 
 namespace skybake::vdb {
 
@@ -20,6 +21,7 @@ namespace skybake::vdb {
 struct LeafRecord {
     std::int64_t begin = 0;
     std::uint32_t bytes = 0;
+    std::array<int, 3> corner{};
     bool is_zero = false;  // known once the leaf has been decoded
 };
 
@@ -88,11 +90,12 @@ struct IndexBounds {
 };
 
 struct GridTree {
-    float background = 0;  // as the file has it
-    // Of numbers beside voxels, background included.
+    float background = 0;  // as the file has it, rounded to float
+    alignas(8) std::array<char, 8> stored_background{};  // in the type of the grid
+    // Of finite numbers beside voxels, background included.
     float least_tile = 0;
     float largest_tile = 0;
-    bool finite_tiles = true;
+    ValueFaults faults;  // of tiles; those that are not finite are the background
     DensityRamp density;                                      // what numbers mean
     std::map<std::array<int, 3>, float> root_tiles;           // by corner
     std::map<std::array<int, 3>, std::size_t> root_children;  // by corner: number of the node
@@ -110,7 +113,27 @@ struct GridTree {
     Place find(const openvdb::Coord& index) const;
 };
 
-// Reads the tree of a grid of floats, and finds its leaves in the file.
+// Calls visit(Value{}) with the type of a grid's numbers. Throws where it holds something else.
+template <class Visit>
+auto with_number_type(const Grid& head, const Visit& visit) {
+    const openvdb::GridBase& grid = *head.grid;
+    if (grid.isType<openvdb::FloatGrid>()) return visit(float{});
+    if (grid.isType<openvdb::DoubleGrid>()) return visit(double{});
+    if (grid.isType<openvdb::Int32Grid>()) return visit(std::int32_t{});
+    if (grid.isType<openvdb::Int64Grid>()) return visit(openvdb::Int64{});
+    throw Damaged(fmt::format("its grid `{}` holds {}, and only grids of float, double, int32 and "
+                              "int64 are read",
+                              openvdb::io::GridDescriptor::nameAsString(head.descriptor.uniqueName()),
+                              grid.valueType()));
+}
+
+// Whether a grid holds numbers.
+bool is_of_numbers(const Grid& grid);
+
+// Reads the tree of a grid of numbers, and finds its leaves in the file.
 GridTree read_grid_tree(Input& input, const Grid& grid);
+
+// Leaves the stream behind a grid that io::Stream wrote.
+void skip_streamed_grid(Input& input, const Grid& grid);
 
 }  // namespace skybake::vdb

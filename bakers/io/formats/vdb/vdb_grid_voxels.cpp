@@ -1,13 +1,13 @@
 // Voxels of any program's VDB files, read leaf by leaf (vdb_source.h).
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <openvdb/io/Compression.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +15,8 @@
 #include "bakers/io/files/system_call.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
+#include "bakers/io/volumes/grid_names.h"
+#include "bakers/io/volumes/index_axes.h"
 #include "bakers/io/volumes/leaf_cubes.h"
 
 namespace skybake::vdb {
@@ -29,6 +31,7 @@ using LeafValues = std::array<float, Leaf::NUM_VALUES>;
 
 Coord corner_of(const VoxelBox& box) { return {box.origin[0], box.origin[1], box.origin[2]}; }
 
+template <class Value>
 class GridVoxels : public VoxelSource {
   public:
     GridVoxels(const std::filesystem::path& path, const Grid& grid, GridTree tree, Input& input)
@@ -41,26 +44,26 @@ class GridVoxels : public VoxelSource {
         settings_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
         io::setStreamMetadataPtr(settings_, metadata_, false);
         io::setDataCompression(settings_, grid.compression);
-        io::setGridBackgroundValuePtr(settings_, &tree_.background);
+        io::setGridBackgroundValuePtr(settings_, tree_.stored_background.data());
     }
 
-    // Decodes every leaf once. Returns the largest value of the grid.
-    float survey() {
-        float largest =
+    // Decodes every leaf once, for the largest value of the grid and the faults.
+    void survey(FileVoxels& voxels) {
+        voxels.largest =
             std::max(tree_.density(tree_.least_tile), tree_.density(tree_.largest_tile));
-        expect(tree_.finite_tiles, "a tile of it is not finite");
+        voxels.faults = tree_.faults;
         Decoder decoder(*this);
         for (LeafRecord& leaf : tree_.leaves) {
             LeafValues& values = decoder.decode(leaf);
-            const auto is_finite = [](float value) { return std::isfinite(value); };
-            expect(std::all_of(values.begin(), values.end(), is_finite),
-                   "a voxel of it is not finite");
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                if (ValueFaults::is_fault(values[i])) add_fault(leaf, i, values[i], voxels.faults);
+            }
             to_densities(values);
-            largest = std::max(largest, *std::max_element(values.begin(), values.end()));
+            voxels.largest = std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
             leaf.is_zero =
                 std::all_of(values.begin(), values.end(), [](float value) { return value == 0; });
         }
-        return largest;
+        if (tree_.density.changes()) voxels.faults.negative = {};
     }
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
@@ -85,9 +88,20 @@ class GridVoxels : public VoxelSource {
     }
 
   private:
+    // What is not finite is the background.
     void to_densities(LeafValues& values) const {
-        if (!tree_.density.changes()) return;
-        for (float& value : values) value = tree_.density(value);
+        for (float& value : values) {
+            value = tree_.density(std::isfinite(value) ? value : tree_.background);
+        }
+    }
+
+    void add_fault(const LeafRecord& leaf, std::size_t offset, float value,
+                   ValueFaults& faults) const {
+        if (value == tree_.background) return;
+        const Coord local = Leaf::offsetToLocalCoord(static_cast<openvdb::Index>(offset));
+        std::array<std::int64_t, 3> index{};
+        for (std::size_t i = 0; i < 3; ++i) index[i] = leaf.corner[i] + local[static_cast<int>(i)];
+        faults.add(value, index);
     }
 
     // Looks at cubes of an edge, and at smaller ones where a cube has children.
@@ -113,7 +127,7 @@ class GridVoxels : public VoxelSource {
             in_.copyfmt(voxels.settings_);
         }
 
-        // Returns the numbers as the file has them.
+        // Returns the numbers as the file has them, rounded to float.
         LeafValues& decode(const LeafRecord& leaf) {
             bytes_.resize(leaf.bytes);
             voxels_.read(leaf.begin, bytes_);
@@ -123,9 +137,12 @@ class GridVoxels : public VoxelSource {
             active.load(in_);
             // The file may have changed since its lengths were checked.
             const auto end =
-                end_of_values(in_, leaf.bytes, Leaf::NUM_VALUES, active.countOn(), voxels_.half_);
+                end_of_values(in_, leaf.bytes, Leaf::NUM_VALUES, active.countOn(),
+                              size_of_value<Value>(voxels_.half_));
             expect(end == leaf.bytes, "it has changed while it was read");
-            io::readCompressedValues(in_, values_.data(), Leaf::NUM_VALUES, active, voxels_.half_);
+            io::readCompressedValues(in_, stored_.data(), Leaf::NUM_VALUES, active, voxels_.half_);
+            std::transform(stored_.begin(), stored_.end(), values_.begin(),
+                           [](Value value) { return static_cast<float>(value); });
             return values_;
         }
 
@@ -133,6 +150,7 @@ class GridVoxels : public VoxelSource {
         const GridVoxels& voxels_;
         std::istringstream in_;
         std::string bytes_;
+        std::array<Value, Leaf::NUM_VALUES> stored_{};
         LeafValues values_{};
     };
 
@@ -154,57 +172,45 @@ class GridVoxels : public VoxelSource {
     const FileDescriptor file_;
 };
 
-// Returns the grid of that name, which must be one of floats.
-const Grid& find_grid(const std::vector<Grid>& grids, const std::string& name) {
-    std::vector<std::string> names;
-    for (const Grid& grid : grids) {
-        names.push_back(io::GridDescriptor::nameAsString(grid.descriptor.uniqueName()));
-        if (names.back() != name) continue;
-        if (!grid.grid->isType<openvdb::FloatGrid>()) {
-            throw Damaged(fmt::format("its grid `{}` holds {}, and only grids of floats are read",
-                                      name, grid.grid->valueType()));
-        }
-        expect(!grid.descriptor.isInstance(), "grids share a tree");
-        return grid;
-    }
-    if (names.empty()) throw Damaged("it has no grids");
-    throw Damaged(fmt::format("it has no grid `{}`, only `{}`", name, fmt::join(names, "`, `")));
+std::string name_of(const Grid& grid) {
+    return io::GridDescriptor::nameAsString(grid.descriptor.uniqueName());
 }
 
-// Fills in the edges of a voxel and the corner of voxel (0, 0, 0).
-void read_transform(const openvdb::GridBase& grid, FileVoxels& voxels) {
+// Returns the grid of that name. Without a name it is `density`, or the only grid of numbers.
+const Grid& find_grid(const std::vector<Grid>& grids, const std::string& asked) {
+    std::vector<GridName> names;
+    for (const Grid& grid : grids) names.push_back({name_of(grid), is_of_numbers(grid)});
+    std::size_t number = 0;
+    if (const auto reason = find_grid_name(names, asked, number)) throw Damaged(*reason);
+    expect(!grids[number].descriptor.isInstance(), "grids share a tree");
+    return grids[number];
+}
+
+IndexAxes read_transform(const openvdb::GridBase& grid, FileVoxels& voxels) {
     expect(grid.transform().isLinear(), "its transform is not linear");
     const openvdb::Mat4d matrix = grid.transform().baseMap()->getAffineMap()->getMat4();
-    constexpr double rounding = 1e-9;
-    for (int i = 0; i < 3; ++i) {
-        const double edge = matrix[i][i];
-        for (int j = 0; j < 3; ++j) {
-            expect(i == j || std::fabs(matrix[i][j]) <= rounding * std::fabs(edge),
-                   "its transform turns or shears the axes");
+    IndexMap map;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            map.steps[i][j] = matrix[static_cast<int>(i)][static_cast<int>(j)];
         }
-        expect(std::isfinite(edge) && std::isfinite(matrix[3][i]), "its transform is not finite");
-        expect(edge > 0, "its transform mirrors an axis");
-        // Indices are of the centres of voxels.
-        voxels.voxel_size[static_cast<std::size_t>(i)] = edge;
-        voxels.index_origin[static_cast<std::size_t>(i)] = matrix[3][i] - edge / 2;
+        map.centre[i] = matrix[3][static_cast<int>(i)];
     }
+    IndexAxes axes;
+    if (const auto reason = read_index_map(map, voxels, axes)) throw Damaged(*reason);
+    return axes;
 }
 
 // Fills in the box of the voxels: what the grid's metadata says, else what is active.
 void read_bounds(const openvdb::GridBase& grid, const GridTree& tree, FileVoxels& voxels) {
-    constexpr std::int64_t most_voxels = 16384;
+    constexpr std::int64_t most_voxels = std::numeric_limits<int>::max();
     const std::optional<Vector> stated = stated_vector(grid, vdb_size_name);
     expect(stated || !tree.active.empty(), "it has no active voxels");
     const Vector first = stated ? Vector{} : tree.active.first;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int64_t size = stated ? (*stated)[i] : tree.active.last[i] - first[i] + 1;
         expect(size > 0, "its size is damaged");
-        if (size > most_voxels) {
-            throw Damaged(
-                fmt::format("its active voxels span {} voxels along {}, and at most {} are "
-                            "read",
-                            size, "xyz"[i], most_voxels));
-        }
+        expect(size <= most_voxels, "its active voxels lie too far apart");
         voxels.first[i] = static_cast<int>(first[i]);
         voxels.size[i] = static_cast<int>(size);
     }
@@ -213,7 +219,7 @@ void read_bounds(const openvdb::GridBase& grid, const GridTree& tree, FileVoxels
 }  // namespace
 
 Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::string& name,
-                              VolumePart part) {
+                              VolumePart part, config::NotFinite not_finite) {
     return reported<FileVoxels>(path, [&] {
         Input input(path);
         openvdb::MetaMap metadata;
@@ -221,14 +227,23 @@ Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::stri
         const std::vector<Grid> grids = read_grid_heads(input);
         const Grid& grid = find_grid(grids, name);
         FileVoxels voxels;
-        read_transform(*grid.grid, voxels);
-        GridTree tree = read_grid_tree(input, grid);
-        read_bounds(*grid.grid, tree, voxels);
-        voxels.background = tree.density(tree.background);
-        if (part == VolumePart::shape) return voxels;
-        auto source = std::make_shared<GridVoxels>(path, grid, std::move(tree), input);
-        voxels.largest = source->survey();
-        voxels.voxels = std::move(source);
+        voxels.has_place = true;
+        with_number_type(grid, [&]<class Value>(Value) {
+            const IndexAxes axes = read_transform(*grid.grid, voxels);
+            GridTree tree = read_grid_tree(input, grid);
+            read_bounds(*grid.grid, tree, voxels);
+            voxels.background = tree.density(tree.background);
+            if (part == VolumePart::voxels) {
+                auto source =
+                    std::make_shared<GridVoxels<Value>>(path, grid, std::move(tree), input);
+                source->survey(voxels);
+                const bool refused = not_finite == config::NotFinite::refuse &&
+                                     voxels.faults.not_finite.count > 0;
+                if (refused) throw Damaged(refusal_of(voxels.faults));
+                voxels.voxels = std::move(source);
+            }
+            turn_to_space(axes, voxels);
+        });
         return voxels;
     });
 }

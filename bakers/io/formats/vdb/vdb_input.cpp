@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bakers/io/files/system_call.h"
+#include "bakers/io/formats/vdb/vdb_grid_tree.h"
 
 namespace skybake::vdb {
 namespace {
@@ -53,7 +54,6 @@ Input::Input(const std::filesystem::path& path) {
     expect(format >= oldest_format && format <= newest_format, "its format is not known");
     stream_.seekg(0);
     readHeader(stream_);
-    expect(inputHasGridOffsets(), "it does not say where its grids are");
     metadata_->setSeekable(true);
     io::setStreamMetadataPtr(stream_, metadata_, false);
     setFormatVersion(stream_);
@@ -111,11 +111,16 @@ std::vector<Grid> read_grid_heads(Input& input) {
     for (std::int32_t i = 0; i < count; ++i) {
         Grid& head = grids.emplace_back();
         head.grid = input.read_descriptor(head.descriptor);
-        head.descriptor.seekToGrid(input.stream());
+        if (!input.is_stream()) head.descriptor.seekToGrid(input.stream());
         head.compression = input.read_compression();
         input.read_metadata(*head.grid);
         input.read_transform(*head.grid);
         head.tree_at = input.position();
+        head.streamed = input.is_stream();
+        if (head.streamed) {
+            if (i + 1 < count) skip_streamed_grid(input, head);
+            continue;
+        }
         const std::int64_t end = head.descriptor.getEndPos();
         expect(end >= head.tree_at && end <= input.file_size(),
                "a grid does not end behind its head");
@@ -143,7 +148,7 @@ namespace {
 
 // Returns how many bytes stand between the first byte of compressed values and the values: inactive
 // values, and the mask that chooses between them.
-std::int64_t bytes_before_values(int what, std::size_t count) {
+std::int64_t bytes_before_values(int what, std::size_t count, int value) {
     std::int64_t bytes = 0;
     const bool has_one = what == io::NO_MASK_AND_ONE_INACTIVE_VAL ||
                          what == io::MASK_AND_ONE_INACTIVE_VAL ||
@@ -151,8 +156,8 @@ std::int64_t bytes_before_values(int what, std::size_t count) {
     const bool has_mask = what == io::MASK_AND_NO_INACTIVE_VALS ||
                           what == io::MASK_AND_ONE_INACTIVE_VAL ||
                           what == io::MASK_AND_TWO_INACTIVE_VALS;
-    if (has_one) bytes += sizeof(float);
-    if (what == io::MASK_AND_TWO_INACTIVE_VALS) bytes += sizeof(float);
+    if (has_one) bytes += value;
+    if (what == io::MASK_AND_TWO_INACTIVE_VALS) bytes += value;
     if (has_mask) bytes += static_cast<std::int64_t>(count / 8);
     return bytes;
 }
@@ -173,17 +178,17 @@ void check_blosc(std::istream& in, std::int64_t bytes, std::int64_t unpacked) {
 }  // namespace
 
 std::int64_t end_of_values(std::istream& in, std::int64_t file_size, std::size_t count,
-                           std::size_t active, bool half) {
+                           std::size_t active, ValueSize size) {
     const std::int64_t begin = in.tellg();
     const std::uint32_t compression = io::getDataCompression(in);
     const int what = read_raw<std::int8_t>(in);
-    in.seekg(bytes_before_values(what, count), std::ios::cur);
+    in.seekg(bytes_before_values(what, count, size.memory), std::ios::cur);
     const bool only_active =
         (compression & io::COMPRESS_ACTIVE_MASK) != 0 && what != io::NO_MASK_AND_ALL_VALS;
     const auto values = static_cast<std::int64_t>(only_active ? active : count);
-    const std::int64_t unpacked = values * (half ? 2 : 4);
+    const std::int64_t unpacked = values * size.file;
     std::int64_t bytes = unpacked;
-    if ((compression & (io::COMPRESS_BLOSC | io::COMPRESS_ZIP)) != 0 && !(half && values == 0)) {
+    if ((compression & (io::COMPRESS_BLOSC | io::COMPRESS_ZIP)) != 0 && !(size.file < size.memory && values == 0)) {
         constexpr std::int64_t most_overhead = 1024;
         bytes = read_raw<std::int64_t>(in);
         // Values that do not become smaller are stored as they are, with their length below 0.

@@ -16,6 +16,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
@@ -49,6 +50,8 @@ class Input : public openvdb::io::Archive {
     std::istream& stream() { return stream_; }
     std::int64_t position() { return stream_.tellg(); }
     std::int64_t file_size() const { return file_size_; }
+    // Whether io::Stream wrote the file, which does not say where its grids are.
+    bool is_stream() const { return !inputHasGridOffsets(); }
 
     std::int32_t read_grid_count() { return readGridCount(stream_); }
     std::uint32_t read_compression();
@@ -74,6 +77,7 @@ struct Grid {
     openvdb::GridBase::Ptr grid;  // its metadata and transform, no tree
     std::uint32_t compression = 0;
     std::int64_t tree_at = 0;
+    bool streamed = false;  // by io::Stream: the file does not say where voxels begin and end
 };
 
 std::vector<Grid> read_grid_heads(Input& input);
@@ -85,11 +89,23 @@ using Vector = std::array<std::int64_t, 3>;
 
 std::optional<Vector> stated_vector(const openvdb::GridBase& grid, const char* name);
 
+// Bytes of a value in memory and in the file, where reals may be halves.
+struct ValueSize {
+    int memory = 4;
+    int file = 4;
+};
+
+template <class Value>
+constexpr ValueSize size_of_value(bool half) {
+    constexpr int size = sizeof(Value);
+    return {size, half && std::is_floating_point_v<Value> ? 2 : size};
+}
+
 // Returns where the values that io::readCompressedValues would read from here on end, or throws if
 // their lengths do not fit `count` values or the file. `active` of them are active. The stream stays
 // where it is.
 std::int64_t end_of_values(std::istream& in, std::int64_t file_size, std::size_t count,
-                           std::size_t active, bool half);
+                           std::size_t active, ValueSize size);
 
 // Returns what `function` returns, or E0304 with the reason of what it throws.
 template <class T, class Function>

@@ -32,6 +32,6 @@ config::Outcome<VdbFile> read(const std::filesystem::path& path);
 config::Outcome<bool> read_voxels(const std::filesystem::path& path,
                                   const std::function<bool(const VdbSlab& slab)>& visit);
 config::Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::string& grid,
-                                      VolumePart part);
+                                      VolumePart part, config::NotFinite not_finite);
 
 }  // namespace skybake::vdb

@@ -1,0 +1,31 @@
+// What `info` says of grids, and of EXR images of kinds that skybake does not write.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/manifest/metadata.h"
+#include "cli/command.h"
+
+namespace skybake::cli {
+
+// Lays out facts. A text of several lines stands below its name, any other beside it.
+std::string lines_text(const FactLines& lines);
+
+// Lays out attributes; `info` shows skybake's own entry by its facts.
+std::string attribute_text(const Attributes& attributes);
+nlohmann::ordered_json attributes_json(const Attributes& attributes);
+
+// The grids of an OpenVDB file.
+ExitCode show_vdb(const std::filesystem::path& path, bool json, Console& console);
+
+// The grids of a NanoVDB file that does not carry skybake's description.
+ExitCode show_nvdb(const std::filesystem::path& path, bool json, Console& console);
+
+// The header of an EXR file whose pixels are not read, for this reason.
+ExitCode show_exr_heads(const std::filesystem::path& path, const config::Diagnostic& reason,
+                        bool json, Console& console);
+
+}  // namespace skybake::cli
