@@ -90,6 +90,54 @@ TEST(CertifyVolume, CountsRoundingAtVoxels) {
     }
 }
 
+// Channels of ranges 1, 100 and 0.001, one of which is off by 3 % of its range.
+TEST(CertifyVolume, EachChannelIsMeasuredByItsOwnRange) {
+    const std::array<int, 3> size = {6, 5, 4};
+    const auto scaled = [](int x, int y, int z, int c) {
+        constexpr std::array<float, 3> kScale = {1, 100, 1e-3F};
+        return kScale[static_cast<std::size_t>(c)] * sample_voxel(x, y, z, c);
+    };
+    const Level level = level_of(size, 3, PixelType::float32, scaled);
+    for (std::size_t off = 0; off < 3; ++off) {
+        const ValueStatistics& s = level.statistics[off];
+        const auto reference = [&](const Point& uvw) {
+            std::vector<double> values;
+            for (int c = 0; c < 3; ++c) {
+                values.push_back(looked_up(scaled, size, PixelType::float32, c, uvw));
+            }
+            values[off] += 0.03 * (s.max - s.min);
+            return values;
+        };
+        for (const auto& measure : {measure_lookups, measure_voxels}) {
+            const ErrorFigures errors =
+                measure(level, PixelType::float32, reference, 100, {}, {}).figures;
+            EXPECT_NEAR(errors.max, 0.03, 1e-6) << off;
+            EXPECT_NEAR(errors.rms, 0.03 / std::sqrt(3.0), 1e-6) << off;
+        }
+    }
+}
+
+// The reference is asked in the middle of an axis of one voxel, and all over other axes.
+TEST(CertifyVolume, FlatAxesAreMeasuredInTheirMiddle) {
+    for (std::size_t flat = 0; flat < 3; ++flat) {
+        std::array<int, 3> size = {5, 6, 7};
+        size[flat] = 1;
+        const Level level = level_of(size, 1, PixelType::float32, sample_voxel);
+        const auto reference = [&](const Point& uvw) {
+            return std::vector<double>{
+                looked_up(sample_voxel, size, PixelType::float32, 0, uvw) +
+                (std::fabs(uvw[flat] - 0.5) + (uvw[(flat + 1) % 3] > 0.9 ? 0.5 : 0))};
+        };
+        const VolumeErrors errors =
+            measure_lookups(level, PixelType::float32, reference, 300, {.threads = 1});
+        const double range = level.statistics[0].max - level.statistics[0].min;
+        EXPECT_NEAR(errors.figures.max, 0.5 / range, 1e-6);
+        EXPECT_EQ(errors.worst[flat], 0.5);
+        EXPECT_GT(errors.worst[(flat + 1) % 3], 0.9);
+        EXPECT_NEAR(errors.figures.rms, 0.5 / range * std::sqrt(0.1), 0.01 / range);
+    }
+}
+
 TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     const std::array<int, 3> size = {5, 7, 9};
     const Level level = level_of(size, 3, PixelType::half, sample_voxel);
