@@ -267,7 +267,7 @@ Command info_command() {
             .summary = "describe a baked file or the folder of a bake",
             .arguments = {{.name = "path",
                            .help = "a baked file, the folder of a bake, or its manifest.json"}},
-            .options = {options::lookup("print a shader's functions that read this file"),
+            .options = {options::lookup("print a shader's functions for this file, or this folder"),
                         options::language("write them in this language", "glsl")},
             .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
                          {"skybake info out/transmittance.exr",
@@ -275,7 +275,9 @@ Command info_command() {
                          {"skybake info --lookup out/transmittance.exr",
                           "prints the file's lookup with its own radii and sizes"},
                          {"skybake info --lookup --language hlsl out/transmittance.exr",
-                          "prints it for Direct3D"}},
+                          "prints it for Direct3D"},
+                         {"skybake info --lookup out",
+                          "prints how pictures show light: the curve and the white"}},
             .exit_codes = {ExitCode::io},
             .run = run_info};
 }

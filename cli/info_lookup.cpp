@@ -15,6 +15,8 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
+#include "bakers/preview/live/live_scene.h"
+#include "bakers/preview/load_assets.h"
 #include "cli/command.h"
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
@@ -30,15 +32,12 @@ using config::Outcome;
 // --- What is known of the file ------------------------------------------------------------------
 
 Outcome<DescribedFile> described(const fs::path& path) {
-    std::error_code error;
-    if (fs::is_directory(path, error) || path.filename() == manifest_name) {
-        return {{}, {usage_error("--lookup takes one baked file, not a folder of them")}};
-    }
     auto entry = entry_of_file(path);
     if (entry.value) {
         ManifestFile file = entry.value->files[0];
         return {DescribedFile{std::move(*entry.value), std::move(file)}, {}};
     }
+    std::error_code error;
     auto found = fs::exists(path, error) ? described_by_manifest(path) : std::nullopt;
     if (!found) return {{}, std::move(entry.diagnostics)};
     return {std::move(found), {}};
@@ -147,6 +146,30 @@ std::string heading(const DescribedFile& described, const fs::path& path, const 
            "\n";
 }
 
+struct Lookup {
+    std::string function, text;
+    ShadingLanguage language;
+};
+
+void print(Console& console, bool json, const fs::path& path, const Lookup& lookup) {
+    console.result(json ? event_line({{"event", "lookup"},
+                                      {"path", path.string()},
+                                      {"function", lookup.function},
+                                      {row_of(lookup.language).word, lookup.text}})
+                        : lookup.text);
+}
+
+// How pictures of a folder's assets show light.
+ExitCode show_film(const fs::path& folder, ShadingLanguage language, bool json, Console& console) {
+    const auto assets = load_folder(folder);
+    const ExitCode code = console.report(assets.diagnostics);
+    if (!assets.value) return code;
+    const auto film = film_lookup(*assets.value, 1);
+    if (!film.value) return console.report(film.diagnostics);
+    print(console, json, folder, {"shown_by_film", translated(*film.value, language), language});
+    return ExitCode::done;
+}
+
 }  // namespace
 
 std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
@@ -161,6 +184,10 @@ std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
 }
 
 ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, Console& console) {
+    std::error_code error;
+    if (fs::is_directory(path, error) || path.filename() == manifest_name) {
+        return show_film(path, language, json, console);
+    }
     const auto file = described(path);
     if (!file.value) return console.report(file.diagnostics);
     const auto& [asset, shape] = *file.value;
@@ -184,12 +211,7 @@ ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, 
         text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm,
                                   config::packet_number(*own) > 0, name);
     }
-    text = translated(text, language);
-    console.result(json ? event_line({{"event", "lookup"},
-                                      {"path", path.string()},
-                                      {"function", name},
-                                      {row_of(language).word, text}})
-                        : text);
+    print(console, json, path, {name, translated(text, language), language});
     return ExitCode::done;
 }
 

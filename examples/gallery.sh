@@ -64,7 +64,7 @@ presets() {
         mapfile -t options < <(with_light "$folder/presets/$preset.toml")
         drawn "$folder/presets/$preset.toml" "presets/$preset" "${options[@]}"
     done
-    mapfile -t shown < <(pictures 'presets/*/*' | grep -E '/(sky_panoramas|[^/]*_lit_sun_[0-9_]+|scene_sun_[0-9_]+)\.png$')
+    mapfile -t shown < <(pictures 'presets/*/*' | grep -E '/(sky_panoramas|([^/]*_lit|scene)_sun_[0-9_]+(_against)?)\.png$')
     sheets presets_light "${shown[@]}"
     mapfile -t shown < <(pictures 'presets/*/*.png' | grep -E '/presets/(noise|particles)\.')
     sheets presets_others "${shown[@]}"

@@ -193,14 +193,15 @@ std::vector<double> luminances_of(const Image2<float>& radiance) {
 }
 
 // Returns the exposure at which the curve shows a quantile of luminances as `share` of white. If the
-// quantile is black, any exposure will do.
-double exposure_of(std::vector<double> luminances, double quantile, double share, ToneCurve curve) {
-    if (luminances.empty()) return 1;
+// quantile is black, any exposure will do, and it is `of_black`.
+double exposure_of(std::vector<double> luminances, double quantile, double share, ToneCurve curve,
+                   double of_black = 1) {
+    if (luminances.empty()) return of_black;
     const auto rank =
         luminances.begin() +
         static_cast<std::ptrdiff_t>(quantile * static_cast<double>(luminances.size() - 1));
     std::nth_element(luminances.begin(), rank, luminances.end());
-    return *rank > 0 ? light_shown_as(share, curve) / *rank : 1;
+    return *rank > 0 ? light_shown_as(share, curve) / *rank : of_black;
 }
 
 }  // namespace
@@ -243,7 +244,10 @@ const char* tone_curve_name(ToneCurve curve) {
 double exposure_by(const ExposureRule& rule, const Image2<float>& radiance, ToneCurve curve) {
     std::vector<double> luminances = luminances_of(radiance);
     if (rule.lit_pixels) std::erase_if(luminances, [](double value) { return value <= 0; });
-    const double exposure = rule.factor * exposure_of(luminances, rule.quantile, rule.share, curve);
+    double exposure = rule.factor * exposure_of(luminances, rule.quantile, rule.share, curve);
+    if (rule.least_median > 0) {
+        exposure = std::max(exposure, exposure_of(luminances, 0.5, rule.least_median, curve, 0));
+    }
     if (rule.bright_quantile == 0) return exposure;
     return std::min(exposure, exposure_of(std::move(luminances), rule.bright_quantile,
                                           rule.bright_share, curve));

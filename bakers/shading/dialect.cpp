@@ -38,18 +38,20 @@ struct FunctionRow {
 constexpr FunctionRow same(std::string_view name, FunctionResult result = FunctionResult::vector) {
     return {{name, name, name, name, name}, result};
 }
-constexpr std::array<FunctionRow, 13> kFunctions = {{
+constexpr std::array<FunctionRow, 15> kFunctions = {{
     same("abs"),
     {{"atan", "atan2", "atan2", "atan2", "atan"}, FunctionResult::vector},  // of two arguments
     same("clamp"),
     same("cross"),
     same("dot", FunctionResult::scalar),
+    same("exp"),
     same("floor"),
     same("length", FunctionResult::scalar),
     same("log"),
     same("max"),
     same("min"),
     {{"mix", "lerp", "mix", "mix", "mix"}, FunctionResult::vector},
+    same("pow"),
     same("sign"),
     same("sqrt"),
 }};

@@ -1,7 +1,7 @@
 // What the pages show: a view, the block of uniforms that the shaders take of it, and sliders that change it.
 // Azimuths and headings turn from +x towards +y.
 
-export const first_view = {position: [0, 0, 200], heading: 63, pitch: 15, fov: 70, sun_elevation: 20, sun_azimuth: 105,
+export const first_view = {position: [0, 0, 200], heading: 63, pitch: 15, fov: 70, sun_elevation: 20, sun_azimuth: 175,
     exposure: 12, size: [640, 360]};                                        // m, degrees, pixels
 
 // The block `View` by the rules that std140, HLSL and WGSL share: a vector of three begins at a multiple of 16 bytes.

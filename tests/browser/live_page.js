@@ -165,6 +165,32 @@ const tests = {
         assert.ok(after.heading > before.heading && after.pitch > before.pitch);
     },
 
+    async 'zooms by the wheel and by two fingers, and takes the text of a camera'(browser) {
+        const page = await open(browser, path.join(work, 'of_bake', 'index.html'));
+        const view = () => page.evaluate(() => structuredClone(window.skybakeLive.view));
+        const first = await view();
+        await page.mouse.move(100, 100);
+        await page.mouse.wheel(0, -100);
+        await page.waitForFunction((fov) => window.skybakeLive.view.fov < fov, first.fov);
+        const touch = await page.context().newCDPSession(page), before = await view();
+        for (const [type, ...places] of [['touchStart', 100, 200], ['touchMove', 120, 180], ['touchMove', 125, 175], ['touchEnd']]) {
+            await touch.send('Input.dispatchTouchEvent', {type, touchPoints: places.map((x, id) => ({x, y: 100, id}))});
+        }
+        await page.waitForFunction((fov) => window.skybakeLive.view.fov > 1.5 * fov, before.fov);
+        assert.equal((await view()).heading, first.heading);
+        const write = async (text) => {
+            await page.fill('#camera', text);
+            await page.keyboard.press('Enter');
+            return [await view(), await page.evaluate(() => document.getElementById('camera').validity.valid)];
+        };
+        const [seen, is_right] = await write('position=1km,-2.5km,300 m heading=30deg fov=45deg');
+        assert.deepEqual([seen.position, seen.heading, seen.fov, seen.pitch, is_right], [[1000, -2500, 300], 30, 45, first.pitch, true]);
+        for (const wrong of ['heading=30', 'position=1km,2km heading=3deg', 'sun=3deg', '']) {
+            assert.deepEqual(await write(wrong), [seen, false]);
+        }
+        assert.deepEqual(page.complaints, []);
+    },
+
     async 'fits a phone, in light and in dark'(browser) {
         const shades = [];
         for (const colorScheme of ['light', 'dark']) {

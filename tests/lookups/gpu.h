@@ -9,6 +9,7 @@
 //   sqrt, length    4 units in the last place; Vulkan wants 2 of an inverse root, 2.5 of a division
 //   log             3 units in the last place, but between 1/2 and 2 up to 2^-21 (Vulkan's bound)
 //   exp             3 + 2 |x| units in the last place (Vulkan's bound)
+//   pow(x, y)       exp(y log(x))
 //
 // An error that Vulkan only bounds is a fixed function of the argument, anywhere within the bound.
 // There is no sin or cos, whose error Vulkan bounds by 2^-11: no lookup can do with that.
@@ -56,6 +57,11 @@ inline float exp(float x) {
     const double error = (3 + 2 * std::fabs(double{x})) * 0x1p-24;
     return static_cast<float>(std::exp(double{x}) * (1 + error * any_share(x)));
 }
+
+float log(float x);
+
+// GPUs take it from logarithms; that of a negative x is not a number.
+inline float pow(float x, float y) { return x == 0 && y > 0 ? 0 : exp(y * log(x)); }
 
 inline float log(float x) {
     const double exact = std::log(double{x});

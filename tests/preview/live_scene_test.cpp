@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "bakers/preview/live/live_textures.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
+#include "bakers/render/white_balance.h"
 #include "tests/support/atmospheres.h"
 
 namespace skybake {
@@ -72,6 +74,31 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
 }
 
+// The matrix of the lookup makes equal channels of the daylight on level ground.
+TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
+    const PreviewAssets assets = baked(kSky);
+    const auto film = film_lookup(assets, 1);
+    ASSERT_TRUE(film.value);
+    const auto tables =
+        make_sky_tables(*assets.of_kind("transmittance"), *assets.of_kind("multiple_scattering"));
+    const GroundIrradiance ground =
+        ground_irradiance({make_sky_medium(assets.recipe->parameters.atmosphere), *tables.value},
+                          {kDaylightElevation, 0}, 1);
+    glm::dvec3 white(0);
+    for (std::size_t c = 0; c < 3; ++c) {
+        const std::size_t at = film.value->find(std::string("light.") + "xyz"[c] + " * vec3(");
+        ASSERT_NE(at, std::string::npos);
+        glm::dvec3 column;
+        ASSERT_EQ(std::sscanf(film.value->c_str() + at, "light.%*c * vec3(%lf, %lf, %lf)",
+                              &column.x, &column.y, &column.z),
+                  3);
+        white += (ground.sun[c] + ground.sky[c]) * column;
+    }
+    EXPECT_NEAR(white.x / white.y, 1, 1e-4);
+    EXPECT_NEAR(white.z / white.y, 1, 1e-4);
+    EXPECT_FALSE(film_lookup(baked(kCloud), 1).value);
+}
+
 // A page that begins with a single tile can show the layer too, with the same copies.
 TEST(LiveScene, HoldsTheCopiesOfASingleTile) {
     PreviewOptions single;
@@ -113,6 +140,7 @@ TEST(LiveScene, HasThePicturesRuleOfExposure) {
         EXPECT_EQ(exposure["lit_pixels"], rule.lit_pixels);
         EXPECT_EQ(exposure["bright_quantile"], rule.bright_quantile);
         EXPECT_EQ(exposure["bright_light"].is_null(), rule.bright_quantile == 0);
+        EXPECT_EQ(exposure["least_median"].is_null(), rule.least_median == 0);
         EXPECT_NEAR(exposure["light"]["exponential"], -rule.factor * std::log(1 - rule.share),
                     1e-9);
         Image2<float> grey(1, 1, 1);

@@ -112,6 +112,9 @@ TEST(ToneMapped, ShowsMiddleGreyAsPublished) {
     for (const double grey : {0.22, 0.36, 0.53}) {
         EXPECT_NEAR(shown(grey, ToneCurve::film), grey, 1e-3);
     }
+    // His toe and his shoulder, by hand: 0.22 (x / 0.22)^1.33, blended, and 1 - 0.468 / e.
+    EXPECT_NEAR(shown(0.05, ToneCurve::film), 0.0332, 3e-4);
+    EXPECT_NEAR(shown(1, ToneCurve::film), 0.8278, 1e-3);
 }
 
 TEST(ToneMapped, BrightensWithLightAndKeepsGreyGrey) {
@@ -255,6 +258,19 @@ TEST(SkyExposureFor, BringsTheMedianOfWhatIsLitTo25Percent) {
     }
     EXPECT_EQ(sky_exposure_for(texel({0, 0, 0})), 1);
     EXPECT_EQ(sky_exposure_for(Image2<float>()), 1);
+}
+
+// Thin cloud against the light: a bright glow in a fiftieth of the picture does not make the rest darker than
+// a clear sky is shown.
+TEST(CloudExposureFor, LetsTheGlowAroundTheSunBurnOut) {
+    Image2<float> image(1000, 1, 3);
+    const auto fill = [&](int bright, float light, float rest) {
+        for (int x = 0; x < 1000; ++x) std::fill_n(image.texel(x, 0), 3, x < bright ? light : rest);
+        return cloud_exposure_for(image);
+    };
+    EXPECT_NEAR(shown(fill(20, 50, 2) * 2, ToneCurve::film), 0.25, 2e-3);
+    EXPECT_NEAR(shown(fill(20, 3, 2) * 3, ToneCurve::film), 0.9, 2e-3);
+    EXPECT_NEAR(shown(fill(20, 5, 0) * 5, ToneCurve::film), 0.9, 2e-3) << "black has no exposure";
 }
 
 }  // namespace

@@ -17,12 +17,13 @@ namespace {
 
 using Language = ShadingLanguage;
 
-constexpr std::array<const char*, 14> kLibraries = {"aerial_perspective",
+constexpr std::array<const char*, 15> kLibraries = {"aerial_perspective",
                                                     "blue_noise",
                                                     "bruneton",
                                                     "clouds",
                                                     "columns",
                                                     "environment",
+                                                    "film",
                                                     "irradiance",
                                                     "moments",
                                                     "multiple_scattering",

@@ -44,11 +44,36 @@
         return `position=${km} heading=${heading.toFixed(1)}deg pitch=${pitch.toFixed(1)}deg fov=${fov.toFixed(1)}deg`;
     }
 
+    // The view with the parts that such a text names, or nothing if it holds anything else.
+    function camera_of(text, view) {
+        const seen = {...view}, number = '([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)';
+        for (const part of text.trim().split(/\s+(?=[a-z]+=)/)) {
+            const angle = part.match(new RegExp(`^(heading|pitch|fov)=${number} ?deg$`));
+            const place = part.match(new RegExp(`^position=${number} ?(k?m), ?${number} ?(k?m), ?${number} ?(k?m)$`));
+            if (angle) seen[angle[1]] = Number(angle[2]);
+            else if (place) seen.position = [1, 3, 5].map((i) => Number(place[i]) * (place[i + 1] === 'km' ? 1000 : 1));
+            else return null;
+        }
+        return {...seen, pitch: within(seen.pitch, -89, 89), fov: within(seen.fov, 10, 120),
+            position: [...seen.position.slice(0, 2), within(seen.position[2], 2, seen.top)]};
+    }
+    const within = (value, low, high) => Math.min(Math.max(value, low), high);
+
     function changed(fits_exposure = false) {
         page.stale = true;
         if (fits_exposure && page.auto) page.fits_exposure = true;
         byId('camera').value = camera_text(page.view);
+        byId('camera').setCustomValidity('');
     }
+    byId('camera').addEventListener('focus', ({target}) => target.select());
+    byId('camera').addEventListener('change', ({target}) => {
+        const view = camera_of(target.value, page.view);
+        target.setCustomValidity(view ? '' : 'for example: position=2km,0km,150m heading=63deg pitch=12deg fov=70deg');
+        if (!target.reportValidity()) return;
+        page.view = view;
+        tell_controls();
+        changed();
+    });
 
     for (const name of Object.keys(sliders)) {
         byId(name).addEventListener('input', ({target}) => {
@@ -83,20 +108,38 @@
 
     function look(right, up) {
         page.view.heading = ((page.view.heading - right) % 360 + 360) % 360;
-        page.view.pitch = Math.max(-89, Math.min(89, page.view.pitch + up));
+        page.view.pitch = within(page.view.pitch + up, -89, 89);
         changed();
     }
+    function zoom(factor) {
+        page.view.fov = within(page.view.fov * factor, 10, 120);
+        tell_controls();
+        changed();
+    }
+    canvas.addEventListener('wheel', (event) => {
+        event.preventDefault();
+        if (page.view) zoom(Math.exp(0.001 * within(event.deltaY, -300, 300)));
+    }, {passive: false});
+
+    // One finger or the mouse looks, two fingers zoom.
+    const fingers = new Map();
+    const apart = () => {
+        const [a, b] = fingers.values();
+        return Math.max(Math.hypot(a[0] - b[0], a[1] - b[1]), 1);
+    };
     canvas.addEventListener('pointerdown', (event) => {
         canvas.setPointerCapture(event.pointerId);
-        page.drag = [event.clientX, event.clientY];
+        fingers.set(event.pointerId, [event.clientX, event.clientY]);
     });
     canvas.addEventListener('pointermove', (event) => {
-        if (!page.drag || !page.view) return;
-        const turn = page.view.fov / canvas.clientWidth;  // the picture follows the hand
-        look(-(event.clientX - page.drag[0]) * turn, (event.clientY - page.drag[1]) * turn);
-        page.drag = [event.clientX, event.clientY];
+        const last = fingers.get(event.pointerId);
+        if (!last || !page.view) return;
+        const before = fingers.size === 2 ? apart() : 0, turn = page.view.fov / canvas.clientWidth;
+        fingers.set(event.pointerId, [event.clientX, event.clientY]);
+        if (fingers.size === 1) look(-(event.clientX - last[0]) * turn, (event.clientY - last[1]) * turn);
+        if (fingers.size === 2) zoom(before / apart());
     });
-    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, () => { page.drag = null; });
+    for (const name of ['pointerup', 'pointercancel']) canvas.addEventListener(name, (event) => fingers.delete(event.pointerId));
 
     const flight = {KeyW: [1, 0, 0], KeyS: [-1, 0, 0], KeyA: [0, -1, 0], KeyD: [0, 1, 0], KeyE: [0, 0, 1], KeyQ: [0, 0, -1]};
     const turns = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
@@ -124,14 +167,14 @@
         }
         const ways = [...page.keys].filter((code) => flight[code]);
         if (ways.length === 0) return;
-        const speed = Math.min(Math.max(150, 0.4 * view.position[2]), 20e3) * (page.fast ? 5 : 1);
+        const speed = within(0.4 * view.position[2], 150, 20e3) * (page.fast ? 5 : 1);
         const axes = [direction(view.pitch, view.heading), direction(0, view.heading - 90), [0, 0, 1]];
         for (const code of ways) {
             flight[code].forEach((way, axis) => {
                 for (let a = 0; a < 3; ++a) view.position[a] += way * speed * seconds * axes[axis][a];
             });
         }
-        view.position[2] = Math.min(Math.max(view.position[2], 2), view.top);
+        view.position[2] = within(view.position[2], 2, view.top);
         changed();
     }
 
@@ -149,6 +192,8 @@
         const stops = (light, quantile) =>
             Math.log2(light[page.view.tone_curve] / luminances[Math.floor(quantile * (luminances.length - 1))]);
         let chosen = stops(rule.light, rule.quantile);
+        const least = rule.least_median ? stops(rule.least_median, 0.5) : -Infinity;
+        if (least < Infinity) chosen = Math.max(chosen, least);
         if (rule.bright_light) chosen = Math.min(chosen, stops(rule.bright_light, rule.bright_quantile));
         if (Number.isFinite(chosen)) page.view.exposure = Math.max(-4, Math.min(30, chosen));
         page.fits_exposure = false;
@@ -177,7 +222,7 @@
             if (page.fits_exposure) fit_exposure(rough);
             page.fetches = mean_fetches(rough);
             tell_figures(performance.now() - start, rough);
-        } else if (renderer.passes < most_samples && !page.drag) {
+        } else if (renderer.passes < most_samples && fingers.size === 0) {
             if (renderer.draw_fine(view, width, height, 25) && renderer.passes === 1) {
                 page.fetches = mean_fetches(renderer.targets.get('fine0'));
             }
@@ -205,14 +250,16 @@
 
     const mebibytes = (bytes) => bytes < 1 << 20 ? `${(bytes / 1024).toFixed(0)} KiB` : `${(bytes / (1 << 20)).toFixed(1)} MiB`;
 
+    const time_words = (ms) => ms < 1000 ? `${ms.toFixed(ms < 100 ? 1 : 0)} ms` : ms < 120e3 ? `${(ms / 1000).toFixed(1)} s` : `${Math.round(ms / 60e3)} min`;
+
     function tell_figures(ms, rough) {
         const {renderer} = page, [width, height] = [canvas.width, canvas.height];
         if (rough) {
-            byId('frame_time').textContent = `${ms.toFixed(1)} ms at ${rough.width} × ${rough.height}`;
+            byId('frame_time').textContent = `${time_words(ms)} at ${rough.width} × ${rough.height}`;
         }
-        byId('full_time').textContent = `${(width * height / renderer.speed).toFixed(0)} ms at ${width} × ${height}`;
+        byId('full_time').textContent = `${time_words(width * height / renderer.speed)} at ${width} × ${height}`;
         byId('fetches').textContent = page.scene.clouds.length > 0 ? `${page.fetches.toFixed(1)} a pixel` : 'none: no cloud';
-        byId('samples').textContent = renderer.passes > 0 ? `${renderer.passes} a pixel` : `${Math.round(100 * renderer.rows / height)} % of the first`;
+        byId('samples').textContent = renderer.passes > 0 ? `${renderer.passes} a pixel` : `the first one is ${Math.round(100 * renderer.rows / height)} % done`;
     }
 
     function tell_textures() {

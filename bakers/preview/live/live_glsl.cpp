@@ -1,6 +1,7 @@
 #include "bakers/preview/live/live_glsl.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -96,18 +97,18 @@ std::string lookup_of(const config::Recipe& recipe, const PreviewAsset& asset,
         name);
 }
 
-// Returns shown(Light), which makes linear sRGB of the channels.
+// Returns an expression for linear sRGB of the channels of `light`.
 std::string screen_glsl(const ScreenColor& screen, int channels) {
     Image2<float> units(channels, 1, channels);
     for (int c = 0; c < channels; ++c) units.texel(c, 0)[c] = 1;
     const Image2<float> columns = screen.shown(units);
-    std::string text;
+    std::vector<std::string> terms;
     for (int c = 0; c < channels; ++c) {
         const float* to = columns.texel(c, 0);
-        text += (c > 0 ? " + " : "") +
-                fmt::format("light[{}] * {}", c, glsl_vector({to[0], to[1], to[2]}));
+        terms.push_back(
+            fmt::format("light.{} * {}", "xyzw"[c], glsl_vector({to[0], to[1], to[2]})));
     }
-    return fmt::format("vec3 shown(Light light) {{ return {}; }}\n", text);
+    return fmt::format("{}", fmt::join(terms, " +\n           "));
 }
 
 // Returns the exponents of the sun's darkening towards its limb.
@@ -143,7 +144,21 @@ std::string live_air_glsl(const LiveLight& light) {
                light.tables.holds_optical_depth
                    ? "exp(-baked_transmittance(transmittance_table, h, mu))"
                    : "baked_transmittance(transmittance_table, h, mu)") +
-           screen_glsl(light.tables.screen, air.channels);
+           fmt::format("vec3 shown(Light light) {{ return {}; }}\n",
+                       screen_glsl(light.tables.screen, air.channels));
+}
+
+std::string film_glsl(const LiveLight& light) {
+    const int channels = light.medium.air.channels;
+    return std::string(published_lookup("film")) + "\n" +
+           glsl_comment(fmt::format(
+               "Returns what a screen shows, sRGB, of the light that this air sends, as previews "
+               "do: "
+               "`light`, in the tables' channels, is multiplied by the exposure before; {}.",
+               light.tables.screen.words())) +
+           fmt::format(
+               "vec3 shown_by_film(vec{} light) {{\n    return srgb_of(film(in_gamut({})));\n}}\n",
+               channels, screen_glsl(light.tables.screen, channels));
 }
 
 namespace {

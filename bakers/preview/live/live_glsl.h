@@ -24,6 +24,9 @@ struct LiveLight {
 // Returns the constants and functions that sky.glsl names, with the lookups of the tables.
 std::string live_air_glsl(const LiveLight& light);
 
+// Returns examples/lookups/film.glsl and a function that calls it with the daylight of the air.
+std::string film_glsl(const LiveLight& light);
+
 // Returns those that tiles.glsl and clouds.glsl name, with the published lookups. There is at least one
 // cloud.
 std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds);

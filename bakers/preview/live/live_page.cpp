@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "bakers/assets/glsl_lookup.h"
 #include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 
@@ -15,9 +16,10 @@ using Json = nlohmann::ordered_json;
 
 std::string shaders_json() {
     Json shaders;
-    for (const char* name : {"sky", "tiles", "clouds", "light", "direct", "picture", "screen"}) {
+    for (const char* name : {"sky", "tiles", "clouds", "light", "direct", "picture"}) {
         shaders[name] = live_text(std::string(name) + ".glsl");
     }
+    shaders["screen"] = fmt::format("{}\n{}", published_lookup("film"), live_text("screen.glsl"));
     return safe_in_script(shaders.dump());
 }
 

@@ -68,6 +68,10 @@ Outcome<PreviewAssets> bake_light(const PreviewAssets& assets, const PreviewOpti
                          {.threads = options.threads, .progress = options.progress});
 }
 
+bool has_colours(const std::optional<LiveLight>& light) {
+    return light && (light->medium.air.channels == 3 || light->medium.air.channels == 4);
+}
+
 // --- The view ------------------------------------------------------------------------------------
 
 // The names of tone curves, in the order of ToneCurve.
@@ -86,14 +90,17 @@ Json light_json(double share, double factor) {
 }
 
 // Returns the rule by which the page chooses exposures: they make the quantile of luminance as bright as
-// `light` says for each curve, and another quantile at most as bright as `bright_light` says.
+// `light` says for each curve, another quantile at most as bright as `bright_light` says, and the median at
+// least as bright as `least_median` says.
 Json exposure_json(const ExposureRule& rule) {
-    return {{"quantile", rule.quantile},
-            {"light", light_json(rule.share, rule.factor)},
-            {"lit_pixels", rule.lit_pixels},
-            {"bright_quantile", rule.bright_quantile},
-            {"bright_light",
-             rule.bright_quantile > 0 ? light_json(rule.bright_share, 1) : Json(nullptr)}};
+    return {
+        {"quantile", rule.quantile},
+        {"light", light_json(rule.share, rule.factor)},
+        {"lit_pixels", rule.lit_pixels},
+        {"bright_quantile", rule.bright_quantile},
+        {"bright_light",
+         rule.bright_quantile > 0 ? light_json(rule.bright_share, 1) : Json(nullptr)},
+        {"least_median", rule.least_median > 0 ? light_json(rule.least_median, 1) : Json(nullptr)}};
 }
 
 Json view_json(const PreviewOptions& options, const CloudCamera& camera, double thickness_km) {
@@ -169,14 +176,26 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";
     }
-    const int channels = light ? light->medium.air.channels : 0;
-    if (channels != 3 && channels != 4) {
-        return {{},
-                {option_fault("--live shows light of three or four channels",
-                              fmt::format("this air has {}", channels))}};
+    if (!has_colours(light)) {
+        return {
+            {},
+            {option_fault("--live shows light of three or four channels",
+                          fmt::format("this air has {}", light ? light->medium.air.channels : 0))}};
     }
     const Json scene = scene_of(assets, options, *light, light_name);
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
+}
+
+Outcome<std::string> film_lookup(const PreviewAssets& assets, int threads) {
+    const auto light = assets.recipe ? light_of(*assets.recipe, assets, threads) : std::nullopt;
+    if (!has_colours(light)) {
+        return {
+            {},
+            {option_fault("--lookup of a folder prints how its light is shown, which needs a "
+                          "transmittance and a multiple_scattering table of three or four channels",
+                          "name one of its files for the lookup of that file")}};
+    }
+    return {film_glsl(*light), {}};
 }
 
 }  // namespace skybake

@@ -12,7 +12,5 @@ vec4 picture(vec2 pixel) {
         Air air = air_along(h, ray, sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
         light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
     }
-    vec3 shown = 1.0 - exp(-exposure * light);
-    vec3 gamma = mix(1.055 * pow(shown, vec3(1.0 / 2.4)) - 0.055, 12.92 * shown, lessThan(shown, vec3(0.0031308)));
-    return vec4(gamma, 1.0);
+    return vec4(shown_by_film(exposure * light), 1.0);
 }

@@ -35,7 +35,5 @@ float4 main(float4 at : SV_Position) : SV_Target {
         Air air = air_along(h, ray, sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
         light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
     }
-    float3 shown = 1.0 - exp(-exposure * light);
-    float3 dark = step(shown, 0.0031308);
-    return float4(lerp(1.055 * pow(shown, 1.0 / 2.4) - 0.055, 12.92 * shown, dark), 1.0);
+    return float4(shown_by_film(exposure * light), 1.0);
 }

@@ -36,7 +36,5 @@ struct View {
         let air = air_along(h, ray, view.sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
         light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
     }
-    let shown = 1.0 - exp(-view.exposure * light);
-    let gamma = select(1.055 * pow(shown, vec3f(1.0 / 2.4)) - 0.055, 12.92 * shown, shown < vec3f(0.0031308));
-    return vec4f(gamma, 1.0);
+    return vec4f(shown_by_film(view.exposure * light), 1.0);
 }
