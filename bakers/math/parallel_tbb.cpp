@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstddef>
 #include <limits>
+#include <list>
 #include <mutex>
 
 #include "bakers/math/parallel.h"
@@ -28,27 +29,34 @@ void run_with_threads(int threads, const std::function<void()>& work) {
     arena.execute(work);
 }
 
+std::mutex asking;
+int asked = 1;  // the most threads that were found to be granted
+
 // Returns `threads`, or how many the system grants if these are fewer. TBB ends the process when a
 // thread of it cannot begin, so it never asks for more than were granted, whoever uses it. One thread
 // is left to whoever tells how far the work is.
 int granted(int threads) {
-    static std::mutex mutex;
-    static int asked = 1;
     static int most = std::numeric_limits<int>::max();
-    const std::lock_guard lock(mutex);
-    if (threads > asked && asked < most) {
+    const std::lock_guard lock(asking);
+    if (threads > asked && threads <= most) {
         asked = threads;
         const int startable = startable_threads(threads);
         if (startable < threads) {
             most = std::max(startable, 1);
-            static const global_control limit(global_control::max_allowed_parallelism,
-                                              static_cast<std::size_t>(most));
+            static std::list<global_control> limits;  // of which the least holds
+            limits.emplace_back(global_control::max_allowed_parallelism,
+                                static_cast<std::size_t>(most));
         }
     }
     return std::min(threads, most);
 }
 
 }  // namespace
+
+void count_threads_again() {
+    const std::lock_guard lock(asking);
+    asked = 1;
+}
 
 int thread_count(int threads) {
     return granted(threads > 0 ? threads : oneapi::tbb::this_task_arena::max_concurrency());
