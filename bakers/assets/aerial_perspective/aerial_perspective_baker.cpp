@@ -170,7 +170,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 11,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 12,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

@@ -176,7 +176,7 @@ void draft(CloudLightBake& asset, int) {
 }  // namespace
 
 const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
-    static const Baker<config::CloudLightBake> row = {.version = 5,
+    static const Baker<config::CloudLightBake> row = {.version = 6,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

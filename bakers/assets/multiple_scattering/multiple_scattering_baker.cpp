@@ -220,7 +220,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 10,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 11,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .needs = needs,

@@ -133,7 +133,7 @@ void draft(OpticalDepthBake& asset, int) {
 }  // namespace
 
 const Baker<config::OpticalDepthBake>& baker(BakerTag<config::OpticalDepthBake>) {
-    static const Baker<config::OpticalDepthBake> row = {.version = 5,
+    static const Baker<config::OpticalDepthBake> row = {.version = 6,
                                                         .bake = bake,
                                                         .estimate = estimate,
                                                         .places = places,
