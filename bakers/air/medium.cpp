@@ -71,12 +71,11 @@ std::vector<LinearPiece> linear_pieces(const std::vector<ProfilePoint>& points,
 }
 
 double density_at(const PiecewiseLayer& layer, double altitude_km) {
-    for (const LinearPiece& piece : layer.pieces) {
-        if (altitude_km >= piece.bottom_km && altitude_km <= piece.top_km) {
-            return density_at(piece, altitude_km);
-        }
-    }
-    return 0;
+    const auto piece = std::lower_bound(
+        layer.pieces.begin(), layer.pieces.end(), altitude_km,
+        [](const LinearPiece& any, double altitude) { return any.top_km < altitude; });
+    const bool inside = piece != layer.pieces.end() && altitude_km >= piece->bottom_km;
+    return inside ? density_at(*piece, altitude_km) : 0;
 }
 
 template <class Layer>

@@ -84,61 +84,159 @@ HWY_INLINE Real exponential_column(const ClimbStart<Real>& start, Real gain_km,
     return sum * exponential(-start.altitude_km * per_scale_height);
 }
 
-// Returns sinh(theta) - theta for theta = ln(1 + e), e >= 0, given sinh(theta).
+// The part of a climb within a piece's altitudes.
 template <class Real>
-HWY_INLINE Real sinh_minus_argument(Real e, Real sinh_theta) {
-    // With w = tanh(theta / 2) = e / (2 + e) the result is 2 w / (1 - w^2) - 2 artanh(w)
-    // = 4 w^3 sum_k k / (2 k + 1) w^(2 k - 2), a sum of positive terms. Beyond w = 1/4 the
-    // difference itself loses less than five bits.
-    const Real w = e / (Real(2.0) + e);
-    const Real z = w * w;
-    Real p(0.0);
-    for (int k = 12; k >= 1; --k) p = p * z + Real(k / (2.0 * k + 1.0));
-    const Real series = Real(4.0) * w * z * p;
-    const auto large = w > Real(0.25);
-    if (!any(large)) return series;
-    return select(large, sinh_theta - logarithm(Real(1.0) + e), series);
+struct PieceClimb {
+    Real length;
+    Real climbed;  // integral of the gain of altitude since the piece's lower end
+    Real gain;     // of altitude, >= 0
+};
+
+// Returns sum_k k / (2 k + 1) z^(k - 1) for k = 1 to kTerms, in two chains.
+template <int kTerms, class Real>
+HWY_INLINE Real climb_series(Real z) {
+    const Real square = z * z;
+    Real odd(kTerms / (2.0 * kTerms + 1.0));
+    Real even((kTerms - 1) / (2.0 * kTerms - 1.0));
+    for (int k = kTerms - 2; k >= 1; k -= 2) odd = odd * square + Real(k / (2.0 * k + 1.0));
+    for (int k = kTerms - 3; k >= 2; k -= 2) even = even * square + Real(k / (2.0 * k + 1.0));
+    return odd + z * even;
 }
 
-// Returns the column of a linear piece of density, in closed form. With theta = ln(1 + e) and x the
-// length,
+// Returns sinh(theta) - theta, given w = tanh(theta / 2), sinh(theta) and e^theta as a quotient.
+template <class Real>
+HWY_INLINE Real sinh_minus_argument(Real w, Real sinh_theta, Real dividend, Real divisor) {
+    // 2 w / (1 - w^2) - 2 artanh(w) = 4 w^3 sum_k k / (2 k + 1) w^(2 k - 2) is a sum of positive
+    // terms: up to w = 1/16, 7 of them are all that a double shows, up to 1/4, 13. Beyond, the
+    // difference itself loses less than five bits.
+    const Real z = w * w;
+    const Real cube = Real(4.0) * w * z;
+    const Real of_few = cube * climb_series<7>(z);
+    const auto many = w > Real(1.0 / 16);
+    if (!any(many)) return of_few;
+    const Real series = select(many, cube * climb_series<13>(z), of_few);
+    const auto large = w > Real(0.25);
+    if (!any(large)) return series;
+    return select(large, sinh_theta - logarithm(dividend / divisor), series);
+}
+
+// Returns the climb between gains `low` and `high` from its start, where s is `s_low` and `s_high`.
+// With theta = ln(1 + e),
 //
 //   integral of (r - r_a) ds = r^2 f1 + r s f2 + s^2 f3,
 //   f1 = integral of (cosh - 1) cosh = (S C - d) / 2,   f2 = (C^2 + S^2) / 2,   f3 = (S C + d) / 2,
 //   S = sinh theta, C = cosh theta - 1, d = sinh theta - theta,
 //
-// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. The relative error is
-// below 1e-14.
+// which is 1/2 [s r + p^2 arsinh(s / p)] - r_a s without its cancellation. With q = r_b^2 - r_a^2 and
+// D = s_a + s_b the length is q / D, and e = A / (D z) with A = q + (r_b - r_a) D. All quotients share
+// one division. The relative error is below 1e-14.
 template <class Real>
-HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
-                                    const LinearPiece& piece) {
-    const Real zero(0.0);
-    const Real low = maximum(Real(piece.bottom_km) - start.altitude_km, zero);
-    const Real high = minimum(Real(piece.top_km) - start.altitude_km, gain_km);
-    const Real c = maximum(high - low, zero);
-    if (!any(c > zero)) return zero;
+HWY_INLINE PieceClimb<Real> climb_between(const ClimbStart<Real>& start, Real low, Real high,
+                                          Real s_low, Real s_high) {
     const Real r = start.r_km + low;
-    const Real s = square_root(start.s_km * start.s_km + low * (start.r_km + start.r_km + low));
-    const Real x = climb_length(r, s, c);
-    const Real slope(piece.density_per_km < 0 ? -piece.density_per_km : piece.density_per_km);
-    if (piece.density_per_km == 0) return Real(piece.density_at_bottom) * x;
-    const Real e = (x + c) / (s + r);
-    const Real half_inverse = Real(0.5) / (Real(1.0) + e);
-    const Real big_s = e * (Real(2.0) + e) * half_inverse;
-    const Real big_c = e * e * half_inverse;
-    const Real d = sinh_minus_argument(e, big_s);
+    const Real c = high - low;
+    const Real q = c * (r + r + c);
+    const Real sum_of_s = s_low + s_high;
+    const Real a = q + c * sum_of_s;
+    const Real z = s_low + r;
+    const Real m = sum_of_s * z;
+    const Real grown = m + a;  // (1 + e) m
+    const Real zg = z * grown;
+    const Real twice = grown + m;  // (2 + e) m
+    const Real inverse = Real(1.0) / (sum_of_s * zg * twice);
+    const Real w = a * sum_of_s * zg * inverse;           // e / (2 + e)
+    const Real half = Real(0.5) * a * (twice * inverse);  // e / (2 (1 + e)) / m
+    const Real big_s = half * twice;
+    const Real big_c = half * a;
+    const Real d = sinh_minus_argument(w, big_s, grown, m);
     const Real product = big_s * big_c;
     const Real climbed =
-        Real(0.5) *
-        (r * r * (product - d) + r * s * (big_c * big_c + big_s * big_s) + s * s * (product + d));
+        Real(0.5) * (r * r * (product - d) + r * s_low * (big_c * big_c + big_s * big_s) +
+                     s_low * s_low * (product + d));
+    // 0 / 0 for no gain from the nearest point.
+    const auto climbs = c > Real(0.0);
+    const Real zero(0.0);
+    return {select(climbs, q * zg * twice * inverse, zero), select(climbs, climbed, zero), c};
+}
+
+// Returns the column of a linear piece of density over its part of a climb.
+template <class Real>
+HWY_INLINE Real linear_piece_column(const ClimbStart<Real>& start, Real gain_km,
+                                    const PieceClimb<Real>& climb, const LinearPiece& piece) {
+    if (piece.density_per_km == 0) return Real(piece.density_at_bottom) * climb.length;
+    const Real zero(0.0);
+    const Real slope(piece.density_per_km < 0 ? -piece.density_per_km : piece.density_per_km);
     // The density is measured from the end where it is smaller, so that no term is negative.
-    const Real rising = Real(piece.density_at_bottom) +
-                        slope * maximum(start.altitude_km - Real(piece.bottom_km), zero);
+    if (piece.density_per_km > 0) {
+        const Real rising = Real(piece.density_at_bottom) +
+                            slope * maximum(start.altitude_km - Real(piece.bottom_km), zero);
+        return rising * climb.length + slope * climb.climbed;
+    }
     const Real falling = Real(piece.density_at_top) +
                          slope * maximum(Real(piece.top_km) - (start.altitude_km + gain_km), zero);
-    return piece.density_per_km > 0 ? rising * x + slope * climbed
-                                    : falling * x + slope * (c * x - climbed);
+    return falling * climb.length + slope * (climb.gain * climb.length - climb.climbed);
 }
+
+// The climbs through the pieces of layers. Neighbouring pieces share a square root, and later tables
+// share the climbs of the first one where they have its altitudes.
+template <class Real>
+class PieceClimbs {
+  public:
+    HWY_INLINE PieceClimbs(const ClimbStart<Real>& start, Real gain_km)
+        : start_(start), gain_km_(gain_km) {}
+
+    HWY_INLINE void begin_layer() {
+        is_first_ = count_ < kLeast;
+        if (is_first_) count_ = 0;
+        next_ = 0;
+    }
+
+    // The pieces of a layer must come in ascending order. Returns false if the climb does not touch
+    // the piece.
+    HWY_INLINE bool find(const LinearPiece& piece, PieceClimb<Real>& climb) {
+        while (!is_first_ && next_ < count_ && bottoms_km_[next_] < piece.bottom_km) ++next_;
+        if (!is_first_ && next_ < count_ && bottoms_km_[next_] == piece.bottom_km &&
+            tops_km_[next_] == piece.top_km) {
+            climb = climbs_[next_];
+            return true;
+        }
+        const Real low = gain_at(piece.bottom_km);
+        const Real high = gain_at(piece.top_km);
+        if (!any(high > low)) return false;
+        const Real s_low = piece.bottom_km == s_at_km_ ? s_ : s_at(low);
+        s_ = s_at(high);
+        s_at_km_ = piece.top_km;
+        climb = climb_between(start_, low, high, s_low, s_);
+        if (!is_first_ || count_ == kMost) return true;
+        bottoms_km_[count_] = piece.bottom_km;
+        tops_km_[count_] = piece.top_km;
+        climbs_[count_++] = climb;
+        return true;
+    }
+
+  private:
+    static constexpr std::size_t kLeast = 3;  // pieces of a table; slabs and tents have fewer
+    static constexpr std::size_t kMost = 48;
+
+    HWY_INLINE Real gain_at(double altitude_km) const {
+        return minimum(maximum(Real(altitude_km) - start_.altitude_km, Real(0.0)), gain_km_);
+    }
+    HWY_INLINE Real s_at(Real gain_km) const {
+        return square_root(start_.s_km * start_.s_km +
+                           gain_km * (start_.r_km + start_.r_km + gain_km));
+    }
+
+    const ClimbStart<Real>& start_;
+    Real gain_km_;
+    Real s_ = Real(0.0);  // at the top of the piece before
+    double s_at_km_ = -1;
+    bool is_first_ = true;
+    std::size_t count_ = 0;
+    std::size_t next_ = 0;
+    double bottoms_km_[kMost];
+    double tops_km_[kMost];
+    PieceClimb<Real> climbs_[kMost];
+};
 
 // Adds the optical depth of a climb to tau[0] to tau[channels - 1].
 template <class Real>
@@ -152,10 +250,14 @@ HWY_INLINE void add_climb(const Medium& medium, const ClimbStart<Real>& start, R
     for (const ExponentialLayer& layer : medium.exponential_layers) {
         add(exponential_column(start, gain_km, layer.scale_height_km), layer.extinction_per_km);
     }
+    PieceClimbs<Real> climbs(start, gain_km);
     for (const PiecewiseLayer& layer : medium.piecewise_layers) {
         Real column(0.0);
+        climbs.begin_layer();
         for (const LinearPiece& piece : layer.pieces) {
-            column = column + linear_piece_column(start, gain_km, piece);
+            PieceClimb<Real> climb;
+            if (!climbs.find(piece, climb)) continue;
+            column = column + linear_piece_column(start, gain_km, climb, piece);
         }
         add(column, layer.extinction_per_km);
     }

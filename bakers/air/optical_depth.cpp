@@ -13,15 +13,21 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-void OpticalDepthRow(const Medium& medium, double altitude_km, const double* s_km, int count,
-                     double* optical_depth) {
+// Altitude i is altitudes_km[i * stride].
+void OpticalDepthRow(const Medium& medium, const double* altitudes_km, int stride,
+                     const double* s_km, int count, double* optical_depth) {
     constexpr int kLanes = static_cast<int>(Lanes::kCount);
     for (int first = 0; first < count; first += kLanes) {
         const int used = count - first < kLanes ? count - first : kLanes;
         double s[kLanes];  // lanes beyond the last ray repeat it
-        for (int i = 0; i < kLanes; ++i) s[i] = s_km[first + (i < used ? i : used - 1)];
+        double altitudes[kLanes];
+        for (int i = 0; i < kLanes; ++i) {
+            const int ray = first + (i < used ? i : used - 1);
+            s[i] = s_km[ray];
+            altitudes[i] = altitudes_km[ray * stride];
+        }
         Lanes tau[kMaxChannels];
-        optical_depth_to_top(medium, Lanes(altitude_km), Lanes::load(s), tau);
+        optical_depth_to_top(medium, Lanes::load(altitudes), Lanes::load(s), tau);
         for (int c = 0; c < medium.channels; ++c) {
             double values[kLanes];
             tau[c].store(values);
@@ -42,7 +48,14 @@ HWY_EXPORT(OpticalDepthRow);
 void optical_depth_to_top(const Medium& medium, double altitude_km, const double* s_km, int count,
                           double* optical_depth) {
     assert(count >= 0);
-    HWY_DYNAMIC_DISPATCH(OpticalDepthRow)(medium, altitude_km, s_km, count, optical_depth);
+    HWY_DYNAMIC_DISPATCH(OpticalDepthRow)(medium, &altitude_km, 0, s_km, count, optical_depth);
+}
+
+void optical_depth_to_top(const Medium& medium, std::span<const double> altitudes_km,
+                          std::span<const double> s_km, double* optical_depth) {
+    assert(altitudes_km.size() == s_km.size());
+    HWY_DYNAMIC_DISPATCH(OpticalDepthRow)
+    (medium, altitudes_km.data(), 1, s_km.data(), static_cast<int>(s_km.size()), optical_depth);
 }
 
 Spectrum optical_depth_to_top(const Medium& medium, double altitude_km, double s_km) {

@@ -3,6 +3,8 @@
 // are in optical_depth-inl.h.
 #pragma once
 
+#include <span>
+
 #include "bakers/air/medium.h"
 
 namespace skybake {
@@ -14,6 +16,10 @@ namespace skybake {
 // any vector width.
 void optical_depth_to_top(const Medium& medium, double altitude_km, const double* s_km, int count,
                           double* optical_depth);
+
+// Computes the same for rays of which each has an altitude of its own.
+void optical_depth_to_top(const Medium& medium, std::span<const double> altitudes_km,
+                          std::span<const double> s_km, double* optical_depth);
 
 // Returns the same for one ray, without vectors: the specification of the function above.
 Spectrum optical_depth_to_top(const Medium& medium, double altitude_km, double s_km);

@@ -57,7 +57,7 @@ TransmittanceField::TransmittanceField(const Medium& medium,
         const double begin = x_of(altitudes_km[i]);
         const double end = x_of(altitudes_km[i + 1]);
         if (!(begin < end)) continue;  // closer than doubles can tell
-        const int rows = std::max(kLeastRows, static_cast<int>((end - begin) * size.rows) + 1);
+        const int rows = std::max(size.least_rows, static_cast<int>((end - begin) * size.rows) + 1);
         blocks_.push_back({altitudes_km[i], begin, end, static_cast<int>(x_of_row.size()), rows});
         for (int y = 0; y < rows; ++y) {
             x_of_row.push_back(begin + (end - begin) * y / (rows - 1));

@@ -25,12 +25,11 @@ bool is_flat_planet(const Shell& shell);
 class TransmittanceField {
   public:
     struct Size {
-        int columns = 0;  // a multiple of 8
-        int rows = 0;     // of a field with one block; every block has at least kLeastRows
+        int columns = 0;      // a multiple of 8
+        int rows = 0;         // of a field with one block
+        int least_rows = 13;  // of every block; at least 3
         bool operator==(const Size&) const = default;
     };
-    static constexpr int kLeastRows = 13;
-
     // Blocks lie between neighbours of `altitudes_km`, which ascend from the ground to the top.
     TransmittanceField(const Medium& medium, const std::vector<double>& altitudes_km, Size size,
                        int threads);

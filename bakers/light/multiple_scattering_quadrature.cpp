@@ -14,6 +14,13 @@ namespace skybake {
 
 namespace {
 
+// Where tables have all but so much of the extinction, rays are cut at their altitudes alone.
+constexpr double kShareOfTables = 0.999;
+
+double smallest(const Spectrum& values, int channels) {
+    return *std::min_element(data(values), data(values) + channels);
+}
+
 // Azimuths needed where sunlight varies over the azimuth as it does over a turn of the vertical by
 // `swing`, in units of the dip of the shell's top: n nodes leave about swing^(2 n).
 int azimuth_count(double share, double swing, double tolerance) {
@@ -47,10 +54,15 @@ std::vector<double> quadrature_altitudes_km(const Medium& medium) {
         widest = std::max(widest, layer.scale_height_km);
     }
     // Above the tenth scale height of all other layers only the widest one is left, and rays within
-    // it see nothing else. It is empty in double precision above 40.
+    // it see nothing else but tables. It is empty in double precision above 40.
+    Medium tables = medium;
+    tables.exponential_layers.clear();
     for (const double count : {14, 18, 22, 26, 30, 35, 40}) {
         const double altitude = count * widest;
-        if (altitude > 0 && altitude < medium.thickness_km) altitudes.push_back(altitude);
+        if (!(altitude > 0 && altitude < medium.thickness_km)) break;
+        const Spectrum share =
+            share_of(extinction_at(tables, altitude), extinction_at(medium, altitude));
+        if (!(smallest(share, medium.channels) > kShareOfTables)) altitudes.push_back(altitude);
     }
     std::sort(altitudes.begin(), altitudes.end());
     altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());

@@ -35,9 +35,33 @@ Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
 }
 
-Spectrum SkyIntegrator::depth_km(const SkyRay& ray, double distance_km) const {
-    const double r = shell_.ground_radius_km + ray.altitude_km;
-    return optical_depth_along(medium_.air, ray.altitude_km, ray.s_km / r, distance_km);
+Spectrum SkyIntegrator::depth_between(const SkyRay& ray, double from_km, double to_km) const {
+    const double altitude = altitude_on(ray, from_km);
+    const double r = shell_.ground_radius_km + altitude;
+    return optical_depth_along(medium_.air, altitude, (ray.s_km + from_km) / r, to_km - from_km);
+}
+
+double SkyIntegrator::altitude_on(const SkyRay& ray, double distance_km) const {
+    return std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, distance_km), 0.0,
+                      shell_.thickness_km);  // rounding
+}
+
+std::array<Spectrum, ray_pieces::kNodes> SkyIntegrator::sunlight(const NodeValues& altitudes_km,
+                                                                 const NodeValues& s_km) const {
+    NodeValues lit_s_km{};
+    for (std::size_t i = 0; i < s_km.size(); ++i) {
+        lit_s_km[i] = std::max(s_km[i], -horizon_distance_km(shell_, altitudes_km[i]));
+    }
+    std::array<Spectrum, ray_pieces::kNodes> light{};
+    std::array<double, kMaxChannels * ray_pieces::kNodes> depths;
+    optical_depth_to_top(medium_.air, altitudes_km, lit_s_km, depths.data());
+    for (std::size_t i = 0; i < s_km.size(); ++i) {
+        if (lit_s_km[i] > s_km[i]) continue;
+        for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
+            light[i][c] = exponential(-depths[c * s_km.size() + i]);
+        }
+    }
+    return light;
 }
 
 ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
@@ -98,7 +122,7 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
     if (!depth) return;
     if (*depth > ray_pieces::kLargestDepth && halvings < ray_pieces::kMostHalvings) {
         const double middle = 0.5 * (piece.from_km + piece.to_km);
-        const Spectrum depth_middle = depth_km(ray, middle);
+        const Spectrum depth_middle = piece.depth_from + depth_between(ray, piece.from_km, middle);
         add_piece(ray, phases, {piece.from_km, middle, piece.depth_from, depth_middle},
                   halvings + 1, sum);
         add_piece(ray, phases, {middle, piece.to_km, depth_middle, piece.depth_to}, halvings + 1,
@@ -106,13 +130,17 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
         return;
     }
     const double width = piece.to_km - piece.from_km;
-    for (std::size_t i = 0; i < ray_pieces::gauss_rule().nodes.size(); ++i) {
-        const double x = piece.from_km + width * ray_pieces::gauss_rule().nodes[i];
-        const double altitude = std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, x),
-                                           0.0, shell_.thickness_km);  // rounding
-        const double s = ray.sun_s_km + x * ray.cosine_to_sun;
-        const Spectrum depth_here = depth_km(ray, x);
-        const Spectrum sun = sunlight(altitude, s);
+    NodeValues distances, altitudes, sun_s;
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        distances[i] = piece.from_km + width * ray_pieces::gauss_rule().nodes[i];
+        altitudes[i] = altitude_on(ray, distances[i]);
+        sun_s[i] = ray.sun_s_km + distances[i] * ray.cosine_to_sun;
+    }
+    const std::array<Spectrum, ray_pieces::kNodes> sun = sunlight(altitudes, sun_s);
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const double altitude = altitudes[i];
+        const Spectrum depth_here =
+            piece.depth_from + depth_between(ray, piece.from_km, distances[i]);
         Spectrum towards_eye{};
         std::vector<Spectrum> scattering(medium_.layers.size());
         for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
@@ -122,12 +150,12 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
         }
         Spectrum again{};
         if (higher_orders_) {
-            again = higher_orders_->scattered(scattering_point(shell_, ray, altitude, s, x),
-                                              scattering);
+            again = higher_orders_->scattered(
+                scattering_point(shell_, ray, altitude, sun_s[i], distances[i]), scattering);
         }
         const Spectrum weight =
             width * ray_pieces::gauss_rule().weights[i] * exponential(-depth_here);
-        sum.single += weight * towards_eye * sun;
+        sum.single += weight * towards_eye * sun[i];
         sum.multiple += weight * again;
     }
 }
@@ -167,7 +195,7 @@ std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
     for (const double distance : distances_km) {
         for (; cuts[cut] < distance; ++cut) {
             if (!(cuts[cut] < cuts[cut + 1])) continue;
-            const Spectrum next = depth_km(ray, cuts[cut + 1]);
+            const Spectrum next = depth + depth_between(ray, cuts[cut], cuts[cut + 1]);
             add_piece(ray, of_layers, {cuts[cut], cuts[cut + 1], depth, next}, 0, sum);
             depth = next;
         }
@@ -185,10 +213,10 @@ SkyRadiance SkyIntegrator::between(const SkyRay& ray, double from_km, double to_
     cuts.push_back(to_km);
     const std::vector<Spectrum> of_layers = phases(ray);
     SkyRadiance sum;
-    Spectrum depth = depth_km(ray, from_km);
+    Spectrum depth = depth_between(ray, 0, from_km);
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
         if (!(cuts[i] < cuts[i + 1])) continue;
-        const Spectrum next = depth_km(ray, cuts[i + 1]);
+        const Spectrum next = depth + depth_between(ray, cuts[i], cuts[i + 1]);
         add_piece(ray, of_layers, {cuts[i], cuts[i + 1], depth, next}, 0, sum);
         depth = next;
     }

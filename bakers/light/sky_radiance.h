@@ -17,12 +17,14 @@
 // horizontal; 50 times the Earth's air; no air at all.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "bakers/air/medium.h"
 #include "bakers/air/ray.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/lit_skins.h"
+#include "bakers/light/ray_pieces.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {
@@ -71,7 +73,11 @@ class SkyIntegrator {
   private:
     struct Piece;
     std::vector<double> cuts_km(const SkyRay& ray) const;
-    Spectrum depth_km(const SkyRay& ray, double distance_km) const;
+    Spectrum depth_between(const SkyRay& ray, double from_km, double to_km) const;
+    double altitude_on(const SkyRay& ray, double distance_km) const;
+    using NodeValues = std::array<double, ray_pieces::kNodes>;
+    std::array<Spectrum, ray_pieces::kNodes> sunlight(const NodeValues& altitudes_km,
+                                                      const NodeValues& s_km) const;
     std::vector<Spectrum> phases(const SkyRay& ray) const;
     void add_piece(const SkyRay& ray, const std::vector<Spectrum>& phases, const Piece& piece,
                    int halvings, SkyRadiance& sum) const;

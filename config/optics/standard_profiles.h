@@ -2,10 +2,10 @@
 // greatest of the source, linear between the points. They are 0 at and above the last point.
 //
 // Each profile has as few points as hold it within 1 % (air from 45 km up: 3 %) plus a part of the
-// greatest density: 2e-7 for air (30 points, to 100 km), 0.3 % for ozone (19, to 70 km), 0.2 % for
+// greatest density: 2e-7 for air (31 points, to 100 km), 0.3 % for ozone (25, to 68 km), 0.2 % for
 // water vapour (10, to 20 km), 0.5 % for nitrogen dioxide (13, to 50 km). Each point is a kink to
-// solvers. The points do not lie on the curves but where the broken line stays within those bounds:
-// air at 0 m is 0.995. In the last piece of each, where the line goes down to 0, only twice the
+// solvers, so that air and ozone have theirs at the same altitudes. The points do not lie on the curves but where the broken line stays within those bounds:
+// ozone at 0 m is 2 % too much. In the last piece of each, where the line goes down to 0, only twice the
 // bounds are held, if at all. Columns are exact, since they are divided by profile_depth_m.
 #pragma once
 

@@ -67,6 +67,31 @@ TEST(OpticalDepth, AgreesWithTheAdaptiveReferenceAtEveryTexelOfAllPresets) {
     }
 }
 
+// Standard profiles: two tables share their pieces' climbs, and the third has altitudes of its own.
+TEST(OpticalDepth, AgreesWithTheRefereeInTables) {
+    const Medium earth = test::preset_medium("earth");
+    ASSERT_EQ(earth.piecewise_layers.size(), 2u);
+    Medium mixed = earth;  // with tables in another order, one of altitudes of its own
+    PiecewiseLayer moved = earth.piecewise_layers[1];
+    for (LinearPiece& piece : moved.pieces) {
+        piece.bottom_km += 0.3;
+        piece.top_km += 0.3;
+    }
+    mixed.piecewise_layers = {earth.piecewise_layers[1], moved, earth.piecewise_layers[0]};
+    for (const Medium& medium : {earth, mixed}) {
+        for (const Ray& ray : table_rays(medium, 21)) {
+            const Spectrum tau = optical_depth_to_top(medium, ray.altitude_km, ray.s_km);
+            const auto exact =
+                test::referee_optical_depth_to_top(medium, ray.altitude_km, ray.s_km);
+            for (std::size_t c = 0; c < 4; ++c) {
+                const double expected = static_cast<double>(exact[c]);
+                EXPECT_NEAR(tau[c], expected, 1e-12 * expected + 1e-15)
+                    << "altitude " << ray.altitude_km << " s " << ray.s_km;
+            }
+        }
+    }
+}
+
 // The least and the greatest scale height that a recipe may name, and planets of a metre and of a
 // kilometre. Rays that pass a metre above the ground from far above have altitudes there that are
 // differences of a thousand kilometres: a reference that computes them so does not end, because the

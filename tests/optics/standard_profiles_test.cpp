@@ -88,6 +88,43 @@ TEST(OzoneProfile, HoldsAfgl) {
                 2);
 }
 
+// AFGL-TR-86-0110, US standard: mixing ratios in parts per million, linear between its levels.
+double afgl_ozone(double altitude_km) {
+    constexpr double kLevels[][2] = {
+        {0, 0.0266},  {1, 0.02931}, {2, 0.03237},  {3, 0.03318}, {4, 0.03387},  {5, 0.03768},
+        {6, 0.04112}, {7, 0.05009}, {8, 0.05966},  {9, 0.09168}, {10, 0.1313},  {11, 0.2149},
+        {12, 0.3095}, {13, 0.3846}, {14, 0.503},   {15, 0.6505}, {16, 0.8701},  {17, 1.187},
+        {18, 1.587},  {19, 2.03},   {20, 2.579},   {21, 3.028},  {22, 3.647},   {23, 4.168},
+        {24, 4.627},  {25, 5.118},  {27.5, 5.803}, {30, 6.553},  {32.5, 7.373}, {35, 7.837},
+        {37.5, 7.8},  {40, 7.3},    {42.5, 6.2},   {45, 5.25},   {47.5, 4.1},   {50, 3.1},
+        {55, 1.8},    {60, 1.1},    {65, 0.7},     {70, 0.3},    {75, 0.25}};
+    std::size_t i = 1;
+    while (i + 1 < std::size(kLevels) && kLevels[i][0] < altitude_km) ++i;
+    const auto [low_km, low] = kLevels[i - 1];
+    const auto [high_km, high] = kLevels[i];
+    const double ppm = low + (high - low) * (altitude_km - low_km) / (high_km - low_km);
+    return ppm * 1e-6 * standard_density(altitude_km * 1000) * 2.5470e25;
+}
+
+TEST(OzoneProfile, HoldsAfglBetweenItsLevels) {
+    for (double altitude_km = 0; altitude_km <= 75; altitude_km += 0.125) {
+        const double exact = afgl_ozone(altitude_km) / 4.91e18;
+        EXPECT_NEAR(profile_at(standard_profile(Gas::ozone), altitude_km * 1000), exact,
+                    0.01 * exact + 0.003)
+            << altitude_km;
+    }
+}
+
+// Each altitude costs solvers once, not twice.
+TEST(OzoneProfile, HasTheAltitudesOfAir) {
+    const auto air = standard_profile(Gas::air);
+    const auto ozone = standard_profile(Gas::ozone);
+    ASSERT_LE(ozone.size(), air.size());
+    for (std::size_t i = 0; i < ozone.size(); ++i) {
+        EXPECT_EQ(ozone[i].altitude_m, air[i].altitude_m);
+    }
+}
+
 TEST(WaterVaporProfile, HoldsAfgl) {
     constexpr Level kLevels[] = {{0, 1.97343e17}, {1, 1.40422e17},  {2, 9.69732e16},
                                  {3, 6.01716e16}, {4, 3.67723e16},  {5, 2.14020e16},
@@ -110,7 +147,7 @@ TEST(Profiles, AscendAndEndAtZero) {
     for (const Gas gas : all_gases()) {
         const auto profile = standard_profile(gas);
         EXPECT_GE(profile.size(), 10u);
-        EXPECT_LE(profile.size(), 30u);
+        EXPECT_LE(profile.size(), 31u);
         EXPECT_EQ(profile.front().altitude_m, 0);
         EXPECT_EQ(profile.back().relative_density, 0);
         EXPECT_EQ(profile_at(profile, profile.back().altitude_m + 1), 0);

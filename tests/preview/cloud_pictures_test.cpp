@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <set>
 #include <string>
+#include <utility>
 #include <variant>
 
 #include "bakers/preview/bake_assets.h"
@@ -18,6 +19,22 @@
 
 namespace skybake {
 namespace {
+
+// Air that costs little: the sky is not what these tests look at.
+struct CheapAir {
+    config::Recipe recipe = test::recipe_of(
+        "preset = 'earth_hillaire'\n[bake.transmittance]\nsize = [64, 16]\n"
+        "[bake.multiple_scattering]\nsize = [16, 16]\nmethod = 'converged'\nmapping = 'hillaire'\n",
+        {});
+    PreviewAssets assets = std::move(
+        *bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr})
+             .value);
+};
+
+const CheapAir& cheap_air() {
+    static const CheapAir air;
+    return air;
+}
 
 // A cloud of 32 x 20 x 10 voxels, whose height is no multiple of the cell.
 struct BakedCloud {
@@ -56,6 +73,14 @@ struct BakedCloud {
         return recipe.parameters.bakes.back().as<config::OccupancyBake>();
     }
     CloudPreviewInput input() const {
+        CloudPreviewInput input = input_under_earth();
+        input.air = &cheap_air().recipe;
+        input.transmittance = cheap_air().assets.of_kind("transmittance");
+        input.multiple_scattering = cheap_air().assets.of_kind("multiple_scattering");
+        input.table_sky = true;
+        return input;
+    }
+    CloudPreviewInput input_under_earth() const {
         CloudPreviewInput input;
         input.cloud = &recipe.parameters.clouds.front();
         input.volume = &asset("sky");
@@ -87,7 +112,7 @@ bool says(const PreviewPicture& picture, const std::string& words) {
 
 TEST(CloudPictures, ShowAVolumeWithItsGrid) {
     const BakedCloud baked;
-    CloudPreviewInput input = baked.input();
+    CloudPreviewInput input = baked.input_under_earth();
     input.suns = {{40, 100}, {-3, 100}};
     const auto pictures = cloud_pictures(input, 2);
     EXPECT_EQ(names_of(pictures),

@@ -63,7 +63,7 @@ void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64
 }  // namespace
 
 const Baker<config::TransmittanceBake>& baker(BakerTag<config::TransmittanceBake>) {
-    static const Baker<config::TransmittanceBake> row = {.version = 6,
+    static const Baker<config::TransmittanceBake> row = {.version = 7,
                                                          .bake = bake,
                                                          .estimate = estimate,
                                                          .places = places,
