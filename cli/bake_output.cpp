@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/assets/certificate_warnings.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
@@ -145,9 +146,12 @@ std::string assets_text(const BakedFolder& baked, int columns) {
 std::string advice_text(const ManifestAsset& asset) {
     if (!asset.error) return "";
     std::string text;
-    if (!asset.error->advice.empty()) {
-        text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
-                            asset.error->worst, asset.error->advice);
+    // A warning has said it already.
+    if (!asset.error->advice.empty() && large_errors(*asset.error).empty()) {
+        const bool is_of_place = !asset.error->sky || asset.error->sky->points > 0;
+        const std::string place =
+            is_of_place ? fmt::format("its error is largest at {}; ", asset.error->worst) : "";
+        text += fmt::format("  {}: {}{}\n", asset.name, place, asset.error->advice);
     }
     if (asset.error->sky && !asset.error->sky->better.empty()) {
         text += fmt::format("  {}: {}\n", asset.name, asset.error->sky->better);

@@ -178,6 +178,34 @@ constexpr std::array warning_table = {
                    "Choose a larger size, or a mapping with more texels where the message says.",
                    "size = [2, 2]", "size = [64, 32]", 0},
     DiagnosticCode{
+        "W0220", "texels far from the truth",
+        "The texels themselves are off by more than 5 % (root mean square, where 1 is what the "
+        "error figures are relative to), so that no larger size helps. Equal steps of 8 or 16 bits "
+        "are too coarse for a sky, most of which is hundreds of times darker than white: use half. "
+        "Sunlight in the skin of a layer with a hard edge changes within metres: let its profile "
+        "fade out.",
+        "pixel_type = \"unorm8\"", "pixel_type = \"half\"", 0},
+    DiagnosticCode{"W0221", "a sky far from paths of light",
+                   "The light that a runtime finds in the asset, or makes with it, is off by more "
+                   "than 10 % in "
+                   "the median of the places where paths of light tell it. The message says what "
+                   "comes nearer: "
+                   "content = \"moments\" or a sky_view in the place of a table of mean radiance, "
+                   "more slices, "
+                   "another pixel type, or a larger size.",
+                   "[bake.air]\nasset = \"aerial_perspective\"\naltitude = \"400 km\"\n"
+                   "slices_begin = \"camera\"",
+                   "[bake.air]\nasset = \"aerial_perspective\"\naltitude = \"400 km\"\n"
+                   "slices_begin = \"air\"",
+                   0},
+    DiagnosticCode{
+        "W0222", "colours far from those of whole spectra",
+        "Colours that are made of a few wavelengths differ from those of whole spectra of the same "
+        "air by more than 3 % of luminance in one view of ten, or by more than 5 % in the sun's "
+        "disc "
+        "at 5 or 1 degrees. Thin clear air and dense haze need more wavelengths than others.",
+        "wavelengths = \"best 4\"", "wavelengths = \"best 8\"", 0},
+    DiagnosticCode{
         "W0301", "the cache could not keep an asset",
         "The bake succeeded, but its assets could not be put into the cache: its folder may not be "
         "written to, or the disk is full. The next bake elsewhere will take as long.",
