@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/assets/certificate_warnings.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
@@ -146,9 +147,12 @@ std::string advice_text(const ManifestAsset& asset) {
     if (!asset.error) return "";
     std::string text;
     const bool is_of_sky = asset.error->sky && asset.error->sky->better == asset.error->advice;
-    if (!asset.error->advice.empty() && !is_of_sky) {
-        text += fmt::format("  {}: its error is largest at {}; {}\n", asset.name,
-                            asset.error->worst, asset.error->advice);
+    // A warning may have said it already.
+    if (!asset.error->advice.empty() && !is_of_sky && large_errors(*asset.error).empty()) {
+        const bool is_of_place = !asset.error->sky || asset.error->sky->points > 0;
+        const std::string place =
+            is_of_place ? fmt::format("its error is largest at {}; ", asset.error->worst) : "";
+        text += fmt::format("  {}: {}{}\n", asset.name, place, asset.error->advice);
     }
     if (asset.error->sky && !asset.error->sky->better.empty()) {
         text += fmt::format("  {}: {}\n", asset.name, asset.error->sky->better);
@@ -336,7 +340,7 @@ std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
                                           });
     config::Diagnostic warning;
     warning.severity = config::Severity::warning;
-    warning.code = "W0220";
+    warning.code = "W0225";
     warning.message = fmt::format(
         "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",
         seconds / 60, longest->bake->name, longest->estimate.seconds / 60);

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
+#include "bakers/assets/certificate_warnings.h"
 #include "bakers/assets/sky_comparison.h"
 #include "bakers/assets/sky_lights.h"
 #include "bakers/assets/solvable_air.h"
@@ -47,10 +48,16 @@ bool has_colors(const Bake& bake) {
     return use == config::UseOfLight::channels || use == config::UseOfLight::colors;
 }
 
+bool scatters(const config::Layer& layer) {
+    return layer.phase == config::Phase::mie ||
+           std::any_of(layer.scattering.begin(), layer.scattering.end(),
+                       [](const config::InverseLength& one) { return one.per_meter > 0; });
+}
+
 // What the light of a packet is compared with, which keeps the packet's parameters.
 template <class Asset>
-std::optional<TracedLight> traced_light(const Baker<Asset>& baker, const Parameters& parameters,
-                                        const Bake& bake) {
+std::optional<TracedLight> light_of_packet(const Baker<Asset>& baker, const Parameters& parameters,
+                                           const Bake& bake) {
     const int packet = config::packet_number(bake);
     if (packet == 0) return baker.traced(parameters, bake.as<Asset>());
     const auto own = std::make_shared<const Parameters>(config::packet_of(parameters, packet));
@@ -102,7 +109,11 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
         });
     };
     any.traced = [&baker](const Parameters& parameters, const Bake& bake) {
-        return baker.traced ? traced_light(baker, parameters, bake) : std::nullopt;
+        std::optional<TracedLight> light =
+            baker.traced ? light_of_packet(baker, parameters, bake) : std::nullopt;
+        const auto& layers = parameters.atmosphere.layers;
+        if (light) light->air_scatters = std::any_of(layers.begin(), layers.end(), scatters);
+        return light;
     };
     any.draft = [&baker](Bake& bake, int most_voxels) {
         if (baker.draft) baker.draft(bake.as<Asset>(), most_voxels);
@@ -133,25 +144,6 @@ void add_recipe_place(const config::Recipe& recipe, const Bake& bake,
         if (is_named || is_first) diagnostic.where = place;
         if (is_named) return;
     }
-}
-
-// Returns a warning if lookups are so far off that the asset is of no use: by 0.3 of what its
-// errors are relative to in the mean of squares, or by 4 times it somewhere.
-std::optional<config::Diagnostic> large_lookup_errors(const Baked& baked) {
-    // The maximum says less: next to an edge of the shadow one lookup may be many times too bright.
-    constexpr double kLargeRms = 0.3;
-    const Certificate& certificate = baked.certificate;
-    const ErrorFigures& lookup = certificate.lookup;
-    if (!baked.certified || !(lookup.rms >= kLargeRms)) return {};
-    config::Diagnostic warning;
-    warning.severity = config::Severity::warning;
-    warning.code = "W0214";
-    warning.message =
-        fmt::format("`{}`: lookups are off by up to {:.3g}, root mean square {:.3g} (scale: {})",
-                    baked.name, lookup.max, lookup.rms, certificate.scale);
-    if (!certificate.worst.empty()) warning.message += "; most at " + certificate.worst;
-    warning.label = "use a larger size or another mapping, or thicker layers of air";
-    return warning;
 }
 
 // Says how the wavelengths of an asset of light become colours. An interrupted bake has no value.
@@ -262,8 +254,9 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
     add_colors(recipe.parameters, bake, options, outcome.value);
     compare_with_paths(baker, recipe.parameters, bake, options, outcome.value);
     if (outcome.value) {
-        if (auto warning = large_lookup_errors(*outcome.value)) {
-            outcome.diagnostics.push_back(std::move(*warning));
+        for (config::Diagnostic& warning :
+             warn_of_large_errors(recipe.parameters, *outcome.value)) {
+            outcome.diagnostics.push_back(std::move(warning));
         }
     }
     for (config::Diagnostic& found : outcome.diagnostics) add_recipe_place(recipe, bake, found);

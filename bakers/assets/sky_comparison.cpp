@@ -186,8 +186,6 @@ class SkyComparison {
             pilots[static_cast<std::size_t>(i)] =
                 trace(static_cast<std::size_t>(i), kPilotSeed, kPilotPaths);
         });
-        finds_light_ = std::any_of(pilots.begin(), pilots.end(),
-                                   [](const auto& pilot) { return pilot.walked != Spectrum{}; });
         double flights = 0;
         double spreads = 0;
         for (const PathTracedRadiance& pilot : pilots) {
@@ -222,10 +220,10 @@ class SkyComparison {
         return counted;
     }
 
-    // False where too few paths found light for their standard error to mean anything. Without air
-    // paths have nothing to find.
+    // False where too few paths found light for their standard error to mean anything. In air that
+    // does not scatter paths have nothing to find.
     bool is_trusted(const PathTracedRadiance& traced, std::size_t channel) const {
-        if (!finds_light_) return true;
+        if (!light_.air_scatters) return true;
         const double error = traced.standard_error[channel];
         const double walked = weights_.empty() ? traced.walked[channel] : largest(traced.walked);
         return walked > 0 && error <= kLargestSpread * scale_of(traced, channel) &&
@@ -267,7 +265,6 @@ class SkyComparison {
     const BakeOptions& options_;
     std::vector<Spectrum> found_;
     std::vector<TracedPlace> places_;
-    bool finds_light_ = false;
 };
 
 }  // namespace

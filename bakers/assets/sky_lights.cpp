@@ -127,11 +127,38 @@ void SkyLights::for_each_packet(const std::function<void(const SkyLight& light)>
 
 int SkyLights::channels() const { return colors_ ? kColorChannels : first().medium().air.channels; }
 
+namespace {
+
+void scale(const std::vector<double>& factors, std::size_t places, double* values) {
+    for (std::size_t i = 0; i < places * factors.size(); ++i)
+        values[i] *= factors[i % factors.size()];
+}
+
+TableModel scaled(TableModel model, const std::vector<double>& factors) {
+    if (factors.empty()) return model;
+    model.row = [row = model.row, factors](int level, double y, const std::vector<double>& x,
+                                           double* values) {
+        row(level, y, x, values);
+        scale(factors, x.size(), values);
+    };
+    model.reference = [reference = model.reference, factors](double y, const std::vector<double>& x,
+                                                             double* values) {
+        reference(y, x, values);
+        scale(factors, x.size(), values);
+    };
+    return model;
+}
+
+}  // namespace
+
 void SkyLights::write_channels(
     std::size_t places,
     const std::function<void(const SkyLight& light, double* values)>& write_packet,
     double* values) const {
-    if (!colors_) return write_packet(first(), values);
+    if (!colors_) {
+        write_packet(first(), values);
+        return scale(factors_, places, values);
+    }
     std::vector<std::size_t> channels;
     for (const SkyLight* light : packets_) {
         channels.push_back(static_cast<std::size_t>(light->medium().air.channels));
@@ -139,11 +166,12 @@ void SkyLights::write_channels(
     write_colors(
         colors_->weights, channels, places,
         [&](std::size_t packet, double* light) { write_packet(*packets_[packet], light); }, values);
+    scale(factors_, places, values);
 }
 
 TableModel SkyLights::model(
     const std::function<TableModel(const SkyLight& light)>& of_packet) const {
-    if (!colors_) return of_packet(first());
+    if (!colors_) return scaled(of_packet(first()), factors_);
     std::vector<TableModel> packets;
     for (const SkyLight* light : packets_) packets.push_back(of_packet(*light));
     TableModel model = packets.front();
@@ -162,7 +190,7 @@ TableModel SkyLights::model(
             packet.reference(y, x, light);
         });
     };
-    return model;
+    return scaled(std::move(model), factors_);
 }
 
 Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/assets/asset_label.h"
@@ -55,6 +56,9 @@ class SkyLights {
         std::function<std::unique_ptr<const SkyLight>(const config::Atmosphere& atmosphere)>;
     SkyLights(const config::Parameters& parameters, const BakeOptions& options, const Make& make);
 
+    // Multiplies all channels that files hold by these factors, one for each; by 1 if there are none.
+    void multiply(std::vector<double> factors) { factors_ = std::move(factors); }
+
     // The light of the first wavelengths; what does not depend on them is the same for all.
     const SkyLight& first() const { return *packets_.front(); }
 
@@ -85,6 +89,7 @@ class SkyLights {
     std::vector<std::unique_ptr<const SkyLight>> owned_;
     std::vector<const SkyLight*> packets_;
     std::shared_ptr<const SkyColors> colors_;  // null: channels are wavelengths
+    std::vector<double> factors_;
 };
 
 // Returns a labelled table of light: its channels are colours, if the recipe has them.

@@ -78,6 +78,7 @@ struct TracedLight {
     LightAtPlaces found;
     std::vector<TraceOfPlace> traced;  // of each packet of wavelengths
     std::string better = {};           // what would come nearer to the paths, or empty
+    bool air_scatters = true;          // else paths have nothing to find but the ground
 };
 
 // Returns the radiance of the samples, with the ground that views see, and what the files have of it.

@@ -94,7 +94,14 @@ class FolderMaker {
 
   private:
     bool stop(std::vector<Diagnostic> diagnostics) {
-        std::move(diagnostics.begin(), diagnostics.end(), std::back_inserter(diagnostics_));
+        for (Diagnostic& diagnostic : diagnostics) {
+            // What assets share is said once.
+            const bool is_said =
+                std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& said) {
+                    return said.code == diagnostic.code && said.message == diagnostic.message;
+                });
+            if (!is_said) diagnostics_.push_back(std::move(diagnostic));
+        }
         return false;
     }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "config/assets/asset_fields.h"
@@ -33,6 +34,13 @@ constexpr std::array slices_choices = {
     Choice{SliceSpacing::linear, "linear", "w = distance / view_distance"},
     Choice{SliceSpacing::squared, "squared",
            "w = sqrt(distance / view_distance): closer together near the camera"},
+};
+
+constexpr std::array slices_begin_choices = {
+    Choice{SlicesBegin::camera, "camera", "distances count from the camera"},
+    Choice{SlicesBegin::air, "air",
+           "distances count from where each view ray enters the air, and end with twice its way to "
+           "the ground, or its way through the air"},
 };
 
 const std::array aerial_perspective_table = {
@@ -86,7 +94,8 @@ const std::array aerial_perspective_table = {
         {.key = "view_distance",
          .kind = Kind::length,
          .range = view_distance_range,
-         .documentation = "distance at w = 1; by default that of [scene], or its default"},
+         .documentation = "distance at w = 1, from where the slices begin; by default that of "
+                          "[scene], or its default, and in space the longest way through the air"},
         &AerialPerspectiveBake::view_distance},
     AerialPerspectiveField{{.key = "slices",
                             .kind = Kind::choice,
@@ -95,6 +104,12 @@ const std::array aerial_perspective_table = {
                             .documentation = "the distance that a slice stands for",
                             .citation = hillaire_2020},
                            &AerialPerspectiveBake::slices},
+    AerialPerspectiveField{
+        {.key = "slices_begin",
+         .kind = Kind::choice,
+         .choices = slices_begin_choices,
+         .documentation = "where the slices begin; by default with the air for cameras in space"},
+        &AerialPerspectiveBake::slices_begin},
     AerialPerspectiveField{orders_field, &AerialPerspectiveBake::orders},
     AerialPerspectiveField{layers_field, &AerialPerspectiveBake::layers},
 };
@@ -115,15 +130,32 @@ void check_channels(const DecodedSection& bake, Decoder& decoder) {
         "bake content = \"in_scatter\" and content = \"transmittance\" as two assets");
 }
 
+// The longest way of a ray through the air, which grazes the ground.
+double longest_way_m(const Atmosphere& atmosphere) {
+    const double ground = atmosphere.ground_radius.meters;
+    const double top = atmosphere.top_radius.meters;
+    return 2 * std::sqrt((top - ground) * (top + ground));
+}
+
+// Slices of a camera in space begin with the air.
+void resolve_slices(DecodedSection& bake, const Parameters& parameters) {
+    const DecodedField& altitude = bake.at("altitude");
+    const Atmosphere& air = parameters.atmosphere;
+    const double thickness = air.top_radius.meters - air.ground_radius.meters;
+    if (!altitude.value || std::get<double>(*altitude.value) <= thickness) return;
+    DecodedField& begin = bake.at("slices_begin");
+    derive(begin, chosen(*begin.field, SlicesBegin::air));
+    if (choice_of<SlicesBegin>(begin) != SlicesBegin::air) return;
+    derive(bake.at("view_distance"), longest_way_m(air));
+}
+
 // Fills in the distance of view and the number of `mips`. It reports channels that cannot form an
 // image (E0129) and faults of the files of any volume (file_decoder.h).
 void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder) {
     const std::optional<Scene>& scene = recipe.parameters.scene;
-    DecodedField& distance = bake.at("view_distance");
-    if (!distance.source) {
-        distance.value = scene ? scene->view_distance.meters : default_view_distance().meters;
-        distance.derived = true;
-    }
+    derive(bake.at("view_distance"),
+           scene ? scene->view_distance.meters : default_view_distance().meters);
+    resolve_slices(bake, recipe.parameters);
     check_channels(bake, decoder);
     check_pixel_type(bake, decoder);
     const DecodedField& size = bake.at("size");

@@ -15,6 +15,7 @@ namespace skybake::config {
 
 enum class AerialContent { in_scatter_and_transmittance, in_scatter, transmittance };
 enum class SliceSpacing { linear, squared };
+enum class SlicesBegin { camera, air };
 
 // The voxels hold the light that the air scatters into the view rays of a camera, and the
 // transmittance, up to given distances along the rays.
@@ -27,8 +28,9 @@ struct AerialPerspectiveBake : LightFiles {
     Angle pitch;    // above the horizontal
     Angle fov;      // vertical
     double aspect = 1;
-    Length view_distance;  // where the last slice ends
+    Length view_distance;  // where the last slice ends, from where they begin
     SliceSpacing slices = SliceSpacing::squared;
+    SlicesBegin slices_begin = SlicesBegin::camera;  // of cameras in the air it is the same
     SkyOrders orders = SkyOrders::all;
     std::vector<std::string> layers;  // with orders = single: the layers that scatter; empty: all
 };

@@ -53,7 +53,10 @@ inline constexpr Field camera_altitude_field{
     .kind = Kind::length,
     .range = camera_altitude_range,
     .fallback = R"("0 km")",
-    .documentation = "altitude of the camera, which may be in space"};
+    .documentation = "altitude of the camera, which may be in space",
+    .hint =
+        "below 0, as at the Dead Sea: a ground_radius that is smaller by the depth, from which "
+        "altitudes count"};
 
 inline constexpr Field max_error_field{
     .key = "max_error",

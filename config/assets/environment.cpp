@@ -28,6 +28,7 @@ using EnvironmentField = Row<EnvironmentBake>;
 constexpr Range environment_azimuth_range{-std::numbers::pi, std::numbers::pi};
 constexpr Range camera_place_range{-1e8, 1e8};
 constexpr Range sample_range{1, 16};
+constexpr Range sun_or_moon_range{0, 1e6, true};
 
 constexpr std::array environment_mapping_choices = {
     Choice{EnvironmentMapping::longitude_latitude, "longitude_latitude",
@@ -135,6 +136,14 @@ const std::array environment_table = {
                       .documentation = "writes NAME.json with the sun's light, the light on a "
                                        "level surface, and spherical harmonics to degree 4"},
                      &EnvironmentBake::lights},
+    EnvironmentField{{.key = "solar_irradiance",
+                      .kind = Kind::fractions,
+                      .range = sun_or_moon_range,
+                      .documentation = "factor of all light, for another unit, or for a moon or a "
+                                       "star in the place of the sun; without it 1",
+                      .hint = "133100 makes cd/m2 of colours under the sun, and 0.31 under a full "
+                              "moon"},
+                     &EnvironmentBake::solar_irradiance},
 };
 
 template <class T>

@@ -38,6 +38,8 @@ struct EnvironmentBake : LightFiles {
     SunInMap sun = SunInMap::none;
     LevelContent level_content = LevelContent::mean;
     bool lights = false;  // writes NAME.json
+    // One per channel of light, of all packets; it multiplies all light. Empty: 1.
+    std::vector<double> solar_irradiance;
 
     bool has_clouds() const { return !clouds.empty(); }
 };

@@ -111,7 +111,7 @@ void check_output_files(std::span<const Bake> bakes, std::span<const Place> plac
         }
         if (!files.empty() && is_device_of_windows(files.front())) {
             decoder.diagnostics.warning(
-                "W0220", places[i],
+                "W0223", places[i],
                 fmt::format("Windows takes `{}` for a device", files.front()),
                 "choose another name, with which Windows can have this file");
         }

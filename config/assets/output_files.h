@@ -33,7 +33,7 @@ std::vector<std::string> file_names(const Bake& bake);
 
 // Reports files of one name, which one disk may hold and another may not tell apart by their capital
 // letters (E0177), and names that are too long for most file systems (E0178), and warns of those that
-// Windows keeps for devices (W0220). `places` are those of the bakes.
+// Windows keeps for devices (W0223). `places` are those of the bakes.
 void check_output_files(std::span<const Bake> bakes, std::span<const Place> places,
                         Decoder& decoder);
 

@@ -162,13 +162,6 @@ constexpr std::array warning_table = {
         "so that the last frame does not lead to the first. That is right for a shot that does not "
         "repeat.",
         "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
-    DiagnosticCode{
-        "W0220", "a long bake",
-        "The bake is estimated to take more than ten minutes of one core: from the number "
-        "of its texels or voxels, and for light of all orders from the altitudes that its "
-        "solution needs and the optical depth of the air. --dry-run shows the estimate of "
-        "each asset.",
-        "", "", 0},
     DiagnosticCode{"W0214", "lookups far from the truth",
                    "Between its texels the asset is so far off that it is of little use: the root "
                    "mean square of the lookup errors is 0.3 or more, where 1 is what the error "
@@ -178,15 +171,54 @@ constexpr std::array warning_table = {
                    "Choose a larger size, or a mapping with more texels where the message says.",
                    "size = [2, 2]", "size = [64, 32]", 0},
     DiagnosticCode{
-        "W0220", "a name that Windows does not allow",
+        "W0220", "texels far from the truth",
+        "The texels themselves are off by more than 5 % (root mean square, where 1 is what the "
+        "error figures are relative to), so that no larger size helps. Equal steps of 8 or 16 bits "
+        "are too coarse for a sky, most of which is hundreds of times darker than white: use half. "
+        "Sunlight in the skin of a layer with a hard edge changes within metres: let its profile "
+        "fade out.",
+        "pixel_type = \"unorm8\"", "pixel_type = \"half\"", 0},
+    DiagnosticCode{"W0221", "a sky far from paths of light",
+                   "The light that a runtime finds in the asset, or makes with it, is off by more "
+                   "than 10 % in "
+                   "the median of the places where paths of light tell it. The message says what "
+                   "comes nearer: "
+                   "content = \"moments\" or a sky_view in the place of a table of mean radiance, "
+                   "more slices, "
+                   "another pixel type, or a larger size.",
+                   "[bake.air]\nasset = \"aerial_perspective\"\naltitude = \"400 km\"\n"
+                   "slices_begin = \"camera\"",
+                   "[bake.air]\nasset = \"aerial_perspective\"\naltitude = \"400 km\"\n"
+                   "slices_begin = \"air\"",
+                   0},
+    DiagnosticCode{
+        "W0222", "colours far from those of whole spectra",
+        "Colours that are made of a few wavelengths differ from those of whole spectra of the same "
+        "air by more than 3 % of luminance in one view of ten, or by more than 5 % in the sun's "
+        "disc "
+        "at 5 or 1 degrees. Thin clear air and dense haze need more wavelengths than others.",
+        "wavelengths = \"best 4\"", "wavelengths = \"best 8\"", 0},
+    DiagnosticCode{
+        "W0223", "a name that Windows does not allow",
         "Windows takes con, prn, aux, nul, com1 to com9 and lpt1 to lpt9 for devices, whatever "
         "ending follows, so that nobody can copy these files there.",
         "preset = \"earth\"\n[bake.con]\nasset = \"transmittance\"",
         "preset = \"earth\"\n[bake.transmittance]", 0},
-    DiagnosticCode{"W0221", "a key that is set twice",
+    DiagnosticCode{"W0224", "a key that is set twice",
                    "Two options --set give the same key a value. The last one counts.",
                    "skybake bake earth.toml --set a.b=1 --set a.b=2",
                    "skybake bake earth.toml --set a.b=2", 0},
+    DiagnosticCode{
+        "W0225", "a long bake",
+        "The bake is estimated to take more than ten minutes of one core: from the number "
+        "of its texels or voxels, and for light of all orders from the altitudes that its "
+        "solution needs and the optical depth of the air. --dry-run shows the estimate of "
+        "each asset.",
+        "", "", 0},
+    DiagnosticCode{"W0226", "a volume with values below 0",
+                   "Densities are at least 0, so voxels below 0 count as 0. The message names the "
+                   "first of them by its index in the file, and how many there are.",
+                   "", "", 0},
     DiagnosticCode{
         "W0301", "the cache could not keep an asset",
         "The bake succeeded, but its assets could not be put into the cache: its folder may not be "
@@ -213,10 +245,6 @@ constexpr std::array warning_table = {
                    "assets it is no longer read. A damaged asset is replaced by the one that was "
                    "baked. Status 403 or 405 of a PUT says that the server may only be read, and "
                    "409 that its folder does not exist.",
-                   "", "", 0},
-    DiagnosticCode{"W0231", "a volume with values below 0",
-                   "Densities are at least 0, so voxels below 0 count as 0. The message names the "
-                   "first of them by its index in the file, and how many there are.",
                    "", "", 0},
 };
 

@@ -181,7 +181,7 @@ class Loader {
             return;
         }
         if (option == "--set" && !set_keys_.insert(*key).second) {
-            diagnostics_.warning("W0221", place, fmt::format("`{}` is set twice", shorten(*key)),
+            diagnostics_.warning("W0224", place, fmt::format("`{}` is set twice", shorten(*key)),
                                  "the last value counts");
         }
         const std::string_view written = trim(text.substr(equals + 1));

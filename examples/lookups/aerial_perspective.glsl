@@ -6,7 +6,7 @@
 
 // The w of the lookup, and the share of its value that is reached at d.
 vec2 aerial_depth(float slices, float d, float view_distance, bool squared) {
-    float first = 0.5 / slices, x = d / view_distance;
+    float first = 0.5 / slices, x = max(d / view_distance, 0.0);
     return squared ? vec2(sqrt(x), min(x / (first * first), 1.0)) : vec2(x, min(x / first, 1.0));
 }
 
@@ -33,6 +33,22 @@ vec4 aerial_transmittance_of_4(sampler3D air, vec2 picture, float d, float view_
 
 vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
     return vec3(aerial_transmittance_of_4(air, picture, d, view_distance, squared));
+}
+
+// With slices_begin = "air", the default of cameras in space, `d` counts from where the view ray enters
+// the air: with way = aerial_way(...), pass d - way.x, and min(way.y, view_distance) for view_distance.
+// Nearer points, in front of the air, have light 0 and transmittance 1.
+
+// Where the slices of a view ray of a camera in space begin, and how far they reach. Rays that miss the
+// air begin where they are nearest to it. `pitch` is the cosine and the sine of the camera's pitch; r,
+// ground and top are the distances of the camera, the ground and the air's top from the planet's centre.
+vec2 aerial_way(vec2 picture, vec2 pitch, float tan_half_fov, float aspect, float r, float ground, float top) {
+    vec2 at = tan_half_fov * vec2(aspect * (2.0 * picture.x - 1.0), 1.0 - 2.0 * picture.y);
+    float mu = (pitch.y + at.y * pitch.x) / sqrt(1.0 + dot(at, at));
+    float nearest = r * sqrt(max(1.0 - mu * mu, 0.0));
+    float in_air = sqrt(max((top - nearest) * (top + nearest), 0.0));
+    float in_ground = sqrt(max((ground - nearest) * (ground + nearest), 0.0));
+    return vec2(max(-r * mu - in_air, 0.0), max(2.0 * (in_air - in_ground), top - ground));
 }
 
 // Where a view direction is in the picture of a camera with these axes of length 1 (right: where x grows

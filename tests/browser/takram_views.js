@@ -39,6 +39,7 @@ fov = "${view.fov} deg"
 aspect = ${view.size[0] / view.size[1]}
 view_distance = "4000 km"
 slices = "linear"
+slices_begin = "camera"
 size = [${view.size}, 1]
 formats = ["bin"]
 pixel_type = "float"

@@ -93,11 +93,11 @@ Claim claim_of_aerial_perspective(RandomCase& random) {
     bake.pixel_type = config::PixelType::float32;
     const Baked volume =
         value_of(bake_aerial_perspective(sky.light(), bake, kClaimOptions, empty_table()));
-    const AerialCamera camera(bake);
+    const AerialCamera camera(bake, sky.light().shell());
     const VolumeReference exact = [&](const std::array<double, 3>& uvw) {
-        const SkyRadiance at =
-            aerial_perspective(sky.light(), camera, uvw[0], uvw[1], {camera.distance_km(uvw[2])})
-                .front();
+        const SkyRadiance at = aerial_perspective(sky.light(), camera, uvw[0], uvw[1],
+                                                  {camera.distance_km(uvw[0], uvw[1], uvw[2])})
+                                   .front();
         const Spectrum light = sky.light().wanted(at);
         const Spectrum& passing = at.transmittance;
         return std::vector<double>{light[0], light[1], light[2],

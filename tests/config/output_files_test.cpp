@@ -94,7 +94,7 @@ TEST(OutputFiles, OfTargetsAreCounted) {
 
 TEST(OutputFiles, WarnOfDevicesOfWindows) {
     for (const char* name : {"con", "CON", "prn", "aux", "Nul", "com1", "LPT9"}) {
-        EXPECT_EQ(told(table(name)), Told{"W0220 2"}) << name;
+        EXPECT_EQ(told(table(name)), Told{"W0223 2"}) << name;
     }
     for (const char* name : {"cone", "com", "com0", "com10", "_con", "nul_"}) {
         EXPECT_EQ(told(table(name)), Told()) << name;

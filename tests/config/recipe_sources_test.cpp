@@ -190,7 +190,7 @@ TEST(RecipeSources, AKeyThatIsSetTwiceWarns) {
     text_sources("preset = 'earth'", "t", {}, settings, list);
     const auto diagnostics = list.take();
     ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "W0221");
+    EXPECT_EQ(diagnostics[0].code, "W0224");
     EXPECT_EQ(diagnostics[0].message, "`a.b` is set twice");
 }
 

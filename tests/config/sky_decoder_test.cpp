@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "config/assets/aerial_perspective.h"
@@ -97,6 +98,26 @@ TEST(AerialPerspective, TakesItsDistanceFromTheSceneUnlessItSaysOne) {
         earth("[scene]\nview_distance = '10 km'\n" + volume + "view_distance = '20 km'\n");
     EXPECT_EQ(distance(own), 20000);
     EXPECT_EQ(value_at(earth(volume), "bake.aerial_perspective.view_distance").origin, "derived");
+}
+
+// From space the way to the air is empty, and the longest way through it is 2 sqrt(top^2 - ground^2).
+TEST(AerialPerspective, SlicesBeginWithTheAirInSpace) {
+    const auto bake = [](const std::string& keys) {
+        const std::string radii = "ground_radius = '6360 km'\ntop_radius = '6460 km'\n";
+        return only_bake<AerialPerspectiveBake>(
+            earth("[atmosphere]\n" + radii +
+                  "[bake.aerial_perspective]\nsun_elevation = '30 deg'\n" + keys));
+    };
+    const auto space = bake("altitude = '400 km'\n");
+    EXPECT_EQ(space.slices_begin, SlicesBegin::air);
+    EXPECT_NEAR(space.view_distance.meters, 2 * std::sqrt(6460e3 * 6460e3 - 6360e3 * 6360e3), 1);
+    EXPECT_EQ(bake("altitude = '400 km'\nview_distance = '30 km'\n").view_distance.meters, 30000);
+    const auto own = bake("altitude = '400 km'\nslices_begin = 'camera'\n");
+    EXPECT_EQ(own.slices_begin, SlicesBegin::camera);
+    EXPECT_EQ(own.view_distance.meters, 64000);
+    EXPECT_EQ(bake("altitude = '100 km'\n").slices_begin, SlicesBegin::camera);
+    EXPECT_EQ(faults("[bake.aerial_perspective]\nsun_elevation = '30 deg'\naltitude = '-430 m'"),
+              Codes{"E0110 4:12"});
 }
 
 TEST(AerialPerspective, NeedsChannelsThatMakeAPicture) {

@@ -8,6 +8,7 @@
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
+#include "bakers/assets/registry.h"
 #include "bakers/light/sky_irradiance.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
@@ -233,6 +234,136 @@ TEST(EnvironmentMap, RoughLevelsGoOnFromTheMap) {
         const double most = *std::max_element(image.texels.begin(), image.texels.end());
         EXPECT_LT(most, before);
         before = most;
+    }
+}
+
+// GGX times n.l of light at this cosine from a normal that is the view, too; and its integral over the
+// hemisphere, by a sum that knows no closed form.
+double facets(double roughness, double cosine) {
+    const double alpha = roughness * roughness;
+    const double bottom = (1 + cosine) / 2 * (alpha * alpha - 1) + 1;
+    return std::max(cosine, 0.0) * alpha * alpha / (kPi * bottom * bottom);
+}
+double all_facets(double roughness) {
+    constexpr int kSteps = 20000;
+    double sum = 0;
+    for (int i = 0; i < kSteps; ++i) {
+        const double t = (i + 0.5) / kSteps;  // 1 - cosine is its cube, since lobes may be narrow
+        sum += facets(roughness, 1 - t * t * t) * 2 * kPi * 3 * t * t / kSteps;
+    }
+    return sum;
+}
+
+// A moon or a star in the place of the sun: texels, disc, levels and lights in proportion.
+TEST(EnvironmentMap, TakesAnotherSun) {
+    config::Recipe recipe = test::recipe_of(
+        "preset = 'earth_hillaire'\n[bake.environment]\nsun_elevation = '30 deg'\n"
+        "size = [32, 16]\nsun = 'disc'\nlights = true\nmips = 3\nlevel_content = 'ggx'\n"
+        "pixel_type = 'float'\n");
+    const auto baked_by = [&](std::vector<double> sun) {
+        config::Bake& bake = recipe.parameters.bakes.at(0);
+        bake.as<EnvironmentBake>().solar_irradiance = std::move(sun);
+        auto outcome = bake_asset(recipe, bake, {.threads = 1});
+        EXPECT_TRUE(outcome.value) << outcome.diagnostics.front().message;
+        return std::move(outcome.value).value();
+    };
+    const std::vector<double> factors = {0.3, 2, 133100};
+    const Baked one = baked_by({});
+    const Baked other = baked_by(factors);
+    for (std::size_t level = 0; level < 3; ++level) {
+        const auto& from = static_cast<const DenseTexels&>(*one.levels[level].voxels).image();
+        const auto& to = static_cast<const DenseTexels&>(*other.levels[level].voxels).image();
+        for (std::size_t i = 0; i < from.texels.size(); ++i) {
+            const double wanted = factors[i % 3] * double{from.texels[i]};
+            EXPECT_NEAR(to.texels[i], wanted, 1e-6 * wanted) << level << " " << i;
+        }
+    }
+    EXPECT_EQ(other.conventions.solar_irradiance, factors);
+    EXPECT_EQ(other.conventions.radiance_unit, "solar_irradiance/sr");
+    EXPECT_NE(one.content.find("for a solar irradiance of 1"), std::string::npos);
+    EXPECT_EQ(other.content.find("for a solar irradiance of 1"), std::string::npos);
+    EXPECT_NEAR(other.certificate.lookup.rms, one.certificate.lookup.rms,
+                1e-3 * one.certificate.lookup.rms);
+}
+
+// The paths of light are of a sun of 1, and tell the same error.
+TEST(EnvironmentMap, PathsTellTheErrorUnderAnotherSun) {
+    const auto sky = [](const std::string& keys) {
+        const config::Recipe recipe = test::recipe_of(
+            "preset = 'earth_hillaire'\n[bake.environment]\nsun_elevation = '30 deg'\n"
+            "size = [64, 32]\n" +
+            keys);
+        return bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 2})
+            .value.value()
+            .certificate.sky.value();
+    };
+    const SkyError one = sky("");
+    const SkyError moon = sky("solar_irradiance = [0.31, 0.2, 0.1]\n");
+    EXPECT_NEAR(moon.median, one.median, 0.1 * one.median);
+    EXPECT_NEAR(moon.max, one.max, 0.1 * one.max);
+}
+
+// At roughness 1 the sun's part of a texel is E / pi max(n.l, 0). Left and right are equal, and each
+// level holds the same light.
+TEST(EnvironmentMap, RoughLevelsHoldTheSun) {
+    EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {256, 128}, 30);
+    bake.altitude = {500};
+    bake.mips = 6;
+    bake.level_content = config::LevelContent::ggx;
+    const Baked without = baked(earth().light(), bake);
+    bake.sun = config::SunInMap::disc;
+    const Baked with = baked(earth().light(), bake);
+    const auto irradiance =
+        irradiance_of(sun_points(earth().light(), bake, nullptr), LitSurface::facing_sun, 3);
+    EXPECT_NEAR(irradiance[0], 0.893, 5e-4);
+    const glm::dvec3 to_sun = direction_of_angles({0, 30 * kDegree});
+    for (std::size_t level = 0; level < 6; ++level) {
+        const auto& image = static_cast<const DenseTexels&>(*with.levels[level].voxels).image();
+        const auto& sky = static_cast<const DenseTexels&>(*without.levels[level].voxels).image();
+        const EnvironmentLayout layout(bake.mapping, {image.width, image.height});
+        const double roughness = static_cast<double>(level) / 5;
+        const double whole = level > 0 ? all_facets(roughness) : 1;
+        std::array<double, 3> light{};
+        for (int y = 0; y < image.height; ++y) {
+            for (int x = 0; x < image.width; ++x) {
+                const float* texel = image.texel(x, y);
+                const int across = image.width - 1 - x;
+                const glm::dvec3 normal =
+                    layout.direction(0, (x + 0.5) / image.width, (y + 0.5) / image.height);
+                for (std::size_t c = 0; c < 3; ++c) {
+                    const double sun = double{texel[c]} - double{sky.texel(x, y)[c]};
+                    light[c] += layout.solid_angle(0, x, y) * sun;
+                    const double mirrored =
+                        double{image.texel(across, y)[c]} - double{sky.texel(across, y)[c]};
+                    EXPECT_NEAR(sun, mirrored, 1e-6 * double{texel[c]}) << level;
+                    if (level < 2) continue;
+                    const double share = facets(roughness, glm::dot(normal, to_sun)) / whole;
+                    // A part of the disc may be below a texel's horizon.
+                    const bool is_low = std::fabs(glm::dot(normal, to_sun)) < 0.01;
+                    EXPECT_NEAR(sun, irradiance[c] * share,
+                                0.004 * irradiance[c] * share + (is_low ? 1e-3 : 1e-6))
+                        << level << " " << x << " " << y;
+                }
+            }
+        }
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(light[c] / irradiance[c], 1, level < 5 ? 0.005 : 0.02) << level;
+        }
+    }
+}
+
+// The sun stands between the two columns in the middle.
+TEST(EnvironmentMap, TheDiscIsSymmetric) {
+    for (const double sun : {30.0, 0.1, 75.0}) {
+        EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {512, 256}, sun);
+        bake.sun = config::SunInMap::disc;
+        const Image2<float> map = baked(earth().light(), bake).image();
+        for (int y = 0; y < 256; ++y) {
+            for (int x = 0; x < 256; ++x) {
+                const float right = map.texel(511 - x, y)[0];
+                EXPECT_NEAR(map.texel(x, y)[0], right, 1e-6F * right) << x << " " << y;
+            }
+        }
     }
 }
 

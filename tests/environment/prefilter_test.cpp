@@ -133,6 +133,40 @@ TEST(Prefilter, BlendsMeansOfNeighbouringLevels) {
     EXPECT_GT(different, 25);
 }
 
+// The closed form beside a sum over half-angles of GGX in tangents, and its integral over directions.
+TEST(Prefilter, TheLobeOfALightIsTheDefinition) {
+    constexpr int kSteps = 200000;
+    for (const double roughness : {0.1, 0.3, 0.7, 0.95, 1.0}) {
+        const double alpha = roughness * roughness;
+        const auto facets = [&](double cosine) {
+            const double half_square = (1 + cosine) / 2;
+            const double bottom = alpha * alpha + 1 / half_square - 1;
+            return alpha * alpha / (kPi * half_square * half_square * bottom * bottom);
+        };
+        // Steps of equal ratios of the angle, since the lobe may be narrow.
+        double integral = 0;
+        double whole = 0;
+        const ReflectedLobe lobe(roughness);
+        double before = 0;
+        for (int i = 1; i <= kSteps; ++i) {
+            const double angle = kPi / 2 * std::pow(static_cast<double>(i) / kSteps, 3);
+            const double middle = (angle + before) / 2;
+            const double ring = 2 * kPi * std::sin(middle) * (angle - before);
+            integral += facets(std::cos(middle)) * std::cos(middle) * ring;
+            whole += lobe.density(std::cos(middle)) * ring;
+            before = angle;
+        }
+        EXPECT_NEAR(whole, 1, 1e-6) << roughness;
+        for (const double cosine : {1.0, 0.999, 0.8, 0.3, 0.01}) {
+            EXPECT_NEAR(lobe.density(cosine) / (facets(cosine) * cosine / integral), 1, 1e-6)
+                << roughness << " " << cosine;
+        }
+        EXPECT_EQ(lobe.density(0), 0);
+        EXPECT_EQ(lobe.density(-0.5), 0);
+    }
+    EXPECT_NEAR(ReflectedLobe(1).density(0.6), 0.6 / kPi, 1e-15);
+}
+
 TEST(Prefilter, SmoothestIsTheMap) {
     for (const MappingCase& of : kMaps) {
         const EnvironmentLayout layout(of.mapping, of.size);

@@ -57,6 +57,27 @@ TEST(BakeFolder, MakesJustWhatDependsOnAChange) {
     EXPECT_NE(after.at("multiple_scattering.exr"), before.at("multiple_scattering.exr"));
 }
 
+// Smoke, whose colours four wavelengths do not tell. All assets have the same, which is said once.
+TEST(BakeFolder, WhatAssetsShareIsSaidOnce) {
+    const TemporaryFolder folder;
+    const std::string sky = "asset = 'environment'\nsize = [4, 2]\nsun_elevation = '20 deg'\n";
+    TestBake bake(recipe_of("preset = 'earth'\n[atmosphere.layers.aerosol]\noptical_depth = 0.6\n"
+                            "angstrom_exponent = 1.6\nsingle_scattering_albedo = 0.86\n[bake.a]\n" +
+                            sky + "[bake.b]\n" + sky),
+                  folder / "out");
+    bake.bake.certification = Certification::quick;
+    const auto baked = bake.run();
+    ASSERT_TRUE(baked.value);
+    int warnings = 0;
+    for (const auto& diagnostic : baked.diagnostics) {
+        if (diagnostic.code == "W0222") ++warnings;
+    }
+    EXPECT_EQ(warnings, 1);
+    for (const FinishedAsset& asset : baked.value->assets) {
+        EXPECT_NE(asset.entry.error->advice.find("best 8"), std::string::npos) << asset.entry.name;
+    }
+}
+
 TEST(BakeFolder, ADamagedMissingOrForeignFileIsMadeAgain) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");

@@ -44,6 +44,7 @@ orders = "single"
 size = [8, 8]
 mips = 2
 sun_elevation = "20 deg"
+solar_irradiance = 2
 [bake.spheres]
 asset = "phase"
 particles = "drop"

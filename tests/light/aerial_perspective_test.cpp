@@ -17,6 +17,8 @@ using test::kDegree;
 using test::TestSky;
 using test::uniform;
 
+constexpr Shell kEarth = {6360, 100};
+
 config::AerialPerspectiveBake camera_at(double altitude_km, double pitch_degrees) {
     config::AerialPerspectiveBake bake;
     bake.size = {4, 4, 4};
@@ -33,7 +35,7 @@ config::AerialPerspectiveBake camera_at(double altitude_km, double pitch_degrees
 TEST(AerialCamera, LooksWhereItIsTurned) {
     config::AerialPerspectiveBake bake = camera_at(1, 10);
     bake.heading = {90 * kDegree};
-    const AerialCamera camera(bake);
+    const AerialCamera camera(bake, kEarth);
     const ViewDirection centre = camera.direction(0.5, 0.5);
     EXPECT_NEAR(centre.mu, std::sin(10 * kDegree), 1e-14);
     EXPECT_NEAR(centre.azimuth_cosine, 0, 1e-14);
@@ -42,24 +44,87 @@ TEST(AerialCamera, LooksWhereItIsTurned) {
     // The heading turns to the right, so the sun stands to the left.
     EXPECT_GT(camera.direction(0, 0.5).azimuth_cosine, 0);
     EXPECT_LT(camera.direction(1, 0.5).azimuth_cosine, 0);
-    EXPECT_EQ(camera.distance_km(1), 64);
-    EXPECT_EQ(camera.distance_km(0.5), 16);
+    EXPECT_EQ(camera.distance_km(0.5, 0.5, 1), 64);
+    EXPECT_EQ(camera.distance_km(0.5, 0.5, 0.5), 16);
     bake.slices = config::SliceSpacing::linear;
-    EXPECT_EQ(AerialCamera(bake).distance_km(0.5), 32);
+    EXPECT_EQ(AerialCamera(bake, kEarth).distance_km(0.5, 0.5, 0.5), 32);
 }
 
 TEST(AerialCamera, LooksStraightUp) {
-    const AerialCamera camera(camera_at(0, 90));
+    const AerialCamera camera(camera_at(0, 90), kEarth);
     const ViewDirection centre = camera.direction(0.5, 0.5);
     EXPECT_NEAR(centre.mu, 1, 1e-15);
     EXPECT_NEAR(centre.sine, 0, 1e-15);
+}
+
+// From space the slices begin with the air, on a sphere of radius 6460 km: by a search along each ray.
+TEST(AerialCamera, SlicesBeginWithTheAir) {
+    for (const double altitude_km : {100.001, 400.0, 20000.0}) {
+        for (const double pitch : {-90.0, -40.0, -20.0, 0.0}) {
+            config::AerialPerspectiveBake bake = camera_at(altitude_km, pitch);
+            bake.view_distance = {2e7};
+            EXPECT_EQ(AerialCamera(bake, kEarth).distance_km(0.3, 0.7, 0), 0) << "at the camera";
+            EXPECT_EQ(AerialCamera(bake, kEarth).distance_km(0.3, 0.7, 1), 20000);
+            bake.slices_begin = config::SlicesBegin::air;
+            const AerialCamera camera(bake, kEarth);
+            for (const double v : {0.05, 0.5, 0.95}) {
+                const ViewDirection view = camera.direction(0.2, v);
+                const auto altitude_at = [&](double d) {
+                    return std::hypot(d * view.sine, 6360 + altitude_km + d * view.mu) - 6360;
+                };
+                const double begin = camera.distance_km(0.2, v, 0);
+                const double nearest = -(6360 + altitude_km) * view.mu;
+                if (nearest <= 0) {
+                    EXPECT_EQ(begin, 0) << "looks away";
+                } else if (altitude_at(nearest) > 100) {
+                    EXPECT_NEAR(begin, nearest, 1e-8 * nearest) << "misses the air";
+                } else {
+                    EXPECT_NEAR(altitude_at(begin), 100, 1e-5);
+                    EXPECT_LT(begin, nearest);
+                    // A ray that leaves the air again ends with it, another one has the ground half way.
+                    const bool leaves = altitude_at(nearest) > 0;
+                    const double end = camera.distance_km(0.2, v, leaves ? 1 : std::sqrt(0.5));
+                    const double way = end - begin;
+                    if (way > 100) {
+                        EXPECT_NEAR(altitude_at(end), leaves ? 100 : 0, 1e-5);
+                    }
+                }
+            }
+        }
+    }
+    // In the air they begin at the camera, whatever the key says.
+    config::AerialPerspectiveBake low = camera_at(50, -20);
+    low.slices_begin = config::SlicesBegin::air;
+    EXPECT_EQ(AerialCamera(low, kEarth).distance_km(0.5, 0.9, 0), 0);
+    EXPECT_EQ(AerialCamera(low, kEarth).distance_km(0.5, 0.9, 1), 64);
+}
+
+// The same place of the air, looked up in files whose slices begin at the camera and with the air.
+TEST(AerialPerspective, FromSpaceShowsTheAir) {
+    const auto baked = [](const std::string& keys) {
+        const config::Recipe recipe = test::recipe_of(
+            "preset = 'earth_hillaire'\n[bake.air]\nasset = 'aerial_perspective'\n"
+            "size = [16, 16, 32]\naltitude = '400 km'\npitch = '-20 deg'\n"
+            "view_distance = '20000 km'\nsun_elevation = '10 deg'\npixel_type = 'float'\n" +
+            keys);
+        auto outcome = bake_asset(recipe, recipe.parameters.bakes[0],
+                                  {.threads = 2, .certification = Certification::quick});
+        EXPECT_EQ(outcome.diagnostics.size(), keys.empty() ? 0U : 1U);
+        for (const auto& one : outcome.diagnostics) EXPECT_EQ(one.code, "W0221") << one.message;
+        return std::move(outcome.value).value();
+    };
+    const SkyError from_air = *baked("").certificate.sky;
+    const Baked coarse = baked("slices_begin = 'camera'\n");
+    EXPECT_LT(from_air.median, 0.1);
+    EXPECT_GT(coarse.certificate.sky->median, 1) << "two slices of 32 have air";
+    EXPECT_NE(coarse.certificate.advice, "");
 }
 
 // Light grows and transmittance falls with distance; far enough they are those of the whole sky.
 RC_GTEST_PROP(AerialPerspective, IsThePartOfTheSkyThatIsNearer, ()) {
     const TestSky sky(test::random_atmosphere(), SkyOrders::all);
     const Shell& shell = sky.light().shell();
-    const AerialCamera camera(camera_at(uniform(0, 1) * shell.thickness_km, 45));
+    const AerialCamera camera(camera_at(uniform(0, 1) * shell.thickness_km, 45), shell);
     const double u = uniform(0, 1);
     const double v = uniform(0, 0.9);
     const double far = 10 * (shell.ground_radius_km + shell.thickness_km);
@@ -90,7 +155,7 @@ RC_GTEST_PROP(AerialPerspective, IsThePartOfTheSkyThatIsNearer, ()) {
 
 TEST(AerialPerspective, TransmittanceIsThatOfTheWay) {
     const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::single);
-    const AerialCamera camera(camera_at(2, 0));
+    const AerialCamera camera(camera_at(2, 0), sky.light().shell());
     for (const double v : {0.1, 0.45}) {
         const ViewDirection view = camera.direction(0.2, v);
         const Spectrum depth = optical_depth_along(sky.light().medium().air, 2, view.mu, 30);
@@ -104,7 +169,7 @@ TEST(AerialPerspective, TransmittanceIsThatOfTheWay) {
 TEST(AerialPerspective, IsContinuousWhereTheGroundIs) {
     const TestSky sky(test::preset_atmosphere("earth_hillaire"), SkyOrders::all);
     for (const double altitude : {0.0, 0.002, 2.0, 300.0}) {
-        const AerialCamera camera(camera_at(altitude, 0));
+        const AerialCamera camera(camera_at(altitude, 0), sky.light().shell());
         std::vector<SkyRadiance> before;
         for (double v = 0.3; v < 1; v += 1.0 / 1024) {
             const auto now = aerial_perspective(sky.light(), camera, 0.4, v, {5, 20, 64, 2500});
@@ -127,7 +192,7 @@ TEST(AerialPerspective, TakesAnyCameraAndNoAir) {
     const TestSky vacuum(test::preset_atmosphere("vacuum"), SkyOrders::single);
     for (const double altitude : {0.0, 1e-3, 50.0, 100.0, 100.001, 1e5}) {
         for (const double pitch : {-90.0, -30.0, 0.0, 30.0, 90.0}) {
-            const AerialCamera camera(camera_at(altitude, pitch));
+            const AerialCamera camera(camera_at(altitude, pitch), earth.light().shell());
             for (const double v : {0.0, 0.5, 1.0}) {
                 for (const SkyRadiance& value :
                      aerial_perspective(earth.light(), camera, 0.5, v, {0, 1, 1000, 1e6})) {

@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -189,6 +190,44 @@ TEST(PhaseFit, FindsTheFormThatItIs) {
     }
     const auto rayleigh = fit_phase(make_phase_function(config::Phase::rayleigh, 0));
     EXPECT_NEAR(rayleigh[3].parameters[1], 1, 1e-2);
+}
+
+// Where the form has too little light and where it has too much.
+TEST(PhaseFit, TheLargestRatioIsOfEitherSide) {
+    std::array<int, 2> cases{};
+    for (const double g : {0.3, 0.9}) {
+        for (const config::Phase phase : {config::Phase::rayleigh, config::Phase::cornette_shanks,
+                                          config::Phase::henyey_greenstein}) {
+            const PhaseFunction function = make_phase_function(phase, g);
+            for (const PhaseFit& fit : fit_phase(function)) {
+                std::array<double, 2>
+                    largest{};  // of the form's light over the function's, and back
+                for (int i = 0; i <= 4096; ++i) {
+                    const ScatteringAngle at = scattering_angle(PhaseSpacing::peaks, i / 4096.0);
+                    const double ratio =
+                        fitted_value(fit.form, fit.parameters, at.one_minus, at.one_plus) /
+                        phase_value(function, at.one_minus, at.one_plus);
+                    largest = {std::max(largest[0], ratio), std::max(largest[1], 1 / ratio)};
+                }
+                const double both = std::max(largest[0], largest[1]);
+                EXPECT_NEAR(fit.largest_ratio / both, 1, 1e-3) << fit.form << g;
+                for (std::size_t i = 0; i < 2; ++i) cases[i] += largest[1 - i] < 0.9 * both ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(cases[0], 0);
+    EXPECT_GT(cases[1], 0);
+    // Even light in the place of 3 / 16 pi (1 + cos^2), which has half as much again straight on.
+    const auto rayleigh = fit_phase(make_phase_function(config::Phase::rayleigh, 0));
+    EXPECT_NEAR(rayleigh[0].largest_ratio, 1.5, 0.01);
+}
+
+// Asymmetries are found to a share of the width of their lobe, also of lobes that look back.
+TEST(PhaseFit, NarrowLobesAreFoundToAShareOfTheirWidth) {
+    for (const double g : {-0.995, -0.97, -0.6, 0.6, 0.97, 0.995}) {
+        const auto fits = fit_phase(make_phase_function(config::Phase::henyey_greenstein, g));
+        EXPECT_NEAR(fits[0].parameters[0], g, 2e-4 * (1 - std::fabs(g)));
+    }
 }
 
 // A better fit than a scan of the parameter finds is not left out, and more parameters fit better.

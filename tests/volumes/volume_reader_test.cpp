@@ -365,7 +365,7 @@ TEST(Volume, WarnsOfValuesBelowZero) {
     const auto source = open_volume(volume);
     ASSERT_TRUE(source.value);
     ASSERT_EQ(source.diagnostics.size(), 1U);
-    EXPECT_EQ(source.diagnostics[0].code, "W0231");
+    EXPECT_EQ(source.diagnostics[0].code, "W0226");
     EXPECT_NE(source.diagnostics[0].message.find("its voxel (3, 4, 5) is -2; they count as 0"),
               std::string::npos)
         << source.diagnostics[0].message;

@@ -14,6 +14,7 @@
 #include "bakers/assets/sky_asset.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/quadrature.h"
 #include "config/assets/aerial_perspective.h"
 
@@ -62,33 +63,50 @@ Estimate estimate(const Parameters&, const AerialPerspectiveBake& asset) {
     return result;
 }
 
-AssetPlaces places(const Parameters&, const AerialPerspectiveBake& asset, const StoredTexels&) {
-    const double whole_km = asset.view_distance.kilometers();
+AssetPlaces places(const Parameters& parameters, const AerialPerspectiveBake& asset,
+                   const StoredTexels&) {
     const bool squared = asset.slices == config::SliceSpacing::squared;
     return single_lookup(
-        {"picture_x", "picture_y", "distance_km"}, [whole_km, squared](const Place& at) {
-            const double share = at[2].second / whole_km;
+        {"picture_x", "picture_y", "distance_km"},
+        [camera = AerialCamera(asset, shell_of(parameters.atmosphere)), squared](const Place& at) {
+            const SlicedWay way = camera.way(at[0].second, at[1].second);
+            const double share = std::max(at[2].second - way.begin_km, 0.0) / way.reach_km;
             return Uvw{at[0].second, at[1].second, squared ? std::sqrt(share) : share};
         });
 }
 
-AssetLookup lookup(const Parameters&, const AerialPerspectiveBake& asset,
+// What finds the part of the view ray that slices divide.
+std::string glsl_way(const AerialPerspectiveBake& asset, const AerialCamera& camera) {
+    return fmt::format("vec2 way = aerial_way(picture, vec2({}, {}), {}, {}, {}, {}, {});",
+                       glsl_number(cosine_of(asset.pitch.radians)),
+                       glsl_number(sine_of(asset.pitch.radians)), glsl_number(picture_reach(asset)),
+                       glsl_number(asset.aspect), glsl_number(camera.radius_km()),
+                       glsl_number(camera.air()->ground_radius_km),
+                       glsl_number(camera.air()->ground_radius_km + camera.air()->thickness_km));
+}
+
+AssetLookup lookup(const Parameters& parameters, const AerialPerspectiveBake& asset,
                    const StoredTexels& stored) {
     const bool has_light = asset.content != config::AerialContent::transmittance;
     const bool has_both = asset.content == config::AerialContent::in_scatter_and_transmittance;
-    const std::string arguments = fmt::format("air, picture, distance_km, {}, {}",
-                                              glsl_number(asset.view_distance.kilometers()),
+    const AerialCamera camera(asset, shell_of(parameters.atmosphere));
+    const std::string view_distance = glsl_number(asset.view_distance.kilometers());
+    const std::string distance =
+        camera.air() ? fmt::format("distance_km - way.x, min(way.y, {})", view_distance)
+                     : fmt::format("distance_km, {}", view_distance);
+    const std::string arguments = fmt::format("air, picture, {}, {}", distance,
                                               asset.slices == config::SliceSpacing::squared);
     GlslFunction function;
     function.comment = fmt::format(
-        "Returns {} over a distance of 0 to {} km along the view ray. `picture` is the place in "
+        "Returns {} over a distance of 0 to {} km along the view ray{}. `picture` is the place in "
         "the camera's picture, (0, 0) at its upper left.",
         has_both ? "the light that the air adds, in 1/sr for a solar irradiance of 1, and in the "
                    "last of four channels the transmittance,"
         : has_light ? "the light that the air adds, in 1/sr for a solar irradiance of 1,"
                     : "the transmittance",
-        glsl_number(asset.view_distance.kilometers()));
+        view_distance, camera.air() ? " within the air" : "");
     function.arguments = "sampler3D air, vec2 picture, float distance_km";
+    if (camera.air()) function.before = glsl_way(asset, camera);
     const bool is_of_4 = stored.channels == 4 && !has_both;
     const std::string_view name = !has_light ? "aerial_transmittance"
                                   : is_of_4  ? "aerial_light"
@@ -120,7 +138,7 @@ struct FroxelSample {
 // out: their voxels stand for points on the ground.
 std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspectiveBake& asset) {
     constexpr int kSamples = 96;
-    const AerialCamera camera(asset);
+    const AerialCamera camera(asset, shell);
     const double first = 0.5 / asset.size[2];
     std::vector<FroxelSample> samples;
     for (int i = 0; i < kSamples; ++i) {
@@ -128,7 +146,7 @@ std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspec
         FroxelSample sample;
         sample.u = u;
         sample.v = v;
-        sample.distance_km = camera.distance_km(first + (1 - first) * w);
+        sample.distance_km = camera.distance_km(u, v, first + (1 - first) * w);
         const ViewDirection view = camera.direction(sample.u, sample.v);
         sample.direction = sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine);
         const SkyRay ray = sky_ray(shell, camera.altitude_km(), camera.sun(), sample.direction);
@@ -150,8 +168,8 @@ std::optional<TracedLight> traced(const Parameters& parameters,
                       {"distance_km", sample.distance_km}});
     }
     const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) -> TraceOfPlace {
-        return [air, samples, camera = AerialCamera(asset), orders = asset.orders](
-                   std::size_t place, PathTracerSettings settings) {
+        return [air, samples, camera = AerialCamera(asset, shell_of(parameters.atmosphere)),
+                orders = asset.orders](std::size_t place, PathTracerSettings settings) {
             settings.include_seen_ground = false;
             settings.length_km = samples[place].distance_km;
             PathTracedRadiance light =

@@ -2,8 +2,13 @@
 // picture, w from its distance along the view ray.
 //
 //   u, v  place in the picture, from its left and from its top
-//   w     linear   distance / view_distance
-//         squared  sqrt(distance / view_distance)
+//   w     linear   distance / reach
+//         squared  sqrt(distance / reach)
+//
+// Distances count from the camera up to a reach of view_distance. With slices_begin = "air" those of a
+// camera in space count from where its ray enters the air, up to twice its way to the ground, or up to
+// its way through the air, which is the same for the ray that grazes the ground; at most up to
+// view_distance. A ray that misses the air begins where it is nearest to it.
 //
 // Voxel i of an axis samples (i + 1/2) / size. The picture is a perspective one: with X = 2 u - 1
 // and Y = 1 - 2 v the ray goes along forward + tan(fov / 2) (aspect X right + Y up). The heading
@@ -16,6 +21,8 @@
 // Between the camera and the first slice, w0 = 1 / (2 size), light grows from 0 and transmittance
 // falls from 1 about linearly with distance; there a runtime interpolates by distance.
 #pragma once
+
+#include <optional>
 
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/vectors.h"
@@ -33,19 +40,33 @@ struct ViewDirection {
 // Returns the tangent of half the vertical field of view.
 double picture_reach(const config::AerialPerspectiveBake& bake);
 
+// The part of a view ray that slices divide: from a distance from the camera on, so far.
+struct SlicedWay {
+    double begin_km = 0;
+    double reach_km = 0;
+};
+
 class AerialCamera {
   public:
-    explicit AerialCamera(const config::AerialPerspectiveBake& bake);
+    AerialCamera(const config::AerialPerspectiveBake& bake, const Shell& shell);
 
     const SunZenith& sun() const { return sun_; }
     double altitude_km() const { return altitude_km_; }
     ViewDirection direction(double u, double v) const;
-    double distance_km(double w) const;
+    SlicedWay way(double u, double v) const;
+    // Returns the distance from the camera.
+    double distance_km(double u, double v, double w) const;
+    // The air with which the slices begin, or nothing if they begin at the camera.
+    const std::optional<Shell>& air() const { return air_; }
+    // The camera's distance from the planet's centre.
+    double radius_km() const { return radius_km_; }
 
   private:
     SunZenith sun_;
     double altitude_km_;
+    double radius_km_;
     double view_distance_km_;
+    std::optional<Shell> air_;
     config::SliceSpacing slices_;
     // The components point towards the sun's azimuth, to its right, and up.
     glm::dvec3 forward_{};

@@ -42,7 +42,9 @@ class FroxelChannels {
     }
 
     // Returns the channels of the voxels along the ray at (u, v), voxel after voxel.
-    std::vector<double> along(double u, double v, const std::vector<double>& distances_km) const {
+    std::vector<double> along(double u, double v, const std::vector<double>& w) const {
+        std::vector<double> distances_km;
+        for (const double one : w) distances_km.push_back(camera_.distance_km(u, v, one));
         const std::size_t colours = this->colours();
         // In turns, the light that the air adds and the transmittance.
         std::vector<double> pairs(2 * distances_km.size() * colours);
@@ -129,20 +131,18 @@ void append_along(const SkyLight& light, const CameraRay& ray,
 // All voxels, made when constructed: those of a ray share the way to them.
 class FroxelSource : public VoxelSource {
   public:
-    FroxelSource(const FroxelChannels& froxels, const AerialCamera& camera,
-                 const std::array<int, 3>& size, const BakeOptions& options)
+    FroxelSource(const FroxelChannels& froxels, const std::array<int, 3>& size,
+                 const BakeOptions& options)
         : size_(size), values_(froxels.count()) {
-        std::vector<double> distances;
-        for (int k = 0; k < size_[2]; ++k) {
-            distances.push_back(camera.distance_km((k + 0.5) / size_[2]));
-        }
+        std::vector<double> w;
+        for (int k = 0; k < size_[2]; ++k) w.push_back((k + 0.5) / size_[2]);
         for (std::vector<float>& channel : values_) {
             channel.resize(static_cast<std::size_t>(VoxelBox{{}, size_}.count()));
         }
         for_each_tile(size_[1], options, "froxels", [&](int y) {
             for (int x = 0; x < size_[0]; ++x) {
                 const std::vector<double> ray =
-                    froxels.along((x + 0.5) / size_[0], (y + 0.5) / size_[1], distances);
+                    froxels.along((x + 0.5) / size_[0], (y + 0.5) / size_[1], w);
                 const double* value = ray.data();
                 for (int z = 0; z < size_[2]; ++z) {
                     for (std::vector<float>& channel : values_) {
@@ -196,8 +196,9 @@ std::string content_text(const AerialPerspectiveBake& bake, bool is_colored) {
 }
 
 // The camera in the digits that people write. Distance is view_distance_km times w to the
-// `exponent`.
-void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked& volume) {
+// `exponent`; with the radii it is the part of the ray in the air that mapping.h tells.
+void describe_axes(const AerialPerspectiveBake& bake, const AerialCamera& camera,
+                   std::size_t colours, Baked& volume) {
     const double heading = to_digits(bake.heading.radians * kDegreesPerRadian, 9);
     const double pitch = to_digits(bake.pitch.radians * kDegreesPerRadian, 9);
     const double fov = to_digits(bake.fov.radians * kDegreesPerRadian, 9);
@@ -207,6 +208,14 @@ void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked
     volume.axes[1].constants = {{"pitch_deg", pitch}, {"fov_deg", fov}};
     volume.axes[2].constants = {{"view_distance_km", bake.view_distance.kilometers()},
                                 {"exponent", squared ? 2.0 : 1.0}};
+    if (camera.air()) {
+        const Facts radii = {
+            {"camera_radius_km", to_digits(camera.radius_km(), 9)},
+            {"ground_radius_km", to_digits(camera.air()->ground_radius_km, 9)},
+            {"top_radius_km",
+             to_digits(camera.air()->ground_radius_km + camera.air()->thickness_km, 9)}};
+        volume.axes[2].constants.insert(volume.axes[2].constants.end(), radii.begin(), radii.end());
+    }
     for (AxisMapping& axis : volume.axes) axis.end_points = TexelConvention::end_points_on_edges;
     volume.conventions.angle_unit = "deg";
     volume.conventions.up_axis = volume.up_axis;
@@ -215,7 +224,8 @@ void describe_axes(const AerialPerspectiveBake& bake, std::size_t colours, Baked
     volume.conventions.solar_irradiance.assign(colours, 1);
 }
 
-void describe(const AerialPerspectiveBake& bake, const SkyLights& lights, Baked& volume) {
+void describe(const AerialPerspectiveBake& bake, const AerialCamera& camera,
+              const SkyLights& lights, Baked& volume) {
     const std::string convention = "clamps; voxel i samples (i + 1/2) / size";
     const bool squared = bake.slices == config::SliceSpacing::squared;
     volume.kind = "aerial_perspective";
@@ -225,8 +235,13 @@ void describe(const AerialPerspectiveBake& bake, const SkyLights& lights, Baked&
         {{"picture_x", "u from the left edge; X = 2 u - 1", convention, 0, 1},
          {"picture_y", "v from the upper edge; Y = 1 - 2 v", convention, 0, 1},
          {"distance_km",
-          fmt::format("w = {} of the distance along the view ray over {:.9g} km",
-                      squared ? "square root" : "share", bake.view_distance.kilometers()),
+          fmt::format("w = {} of the distance along the view ray{} over {}{:.9g} km",
+                      squared ? "square root" : "share",
+                      camera.air() ? ", from where it enters the air," : "",
+                      camera.air() ? "twice its way to the ground, or its way through the air, but "
+                                     "at most "
+                                   : "",
+                      bake.view_distance.kilometers()),
           convention, 0, bake.view_distance.kilometers()}}};
     const auto colours = static_cast<std::size_t>(lights.channels());
     volume.channel_names = names_of_channels(colours);
@@ -245,7 +260,7 @@ void describe(const AerialPerspectiveBake& bake, const SkyLights& lights, Baked&
     add("pitch_deg", bake.pitch.radians * kDegreesPerRadian);
     add("fov_deg", bake.fov.radians * kDegreesPerRadian);
     add("aspect", bake.aspect);
-    describe_axes(bake, colours, volume);
+    describe_axes(bake, camera, colours, volume);
 }
 
 }  // namespace
@@ -285,17 +300,17 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
 config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
                                                const AerialPerspectiveBake& bake,
                                                const BakeOptions& options, Baked volume) {
-    describe(bake, lights, volume);
-    const AerialCamera camera(bake);
+    const AerialCamera camera(bake, lights.first().shell());
+    describe(bake, camera, lights, volume);
     const FroxelChannels channels(lights, camera, bake.content);
-    const auto froxels = std::make_shared<const FroxelSource>(channels, camera, bake.size, options);
+    const auto froxels = std::make_shared<const FroxelSource>(channels, bake.size, options);
     VolumeFinish finish;
     for (std::size_t c = 0; c < volume.channel_names.size(); ++c) {
         const double largest = froxels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
-    finish.reference = [&channels, &camera](const std::array<double, 3>& uvw) {
-        return channels.along(uvw[0], uvw[1], {camera.distance_km(uvw[2])});
+    finish.reference = [&channels](const std::array<double, 3>& uvw) {
+        return channels.along(uvw[0], uvw[1], {uvw[2]});
     };
     finish.reference_name = "quadrature along each view ray, exact sunlight and transmittance";
     finish.probe_place = [&camera, slices = bake.size[2]](std::array<double, 3> uvw, int) {
@@ -303,7 +318,7 @@ config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
         uvw[2] = std::max(uvw[2], 0.5 / slices);
         return ProbePlace{{{"picture_x", uvw[0]},
                            {"picture_y", uvw[1]},
-                           {"distance_km", camera.distance_km(uvw[2])}},
+                           {"distance_km", camera.distance_km(uvw[0], uvw[1], uvw[2])}},
                           {{uvw}}};
     };
     Level level;

@@ -33,9 +33,10 @@ namespace {
 
 Outcome<Baked> bake(const Parameters& parameters, const EnvironmentBake& asset,
                     const BakeOptions& options, AssetLabel label) {
-    const SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
+    SkyLights lights(parameters, options, [&](const config::Atmosphere& atmosphere) {
         return std::make_unique<SkyLight>(atmosphere, asset.orders, asset.layers, options);
     });
+    lights.multiply(solar_irradiance_of(asset));
     return bake_of_light(lights, label.name, options, [&](const SkyLights& found) {
         Baked table = labelled_light_table(parameters, std::move(label));
         // The lights tell the lux of colours.
@@ -126,10 +127,13 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
     const double sun_deg = to_digits(asset.sun_elevation.radians * kDegreesPerRadian, 9);
     GlslFunction function;
     function.comment = fmt::format(
-        "Returns the radiance of the sky{} or of the ground in 1/sr, for a solar irradiance of 1, "
+        "Returns the radiance of the sky{} or of the ground in {}, "
         "seen from an altitude of {} km. The unit vectors point along the view ray, away from the "
         "planet's centre and ",
-        asset.has_clouds() ? ", of clouds" : "", glsl_number(asset.altitude.kilometers()));
+        asset.has_clouds() ? ", of clouds" : "",
+        asset.solar_irradiance.empty() ? "1/sr, for a solar irradiance of 1"
+                                       : "the bake's solar_irradiance/sr",
+        glsl_number(asset.altitude.kilometers()));
     function.comment +=
         words.ahead == "sun"
             ? fmt::format("to the sun, which is at an elevation of {} degrees.", sun_deg)
@@ -166,7 +170,15 @@ std::optional<TracedLight> traced(const Parameters& parameters, const Environmen
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    return traced_sky(parameters, samples, asset.orders, light_looked_up(places_in, std::move(at)));
+    const LightAtPlaces stored = light_looked_up(places_in, std::move(at));
+    const auto found = [stored, sun = solar_irradiance_of(asset)](const Baked& baked, int threads) {
+        std::vector<Spectrum> light = stored(baked, threads);
+        for (Spectrum& one : light) {
+            for (std::size_t c = 0; c < sun.size(); ++c) one[c] /= sun[c];
+        }
+        return light;
+    };
+    return traced_sky(parameters, samples, asset.orders, found);
 }
 
 void draft(EnvironmentBake& asset, int) {

@@ -26,7 +26,9 @@ std::string list_of(const Numbers& numbers) {
 }
 
 std::string lux_member(const Baked& table, const char* name, const std::vector<double>& channels) {
-    if (!table.conventions.color) return "";
+    // Another solar irradiance may be in any unit.
+    const bool is_of_one = table.conventions.radiance_unit == "1/sr";
+    if (!table.conventions.color || !is_of_one) return "";
     const std::optional<double> lux = lux_of(*table.conventions.color, channels);
     return lux ? fmt::format(",\n    \"{}_lux\": {}", name, to_digits(*lux, kLightDigits)) : "";
 }
@@ -86,7 +88,7 @@ std::string lights_json(const EnvironmentLights& lights, const config::Environme
     for (const std::string& name : table.channel_names) names.push_back('"' + name + '"');
     return fmt::format(
         "{{\n"
-        "  \"unit\": \"irradiance and radiance in 1/sr, for a solar irradiance of 1\",\n"
+        "  \"unit\": \"irradiance and radiance in {}\",\n"
         "  \"axes\": \"right, up, ahead\",\n"
         "  \"channels\": [{}],\n"
         "{},\n"
@@ -95,6 +97,8 @@ std::string lights_json(const EnvironmentLights& lights, const config::Environme
         "  }},\n"
         "{}\n"
         "}}\n",
+        bake.solar_irradiance.empty() ? "1/sr, for a solar irradiance of 1"
+                                      : "solar_irradiance/sr, for that of the bake",
         fmt::join(names, ", "), sun_json(lights, bake, table), list_of(lights.sky_level),
         lux_member(table, "illuminance_of_level_surface", lights.sky_level),
         harmonics_json(lights));

@@ -5,8 +5,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "bakers/assets/environment/prefilter.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/sky_view_mapping.h"
+#include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -16,7 +18,8 @@ namespace {
 constexpr int kSunRings = 48;
 constexpr int kSunSpokes = 64;
 
-// Directions spread evenly over the disc, in the order of rings.
+// Directions spread evenly over the disc, ring after ring. Left and right are mirror images to the bit,
+// and none lies on the line between them.
 std::vector<glm::dvec3> disc_directions(const MapAngles& sun) {
     const glm::dvec3 middle = direction_of_angles(sun);
     const glm::dvec3 right = direction_of_angles({sun.azimuth + std::numbers::pi / 2, 0});
@@ -27,10 +30,12 @@ std::vector<glm::dvec3> disc_directions(const MapAngles& sun) {
             kSunRadius_deg / kDegreesPerRadian * std::sqrt((ring + 0.5) / kSunRings);
         const SineCosine away = sine_and_cosine(radius);
         for (int spoke = 0; spoke < kSunSpokes; ++spoke) {
+            const int mirrored = std::min(spoke, kSunSpokes - 1 - spoke);
             const SineCosine turn =
-                sine_and_cosine(2 * std::numbers::pi * (spoke + 0.5 * (ring % 2)) / kSunSpokes);
+                sine_and_cosine(2 * std::numbers::pi * (mirrored + 0.5) / kSunSpokes);
+            const double aside = mirrored == spoke ? turn.sine : -turn.sine;
             directions.push_back(away.cosine * middle +
-                                 away.sine * (turn.sine * up + turn.cosine * right));
+                                 away.sine * (turn.cosine * up + aside * right));
         }
     }
     return directions;
@@ -101,6 +106,51 @@ void add_sun_points(const std::vector<SunPoint>& points, const EnvironmentLayout
         double* texel = map.texel(column, at.part * rows + row);
         for (const double light : point.light) *texel++ += light / solid_angle;
     }
+}
+
+std::vector<SunPoint> merged(const std::vector<SunPoint>& points) {
+    constexpr int kRings = 8;  // that become one
+    constexpr int kSpokes = 4;
+    constexpr int kInRing = kSunSpokes / kSpokes;
+    std::vector<SunPoint> sums(points.size() / (kRings * kSpokes));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t group = i / (kRings * kSunSpokes) * kInRing + i % kSunSpokes / kSpokes;
+        SunPoint& sum = sums[group];
+        sum.light.resize(points[i].light.size());
+        for (std::size_t c = 0; c < sum.light.size(); ++c) sum.light[c] += points[i].light[c];
+        sum.direction += points[i].direction;
+    }
+    for (SunPoint& sum : sums) sum.direction = glm::normalize(sum.direction);
+    return sums;
+}
+
+void add_reflected_sun(const std::vector<SunPoint>& points, const EnvironmentLayout& layout,
+                       double roughness, const BakeOptions& options, Image2<double>& level) {
+    const auto size = layout.part_size();  // Clang captures no structured bindings
+    const int columns = size[0];
+    const int rows = size[1];
+    const ReflectedLobe lobe(roughness);
+    for_each_tile(level.height, options, "roughness", [&](int line) {
+        const int part = line / rows;
+        for (int x = 0; x < columns; ++x) {
+            double* texel = level.texel(x, line);
+            const double width = std::sqrt(layout.solid_angle(part, x, line % rows));
+            const int samples = std::clamp(static_cast<int>(width / lobe.width()) + 1, 1, 8);
+            for (int i = 0; i < samples * samples; ++i) {
+                const double along = (i % samples + 0.5) / samples;
+                const double down = (i / samples + 0.5) / samples;
+                const glm::dvec3 normal =
+                    layout.direction(part, (x + along) / columns, (line % rows + down) / rows);
+                for (const SunPoint& point : points) {
+                    const double share =
+                        lobe.density(glm::dot(normal, point.direction)) / (samples * samples);
+                    for (std::size_t c = 0; c < point.light.size(); ++c) {
+                        texel[c] += share * point.light[c];
+                    }
+                }
+            }
+        }
+    });
 }
 
 }  // namespace skybake

@@ -11,6 +11,7 @@
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/sky_lights.h"
 #include "bakers/field/image.h"
+#include "bakers/math/bake_options.h"
 #include "config/assets/environment.h"
 
 namespace skybake {
@@ -38,5 +39,14 @@ std::vector<double> irradiance_of(const std::vector<SunPoint>& points, LitSurfac
 // texel's solid angle.
 void add_sun_points(const std::vector<SunPoint>& points, const EnvironmentLayout& layout,
                     Image2<double>& map);
+
+// Returns fewer points, each of which stands for neighbours, for what blurs the disc.
+std::vector<SunPoint> merged(const std::vector<SunPoint>& points);
+
+// Adds the light of each point that rough surfaces reflect to a level: the closed form of prefilter.h in
+// the place of its sums, which would find a disc smaller than their samples by chance. A texel has the
+// value in its middle, or its mean where the lobe is narrower than the texel.
+void add_reflected_sun(const std::vector<SunPoint>& points, const EnvironmentLayout& layout,
+                       double roughness, const BakeOptions& options, Image2<double>& level);
 
 }  // namespace skybake

@@ -29,10 +29,11 @@ namespace {
 
 std::string content_of_environment(const EnvironmentBake& bake) {
     return fmt::format(
-        "radiance of the sky{} and of the ground around a camera (1/sr) for a solar irradiance of "
-        "1, {} the sun's disc: {}{}",
-        bake.has_clouds() ? ", of clouds" : "", bake.sun == SunInMap::disc ? "with" : "without",
-        light_text(bake.orders, bake.layers),
+        "radiance of the sky{} and of the ground around a camera ({}, {} the sun's disc: {}{}",
+        bake.has_clouds() ? ", of clouds" : "",
+        bake.solar_irradiance.empty() ? "1/sr) for a solar irradiance of 1"
+                                      : "solar_irradiance/sr)",
+        bake.sun == SunInMap::disc ? "with" : "without", light_text(bake.orders, bake.layers),
         bake.level_content == LevelContent::ggx ? "; coarser levels as rough surfaces reflect it"
                                                 : "");
 }
@@ -95,6 +96,10 @@ void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& came
     table.axes[1].constants.insert(table.axes[1].constants.end(), numbers.begin(), numbers.end());
     set_files(bake, table);
     describe_sky_table(table);
+    if (!bake.solar_irradiance.empty()) {
+        table.conventions.solar_irradiance = solar_irradiance_of(bake);
+        table.conventions.radiance_unit = "solar_irradiance/sr";
+    }
     if (bake.has_clouds()) {
         table.certificate.reference =
             "means of 64 rays that no texel has, marched with half steps; exact light of the air";
@@ -134,8 +139,10 @@ class EnvironmentFinish {
         }
         const std::vector<SunPoint> sun = sun_points(lights_, bake_, models_.clouds());
         if (bake_.lights) add_lights(sun, table);
+        std::vector<Image2<double>> rough;
+        if (bake_.level_content == LevelContent::ggx) rough = rough_levels(sun, table);
         if (bake_.sun == SunInMap::disc) add_disc(sun, table);
-        if (bake_.level_content == LevelContent::ggx) add_rough_levels(table);
+        for (const Image2<double>& level : rough) add_level(level, table);
     }
 
   private:
@@ -156,17 +163,23 @@ class EnvironmentFinish {
         set_image(store_texels(map, table.pixel_type, table.range), table);
     }
 
-    void add_rough_levels(Baked& table) const {
+    // Made of a table that does not yet hold the disc, whose light is added in closed form.
+    std::vector<Image2<double>> rough_levels(const std::vector<SunPoint>& sun, Baked& table) const {
         const MapPyramid pyramid(bake_.mapping, table.image());
+        const std::vector<SunPoint> disc =
+            bake_.sun == SunInMap::disc ? merged(sun) : std::vector<SunPoint>{};
+        std::vector<Image2<double>> levels;
         std::vector<double> roughness = {0};
         std::array<int, 3> size = table.levels.front().size;
         for (int level = 1; level < table.mips && !options_.cancelled(); ++level) {
             size = next_mip_size(size);
             const EnvironmentLayout layout(bake_.mapping, {size[0], size[1]});
             roughness.push_back(roughness_of_level(level, table.mips));
-            add_level(prefiltered(pyramid, layout, roughness.back(), options_), table);
+            levels.push_back(prefiltered(pyramid, layout, roughness.back(), options_));
+            add_reflected_sun(disc, layout, roughness.back(), options_, levels.back());
         }
         table.details.emplace_back("roughness_of_levels", to_digits(roughness, 9));
+        return levels;
     }
 
     const SkyLights& lights_;
@@ -184,6 +197,16 @@ Place environment_place(const EnvironmentLayout& layout, int part, double x, dou
     const MapAngles angles = angles_of(layout.direction(part, x, y));
     return {{"azimuth_deg", angles.azimuth * kDegreesPerRadian},
             {"elevation_deg", angles.elevation * kDegreesPerRadian}};
+}
+
+std::vector<double> solar_irradiance_of(const EnvironmentBake& bake) {
+    const std::vector<double>& all = bake.solar_irradiance;
+    if (bake.packet == 0 || all.empty()) return all;
+    const std::size_t first =
+        config::wavelengths_per_packet * static_cast<std::size_t>(bake.packet - 1);
+    const std::size_t last = std::min(first + config::wavelengths_per_packet, all.size());
+    return {all.begin() + static_cast<std::ptrdiff_t>(first),
+            all.begin() + static_cast<std::ptrdiff_t>(last)};
 }
 
 config::Outcome<Baked> bake_environment(const SkyLights& lights, const EnvironmentBake& bake,

@@ -93,6 +93,22 @@ double roughness_of_level(int level, int levels) {
     return levels > 1 ? static_cast<double>(level) / (levels - 1) : 0;
 }
 
+ReflectedLobe::ReflectedLobe(double roughness)
+    : square_(roughness * roughness * roughness * roughness), integral_(1) {
+    const double b = 1 - square_;
+    if (b == 0) return;
+    integral_ = 4 * (b + 2 * square_ * logarithm(2 * square_ / (1 + square_))) / (b * b);
+}
+
+double ReflectedLobe::density(double cosine) const {
+    if (cosine <= 0) return 0;
+    const double sine_square = (1 - cosine) / 2;  // of the half-angle
+    const double denominator = sine_square + square_ * (1 - sine_square);
+    return cosine * square_ / (std::numbers::pi * denominator * denominator * integral_);
+}
+
+double ReflectedLobe::width() const { return std::sqrt(square_); }
+
 MapPyramid::MapPyramid(config::EnvironmentMapping mapping, const Image2<float>& map) {
     maps_.push_back(map);
     layouts_.emplace_back(mapping, std::array{map.width, map.height});

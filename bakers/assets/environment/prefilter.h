@@ -22,6 +22,28 @@ namespace skybake {
 
 double roughness_of_level(int level, int levels);
 
+// How much a rough surface reflects from each direction. With x = cos^2 of the half-angle and b = 1 -
+// alpha^2 the lower integral above is
+//
+//   4 alpha^2 integral from 1/2 to 1 of (2 x - 1) / (1 - b x)^2 dx
+//     = 4 (1 - alpha^2 + 2 alpha^2 ln(2 alpha^2 / (1 + alpha^2))) / b^2,
+//
+// and 1 where alpha is 1, for which the lobe is max(n.l, 0) / pi.
+class ReflectedLobe {
+  public:
+    explicit ReflectedLobe(double roughness);
+
+    // The weight of light from a direction with this n.l, in 1/sr: 1 over all directions.
+    double density(double cosine) const;
+
+    // About the angle in which it falls to a half, in radians.
+    double width() const;
+
+  private:
+    double square_;  // alpha^2
+    double integral_;
+};
+
 // The maps of a mapping at one size and at all smaller ones, for lookups of means.
 class MapPyramid {
   public:

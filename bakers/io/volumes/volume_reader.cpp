@@ -231,10 +231,10 @@ Outcome<T> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics
     return {{}, std::move(diagnostics)};
 }
 
-// Warns (W0231) of values below 0, which are no densities.
+// Warns (W0226) of values below 0, which are no densities.
 std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults& faults) {
     if (faults.negative.count == 0) return {};
-    Diagnostic warning = file_error("W0231", volume.paths[0].string(),
+    Diagnostic warning = file_error("W0226", volume.paths[0].string(),
                                     fmt::format("`{}`: {}; they count as 0", volume.paths[0].string(),
                                                 words_of_fault(faults.negative, "below 0")));
     warning.severity = config::Severity::warning;

@@ -130,13 +130,15 @@ class AerialPictures {
     double distance_km(int z) const {
         const double w = (z + 0.5) / asset_.entry.size[2];
         const bool squared = bake_.slices == config::SliceSpacing::squared;
-        return bake_.view_distance.kilometers() * (squared ? w * w : w);
+        return asset_.entry.axes[2].last * (squared ? w * w : w);
     }
 
     Picture sheet(const std::vector<Picture>& pictures) const {
         std::vector<std::string> captions;
         for (const int z : slices_) {
-            captions.push_back(fmt::format("slice {}: {:.3g} km", z, distance_km(z)));
+            const bool from_air = bake_.slices_begin == config::SlicesBegin::air;
+            captions.push_back(fmt::format("slice {}: {}{:.3g} km", z, from_air ? "at most " : "",
+                                           distance_km(z)));
         }
         return contact_sheet(pictures, captions, 2);
     }
