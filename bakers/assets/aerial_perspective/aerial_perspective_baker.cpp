@@ -77,7 +77,7 @@ AssetPlaces places(const Parameters& parameters, const AerialPerspectiveBake& as
 
 // What finds the part of the view ray that slices divide.
 std::string glsl_way(const AerialPerspectiveBake& asset, const AerialCamera& camera) {
-    return fmt::format("vec2 way = aerial_way(picture, vec2({}, {}), {}, {}, {}, {}, {});",
+    return fmt::format("    vec2 way = aerial_way(picture, vec2({}, {}), {}, {}, {}, {}, {});\n",
                        glsl_number(cosine_of(asset.pitch.radians)),
                        glsl_number(sine_of(asset.pitch.radians)), glsl_number(picture_reach(asset)),
                        glsl_number(asset.aspect), glsl_number(camera.radius_km()),
