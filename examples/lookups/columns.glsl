@@ -70,7 +70,7 @@ vec4 column_along(sampler3D table, ColumnShell air, float h, float mu, float d) 
     float rises = float(textureSize(table, 0).x / 4), passes = float(textureSize(table, 0).x / 2);
     float g = column_altitude(air, h), u, w;
     // Rounding puts rays along the horizon on either side of it; within it they pass the ground.
-    if (s + d <= 0.0 && s < -1.000001 * rho) {
+    if (s + d <= 0.0 && s < -1.0000004 * rho) {
         float ground = rho * rho / (sqrt(max(s * s - rho * rho, 0.0)) - s);
         float x = column_share(rho - ground, rho - h);
         u = column_course(x, rises + passes, size.x - rises - passes, size.x);

@@ -138,7 +138,7 @@ TEST(OccupancyDecoder, LevelsHalveTheCells) {
     EXPECT_TRUE(of_size(64, 16, 4, "mips = 'all'").empty()) << "1 stays 1";
     // Cells that cannot be halved further end "all": 12 x 8 x 4 cells have 3, 6 and 12 levels of them.
     EXPECT_TRUE(of_size(48, 32, 16, "mips = 'all'").empty());
-    const Recipe recipe = valid(
+    const Recipe recipe = testing::valid_with_warnings(
         "[bake.o]\nasset = 'occupancy'\nof = 'v'\nmips = 'all'\n[bake.v]\nasset = 'cloud_volume'\n"
         "cloud = 'c'\nsize = [48, 32, 16]\n" + cloud_recipe(""));
     EXPECT_EQ(recipe.parameters.bakes.at(0).as<OccupancyBake>().mips, 3) << "12, 6 and 3 cells along x";

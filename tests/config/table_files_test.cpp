@@ -65,7 +65,7 @@ TEST(ParticlesPerVolume, AreRefusedWhereNoAmountIsGiven) {
         "[bake.t]\nasset = 'transmittance'\n");
     EXPECT_EQ(found.code, "E0110");
     EXPECT_EQ(found.where.line, 9);
-    EXPECT_EQ(found.where.column, 25);
+    EXPECT_EQ(found.where.column, 23);
 }
 
 TEST(TableFile, OfLibRadtranIsReadByTheNameOfAColumn) {

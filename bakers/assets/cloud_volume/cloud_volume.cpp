@@ -50,8 +50,7 @@ std::vector<AxisMapping> axes_of(const Cloud& cloud) {
     axes[2].convention = "clamped; voxel i samples (i + 1/2) / size";
     for (AxisMapping& axis : axes) {
         axis.end_points = TexelConvention::end_points_on_edges;
-        const auto number = static_cast<std::size_t>(&axis - axes.data());
-        axis.constants = {{"first_m", axis.first}, {"extent_m", cloud.extent[number].meters}};
+        axis.constants = {{"first_m", axis.first}, {"extent_m", axis.last - axis.first}};
     }
     return axes;
 }

@@ -76,9 +76,9 @@ double from_nearest_km(const Shell& shell, double nearest_km, double altitude_km
 
 // A path that passes its nearest point does not fall, even where rounding has that point below the
 // ground. Nor does a ray along the horizon: in single precision, which the published lookup has,
-// rounding moves s by some 1e-7 of its size, and rays on the two sides have texels of their own.
+// rounding moves s by up to 3e-7 of its size, and rays on the two sides have texels of their own.
 bool falls_to_ground(const Shell& shell, const ColumnPath& path) {
-    constexpr double rounding = 1e-6;
+    constexpr double rounding = 4e-7;
     return path.s_km + path.length_km <= 0 &&
            path.s_km < -(1 + rounding) * horizon_distance_km(shell, path.altitude_km);
 }

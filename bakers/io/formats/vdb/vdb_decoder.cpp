@@ -17,7 +17,10 @@ namespace io = openvdb::io;
 
 // "float", "half", "int32", "vec3s", "bool", "points", "mask".
 std::string value_type_of(const openvdb::GridBase& grid, bool half) {
-    const std::string type = grid.valueType();
+    // The library calls the values of a mask bool; its tree is Tree_mask_5_4_3.
+    const std::string tree = grid.type();
+    const std::size_t begin = tree.find('_') + 1;
+    const std::string type = tree.substr(begin, tree.find('_', begin) - begin);
     if (type.starts_with("ptdataidx")) return "points";
     return half && type == "float" ? "half" : type;
 }
