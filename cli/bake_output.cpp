@@ -336,7 +336,7 @@ std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
                                           });
     config::Diagnostic warning;
     warning.severity = config::Severity::warning;
-    warning.code = "W0220";
+    warning.code = "W0229";
     warning.message = fmt::format(
         "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",
         seconds / 60, longest->bake->name, longest->estimate.seconds / 60);

@@ -170,7 +170,7 @@ constexpr std::array warning_table = {
         "repeat.",
         "period = 48\nframes = 40", "period = 48\nframes = 48", 0},
     DiagnosticCode{
-        "W0220", "a long bake",
+        "W0229", "a long bake",
         "The bake is estimated to take more than ten minutes of one core: from the number "
         "of its texels or voxels, and for light of all orders from the altitudes that its "
         "solution needs and the optical depth of the air. --dry-run shows the estimate of "
