@@ -118,7 +118,7 @@ TEST(CoincidingAxes, BrunetonsTablesReachTheNadir) {
     const auto recipe = [](double last) {
         return test::recipe_of(fmt::format(
             "preset = 'earth_bruneton'\n[bake.b]\nasset = 'bruneton'\ntable = 'scattering'\n"
-            "size = [27, 5, 5]\nnu_size = 3\npixel_type = 'float'\nsun_cos_zenith_min = {}\n",
+            "size = [27, 6, 5]\nnu_size = 3\npixel_type = 'float'\nsun_cos_zenith_min = {}\n",
             last));
     };
     test::SharedBakes shared;
