@@ -105,8 +105,10 @@ TEST(CoincidingAxes, SunsAtTheNadirAreTheDarkest) {
         const Image2<float>& image = baked.image();
         for (int y = 0; y < image.height; ++y) {
             for (int c = 0; c < image.channels; ++c) {
-                EXPECT_LE(image.texel(0, y)[c], image.texel(1, y)[c]) << bake.name << ' ' << y;
-                EXPECT_LT(image.texel(0, y)[c], 1e-9) << bake.name << ' ' << y;
+                // Suns below the solution's last are taken for it, but for the quadrature over the sky.
+                EXPECT_LE(image.texel(0, y)[c], 1.001F * image.texel(1, y)[c])
+                    << bake.name << ' ' << y;
+                EXPECT_LT(image.texel(0, y)[c], 1e-8) << bake.name << ' ' << y;
             }
         }
     }
@@ -116,7 +118,7 @@ TEST(CoincidingAxes, BrunetonsTablesReachTheNadir) {
     const auto recipe = [](double last) {
         return test::recipe_of(fmt::format(
             "preset = 'earth_bruneton'\n[bake.b]\nasset = 'bruneton'\ntable = 'scattering'\n"
-            "size = [27, 5, 5]\nnu_size = 3\npixel_type = 'float'\nsun_cos_zenith_min = {}\n",
+            "size = [27, 6, 5]\nnu_size = 3\npixel_type = 'float'\nsun_cos_zenith_min = {}\n",
             last));
     };
     test::SharedBakes shared;

@@ -163,7 +163,12 @@ TEST(SingleScattering, AddsUpWithTheRest) {
             orders);
     };
     for (const char* orders : {"single", "multiple", "all"}) bakes += sections(orders);
-    const config::Recipe peaked = test::recipe_of(haze(0.95, bakes));
+    // Droplets, half of whose light goes into their peak.
+    const config::Recipe peaked = test::recipe_of(
+        "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n"
+        "[atmosphere.layers.fog]\nprofile = 'exponential'\nscale_height = '1 km'\n"
+        "phase = { mie = 'drops' }\nnumber_density = '0.5 /cm3'\n" +
+        bakes);
     test::SharedBakes shared;
     std::vector<Baked> made;
     for (const config::Bake& bake : peaked.parameters.bakes) {
