@@ -150,7 +150,7 @@ shot() {
     local profile
     profile=$(mktemp -d)
     chromium --headless --no-sandbox --hide-scrollbars --disable-background-networking --user-data-dir="$profile" \
-        --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=10000 \
+        --use-angle=swiftshader --enable-unsafe-swiftshader --virtual-time-budget=4000 \
         --window-size="$3" --screenshot="$2" "${@:4}" "file://$1" >/dev/null 2>&1
     rm -rf "$profile"
 }

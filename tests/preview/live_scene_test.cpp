@@ -74,7 +74,7 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
 }
 
-// The matrix of the lookup makes equal channels of the daylight on level ground.
+// The matrix of the lookup makes equal channels of the daylight on level ground, of the same luminance.
 TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     const PreviewAssets assets = baked(kSky);
     const auto film = film_lookup(assets, 1);
@@ -96,6 +96,12 @@ TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     }
     EXPECT_NEAR(white.x / white.y, 1, 1e-4);
     EXPECT_NEAR(white.z / white.y, 1, 1e-4);
+    // Three wavelengths are shown as they are without that white, and luminance stays.
+    const auto luminance = [](const auto& at) {
+        return 0.2126 * at(0) + 0.7152 * at(1) + 0.0722 * at(2);
+    };
+    EXPECT_NEAR(luminance([&](std::size_t c) { return ground.sun[c] + ground.sky[c]; }) / white.y,
+                1, 1e-3);
     EXPECT_FALSE(film_lookup(baked(kCloud), 1).value);
 }
 

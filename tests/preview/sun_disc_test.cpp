@@ -87,7 +87,6 @@ TEST(GlareVeil, IsThatOfTheDisabilityGlareEquation) {
     }
 }
 
-// All of the light is somewhere: the function of CIE 135/1 with its narrowest term integrates to 1.
 // A lens scatters a hundredth, which is over the half sphere of directions from which light falls on a
 // picture, and by the inverse square of the angle's sine (KenKnight 1984).
 TEST(LensVeil, ScattersAHundredthByTheInverseSquare) {
@@ -104,8 +103,8 @@ TEST(LensVeil, ScattersAHundredthByTheInverseSquare) {
                 std::pow(std::sin(8 * kRadians) / std::sin(4 * kRadians), 2), 0.02);
 }
 
-// All glare is before the sun: from 90 degrees on, pictures with it and without it are the same. The panorama
-// is at all azimuths around a sun of 30 degrees, so it has texels at 150 degrees from the sun.
+// All glare is before the sun, by the cosine of the angle from it: from 90 degrees on, pictures with it and
+// without it are the same. The panorama is at all azimuths around a sun of 30 degrees, so it has texels at 150 degrees from the sun.
 TEST(Glare, IsNoneFromARightAngleOn) {
     const SkyView view = panorama(90, 45, -90, 90, 30);
     const Image2<float> plain = picture_of(view, Glare::none);
@@ -119,8 +118,11 @@ TEST(Glare, IsNoneFromARightAngleOn) {
                 if (cosine <= 0) {
                     EXPECT_EQ(added, 0) << x << ", " << y;
                     behind += cosine < -0.86 ? 1 : 0;
-                } else if (cosine < 0.99) {
-                    EXPECT_GT(added, 0) << x << ", " << y;
+                } else if (cosine < 0.97) {  // nearer ones are means over pixels
+                    const double degrees = std::acos(cosine) / kRadians;
+                    const double veil =
+                        glare == Glare::eye ? glare_veil(degrees) : lens_veil(degrees);
+                    EXPECT_NEAR(added / (sunlight(30) * cosine * veil), 1, 0.01) << degrees;
                 }
             }
         }
@@ -128,6 +130,37 @@ TEST(Glare, IsNoneFromARightAngleOn) {
     }
 }
 
+// Next to the disc, an eye's veil is the mean of those of all points of the disc, which a square lattice shows.
+TEST(GlareVeil, OfTheDiscIsTheMeanOfItsPoints) {
+    constexpr double kDisc = 0.2665;
+    constexpr int kLattice = 80;
+    const auto mean_veil = [&](double degrees) {
+        double sum = 0;
+        int count = 0;
+        for (int j = 0; j < kLattice; ++j) {
+            for (int i = 0; i < kLattice; ++i) {
+                const double x = kDisc * (2 * (i + 0.5) / kLattice - 1);
+                const double y = kDisc * (2 * (j + 0.5) / kLattice - 1);
+                if (std::hypot(x, y) > kDisc) continue;
+                sum += glare_veil(std::hypot(degrees - x, y));
+                ++count;
+            }
+        }
+        return sum / count;
+    };
+    const SkyView view = panorama(18000, 1, 29.99, 30.01, 30);
+    const Image2<float> picture = picture_of(view, Glare::eye);
+    int seen = 0;
+    for (int x = 0; x < view.width; ++x) {
+        const double degrees = std::acos(direction_at(view, x, 0)->cosine_to_sun) / kRadians;
+        if (degrees < 1.3 * kDisc || degrees > 4 * kDisc) continue;
+        EXPECT_NEAR(*picture.texel(x, 0) / (sunlight(30) * mean_veil(degrees)), 1, 0.02) << degrees;
+        ++seen;
+    }
+    EXPECT_GT(seen, 50);
+}
+
+// All of the light is somewhere: the function of CIE 135/1 with its narrowest term integrates to 1.
 TEST(GlareVeil, AndTheNarrowestTermAreAllOfTheLight) {
     const double of_age = 1 - 0.08 * std::pow(25 / 70.0, 4);
     double light = 0;

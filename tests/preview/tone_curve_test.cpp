@@ -164,6 +164,14 @@ TEST(ToneMapped, ShowsTheSettingSunNoMoreYellowThanTheSkyAroundIt) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_GE(mean_of(sun, c), mean_of(sky, c)) << c;
 }
 
+std::array<double, 3> linear_shown(const std::vector<float>& light, double exposure,
+                                   ToneCurve curve) {
+    const Picture picture = field(light, exposure, curve);
+    std::array<double, 3> linear;
+    for (std::size_t c = 0; c < 3; ++c) linear[c] = linear_of(mean_of(picture, c) / 255);
+    return linear;
+}
+
 // A saturated blue that is far too bright turns to white by the film-like curves, and not by the
 // exponential.
 TEST(ToneMapped, DesaturatesBrightColorsByFilmLikeCurves) {
@@ -175,6 +183,9 @@ TEST(ToneMapped, DesaturatesBrightColorsByFilmLikeCurves) {
     EXPECT_GT(spread(ToneCurve::exponential), 40);
     EXPECT_LT(spread(ToneCurve::aces), 0.8 * spread(ToneCurve::exponential));
     EXPECT_LT(spread(ToneCurve::agx), 0.8 * spread(ToneCurve::exponential));
+    // 1 - 1 / (1 + 0.15 (64 - 1)) of white is mixed in, and a channel of 12.8 alone is white too.
+    EXPECT_NEAR(linear_shown(blue, 64, ToneCurve::film)[0], 0.85 * (0.2 + 0.8 * 0.904) + 0.15,
+                0.01);
 }
 
 // The hue in degrees by Oklab (Ottosson 2020).
@@ -186,14 +197,6 @@ double hue_of(const std::array<double, 3>& linear) {
     return std::atan2(0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s,
                       1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s) *
            180 / std::numbers::pi;
-}
-
-std::array<double, 3> linear_shown(const std::vector<float>& light, double exposure,
-                                   ToneCurve curve) {
-    const Picture picture = field(light, exposure, curve);
-    std::array<double, 3> linear;
-    for (std::size_t c = 0; c < 3; ++c) linear[c] = linear_of(mean_of(picture, c) / 255);
-    return linear;
 }
 
 // How far the hue turns, either way, while light grows from a quarter of white by six stops.
