@@ -12,7 +12,6 @@
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
-#include "bakers/workspace/bake_frames.h"
 #include "bakers/workspace/depfile.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -44,6 +43,7 @@ FolderBake folder_bake(const Invocation& invocation, const BakeSelection& select
     bake.certification = invocation[options::certify];
     bake.force = invocation[options::force];
     bake.prune = invocation[options::prune];
+    bake.frame_by_frame = true;
     bake.memory_limit_mib = memory_limit_mib(invocation);
     return bake;
 }
@@ -108,7 +108,7 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
     BakeReporter reporter(console, json);
-    const auto baked = bake_frames_and_folder(bake, reporter);
+    const auto baked = bake_folder(bake, reporter);
     if (interrupted() && !baked.value) {
         console.note(has_frames(bake) ? "interrupted; frames that were complete are kept\n"
                                       : "interrupted; nothing was written\n");

@@ -123,12 +123,18 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
         std::vector{usage_error("no command is given", "`skybake --help` lists the commands")});
 }
 
-ExitCode internal_error(Console& console, const std::string& what) {
+ExitCode report_exception(Console& console, const std::exception& exception) {
     config::Diagnostic diagnostic;
-    diagnostic.code = "E0500";
-    diagnostic.message = fmt::format("internal error: {}", what);
-    console.report({&diagnostic, 1});
-    return ExitCode::internal;
+    if (is_want_of_threads(exception)) {
+        diagnostic.code = "E0306";
+        diagnostic.message = want_of_threads;
+    } else {
+        const bool is_memory = dynamic_cast<const std::bad_alloc*>(&exception) != nullptr;
+        diagnostic.code = "E0500";
+        diagnostic.message = fmt::format(
+            "internal error: {}", is_memory ? "there is not enough memory" : exception.what());
+    }
+    return console.report({&diagnostic, 1});
 }
 
 }  // namespace
@@ -143,10 +149,8 @@ ExitCode run(std::span<const std::string> words, Sink out, Sink error,
     ExitCode code = ExitCode::internal;
     try {
         code = answer(line, words.empty(), console);
-    } catch (const std::bad_alloc&) {
-        code = internal_error(console, "there is not enough memory");
     } catch (const std::exception& exception) {
-        code = internal_error(console, exception.what());
+        code = report_exception(console, exception);
     }
     return console.finish(code);
 }

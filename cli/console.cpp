@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
 #include <utility>
 
 #include "bakers/io/files/atomic_file.h"
 #include "cli/events.h"
 #include "config/diagnostics/diagnostic_codes.h"
+#include "config/text/key_path.h"
 
 namespace skybake::cli {
 namespace {
@@ -66,6 +70,30 @@ void on_end_of_patience(int) {
     errno = error;
 }
 
+// Makes a text of many lines, which may have tabs, safe for a terminal.
+std::string printable_lines(std::string_view text) {
+    std::string result;
+    while (true) {
+        const std::size_t end = std::min(text.find_first_of("\n\t"), text.size());
+        result += config::printable(text.substr(0, end));
+        if (end == text.size()) return result;
+        result += text[end];
+        text.remove_prefix(end + 1);
+    }
+}
+
+// Returns diagnostics in which nothing controls a terminal. Their lines of text are left to the
+// printer, which marks columns in them.
+std::vector<config::Diagnostic> printable(std::vector<config::Diagnostic> diagnostics) {
+    for (config::Diagnostic& diagnostic : diagnostics) {
+        for (std::string* text :
+             {&diagnostic.message, &diagnostic.label, &diagnostic.where.source}) {
+            *text = config::printable(*text);
+        }
+    }
+    return diagnostics;
+}
+
 }  // namespace
 
 Sink descriptor_sink(int descriptor) {
@@ -94,7 +122,7 @@ Console::Console(Sink out, Sink error, Display display)
     : out_(std::move(out)), error_(std::move(error)), display_(display) {}
 
 void Console::result(std::string_view text) {
-    if (!result_lost_ && !out_.write(text)) result_lost_ = true;
+    if (!result_lost_ && !out_.write(printable_lines(text))) result_lost_ = true;
 }
 
 bool Console::shows_notes() const {
@@ -107,7 +135,11 @@ void Console::write_error(std::string_view text) {
 }
 
 void Console::note(std::string_view text) {
-    if (shows_notes()) write_error(text);
+    if (shows_notes()) write_error(printable_lines(text));
+}
+
+void Console::rewrite_line(std::string_view text) {
+    if (shows_notes()) write_error("\r\033[K" + config::printable(text));
 }
 
 void Console::detail(std::string_view text) {
@@ -123,6 +155,7 @@ ExitCode Console::report_results(std::span<const config::Diagnostic> diagnostics
 }
 
 ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> diagnostics) {
+    const std::vector<config::Diagnostic> all(diagnostics.begin(), diagnostics.end());
     if (display_.json) {
         reported_.insert(reported_.end(), diagnostics.begin(), diagnostics.end());
     }
@@ -131,7 +164,8 @@ ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> di
         sarif_is_result_ = sarif_is_result_ || results;
     } else {
         const std::string text =
-            print_diagnostics(diagnostics, display_.diagnostics, display_.color);
+            print_diagnostics(is_machine_format(display_.diagnostics) ? all : printable(all),
+                              display_.diagnostics, display_.color);
         if (results) {
             result(text);
         } else {
@@ -184,5 +218,39 @@ void install_signal_handlers() {
 }
 
 bool interrupted() { return signal_arrived; }
+
+bool is_want_of_threads(const std::exception& exception) {
+    const auto* error = dynamic_cast<const std::system_error*>(&exception);
+    return (error != nullptr && error->code() == std::errc::resource_unavailable_try_again) ||
+           std::string_view(exception.what()).starts_with("pthread_create");  // of TBB
+}
+
+namespace {
+
+// It was tried before whether the threads can begin, but other processes may have taken them since.
+[[noreturn]] void end_of_process() {
+    remove_unfinished_files();
+    const char* reason = nullptr;  // without an exception, a thread that began has lost its owner
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            reason = "of an unknown kind";
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::exception& exception) {
+        reason = is_want_of_threads(exception) ? nullptr : exception.what();
+    } catch (...) {
+    }
+    if (reason == nullptr) {
+        std::fprintf(stderr, "error[E0306]: %.*s\n", static_cast<int>(want_of_threads.size()),
+                     want_of_threads.data());
+        ::_exit(static_cast<int>(ExitCode::io));
+    }
+    std::fprintf(stderr, "error[E0500]: internal error: %s\n", reason);
+    ::_exit(static_cast<int>(ExitCode::internal));
+}
+
+}  // namespace
+
+void install_end_of_process() { std::set_terminate(end_of_process); }
 
 }  // namespace skybake::cli

@@ -2,6 +2,7 @@
 // on stdout, words for people and diagnostics on stderr, the exit code, and interruptions.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <mutex>
 #include <span>
@@ -65,11 +66,14 @@ class Console {
   public:
     Console(Sink out, Sink error, Display display);
 
-    // Writes a text to stdout as it is. The text brings its own newlines.
+    // Writes a text to stdout. The text brings its own newlines. Whatever files and folders are called,
+    // nothing that would control a terminal reaches it; this holds for notes, too.
     void result(std::string_view text);
     // Writes to stderr. It writes nothing if -q was given or if diagnostics are for a machine
     // (json, sarif), which then has stderr to itself.
     void note(std::string_view text);
+    // Writes a note over the last line of a terminal.
+    void rewrite_line(std::string_view text);
     // Writes to stderr, only with -v.
     void detail(std::string_view text);
 
@@ -116,5 +120,15 @@ void install_signal_handlers();
 
 // True once a signal has arrived.
 bool interrupted();
+
+// Ends the process without a partial file when a library gives up. Libraries do so where a thread of
+// theirs cannot begin, which E0306 says; everything else is a mistake in the program.
+void install_end_of_process();
+
+inline constexpr std::string_view want_of_threads =
+    "the system lets this process begin no more threads (ulimit -u, or pids.max of a container)";
+
+// Whether an exception says that a thread could not begin.
+bool is_want_of_threads(const std::exception& exception);
 
 }  // namespace skybake::cli

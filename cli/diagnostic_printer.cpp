@@ -133,7 +133,7 @@ std::string human_one(const Diagnostic& diagnostic, const Palette& palette) {
     if (!where.source.empty()) {
         text += fmt::format("{} -->{} {}\n", palette.gutter, palette.off, place(where));
     }
-    if (where.line > 0 && where.column > 0) {
+    if (where.line > 0 && where.column > 0 && !where.line_text.empty()) {
         text += human_line(diagnostic, palette);
     } else if (!diagnostic.label.empty()) {
         text += fmt::format("{}  ={} {}\n", palette.gutter, palette.off, diagnostic.label);

@@ -29,6 +29,7 @@ int main(int argc, char** argv) {
     using namespace skybake::cli;
     occupy_standard_descriptors();
     install_signal_handlers();
+    install_end_of_process();
     skybake::keep_freed_memory();
     try {
         const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);

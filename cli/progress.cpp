@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 #include <utility>
 
 #include "cli/console.h"
@@ -65,7 +66,11 @@ ProgressLine::ProgressLine(Console& console, std::function<std::string()> text)
 ProgressLine::ProgressLine(Console& console, std::function<std::string()> text,
                            std::chrono::milliseconds every)
     : console_(console), text_(std::move(text)), every_(every) {
-    if (console.shows_notes() && !console.display().json) teller_ = std::thread([this] { tell(); });
+    if (!console.shows_notes() || console.display().json) return;
+    try {
+        teller_ = std::thread([this] { tell(); });
+    } catch (const std::system_error&) {  // the system grants no thread: the work goes on untold
+    }
 }
 
 ProgressLine::~ProgressLine() {
@@ -75,7 +80,7 @@ ProgressLine::~ProgressLine() {
     }
     wake_.notify_all();
     if (teller_.joinable()) teller_.join();
-    if (shown_ && console_.error_is_terminal()) console_.note("\r\033[K");
+    if (shown_ && console_.error_is_terminal()) console_.rewrite_line("");
 }
 
 void ProgressLine::tell() {
@@ -83,8 +88,11 @@ void ProgressLine::tell() {
     while (!wake_.wait_for(lock, every_, [this] { return ended_; })) {
         const std::string text = text_();
         if (text.empty()) continue;
-        console_.note(console_.error_is_terminal() ? fmt::format("\r\033[K  {}", text)
-                                                   : text + "\n");
+        if (console_.error_is_terminal()) {
+            console_.rewrite_line("  " + text);
+        } else {
+            console_.note(text + "\n");
+        }
         shown_ = true;
     }
 }

@@ -77,11 +77,22 @@ std::string openjd_template(const SweepScript& script) {
     return job.dump(2) + "\n";
 }
 
+namespace {
+
+// Escapes a word of a container's command, in which Kubernetes replaces $(NAME) and $$.
+std::string kubernetes_word(const std::string& word) {
+    std::string text;
+    for (const char c : shell_word(word)) text += c == '$' ? "$$" : std::string(1, c);
+    return text;
+}
+
+}  // namespace
+
 std::string kubernetes_job(const SweepScript& script) {
     // Kubernetes counts from 0, shards from 1.
     std::string command = "exec skybake";
     for (std::size_t i = 1; i < script.words.size(); ++i) {
-        command += ' ' + shell_word(script.words[i]);
+        command += ' ' + kubernetes_word(script.words[i]);
     }
     command += fmt::format(" -j {} --shard \"$((JOB_COMPLETION_INDEX + 1))/{}\"", script.threads,
                            script.tasks);

@@ -94,8 +94,8 @@ void SweepReporter::advance(const VariantResult& variant, std::string_view step,
 }
 
 void SweepReporter::waits(const VariantResult& variant) {
-    console_.note(fmt::format("{}waiting: another skybake is baking {}\n",
-                              console_.error_is_terminal() ? "\r\033[K" : "", variant.name));
+    if (console_.error_is_terminal()) console_.rewrite_line("");
+    console_.note(fmt::format("waiting: another skybake is baking {}\n", variant.name));
 }
 
 void SweepReporter::finished(const VariantResult& variant, bool made, double seconds) {

@@ -48,12 +48,18 @@ std::string as_text(const VerifyReport& report) {
                               report.files == 1 ? "" : "s", report.checks, verdict);
 }
 
-// Reports a baked file that is given instead of the folder that contains it.
+// Reports a recipe or a baked file that is given instead of the folder of a bake.
 std::vector<config::Diagnostic> check_path(const fs::path& path) {
     const std::string extension = path.extension().string();
     const bool is_baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;
     std::error_code error;
-    if (!is_baked || !fs::is_regular_file(path, error)) return {};
+    if (!fs::is_regular_file(path, error)) return {};
+    if (extension == ".toml") {
+        return {usage_error(fmt::format("`{}` is a recipe; verify takes the folder of its bake",
+                                        config::printable(path.string())),
+                            "skybake verify out; `skybake check` finds the errors of a recipe")};
+    }
+    if (!is_baked) return {};
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
     return {usage_error(fmt::format("`{}` is one file of a bake; verify takes the folder",
                                     config::printable(path.string())),

@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <mutex>
 #include <set>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -72,7 +73,10 @@ class Pipeline {
 // Runs `work` on this thread and on `helpers` others.
 void run_on_threads(int helpers, const std::function<void()>& work) {
     std::vector<std::thread> others;
-    for (int i = 0; i < helpers; ++i) others.emplace_back(work);
+    try {
+        for (int i = 0; i < helpers; ++i) others.emplace_back(work);
+    } catch (const std::system_error&) {  // the system grants no more
+    }
     work();
     for (std::thread& other : others) other.join();
 }

@@ -4,36 +4,63 @@
 #include <oneapi/tbb/partitioner.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cassert>
 #include <cstddef>
+#include <limits>
+#include <mutex>
 
 #include "bakers/math/parallel.h"
+#include "bakers/math/startable_threads.h"
 
 namespace skybake {
 
 namespace {
 
+using oneapi::tbb::global_control;
+
 // More threads than processors are the user's to ask for; TBB would warn and run fewer.
 void run_with_threads(int threads, const std::function<void()>& work) {
-    const oneapi::tbb::global_control limit(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(threads));
+    const global_control limit(global_control::max_allowed_parallelism,
+                               static_cast<std::size_t>(threads));
     oneapi::tbb::task_arena arena(threads);
     arena.execute(work);
+}
+
+// Returns `threads`, or how many the system grants if these are fewer. TBB ends the process when a
+// thread of it cannot begin, so it never asks for more than were granted, whoever uses it. One thread
+// is left to whoever tells how far the work is.
+int granted(int threads) {
+    static std::mutex mutex;
+    static int asked = 1;
+    static int most = std::numeric_limits<int>::max();
+    const std::lock_guard lock(mutex);
+    if (threads > asked && asked < most) {
+        asked = threads;
+        const int startable = startable_threads(threads);
+        if (startable < threads) {
+            most = std::max(startable, 1);
+            static const global_control limit(global_control::max_allowed_parallelism,
+                                              static_cast<std::size_t>(most));
+        }
+    }
+    return std::min(threads, most);
 }
 
 }  // namespace
 
 int thread_count(int threads) {
-    return threads > 0 ? threads : oneapi::tbb::this_task_arena::max_concurrency();
+    return granted(threads > 0 ? threads : oneapi::tbb::this_task_arena::max_concurrency());
 }
 
 void parallel_for(int count, int threads, const std::function<void(int)>& tile) {
-    if (thread_count(threads) == 1 || count <= 1) {
+    const int own = count <= 1 ? 1 : thread_count(threads);
+    if (own == 1) {
         for (int i = 0; i < count; ++i) tile(i);
         return;
     }
-    run_with_threads(thread_count(threads), [&] {
+    run_with_threads(own, [&] {
         oneapi::tbb::parallel_for(0, count, tile, oneapi::tbb::simple_partitioner());
     });
 }
@@ -42,7 +69,8 @@ void ordered_pipeline(int count, int threads, int slots,
                       const std::function<void(int index, int slot)>& produce,
                       const std::function<bool(int index, int slot)>& consume) {
     assert(slots >= 1);
-    if (thread_count(threads) == 1 || slots == 1 || count <= 1) {
+    const int own = slots == 1 || count <= 1 ? 1 : thread_count(threads);
+    if (own == 1) {
         for (int i = 0; i < count; ++i) {
             produce(i, 0);
             if (!consume(i, 0)) return;
@@ -70,7 +98,7 @@ void ordered_pipeline(int count, int threads, int slots,
     const auto give = make_filter<int, void>(filter_mode::serial_in_order, [&](int index) {
         if (!stopped && !consume(index, index % slots)) stopped = true;
     });
-    run_with_threads(thread_count(threads), [&] {
+    run_with_threads(own, [&] {
         oneapi::tbb::parallel_pipeline(static_cast<std::size_t>(slots), take & make & give);
     });
 }

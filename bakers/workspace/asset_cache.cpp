@@ -5,10 +5,13 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/system_call.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/cache_folder.h"
@@ -40,13 +43,18 @@ Diagnostic unwritable(const fs::path& path, const std::string& reason) {
                       fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
+std::error_code renamed(const fs::path& from, const fs::path& to) {
+    const bool done = uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) == 0;
+    return {done ? 0 : errno, std::generic_category()};
+}
+
 // Gives a complete folder of `pending` its name.
 std::vector<Diagnostic> take_in(const fs::path& pending, const fs::path& target) {
     std::error_code error;
     fs::create_directories(target.parent_path(), error);
     if (error) return {unwritable(target, error.message())};
     if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
-    fs::rename(pending, target, error);
+    error = renamed(pending, target);
     // If another process was faster, its entry holds the same bytes.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
     return {};
@@ -56,7 +64,7 @@ std::vector<Diagnostic> take_in(const fs::path& pending, const fs::path& target)
 std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entry) {
     std::error_code error;
     const PendingFolder pending(cache, error);
-    if (!error) fs::rename(entry, pending.path() / "entry", error);
+    if (!error) error = renamed(entry, pending.path() / "entry");
     if (error && fs::exists(entry)) return {unwritable(entry, error.message())};
     return {};
 }

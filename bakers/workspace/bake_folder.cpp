@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -15,6 +16,7 @@
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
+#include "bakers/io/manifest/journal.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/copy_asset.h"
@@ -44,21 +46,25 @@ bool has_files_of(const config::Bake& bake, const ManifestAsset& entry) {
     return entry.name == bake.name && found == expected;
 }
 
-// Voxels are held only in memory that the bake does not need otherwise.
-std::int64_t held_voxel_bytes(const FolderBake& bake, const FolderPlan& plan) {
-    return bytes_to_keep(bake.held_voxel_bytes, bake.memory_limit_mib, plan.memory_mib());
+bool is_frame(const FolderBake& bake, const config::Bake& asset) {
+    return config::frame_of(bake.recipe->parameters, asset) > 0;
 }
 
 // One bake into one locked folder. Each step returns whether to go on. If not, the diagnostics say
 // why; after an interruption there are none.
 class FolderMaker {
   public:
+    // Voxels are held only in memory that the bake does not need otherwise.
     FolderMaker(const FolderBake& bake, const FolderPlan& plan, BakeObserver& observer)
         : bake_(bake),
           plan_(plan),
           observer_(observer),
-          own_intermediates_(held_voxel_bytes(bake, plan)),
+          held_voxel_bytes_(
+              bytes_to_keep(bake.held_voxel_bytes, bake.memory_limit_mib, plan.memory_mib())),
+          own_intermediates_(held_voxel_bytes_),
           intermediates_(bake.intermediates ? *bake.intermediates : own_intermediates_),
+          files_(LeftOvers::already_looked_for),
+          journal_(bake.folder),
           prepared_(plan.assets.size()) {
         for (const PlannedAsset& planned : plan.assets) {
             expected_.push_back(intermediates_.expect(planned.needs));
@@ -71,11 +77,17 @@ class FolderMaker {
     }
 
     Outcome<BakedFolder> make() {
-        if (!has_modules() || !make_all() || !stage_all() || !stage_manifest() || !commit() ||
-            !prune()) {
-            return {{}, std::move(diagnostics_)};
+        const bool made = has_modules() && make_frames() && make_all() && stage_all() &&
+                          stage_manifest() && commit(unnamed());
+        if (made) {
+            journal_.end();
+        } else if (!is_half_named_) {
+            list_named();
         }
-        return {std::move(result_), std::move(diagnostics_)};
+        if (made && offer_up_to_date() && prune()) {
+            return {std::move(result_), std::move(diagnostics_)};
+        }
+        return {{}, std::move(diagnostics_)};
     }
 
   private:
@@ -98,17 +110,43 @@ class FolderMaker {
         return true;
     }
 
-    // Copies each stale asset from a source or bakes it. All assets are tried, so that one run
-    // shows all errors.
+    // Makes the frames of a sequence one after the other, and gives each its names.
+    bool make_frames() {
+        if (!bake_.frame_by_frame) return true;
+        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
+            const PlannedAsset& planned = plan_.assets[i];
+            if (!planned.stale() || !is_frame(bake_, *planned.bake)) continue;
+            const bool made = make(i);
+            if (observer_.cancelled()) return stop_for_interruption();
+            if (!made || !stage(i) || !commit({i})) return false;
+        }
+        return true;
+    }
+
+    // Makes all other assets. All are tried, so that one run shows all errors.
     bool make_all() {
         bool good = true;
-        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
-            if (!plan_.assets[i].stale()) continue;
-            const auto progress = observer_.begin(plan_.assets[i].bake->name);
-            good = (copy(i, *progress) || bake(i, *progress)) && good;
-            expected_[i] = {};
+        for (const std::size_t i : unnamed()) {
+            good = make(i) && good;
             if (observer_.cancelled()) return stop_for_interruption();
         }
+        return good;
+    }
+
+    // Returns the stale assets whose files do not have their names yet.
+    std::vector<std::size_t> unnamed() const {
+        std::vector<std::size_t> assets;
+        for (std::size_t i = 0; i < plan_.assets.size(); ++i) {
+            if (plan_.assets[i].stale() && !named_.contains(i)) assets.push_back(i);
+        }
+        return assets;
+    }
+
+    // Copies a stale asset from a source or bakes it.
+    bool make(std::size_t i) {
+        const auto progress = observer_.begin(plan_.assets[i].bake->name);
+        const bool good = copy(i, *progress) || bake(i, *progress);
+        expected_[i] = {};
         return good;
     }
 
@@ -135,7 +173,7 @@ class FolderMaker {
         options.threads = bake_.threads;
         options.certification = bake_.certification;
         options.progress = &progress;
-        options.held_voxel_bytes = held_voxel_bytes(bake_, plan_);
+        options.held_voxel_bytes = held_voxel_bytes_;
         options.intermediates = &intermediates_;
         BakeClock clock;
         auto baked = bake_asset(*bake_.recipe, *planned.bake, options);
@@ -165,19 +203,26 @@ class FolderMaker {
 
     bool stage_all() {
         for (std::size_t i = 0; i < prepared_.size(); ++i) {
-            if (!prepared_[i]) continue;
-            const auto progress = observer_.begin(plan_.assets[i].bake->name);
-            auto& [baked, entry] = *prepared_[i];
-            auto staged =
-                stage_files(baked, entry, bake_.folder, files_, bake_.threads, progress.get());
-            if (!staged.value) return stop(std::move(staged.diagnostics));
-            if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
-            result_.assets[i] = {AssetState::baked, std::move(entry), std::move(*staged.value)};
+            if (!stage(i)) return false;
         }
         return true;
     }
 
-    // Stages the manifest last, so that it gets its name first.
+    // Stages the files of an asset that was baked; those of a copied one are staged.
+    bool stage(std::size_t i) {
+        if (!prepared_[i]) return true;
+        const auto progress = observer_.begin(plan_.assets[i].bake->name);
+        auto& [baked, entry] = *prepared_[i];
+        auto staged =
+            stage_files(baked, entry, bake_.folder, files_, bake_.threads, progress.get());
+        if (!staged.value) return stop(std::move(staged.diagnostics));
+        if (staged.value->back() == WriteResult::interrupted) return stop_for_interruption();
+        result_.assets[i] = {AssetState::baked, std::move(entry), std::move(*staged.value)};
+        prepared_[i].reset();
+        return true;
+    }
+
+    // Stages the manifest last, so that it gets its name last: whoever sees it sees its files.
     bool stage_manifest() {
         Manifest manifest = new_manifest(*bake_.recipe);
         for (const FinishedAsset& finished : result_.assets) {
@@ -252,13 +297,48 @@ class FolderMaker {
         }
     }
 
-    bool commit() {
-        auto failures = files_.commit();
+    // Gives the staged files their names, which the journal tells before.
+    bool commit(const std::vector<std::size_t>& assets) {
+        std::vector<ManifestAsset> entries;
+        for (const std::size_t i : assets) entries.push_back(result_.assets[i].entry);
+        auto failures = journal_.add(entries);
+        const std::size_t staged = files_.size();
+        if (failures.empty()) failures = files_.commit();
+        is_half_named_ = files_.size() < staged && !failures.empty();
         if (!failures.empty()) return stop(std::move(failures));
+        named_.insert(assets.begin(), assets.end());
+        for (const ManifestAsset& entry : entries) offer(entry);
+        return true;
+    }
+
+    void offer(const ManifestAsset& entry) {
+        for (AssetSource* source : bake_.sources) source->offer({bake_.folder, entry});
+    }
+
+    bool offer_up_to_date() {
         for (const FinishedAsset& finished : result_.assets) {
-            for (AssetSource* source : bake_.sources) source->offer({bake_.folder, finished.entry});
+            if (finished.state == AssetState::up_to_date) offer(finished.entry);
         }
         return true;
+    }
+
+    // Writes a manifest of what has got its names before an interruption or an error.
+    void list_named() {
+        if (named_.empty()) return journal_.discard();
+        Manifest manifest = new_manifest(*bake_.recipe);
+        for (const std::size_t i : named_) manifest.assets.push_back(result_.assets[i].entry);
+        if (plan_.folder.previous) {
+            const Manifest& previous = *plan_.folder.previous;
+            manifest = merge_manifests(previous, std::move(manifest));
+            manifest.retired = files_no_longer_made(previous, manifest);
+        }
+        files_.shrink(0);
+        const std::string text = manifest_json(manifest);
+        auto failures =
+            files_.stage(bake_.folder / manifest_name, std::string_view(text)).diagnostics;
+        if (failures.empty()) failures = files_.commit();
+        if (failures.empty()) return journal_.end();
+        if (!diagnostics_.empty()) stop(std::move(failures));
     }
 
     // Drops the diagnostics found so far, because the user does not want to read them after
@@ -271,12 +351,16 @@ class FolderMaker {
     const FolderBake& bake_;
     const FolderPlan& plan_;
     BakeObserver& observer_;
+    const std::int64_t held_voxel_bytes_;
     Intermediates own_intermediates_;
     Intermediates& intermediates_;
     std::vector<Intermediates::Expected> expected_;  // of each asset, until it is made
     BakedFolder result_;
     Manifest manifest_;
     AtomicFiles files_;
+    BakeJournal journal_;
+    std::set<std::size_t> named_;  // assets whose files have their names
+    bool is_half_named_ = false;   // a commit failed, and the journal alone knows where
     // An asset whose bake has succeeded, and its entry in the manifest. Nothing has been written to
     // the disk yet.
     struct PreparedAsset {
@@ -287,9 +371,20 @@ class FolderMaker {
     std::vector<Diagnostic> diagnostics_;
 };
 
+// Folders that this process has made, and removes again if nothing comes into them.
+class MadeFolders {
+  public:
+    explicit MadeFolders(std::vector<fs::path> folders) : folders_(std::move(folders)) {}
+    MadeFolders(MadeFolders&& other) noexcept : folders_(std::exchange(other.folders_, {})) {}
+    ~MadeFolders() { remove_empty_folders(folders_); }
+
+  private:
+    std::vector<fs::path> folders_;
+};
+
 struct LockedFolder {
+    MadeFolders made;
     FolderLock lock;
-    std::vector<fs::path> made;  // by this process
 };
 
 // Makes and locks the folder, repeatedly if necessary: another process may remove the folder that
@@ -304,7 +399,9 @@ Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer
         auto made = create_output_folder(folder);
         if (!made.value) return {{}, std::move(made.diagnostics)};
         auto lock = FolderLock::acquire(folder, waits, [&] { return observer.cancelled(); });
-        if (lock.value) return {LockedFolder{std::move(*lock.value), std::move(*made.value)}, {}};
+        if (lock.value) {
+            return {LockedFolder{MadeFolders(std::move(*made.value)), std::move(*lock.value)}, {}};
+        }
         std::error_code error;
         if (lock.diagnostics.empty() || fs::exists(folder, error)) {
             return {{}, std::move(lock.diagnostics)};
@@ -313,6 +410,12 @@ Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer
 }
 
 }  // namespace
+
+bool has_frames(const FolderBake& bake) {
+    return bake.frame_by_frame &&
+           std::any_of(bake.bakes.begin(), bake.bakes.end(),
+                       [&](const config::Bake& asset) { return is_frame(bake, asset); });
+}
 
 Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer) {
     auto locked = lock_folder(bake.folder, observer);
@@ -326,7 +429,6 @@ Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer)
     } else {
         outcome.diagnostics = std::move(plan.diagnostics);
     }
-    if (!outcome.value) remove_empty_folders(locked.value->made);
     return outcome;
 }
 

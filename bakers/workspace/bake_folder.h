@@ -2,8 +2,12 @@
 //
 // Only one process at a time works in a folder. Others wait and then find its work done. All assets
 // are made and all files are on the disk before the first file gets its name, and the manifest gets
-// its name first. So whenever a process is killed, the folder holds only whole files, old or new,
-// and the next bake sees by the hashes which of them do not match the manifest.
+// its name last. So whenever a process is killed, the folder holds only whole files, old or new,
+// and the next bake sees by the hashes which of them do not match the manifest, and by a journal
+// (bakers/io/manifest/journal.h) which of them are new.
+//
+// With frame_by_frame each frame of a sequence has its name as soon as it is complete. So a sequence
+// that is interrupted goes on where it stopped, and a program may show the frames that are there.
 #pragma once
 
 #include <memory>
@@ -52,10 +56,13 @@ struct BakedFolder {
 
 // Bakes into the folder. After errors of plan_folder, of bakers (E0401 to E0405, E0407) or of
 // writing (E0301), the folder is unchanged, except that after a failed rename the files already
-// renamed keep their names. E0301 can also mean that a file could not be removed; then everything
+// renamed keep their names, and that complete frames stay and are in the manifest. E0301 can also mean that a file could not be removed; then everything
 // else is as it should be. W0303: after a bake of a part, an entry that was not baked has other
 // values than the recipe. Warnings may accompany a value. After an interruption there is neither a
 // value nor an error.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
+
+// Whether anything is baked frame by frame.
+bool has_frames(const FolderBake& bake);
 
 }  // namespace skybake

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/system_call.h"
 
 namespace skybake {
 namespace {
@@ -29,7 +30,8 @@ constexpr std::string_view kTagText =
 // Returns the names in an open folder, or none if it cannot be read.
 std::vector<std::string> names_in(int folder) {
     std::vector<std::string> names;
-    const int copy = ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int copy = uninterrupted(
+        [&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(copy >= 0 ? ::fdopendir(copy) : nullptr,
                                                      &::closedir);
     if (!listed) {
@@ -44,7 +46,14 @@ std::vector<std::string> names_in(int folder) {
 }
 
 FileDescriptor real_folder_in(int parent, const char* name) {
-    return FileDescriptor(::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW));
+    return FileDescriptor(uninterrupted([&] {
+        return ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
+    }));
+}
+
+FileDescriptor folder_at(const fs::path& path) {
+    return FileDescriptor(uninterrupted(
+        [&] { return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
 }
 
 // Removes what an open folder holds. Symbolic links are removed and not followed.
@@ -70,7 +79,7 @@ bool is_pending_name(std::string_view name) {
 // may be a cache; whoever uses it finds out.
 bool may_become_a_cache(const fs::path& folder) {
     const std::string unfinished = fmt::format(".{}.", kTagName);
-    const FileDescriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor opened = folder_at(folder);
     if (!opened.valid()) return errno != ENOTDIR;
     for (const std::string& name : names_in(opened.get())) {
         if (!name.starts_with(unfinished)) return false;
@@ -134,9 +143,11 @@ PendingFolder::~PendingFolder() {
 // Returns false if another process has mistaken the new folder for an abandoned one in the meantime:
 // it holds the lock, or the folder is gone. Without locks, no folder counts as abandoned.
 bool PendingFolder::lock() {
-    lock_ = FileDescriptor(::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    lock_ = folder_at(path_);
     if (!lock_.valid()) return errno != ENOENT;
-    if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    if (uninterrupted([&] { return ::flock(lock_.get(), LOCK_EX | LOCK_NB); }) != 0) {
+        return errno != EWOULDBLOCK;
+    }
     struct stat named {};
     struct stat opened {};
     return ::lstat(path_.c_str(), &named) == 0 && ::fstat(lock_.get(), &opened) == 0 &&
@@ -145,7 +156,7 @@ bool PendingFolder::lock() {
 
 void remove_abandoned(const fs::path& cache) {
     if (!is_cache_folder(cache)) return;
-    const FileDescriptor root(::open(cache.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor root = folder_at(cache);
     const FileDescriptor pending = real_folder_in(root.get(), "pending");
     if (!pending.valid()) return;
     for (const std::string& name : names_in(pending.get())) {

@@ -64,16 +64,18 @@ std::optional<ReadyAsset> BakedFolders::find(const std::string& key) {
 Outcome<std::vector<WriteResult>> stage_each(const ManifestAsset& entry, const fs::path& folder,
                                              AtomicFiles& files, const Progress& progress,
                                              const AssetFileWriter& write) {
-    AtomicFiles copies;
+    const std::size_t before = files.size();
     std::vector<WriteResult> results;
     for (const ManifestFile& file : entry.files) {
         const auto write_file = [&](const fs::path& temporary) { return write(file, temporary); };
-        const Outcome<WriteResult> staged = copies.stage(folder / file.path, write_file, &progress);
-        if (!staged.value) return {{}, staged.diagnostics};
+        const Outcome<WriteResult> staged = files.stage(folder / file.path, write_file, &progress);
+        if (!staged.value) {
+            files.shrink(before);
+            return {{}, staged.diagnostics};
+        }
         results.push_back(*staged.value);
         if (results.back() == WriteResult::interrupted) return {std::move(results), {}};
     }
-    files.take(std::move(copies));
     return {std::move(results), {}};
 }
 

@@ -9,6 +9,7 @@
 #include "bakers/assets/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/manifest/journal.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/io/targets/sidecar.h"
 #include "bakers/math/hash.h"
@@ -130,16 +131,6 @@ std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, d
     if (!limit_mib) return most;
     const double left = std::max(0.0, *limit_mib - used_mib) * kMebibyte;
     return left < static_cast<double>(most) ? static_cast<std::int64_t>(left) : most;
-}
-
-bool is_as_written(const fs::path& folder, const RetiredFile& file) {
-    const fs::path path = file.path;
-    std::error_code error;
-    const bool plain = !path.has_parent_path() && path != manifest_name &&
-                       fs::is_regular_file(fs::symlink_status(folder / path, error));
-    if (!plain) return false;
-    const auto print = fingerprint(folder / path);
-    return print.value && print.value->xxh3 == file.xxh3;
 }
 
 std::size_t FolderPlan::stale_count() const {

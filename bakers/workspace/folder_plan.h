@@ -58,6 +58,7 @@ struct FolderBake {
     Certification certification = Certification::quick;
     bool force = false;                           // overwrite files that skybake did not write
     bool prune = false;                           // remove what the recipe no longer asks for
+    bool frame_by_frame = false;                  // give each frame its name when it is complete
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
     // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
     std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
@@ -101,10 +102,6 @@ struct FolderPlan {
 // Returns the bytes that may be kept of what is made: `most`, or what a bake that needs `used_mib`
 // leaves of a limit.
 std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib);
-
-// Whether a retired file is the one that skybake wrote: a plain file in the folder with the bytes
-// that its manifest says. Only such files are pruned.
-bool is_as_written(const std::filesystem::path& folder, const RetiredFile& file);
 
 // Makes a plan without changing anything. A file is up to date if it holds the bytes that the
 // manifest says, whatever its time stamp. E0002 if more than memory_limit_mib would be needed;

@@ -30,6 +30,12 @@ bool is_kept(const HttpAnswer& answer) {
     return answer.problem.empty() && answer.status >= 200 && answer.status < 300;
 }
 
+// Returns how long an asset took to make.
+double seconds_of(const Timing& timing) {
+    const BakeSeconds& bake = timing.bake;
+    return bake.light + bake.colors + bake.texels + bake.certificate + timing.write_s;
+}
+
 bool is_entry_with_safe_names(const Manifest& manifest, const std::string& key) {
     if (!is_entry_of(manifest, key)) return false;
     const auto& files = manifest.assets[0].files;
@@ -77,7 +83,7 @@ std::optional<ReadyAsset> HttpCache::find(const std::string& key) {
         text += piece;
         return text.size() <= largest_manifest;
     };
-    const HttpAnswer answer = make_request(get);
+    const HttpAnswer answer = this->get(std::move(get));
     const bool arrived = answer.status == 200 && answer.problem.empty();
     if (!arrived && text.size() <= largest_manifest) {
         if (!is_absent(answer)) {
@@ -90,6 +96,8 @@ std::optional<ReadyAsset> HttpCache::find(const std::string& key) {
     }
     const auto manifest = parse_manifest(text, name);
     if (arrived && manifest.value && is_entry_with_safe_names(*manifest.value, key)) {
+        const std::lock_guard lock(mutex_);
+        saved_s_ += seconds_of(manifest.value->assets[0].timing);
         return ReadyAsset{{}, manifest.value->assets[0]};
     }
     found_damage();
@@ -104,9 +112,10 @@ Outcome<std::vector<WriteResult>> HttpCache::stage(const ReadyAsset& asset, cons
                              [this](const ManifestFile& file, const fs::path& temporary) {
                                  return fetch(file, temporary);
                              });
-    if (!staged.value && staged.diagnostics.front().code == "E0304") {
+    if (!staged.value) {
         const std::lock_guard lock(mutex_);
-        missed_.insert(asset.entry.key);
+        saved_s_ -= seconds_of(asset.entry.timing);
+        if (staged.diagnostics.front().code == "E0304") missed_.insert(asset.entry.key);
     }
     return staged;
 }
@@ -126,7 +135,7 @@ Outcome<bool> HttpCache::fetch(const ManifestFile& file, const fs::path& to) {
         output.write(piece);
         return output.error() == 0;
     };
-    const HttpAnswer answer = make_request(get);
+    const HttpAnswer answer = this->get(std::move(get));
     if (is_cancelled()) return {false, {}};
     if (!output.finish()) return {{}, {output.diagnostic()}};
     const bool arrived = answer.status == 200 && answer.problem.empty();
@@ -137,6 +146,24 @@ Outcome<bool> HttpCache::fetch(const ManifestFile& file, const fs::path& to) {
     }
     fail("GET", answer);
     return {{}, {file_error("E0300", name, "the server does not send this file")}};
+}
+
+// Makes a request that reads. It ends with the time for reading, but a request of up to a second's bytes
+// has its own end, so that a server that fails is told from one that is slow.
+HttpAnswer HttpCache::get(HttpRequest request) {
+    const double own_end_s = request.seconds;
+    {
+        const std::lock_guard lock(mutex_);
+        const double least = limits_.start_s + 1;
+        request.seconds = std::min(own_end_s, std::max(read_seconds_left(), least));
+    }
+    const Stopwatch stopwatch;
+    const HttpAnswer answer = make_request(request);
+    const double took_s = stopwatch.seconds();
+    const bool is_cut_off = request.seconds < own_end_s && took_s >= request.seconds;
+    const std::lock_guard lock(mutex_);
+    if (answer.problem.empty() || is_cut_off) reads_s_ += took_s;
+    return answer;
 }
 
 // --- Writing ------------------------------------------------------------------------------------
@@ -215,8 +242,11 @@ double HttpCache::upload_seconds_left() {
 // A server whose entries are wrong is no longer read, but it still gets what is right.
 bool HttpCache::may_read() const {
     const std::lock_guard lock(mutex_);
-    return failures_ < limits_.failures && damaged_ < limits_.failures && !is_cancelled();
+    return failures_ < limits_.failures && damaged_ < limits_.failures &&
+           read_seconds_left() > 0 && !is_cancelled();
 }
+
+double HttpCache::read_seconds_left() const { return limits_.reads_s + saved_s_ - reads_s_; }
 
 bool HttpCache::may_write() const {
     const std::lock_guard lock(mutex_);
@@ -226,6 +256,8 @@ bool HttpCache::may_write() const {
 void HttpCache::fail(std::string_view method, const HttpAnswer& answer) {
     if (is_cancelled()) return;
     const std::lock_guard lock(mutex_);
+    // A request that ends with the time of all reading is no failure of its own.
+    if (method == "GET" && read_seconds_left() <= 0) return;
     if (failures_++ > 0) return;
     first_failure_ = answer.problem.empty()
                          ? fmt::format("{} was answered by status {}", method, answer.status)
@@ -251,6 +283,9 @@ std::vector<Diagnostic> HttpCache::problems() const {
     if (damaged_ > 0) {
         sentences.push_back(fmt::format("{} of its entries {} damaged and not used", damaged_,
                                         damaged_ == 1 ? "was" : "were"));
+    }
+    if (read_seconds_left() <= 0) {
+        sentences.push_back("it was no longer read, because reading took longer than baking does");
     }
     if (uploads_ended_) sentences.push_back("it did not get all assets, because it is slow");
     if (sentences.empty()) return {};

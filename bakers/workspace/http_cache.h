@@ -5,8 +5,10 @@
 //
 // A server costs time, never bytes. Files are held to their size and hash while they arrive. What
 // is missing, cut off or damaged is baked and then put in its place. Each request has an end
-// (Limits), and after a few failures the server is left alone for the rest of the run. The manifest
-// is put last, so that whoever finds it finds its files.
+// (Limits), and after a few failures the server is left alone for the rest of the run. Reading may take
+// as long as baking took when the entries were made, which they say, and a few seconds more; then a
+// server is slower than no cache, and is no longer read. The manifest is put last, so that whoever
+// finds it finds its files.
 //
 // Hashes protect from accidents. Whoever may write to the server is trusted, as with a folder.
 #pragma once
@@ -45,6 +47,7 @@ class HttpCache : public AssetSource {
         double bytes_per_s = 1024 * 1024;  // ... and the time of its bytes at this speed,
         double longest_s = 600;            // ... but no longer than this
         double uploads_s = 30;             // all uploads of a run, besides half of the run's time
+        double reads_s = 5;                // all reading, besides what baking took the last time
         int failures = 3;                  // then the server is left alone
     };
 
@@ -66,6 +69,7 @@ class HttpCache : public AssetSource {
 
   private:
     HttpRequest request(const std::string& name, double bytes) const;
+    HttpAnswer get(HttpRequest request);
     config::Outcome<bool> fetch(const ManifestFile& file, const std::filesystem::path& to);
     bool put(const std::string& name, std::uint64_t bytes,
              const std::function<std::optional<std::size_t>(char*, std::size_t)>& send);
@@ -76,6 +80,7 @@ class HttpCache : public AssetSource {
     bool may_read() const;
     bool may_write() const;
     double upload_seconds_left();
+    double read_seconds_left() const;  // the mutex is locked
     bool is_cancelled() const { return cancelled_ && cancelled_(); }
 
     const std::string url_;  // without a slash at its end
@@ -90,6 +95,8 @@ class HttpCache : public AssetSource {
     std::string first_failure_;
     double uploads_s_ = 0;
     bool uploads_ended_ = false;  // because of their time
+    double reads_s_ = 0;
+    double saved_s_ = 0;  // what baking took when the entries that are used were made
 };
 
 }  // namespace skybake

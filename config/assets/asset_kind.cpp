@@ -12,6 +12,7 @@
 #include "config/assets/assets.h"
 #include "config/assets/bake_parts.h"
 #include "config/assets/file_decoder.h"
+#include "config/assets/output_files.h"
 #include "config/assets/target_decoder.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -121,27 +122,6 @@ std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
     return entries;
 }
 
-std::string lower_case(std::string_view name) {
-    std::string text;
-    for (const char c : name) text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
-
-// Warns of names that only differ in upper and lower case. Many file systems of macOS and Windows
-// take their files for one file.
-void warn_of_equal_names(const std::vector<const Entry*>& entries, Decoder& decoder) {
-    std::map<std::string, const Entry*> first;
-    for (const Entry* entry : entries) {
-        const auto [earlier, is_new] = first.try_emplace(lower_case(entry->key), entry);
-        if (is_new) continue;
-        decoder.diagnostics.warning(
-            "W0209", entry->key_place,
-            fmt::format("[bake.{}] and [bake.{}] are the same file on macOS and Windows",
-                        entry->key, earlier->second->key),
-            "choose names that differ in more than capital letters");
-    }
-}
-
 using Names = std::vector<std::string>;
 
 // Whether the recipe has a layer of that name. The layer may be at fault or switched off.
@@ -213,7 +193,6 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
     std::vector<std::string_view> unreadable;
     const std::vector<const Entry*> entries =
         bakes_in_file_order(subtable(root, "bake", "", decoder));
-    warn_of_equal_names(entries, decoder);
     for (const Entry* entry : entries) {
         const Table* table = named_table(*entry, "bake", decoder);
         std::optional<OpenBake> bake =
@@ -248,6 +227,9 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
         append_values(open[i].section, decoder);
     }
+    std::vector<Place> places;
+    for (const OpenBake& bake : open) places.push_back(bake.section.place);
+    check_output_files(bakes, places, decoder);
     return bakes;
 }
 

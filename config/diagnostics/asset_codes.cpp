@@ -130,6 +130,21 @@ constexpr std::array asset_table = {
         "sun_elevations = [\"30 deg\"]",
         usage},
     DiagnosticCode{
+        "E0177", "two files of one name",
+        "Two files of a recipe would have one name, so that the second would overwrite the first: "
+        "a companion such as NAME.json or a file of a target beside another asset's, the "
+        "manifest.json of every bake, or names that differ only in capital letters, which are one "
+        "file on most disks of macOS and Windows.",
+        "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.T]\n"
+        "asset = \"irradiance\"",
+        "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.irradiance]",
+        usage},
+    DiagnosticCode{
+        "E0178", "a name that is too long for a file",
+        "Names of files have at most 255 bytes, with the ending of the longest of an asset's files: "
+        "`.mip1.exr` or `.babylon.js`, for example. Give the asset a shorter name.",
+        "", "", usage},
+    DiagnosticCode{
         "E0172", "environment that cannot be made",
         "Keys of an environment contradict each other. Clouds are volumes of densities, each of "
         "which is named once, and the camera below or above them is in the air. Faces of a cube "

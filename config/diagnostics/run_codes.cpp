@@ -31,6 +31,12 @@ constexpr std::array run_table = {
                    "must be a PNG, TIFF or OpenEXR picture with values from 0 to 1. A volume must "
                    "have finite values, and the message names the first that is not.",
                    "", "", input_or_output},
+    DiagnosticCode{"E0306", "too few threads",
+                   "A library could not begin a thread that it cannot do without. The number of "
+                   "threads is limited for a user by `ulimit -u` and for a container by pids.max, "
+                   "and other processes of the user count too. skybake itself goes on with fewer "
+                   "threads. Nothing is left half written.",
+                   "", "", input_or_output},
 
     DiagnosticCode{"E0401", "not finite",
                    "A baked value is infinite or not a number. Nothing is written.", "", "",

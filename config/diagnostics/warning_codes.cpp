@@ -71,13 +71,6 @@ constexpr std::array warning_table = {
         "asset = \"noise_volume\"\nnoise = \"n\"",
         0},
     DiagnosticCode{
-        "W0209", "names that differ only in case",
-        "Two bakes have names that differ only in capital letters. They are two files on Linux and "
-        "one on most disks of macOS and Windows, where the second overwrites the first.",
-        "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.T]\n"
-        "asset = \"irradiance\"",
-        "preset = \"earth\"\n[bake.t]\nasset = \"transmittance\"\n[bake.irradiance]", 0},
-    DiagnosticCode{
         "W0210", "an extent that is rounded up",
         "A cloud volume with `voxel_size` has cubes of exactly that edge. Where the cloud's extent "
         "is not a whole number of them, the volume is longer by part of a voxel, and the cloud is "
@@ -177,6 +170,16 @@ constexpr std::array warning_table = {
                    "of a metre, on planets as large as their air, or in tables of a few texels. "
                    "Choose a larger size, or a mapping with more texels where the message says.",
                    "size = [2, 2]", "size = [64, 32]", 0},
+    DiagnosticCode{
+        "W0220", "a name that Windows does not allow",
+        "Windows takes con, prn, aux, nul, com1 to com9 and lpt1 to lpt9 for devices, whatever "
+        "ending follows, so that nobody can copy these files there.",
+        "preset = \"earth\"\n[bake.con]\nasset = \"transmittance\"",
+        "preset = \"earth\"\n[bake.transmittance]", 0},
+    DiagnosticCode{"W0221", "a key that is set twice",
+                   "Two options --set give the same key a value. The last one counts.",
+                   "skybake bake earth.toml --set a.b=1 --set a.b=2",
+                   "skybake bake earth.toml --set a.b=2", 0},
     DiagnosticCode{
         "W0301", "the cache could not keep an asset",
         "The bake succeeded, but its assets could not be put into the cache: its folder may not be "

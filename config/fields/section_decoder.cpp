@@ -163,11 +163,19 @@ struct SectionReader {
     }
 
     void report_unknown_keys() const {
+        // More than anybody reads, and more than are shown.
+        constexpr int most_explained = 1000;
         const std::vector<std::string_view> tables = subtables(section.path);
+        int unknown = 0;
         for (const Entry& entry : table) {
             const bool is_table =
                 std::find(tables.begin(), tables.end(), entry.key) != tables.end();
-            if (!is_table && !find_field(section, entry.key)) report_unknown(entry);
+            if (is_table || find_field(section, entry.key)) continue;
+            if (unknown++ < most_explained) {
+                report_unknown(entry);
+            } else {
+                decoder.diagnostics.error("E0102", entry.key_place, "unknown key");
+            }
         }
     }
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -164,7 +165,22 @@ std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
 }  // namespace
 
 std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads) {
-    return toml_of(recipe, [reads](const ResolvedValue& value) { return is_read(value, reads); });
+    // Values of one section follow each other, and a sequence has as many sections as frames.
+    const ResolvedValue* before = nullptr;
+    std::vector<Read> of_section;
+    return toml_of(recipe, [&](const ResolvedValue& value) {
+        if (before == nullptr || before->section != value.section) {
+            of_section.clear();
+            std::copy_if(reads.begin(), reads.end(), std::back_inserter(of_section),
+                         [&](const Read& read) {
+                             const Read of_any_role{read.section, Roles::all()};
+                             return is_read(value, {&of_any_role, 1});
+                         });
+        }
+        before = &value;
+        return std::any_of(of_section.begin(), of_section.end(),
+                           [&](const Read& read) { return read.roles.has(value.role); });
+    });
 }
 
 std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/diagnostics/toml_source.h"
+#include "config/fields/fields.h"
 #include "config/presets/presets.h"
 #include "config/recipe/merge.h"
 #include "config/sections/towers.h"
@@ -59,6 +60,25 @@ bool is_same_file(const fs::path& a, const fs::path& b) {
     return fs::equivalent(a, b, error) && !error;
 }
 
+// Whether a path is one that a program might wait at for ever. A recipe may come from a pipe, an include
+// of it may not.
+bool is_pipe_or_device(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::status(path, error);
+    return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
+}
+
+constexpr const char* no_recipe = "an include must be a recipe; lines of other files are not shown";
+
+bool has_key_of_recipes(const Table& root) {
+    const Section& section = *find_section("");
+    const std::vector<std::string_view> tables = subtables("");
+    return std::any_of(root.begin(), root.end(), [&](const Entry& entry) {
+        return find_field(section, entry.key) != nullptr ||
+               std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+    });
+}
+
 class Loader {
   public:
     Loader(RecipeSources& result, DiagnosticList& diagnostics)
@@ -70,6 +90,10 @@ class Loader {
     }
 
     void load_file(const fs::path& path, const Place& asked_at) {
+        if (root_loaded_ && is_pipe_or_device(path)) {
+            report_unreadable(path, {false, "it is not a regular file"}, asked_at);
+            return;
+        }
         auto text = read_text_file(path, most_recipe_bytes);
         result_.inputs.push_back(path);
         if (const auto* error = std::get_if<FileError>(&text)) {
@@ -87,7 +111,7 @@ class Loader {
         Source& source = add_source(Source::Kind::file, name, std::move(text));
         source.folder = folder;
         if (is_root) root_folder_ = folder;
-        std::optional<Table> root = parse_toml(source, diagnostics_);
+        std::optional<Table> root = is_root ? parse_toml(source, diagnostics_) : parse_include(source);
         if (!root) {
             result_.complete = false;
             if (!is_root) return;
@@ -113,6 +137,26 @@ class Loader {
     }
 
   private:
+    // Parses an included file. Of a file that is no recipe no line is shown, because it may hold secrets:
+    // whoever asked for it may not be who reads the diagnostics.
+    std::optional<Table> parse_include(Source& source) {
+        DiagnosticList faults;
+        std::optional<Table> root = parse_toml(source, faults);
+        const bool is_recipe = root && (root->empty() || has_key_of_recipes(*root));
+        if (is_recipe) return root;
+        const std::vector<Diagnostic> found = faults.take();
+        source.text.clear();
+        for (const Diagnostic& fault : found) {
+            const Place place{&source, fault.where.line, fault.where.column, fault.where.length};
+            diagnostics_.error(fault.code, place, "not TOML", no_recipe);
+        }
+        if (root) {
+            diagnostics_.error("E0101", {&source},
+                               fmt::format("`{}` has none of a recipe's keys", source.name), no_recipe);
+        }
+        return std::nullopt;
+    }
+
     Source& add_source(Source::Kind kind, const std::string& name, std::string text) {
         result_.sources.push_back({kind, 0, printable(name), std::move(text)});
         return result_.sources.back();
@@ -132,6 +176,10 @@ class Loader {
             diagnostics_.error("E0122", place, "--set takes KEY=VALUE with a dotted key",
                                "for example --set atmosphere.ground_albedo=0.3");
             return;
+        }
+        if (option == "--set" && !set_keys_.insert(*key).second) {
+            diagnostics_.warning("W0221", place, fmt::format("`{}` is set twice", shorten(*key)),
+                                 "the last value counts");
         }
         const std::string_view written = trim(text.substr(equals + 1));
         std::optional<Value> value = parse_toml_value(written);
@@ -263,6 +311,7 @@ class Loader {
     RecipeSources& result_;
     DiagnosticList& diagnostics_;
     std::vector<SourceTree> settings_;
+    std::set<std::string> set_keys_;
     std::vector<fs::path> chain_;  // the files that are being read, each included by the one before
     fs::path root_folder_;         // the folder of the recipe itself
     int next_order_ = 0;

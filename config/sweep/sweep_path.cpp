@@ -75,10 +75,27 @@ struct PathReader {
               "a sweep varies what is baked; `skybake preview` takes this as an option");
     }
 
+    // Returns where a table of the recipe has the key, or one whose last words are these.
+    std::string path_meant(const std::string& key) const {
+        for (const Section& other : sections()) {
+            if (is_of_sweep(other) || other.path.empty() || !other.asset.empty()) continue;
+            for (const std::string_view known : field_keys(other)) {
+                if (known == key || known.ends_with("_" + key)) {
+                    return fmt::format("did you mean `{}.{}`?", other.path, known);
+                }
+            }
+        }
+        return "";
+    }
+
     void report_no_key(const Section& section, const std::string& table,
                        const std::string& key) const {
         std::string label = did_you_mean(key, field_keys(section));
-        if (label.empty()) label = "there is no such key";
+        if (label.empty()) label = path_meant(key);
+        if (label.empty()) {
+            label = "write the path of a key, atmosphere.ground_albedo for example; `skybake show` "
+                    "lists those of the recipe";
+        }
         const std::string where =
             table.empty() ? "at the top level" : fmt::format("in [{}]", shorten(table));
         error(fmt::format("unknown key `{}` {}", shorten(key), where), std::move(label));

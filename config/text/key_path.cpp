@@ -145,8 +145,14 @@ std::string printable(std::string_view text) {
     while (!text.empty()) {
         const std::size_t valid =
             std::min(find_invalid_utf8(text).value_or(text.size()), text.size());
-        for (const char c : text.substr(0, valid)) {
-            result += is_control(c) ? escape_control(c) : std::string(1, c);
+        for (std::size_t i = 0; i < valid; ++i) {
+            const bool is_c1 = i + 1 < valid && text[i] == '\xc2' &&
+                               static_cast<unsigned char>(text[i + 1]) < 0xa0;
+            if (is_control(text[i]) || is_c1) {
+                result += escape_control(text[is_c1 ? ++i : i]);
+            } else {
+                result += text[i];
+            }
         }
         if (valid < text.size()) result += escape_byte(text[valid]);
         text.remove_prefix(std::min(valid + 1, text.size()));

@@ -179,7 +179,11 @@ std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most
         text.resize(before + block);
         const std::size_t count = std::fread(text.data() + before, 1, block, file);
         text.resize(before + count);
-        if (count == 0) break;
+        if (count < block && std::ferror(file) && errno == EINTR) {
+            std::clearerr(file);
+        } else if (count == 0) {
+            break;
+        }
     }
     if (std::ferror(file)) return system_error();
     if (text.size() > most_bytes) return FileError{true, "File too large"};
@@ -192,7 +196,10 @@ std::variant<std::string, FileError> read_text_file(const std::filesystem::path&
                                                     std::size_t most_bytes) {
     // The file is opened with fopen because the streams of the standard library do not say why they
     // failed.
-    const std::unique_ptr<std::FILE, FileCloser> file(std::fopen(path.c_str(), "rb"));
+    std::unique_ptr<std::FILE, FileCloser> file;
+    do {
+        file.reset(std::fopen(path.c_str(), "rb"));
+    } while (!file && errno == EINTR);
     if (!file) return system_error();
     return read_text(file.get(), most_bytes);
 }

@@ -41,6 +41,29 @@ TEST(Console, SendsResultsAndNotesApart) {
     EXPECT_EQ(console.finish(ExitCode::done), ExitCode::done);
 }
 
+// Names of files and of assets may hold anything. Whatever prints them, a terminal is not controlled.
+TEST(Console, NothingControlsTheTerminal) {
+    Capture capture;
+    Console console = capture.console();
+    const std::string name = "a\x1b[2Jb\x07\x7f\xc2\x9b\x9b.exr";
+    const std::string shown = "a\\u001b[2Jb";
+    console.result(name + "\n\tand more\n");
+    console.note(name + "\n");
+    console.rewrite_line(name);
+    config::Diagnostic diagnostic = one("E0300").front();
+    diagnostic.message = name;
+    diagnostic.label = name;
+    diagnostic.where.source = name;
+    console.report(std::span(&diagnostic, 1));
+    for (const std::string* text : {&capture.out, &capture.error}) {
+        EXPECT_EQ(text->find(shown), text->find("a\\")) << *text;
+        for (const char* control : {"\x1b[2", "\x07", "\x7f", "\xc2\x9b", "\x9b"}) {
+            EXPECT_EQ(text->find(control), std::string::npos) << *text;
+        }
+    }
+    EXPECT_TRUE(capture.out.ends_with("\n\tand more\n"));
+}
+
 TEST(Console, QuietSilencesNotesButNotErrors) {
     Capture capture;
     Console console = capture.console({.quiet = true});

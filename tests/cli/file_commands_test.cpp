@@ -47,6 +47,32 @@ TEST(InfoCommand, ShowsAFile) {
     EXPECT_EQ(document["attributes"]["skybake/asset"]["kind"], "transmittance");
 }
 
+// A manifest of somebody else may call its assets and files anything, and so may a folder.
+TEST(InfoCommand, EscapesWhatWouldControlATerminal) {
+    const TemporaryFolder folder;
+    write_sample_bake(folder.path(), {"transmittance"});
+    const auto strange = folder / "a\x1b]0;b\x07";
+    std::filesystem::create_directory(strange);
+    std::filesystem::copy(folder / "transmittance.exr", strange / "x\x1b[2J.exr");
+    std::string text = testing::read_bytes(folder / "manifest.json");
+    const std::string kind = "\"kind\": \"transmittance\"";
+    ASSERT_NE(text.find(kind), std::string::npos);
+    text.replace(text.find(kind), kind.size(), "\"kind\": \"a\\u001b[2Jb\"");
+    testing::write_bytes(strange / "manifest.json", text);
+    for (const auto& words : std::vector<std::vector<std::string>>{
+             {"info", strange.string()},
+             {"info", (strange / "x\x1b[2J.exr").string()},
+             {"info", (strange / "none\x1b[2J.exr").string()},
+             {"verify", strange.string()},
+             {"diff", strange.string(), folder.path().string()},
+             {"check", (strange / "none.toml").string()}}) {
+        const Result result = run_words(words);
+        EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << words[0] << result.out;
+        EXPECT_EQ(result.error.find('\x1b'), std::string::npos) << words[0] << result.error;
+        EXPECT_TRUE(contains(result.out + result.error, "\\u001b")) << words[0];
+    }
+}
+
 TEST(InfoCommand, ShowsAFolder) {
     const TemporaryFolder folder;
     write_sample_bake(folder.path(), {"transmittance", "second"});

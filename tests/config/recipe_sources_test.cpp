@@ -1,6 +1,10 @@
 #include "config/recipe/recipe_sources.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
 
 #include "tests/config/recipes.h"
 
@@ -130,6 +134,64 @@ TEST(RecipeSources, UnreadableIncludesAreReportedWhereTheyAreNamed) {
     EXPECT_EQ(diagnostics[0].where.column, 12);
     EXPECT_EQ(diagnostics[1].code, "E0300");
     EXPECT_EQ(diagnostics[1].where.column, 25);
+}
+
+// A recipe may come from a pipe; what it includes may not: a program would wait for ever.
+TEST(RecipeSources, PipesAndDevicesAreNotIncluded) {
+    const TemporaryFolder folder;
+    ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+    const auto path = folder.write("top.toml", "include = ['pipe', '/dev/zero']");
+    DiagnosticList list;
+    ::alarm(20);
+    const RecipeSources sources = read_sources(path, {}, list);
+    ::alarm(0);
+    EXPECT_FALSE(sources.complete);
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 2u);
+    for (const Diagnostic& diagnostic : diagnostics) {
+        EXPECT_EQ(diagnostic.code, "E0300");
+        EXPECT_NE(diagnostic.message.find("it is not a regular file"), std::string::npos);
+        EXPECT_EQ(diagnostic.where.source, path.string());
+    }
+}
+
+// Who may name includes must not read any file of who runs the program.
+TEST(RecipeSources, LinesOfIncludesThatAreNoRecipesAreNotShown) {
+    const TemporaryFolder folder;
+    const auto path = folder.write("top.toml", "include = 'secrets'");
+    for (const std::string text :
+         {"root:s3cret:0:0", "\n# x\npassword = s3cret", "password = 's3cret'", "a = 'b s3cret",
+          "[default]\nkey = 's3cret'", "s3cret\xff", "{\"key\": \"s3cret\"}", "s3cret = 0,5"}) {
+        folder.write("secrets", text);
+        DiagnosticList list;
+        const RecipeSources sources = read_sources(path, {}, list);
+        EXPECT_FALSE(sources.complete);
+        const auto diagnostics = list.take();
+        ASSERT_EQ(diagnostics.size(), 1u) << text;
+        const Diagnostic& found = diagnostics[0];
+        EXPECT_EQ(found.where.source, (folder.path() / "secrets").string());
+        EXPECT_NE(found.label.find("an include must be a recipe"), std::string::npos);
+        for (const std::string& shown : {found.message, found.label, found.where.line_text}) {
+            EXPECT_EQ(shown.find("s3cret"), std::string::npos) << shown;
+        }
+    }
+    // Of a recipe, it is shown what is wrong.
+    folder.write("secrets", "[atmosphere]\nground_radius = '1 km'\n[typo]\n");
+    const auto recipe = load_recipe(path);
+    const bool is_shown =
+        std::any_of(recipe.diagnostics.begin(), recipe.diagnostics.end(),
+                    [](const auto& found) { return found.where.line_text == "[typo]"; });
+    EXPECT_TRUE(is_shown);
+}
+
+TEST(RecipeSources, AKeyThatIsSetTwiceWarns) {
+    DiagnosticList list;
+    const std::vector<std::string> settings = {"a.b=1", "a.c=1", " a.b =2"};
+    text_sources("preset = 'earth'", "t", {}, settings, list);
+    const auto diagnostics = list.take();
+    ASSERT_EQ(diagnostics.size(), 1u);
+    EXPECT_EQ(diagnostics[0].code, "W0221");
+    EXPECT_EQ(diagnostics[0].message, "`a.b` is set twice");
 }
 
 TEST(RecipeSources, LargeFilesAreNotRead) {

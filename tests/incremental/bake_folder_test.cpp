@@ -133,6 +133,57 @@ TEST(BakeFolder, ForceReplacesLinksAndNotTheirTargets) {
     }
 }
 
+// A bake that was killed before its manifest got its name leaves a journal. It is believed of files that
+// are as it says, up to where it ends, and of no others.
+TEST(BakeFolder, AJournalTellsWhatAKilledBakeHadNamed) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder.path());
+    ASSERT_TRUE(bake.run().value);
+    const std::string text = read_bytes(folder / "manifest.json");
+    const std::string journal = ".manifest.json.skybake-1-0.tmp";
+    const auto killed = [&](const std::string& told) {
+        fs::remove(folder / "manifest.json");
+        write_bytes(folder / journal, told);
+    };
+    killed(text);
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"manifest.json", "multiple_scattering.exr",
+                                                        "shape.bin", "shape.exr",
+                                                        "transmittance.exr"}));
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
+    killed(text + text.substr(0, text.size() / 2));
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
+
+    // Half of an asset's files: they are skybake's, and it is made again.
+    killed(text);
+    fs::remove(folder / "shape.bin");
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, baked}));
+
+    // A file of somebody else, and a journal that somebody has changed.
+    killed(text);
+    write_bytes(folder / "transmittance.exr", "of somebody else");
+    EXPECT_EQ(first_code(bake.run().diagnostics), "E0303");
+    EXPECT_EQ(read_bytes(folder / "transmittance.exr"), "of somebody else");
+    fs::remove(folder / "transmittance.exr");
+    std::string changed = text;
+    changed.replace(changed.find("\"kind\": \""), 9, "\"kind\": \"x");
+    killed(changed);
+    EXPECT_EQ(first_code(bake.run().diagnostics), "E0303");
+}
+
+// Another recipe finds the files that a killed bake has named, and may prune them.
+TEST(BakeFolder, AJournalsFilesAreRetired) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(small_recipe), folder.path());
+    ASSERT_TRUE(bake.run().value);
+    fs::rename(folder / "manifest.json", folder / ".manifest.json.skybake-1-0.tmp");
+    TestBake other(recipe_of("preset = 'earth_hillaire'\n[bake.transmittance]\nsize = [32, 8]\n"),
+                   folder.path());
+    other.bake.prune = true;
+    EXPECT_EQ(other.states(), States{up_to_date});
+    EXPECT_EQ(folder.names(), (std::vector<std::string>{"manifest.json", "transmittance.exr"}));
+}
+
 TEST(BakeFolder, LeftOversGoWhereNothingIsStale) {
     const TemporaryFolder folder;
     TestBake bake(recipe_of(small_recipe), folder / "out");

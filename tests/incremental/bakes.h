@@ -61,6 +61,7 @@ class RememberingObserver : public BakeObserver {
     }
     std::unique_ptr<Progress> begin(std::string_view asset) override {
         if (asset == cancel_at) cancel = true;
+        begun.emplace_back(asset);
         return std::make_unique<Silent>(*this);
     }
 
@@ -68,6 +69,7 @@ class RememberingObserver : public BakeObserver {
     std::string cancel_at;
     int waited = 0;
     std::vector<std::vector<std::string>> reasons;
+    std::vector<std::string> begun;
 };
 
 // A bake of a whole recipe, with what it needs to live as long.

@@ -3,7 +3,7 @@
 
 #include "bakers/assets/registry.h"
 #include "bakers/io/manifest/manifest.h"
-#include "bakers/workspace/bake_frames.h"
+#include "bakers/workspace/bake_folder.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {
@@ -69,13 +69,15 @@ TEST(Frames, GoOnAfterAnInterruption) {
     {
         TestBake bake(recipe_of(sequence(8)), folder.path());
         bake.observer.cancel_at = "c_0004";
-        EXPECT_FALSE(bake_frames_and_folder(bake.bake, bake.observer).value);
+        bake.bake.frame_by_frame = true;
+        EXPECT_FALSE(bake_folder(bake.bake, bake.observer).value);
         EXPECT_TRUE(std::filesystem::exists(folder / "c_0003.vdb"));
         EXPECT_FALSE(std::filesystem::exists(folder / "c_0004.vdb"));
         EXPECT_EQ(read_manifest(folder.path()).value->assets.size(), 3u);
     }
     TestBake again(recipe_of(sequence(8)), folder.path());
-    const auto outcome = bake_frames_and_folder(again.bake, again.observer);
+    again.bake.frame_by_frame = true;
+    const auto outcome = bake_folder(again.bake, again.observer);
     ASSERT_TRUE(outcome.value);
     EXPECT_TRUE(outcome.diagnostics.empty()) << "nothing is said of frames that are to come";
     ASSERT_EQ(outcome.value->assets.size(), 8u);
@@ -88,6 +90,19 @@ TEST(Frames, GoOnAfterAnInterruption) {
         const std::string file = "c_000" + std::to_string(frame) + ".vdb";
         EXPECT_EQ(read_bytes(folder / file), read_bytes(whole / file)) << file;
     }
+}
+
+// One plan and one manifest for all frames: otherwise a sequence costs the square of its frames.
+TEST(Frames, ShareOneManifest) {
+    const TemporaryFolder folder;
+    TestBake bake(recipe_of(sequence(8)), folder.path());
+    bake.bake.frame_by_frame = true;
+    ASSERT_TRUE(bake.run().value);
+    EXPECT_EQ(std::count(bake.observer.begun.begin(), bake.observer.begun.end(), "manifest.json"), 1);
+    EXPECT_EQ(read_manifest(folder.path()).value->assets.size(), 8U);
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()),
+                            std::filesystem::directory_iterator()),
+              9);
 }
 
 // What is made of a frame is made of that frame's voxels.

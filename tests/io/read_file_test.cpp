@@ -1,6 +1,8 @@
 #include "bakers/io/files/file_io.h"
 
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include "tests/io/files.h"
 
@@ -31,6 +33,26 @@ TEST(ReadFile, SaysWhyItCannot) {
     EXPECT_NE(reason_for(folder.path()).find("it is a folder"), std::string::npos);
     EXPECT_NE(reason_for(folder / "pipe").find("not a regular file"), std::string::npos);
     EXPECT_NE(reason_for(folder / "large").find("101 bytes"), std::string::npos);
+}
+
+// Nobody writes to the pipe, so that a program which waited for it would wait for ever.
+TEST(FileInput, RefusesAPipeAtOnce) {
+    const TemporaryFolder folder;
+    ::mkfifo((folder / "pipe").c_str(), 0600);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::alarm(20);
+        const auto opened = FileInput::open(folder / "pipe");
+        const auto print = fingerprint(folder / "pipe");
+        const bool told = testing::first_code(opened.diagnostics) == "E0300" &&
+                          testing::first_code(print.diagnostics) == "E0300" &&
+                          opened.diagnostics[0].message.find("not a regular file") != std::string::npos;
+        ::_exit(told ? 0 : 1);
+    }
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    EXPECT_TRUE(WIFEXITED(status)) << "it waited";
+    EXPECT_EQ(WEXITSTATUS(status), 0);
 }
 
 }  // namespace

@@ -42,6 +42,18 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if claimed is not None:
             self.close_connection = True
 
+    def answer_without_end(self, mode, body):
+        """Sends as fast as the client takes it, and logs how much that was."""
+        sent = 0
+        try:
+            self.answer(200, body, claimed="none")
+            while not ended.is_set():
+                self.wfile.write(b" " * 65536)
+                sent += 65536
+        finally:
+            with open(os.path.join(folder, "sent"), "a") as log:
+                log.write(f"{mode} {sent}\n")
+
     def is_let_in(self, mode):
         wanted = "Basic " + base64.b64encode(b"farm:s3cret").decode()
         return mode != "locked" or self.headers.get("Authorization") == wanted
@@ -105,11 +117,10 @@ class Handler(http.server.BaseHTTPRequestHandler):
             return self.answer(200, body.replace(b'"bytes": ', b'"bytes": 1', 1))
         if mode == "no_json":
             return self.answer(200, b"<html>Please log in</html>")
-        if mode == "endless":
-            self.answer(200, body, claimed="none")
-            while not ended.is_set():
-                self.wfile.write(b" " * 65536)
-            return None
+        if mode == "endless" or (mode == "endless_files" and is_file):
+            return self.answer_without_end(mode, body)
+        if mode == "slow":  # right, after a while
+            ended.wait(1.5)
         return self.answer(200, body)
 
 

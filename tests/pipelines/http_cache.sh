@@ -68,12 +68,18 @@ served status403 empty status403
 says status403 'first with `PUT was answered by status 403`'
 
 # Servers that lie.
-for mode in short wrong others wrong_manifest no_json endless; do
+for mode in short wrong others wrong_manifest no_json endless endless_files; do
     served "$mode" a "$mode"
     says "$mode" 'W0305.*3 of its entries were damaged and not used'
     grep -q 'assets.*from the cache' "$mode.log" && fail "$mode was used: $(cat "$mode.log")"
     (($(requests "$mode" PUT) > 0)) || fail "$mode: nothing was put in place of what was damaged"
 done
+# A body without an end is cut off by its length, not by the time that it takes: after the 16 MiB of the
+# largest manifest, and after the bytes that a file has. What the system holds under way comes on top.
+most_sent() { awk -v mode="$1" '$1 == mode && $2 > most { most = $2 } END { print most + 0 }' served/sent; }
+until (($(wc -l <served/sent) >= 6)); do sleep 0.05; done
+(($(most_sent endless) < 64 << 20)) || fail "$(most_sent endless) bytes of a manifest without end"
+(($(most_sent endless_files) < 16 << 20)) || fail "$(most_sent endless_files) bytes of a file without end"
 served right a after
 is_silent after
 says after '5 from the cache'
@@ -88,7 +94,15 @@ for process in $silent $dribble $sink; do wait "$process" || fail "a slow server
 says silent 'it failed 3 times and was then left alone'
 says dribble 'it failed 3 times and was then left alone'
 says sink 'it failed 3 times and was then left alone, first with `PUT'
-echo "15 kinds of wrong servers"
+echo "16 kinds of wrong servers"
+
+# A server that is right and slow costs what baking cost, and some seconds: then it is no longer read.
+served right slow filling
+served slow slow slow
+says slow 'it was no longer read, because reading took longer than baking does'
+(($(requests slow GET) < 8)) || fail "$(requests slow GET) requests to a server that is slower than baking"
+! grep -q 'it failed' slow.log || fail "$(cat slow.log)"
+echo "a slow server"
 
 # An interrupt ends a bake that waits for a silent server.
 before=$(requests silent)

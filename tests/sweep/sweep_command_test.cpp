@@ -307,6 +307,27 @@ TEST(SweepScripts, OpenJobTemplateIsTheSweep) {
     EXPECT_EQ(files_below(folder.out("it's parts")), files_below(folder.out("whole")));
 }
 
+// Kubernetes replaces $(NAME) and $$ in a container's command before the shell sees it.
+TEST(SweepScripts, KubernetesLeavesDollarsAlone) {
+    const Folder folder;
+    const Result script = testing::run_program(
+        {"sweep", folder.recipe, "-o", folder.out("a$(HOME) $$b $c"), "--vary", "noise.n.seed=1,2",
+         "--emit", "kubernetes", "--image", "registry/skybake"});
+    ASSERT_EQ(script.code, 0) << script.error;
+    const auto job = nlohmann::json::parse(script.out);
+    const nlohmann::json& container = job["spec"]["template"]["spec"]["containers"][0];
+    std::string command = container["command"][2];
+    // As Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
+    std::string expanded;
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        EXPECT_FALSE(command.substr(i).starts_with("$(HOME)") && (i == 0 || command[i - 1] != '$'));
+        if (command.substr(i, 2) == "$$") ++i;
+        expanded += command[i];
+    }
+    EXPECT_TRUE(contains(expanded, shell_word(folder.out("a$(HOME) $$b $c")))) << expanded;
+    EXPECT_TRUE(contains(expanded, "$((JOB_COMPLETION_INDEX + 1))")) << expanded;
+}
+
 // Its containers find the program in PATH and their number in JOB_COMPLETION_INDEX.
 TEST(SweepScripts, KubernetesJobIsTheSweep) {
     const Folder folder;

@@ -124,6 +124,38 @@ TEST(NvdbGrid, TakesTheTransform) {
     EXPECT_EQ(file.index_origin, (std::array<double, 3>{9, 18.5, 28}));
 }
 
+// Whatever wrote it, a file whose checksum does not match is damaged: a bit in each of many places of
+// grid, tree, root and nodes. The rest of the last leaf's bytes are its values.
+TEST(NvdbGrid, IsDamagedIfItsChecksumSaysSo) {
+    const TemporaryFolder folder;
+    const auto path = folder / "v.nvdb";
+    for (const auto mode : {nanovdb::ChecksumMode::Full, nanovdb::ChecksumMode::Partial,
+                            nanovdb::ChecksumMode::Disable}) {
+        nanovdb::OpenToNanoVDB<float, float> convert;
+        nanovdb::io::writeGrid(path.string(),
+                               convert(*any_grid(), nanovdb::StatsMode::All, mode, 0));
+        const std::string whole = testing::read_bytes(path);
+        EXPECT_EQ(problem_of(path), "");
+        const std::size_t grid_at = whole.find("NanoVDB0", 8);
+        ASSERT_NE(grid_at, std::string::npos);
+        int noticed = 0;
+        int tried = 0;
+        constexpr std::size_t step = 9973;
+        for (std::size_t at = grid_at + 16; at < whole.size(); at += step, ++tried) {
+            std::string damaged = whole;
+            damaged[at] = static_cast<char>(damaged[at] ^ 4);
+            testing::write_bytes(path, damaged);
+            noticed += problem_of(path).empty() ? 0 : 1;
+        }
+        ASSERT_GT(tried, 30);
+        if (mode == nanovdb::ChecksumMode::Full) {
+            EXPECT_EQ(noticed, tried);
+        } else {
+            EXPECT_LT(noticed, tried) << "other programs need not sum all nodes";
+        }
+    }
+}
+
 // The same grid as VDB and as NanoVDB gives the same densities.
 TEST(NvdbGrid, MakesFogOfALevelSetAsVdbDoes) {
     const TemporaryFolder folder;

@@ -8,12 +8,12 @@
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/system_call.h"
 #include "bakers/io/files/temporary_file.h"
 
 namespace skybake {
@@ -37,8 +37,8 @@ config::Outcome<WriteResult> failure(const fs::path& path, int error) {
 std::optional<std::size_t> read_piece(int descriptor, std::string& bytes) {
     std::size_t done = 0;
     while (done < bytes.size()) {
-        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
+        const ssize_t count = uninterrupted(
+            [&] { return ::read(descriptor, bytes.data() + done, bytes.size() - done); });
         if (count < 0) return std::nullopt;
         if (count == 0) break;
         done += static_cast<std::size_t>(count);
@@ -59,9 +59,14 @@ bool holds(int descriptor, std::string_view bytes) {
     }
 }
 
+FileDescriptor opened_to_read(const fs::path& path, int flags) {
+    return FileDescriptor(
+        uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | flags); }));
+}
+
 bool is_unchanged(const fs::path& path, const struct stat& status, std::string_view bytes) {
     if (static_cast<std::uintmax_t>(status.st_size) != bytes.size()) return false;
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
+    const FileDescriptor file = opened_to_read(path, O_NOFOLLOW);
     return file.valid() && holds(file.get(), bytes);
 }
 
@@ -79,15 +84,9 @@ int write_all(int descriptor, std::string_view bytes, const Progress* progress) 
     return is_cancelled(progress) ? ECANCELED : 0;
 }
 
-// Flushes the file to the disk, so that a crash after the rename does not leave an empty file under
-// the new name, and so that network file systems report a full disk now. Returns errno, or 0.
-int flush(int descriptor) {
-    while (::fdatasync(descriptor) != 0) {
-        if (errno == EINTR) continue;
-        // Some file systems cannot flush, which is no reason to fail.
-        return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
-    }
-    return 0;
+int flush_by(int (*call)(int), int descriptor) {
+    if (uninterrupted([&] { return call(descriptor); }) == 0) return 0;
+    return errno == EINVAL || errno == ENOTSUP || errno == ENOSYS ? 0 : errno;
 }
 
 // Gives the temporary the permissions of the old file. This happens after writing, because they may
@@ -96,13 +95,13 @@ int flush(int descriptor) {
 int keep_mode(const TemporaryFile& temporary, const FileStatus& old) {
     if (!old) return 0;
     const mode_t mode = (old->st_mode & 07777) | S_IRUSR;
-    return ::fchmod(temporary.descriptor(), mode) == 0 ? 0 : errno;
+    return uninterrupted([&] { return ::fchmod(temporary.descriptor(), mode); }) == 0 ? 0 : errno;
 }
 
 // Writes the bytes to the temporary. Returns errno, 0, or ECANCELED.
 int fill(const TemporaryFile& temporary, std::string_view bytes, const Progress* progress) {
     const int error = write_all(temporary.descriptor(), bytes, progress);
-    return error != 0 ? error : flush(temporary.descriptor());
+    return error != 0 ? error : flush_data(temporary.descriptor());
 }
 
 // Whether a link leads to a device or to an open file of a process, as /dev/stdout does. Such names
@@ -138,8 +137,8 @@ config::Outcome<FileStatus> find_old(const fs::path& path) {
 // interruption.
 bool same_bytes(const fs::path& first, const fs::path& second, const Progress* progress) {
     constexpr std::size_t piece = std::size_t{1} << 20;
-    const FileDescriptor a(::open(first.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW));
-    const FileDescriptor b(::open(second.c_str(), O_RDONLY | O_CLOEXEC));
+    const FileDescriptor a = opened_to_read(first, O_NOFOLLOW);
+    const FileDescriptor b = opened_to_read(second, 0);
     if (!a.valid() || !b.valid()) return false;
     std::string bytes(piece, '\0');
     std::string others(piece, '\0');
@@ -183,7 +182,7 @@ struct AtomicFiles::Staged {
     TemporaryFile temporary;
 };
 
-AtomicFiles::AtomicFiles() = default;
+AtomicFiles::AtomicFiles(LeftOvers left_overs) : left_overs_(left_overs) {}
 AtomicFiles::~AtomicFiles() = default;
 
 config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
@@ -191,7 +190,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::strin
     const config::Outcome<FileStatus> found = find_old(path);
     if (!found.value) return {{}, found.diagnostics};
     const FileStatus& old = *found.value;
-    remove_stale_temporaries(path);
+    if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
     if (old && is_unchanged(path, *old, bytes)) return {WriteResult::unchanged, {}};
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
     auto staged = begin(path);
@@ -200,7 +199,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::strin
     if (error == ECANCELED) return {WriteResult::interrupted, {}};
     if (error != 0) return failure(path, error);
     if (const int fault = keep_mode((*staged.value)->temporary, old)) return failure(path, fault);
-    staged_.push_back(std::move(*staged.value));
+    keep(std::move(*staged.value));
     return {WriteResult::written, {}};
 }
 
@@ -209,7 +208,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     const config::Outcome<FileStatus> found = find_old(path);
     if (!found.value) return {{}, found.diagnostics};
     const FileStatus& old = *found.value;
-    remove_stale_temporaries(path);
+    if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
     auto staged = begin(path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
@@ -221,13 +220,13 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     }
     if (!written.value) return {{}, std::move(written.diagnostics)};
     if (!*written.value || is_cancelled(progress)) return {WriteResult::interrupted, {}};
-    if (const int error = flush(temporary.descriptor())) return failure(path, error);
+    if (const int error = flush_data(temporary.descriptor())) return failure(path, error);
     if (old && same_bytes(path, temporary.path(), progress)) {
         return {WriteResult::unchanged, std::move(written.diagnostics)};
     }
     if (is_cancelled(progress)) return {WriteResult::interrupted, {}};
     if (const int error = keep_mode(temporary, old)) return failure(path, error);
-    staged_.push_back(std::move(*staged.value));
+    keep(std::move(*staged.value));
     return {WriteResult::written, std::move(written.diagnostics)};
 }
 
@@ -238,20 +237,41 @@ config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const f
     return {std::move(staged), {}};
 }
 
-void AtomicFiles::take(AtomicFiles&& others) {
-    std::move(others.staged_.begin(), others.staged_.end(), std::back_inserter(staged_));
-    others.staged_.clear();
+// Closes the file before. The first and the last stay open, because their locks show other processes
+// that this one lives: the first until it is renamed, and the last while the others are.
+void AtomicFiles::keep(std::unique_ptr<Staged> staged) {
+    if (staged_.size() > 1) staged_.back()->temporary.close();
+    staged_.push_back(std::move(staged));
+}
+
+void AtomicFiles::shrink(std::size_t count) { staged_.resize(std::min(count, staged_.size())); }
+
+int flush_data(int descriptor) { return flush_by(&::fdatasync, descriptor); }
+
+int flush_folder(const fs::path& folder) {
+    const FileDescriptor opened = opened_to_read(folder.empty() ? "." : folder, O_DIRECTORY);
+    return opened.valid() ? flush_by(&::fsync, opened.get()) : 0;
 }
 
 bool is_renaming_files() noexcept { return commits_in_progress > 0; }
 
 std::vector<config::Diagnostic> AtomicFiles::commit() {
     const CommitInProgress in_progress;
-    for (; !staged_.empty(); staged_.pop_back()) {
-        Staged& last = *staged_.back();
-        if (!last.temporary.rename_to(last.path)) return failure(last.path, errno).diagnostics;
+    std::size_t named = 0;
+    int error = 0;
+    for (; named < staged_.size() && error == 0; named += error == 0 ? 1 : 0) {
+        Staged& next = *staged_[named];
+        const bool is_last_of_several = named > 0 && named + 1 == staged_.size();
+        if (is_last_of_several) error = flush_folder(next.path.parent_path());
+        if (error == 0 && !next.temporary.rename_to(next.path)) error = errno;
     }
-    return {};
+    if (error == 0 && named > 0) error = flush_folder(staged_.back()->path.parent_path());
+    std::vector<config::Diagnostic> failures;
+    if (error != 0) {
+        failures = failure(staged_[std::min(named, staged_.size() - 1)]->path, error).diagnostics;
+    }
+    staged_.erase(staged_.begin(), staged_.begin() + static_cast<std::ptrdiff_t>(named));
+    return failures;
 }
 
 config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,

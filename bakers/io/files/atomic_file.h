@@ -11,6 +11,7 @@
 // itself, are refused.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -34,12 +35,17 @@ enum class WriteResult {
 // by the file's own.
 using FileWriter = std::function<config::Outcome<bool>(const std::filesystem::path& temporary)>;
 
-// Several files that belong together. All are on the disk before the first replaces an old one, so
-// a full disk or an interruption leaves every old file in place. The destructor removes files that
-// were not committed.
+enum class LeftOvers {
+    to_be_removed,      // of killed processes, when the same file is written
+    already_looked_for  // because the caller has: looking costs a reading of the folder for each file
+};
+
+// Several files of one folder that belong together. All are on the disk before the first replaces an
+// old one, so a full disk or an interruption leaves every old file in place. At most three are open at
+// once. The destructor removes files that were not committed.
 class AtomicFiles {
   public:
-    AtomicFiles();
+    explicit AtomicFiles(LeftOvers left_overs = LeftOvers::to_be_removed);
     AtomicFiles(const AtomicFiles&) = delete;
     AtomicFiles& operator=(const AtomicFiles&) = delete;
     ~AtomicFiles();
@@ -56,17 +62,22 @@ class AtomicFiles {
     config::Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
                                        const Progress* progress = nullptr);
 
-    // Appends the staged files of `others` to these.
-    void take(AtomicFiles&& others);
+    std::size_t size() const { return staged_.size(); }
+    // Removes all staged files but the first `count`.
+    void shrink(std::size_t count);
 
-    // Renames the staged files to their targets, the last one first. The manifest is staged last,
-    // so it claims its files before they appear. E0301 if a file cannot be renamed.
+    // Renames the staged files to their targets, in order. The folder is flushed before the last one
+    // and after it: whoever sees the last file, such as a manifest, sees the others, also after a
+    // power cut. E0301 if a file cannot be renamed; it and those after it stay staged.
     [[nodiscard]] std::vector<config::Diagnostic> commit();
 
   private:
     struct Staged;
     static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path);
 
+    void keep(std::unique_ptr<Staged> staged);
+
+    LeftOvers left_overs_;
     std::vector<std::unique_ptr<Staged>> staged_;
 };
 

@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <new>
 
+#include "bakers/io/files/system_call.h"
 #include "bakers/math/hash.h"
 
 namespace skybake {
@@ -21,7 +22,8 @@ config::Diagnostic unreadable(const std::filesystem::path& path, const std::stri
 
 config::Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
-    FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    FileDescriptor file(
+        uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
     struct stat status {};
     if (!file.valid() || ::fstat(file.get(), &status) != 0) {
         return {{}, {unreadable(path, system_reason(errno))}};
@@ -34,9 +36,10 @@ config::Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
 std::optional<std::size_t> FileInput::read(std::uint64_t position, char* bytes, std::size_t count) {
     std::size_t done = 0;
     while (done < count) {
-        const ssize_t got =
-            ::pread(file_.get(), bytes + done, count - done, static_cast<off_t>(position + done));
-        if (got < 0 && errno == EINTR) continue;
+        const ssize_t got = uninterrupted([&] {
+            return ::pread(file_.get(), bytes + done, count - done,
+                           static_cast<off_t>(position + done));
+        });
         if (got < 0) {
             error_ = errno;
             return std::nullopt;
@@ -74,7 +77,10 @@ constexpr std::size_t buffer_size = std::size_t{1} << 20;
 
 int open_emptied(const std::filesystem::path& path) {
     const bool is_own_file = path.parent_path() == "/proc/self/fd";
-    return ::open(path.c_str(), O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
+    return uninterrupted([&] {
+        return ::open(path.c_str(),
+                      O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
+    });
 }
 
 }  // namespace
@@ -105,9 +111,10 @@ bool FileOutput::finish() {
 
 void FileOutput::write_through(std::string_view bytes) {
     while (error_ == 0 && !bytes.empty()) {
-        const ssize_t count =
-            ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(position_));
-        if (count < 0 && errno == EINTR) continue;
+        const ssize_t count = uninterrupted([&] {
+            return ::pwrite(file_.get(), bytes.data(), bytes.size(),
+                            static_cast<off_t>(position_));
+        });
         if (count <= 0) {
             error_ = count < 0 ? errno : EIO;
             return;
@@ -136,8 +143,8 @@ config::Outcome<std::string> read_failure(const std::filesystem::path& path,
 int read_all(int descriptor, std::string& bytes) {
     std::size_t done = 0;
     while (done < bytes.size()) {
-        const ssize_t count = ::read(descriptor, bytes.data() + done, bytes.size() - done);
-        if (count < 0 && errno == EINTR) continue;
+        const ssize_t count = uninterrupted(
+            [&] { return ::read(descriptor, bytes.data() + done, bytes.size() - done); });
         if (count < 0) return errno;
         if (count == 0) break;
         done += static_cast<std::size_t>(count);
@@ -150,7 +157,8 @@ int read_all(int descriptor, std::string& bytes) {
 
 config::Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
-    const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+    const FileDescriptor file(
+        uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
     if (!file.valid()) return read_failure(path, system_reason(errno));
     struct stat status {};
     if (::fstat(file.get(), &status) != 0) return read_failure(path, system_reason(errno));

@@ -6,6 +6,9 @@
 #include <filesystem>
 #include <system_error>
 
+#include "bakers/math/parallel.h"
+#include "bakers/math/startable_threads.h"
+
 namespace skybake {
 namespace {
 
@@ -29,6 +32,21 @@ fs::path find_module(const std::string& file_name) {
 
 std::string file_name_of(const std::string& module) { return module + ".so"; }
 
+// Returns why a module cannot be loaded, or an empty text. OpenVDB brings log4cplus, which begins four
+// threads as it is loaded, and waits for ever or ends the process if one cannot begin. With these and
+// one for TBB, the module is loaded before other threads take their place.
+std::string want_of_threads(const std::string& module) {
+    constexpr int wanted = 5;
+    if (module != vdb_module_name && module != image_module_name) return "";
+    const int startable = startable_threads(wanted);
+    static_cast<void>(thread_count(0));  // and TBB, which OpenVDB uses, asks for no more than there are
+    if (startable == wanted) return "";
+    return fmt::format(
+        "the system lets this process begin only {} of the {} threads that OpenVDB needs (ulimit -u, "
+        "or pids.max of a container)",
+        startable, wanted);
+}
+
 }  // namespace
 
 std::vector<fs::path> program_files() {
@@ -48,6 +66,9 @@ ModuleSymbol load_module(const std::string& module, const char* symbol) {
     if (path.empty()) {
         return {nullptr, fmt::format("the module `{}` is not in `{}` beside the program", file_name,
                                      SKYBAKE_MODULE_FOLDER)};
+    }
+    if (const std::string obstacle = want_of_threads(module); !obstacle.empty()) {
+        return {nullptr, obstacle};
     }
     void* const library = ::dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
     void* const address = library != nullptr ? ::dlsym(library, symbol) : nullptr;

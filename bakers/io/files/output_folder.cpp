@@ -12,12 +12,10 @@
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/files/system_call.h"
 #include "bakers/io/files/temporary_file.h"
-#include "config/assets/asset_kind.h"
-#include "config/assets/bruneton.h"
-#include "config/assets/environment.h"
-#include "config/sections/frames.h"
-#include "config/sections/targets.h"
+#include "bakers/io/manifest/claimed_files.h"
+#include "bakers/io/manifest/journal.h"
 
 namespace skybake {
 namespace {
@@ -93,13 +91,15 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
         if (!manifest.diagnostics.empty()) manifest_fault += ": " + manifest.diagnostics[0].message;
         take_previous(std::move(manifest.value), result);
     }
+    result.is_unfinished = add_journals(folder, result.previous);
     if (force) return {std::move(result), {}};
 
     std::vector<config::Diagnostic> diagnostics;
+    const ClaimedFiles claimed(result.previous.value_or(Manifest()));
     for (const std::string& file : files) {
         const fs::path path = folder / file;
         if (!fs::exists(fs::symlink_status(path, error))) continue;
-        if (result.previous && claims(*result.previous, file)) continue;
+        if (result.previous && claimed.hold(file)) continue;
         diagnostics.push_back(
             foreign(path, file == manifest_name ? manifest_fault : "was not written by skybake"));
     }
@@ -132,53 +132,15 @@ void remove_empty_folders(std::span<const fs::path> folders) {
     }
 }
 
-std::string file_name(const std::string& name, config::FileFormat format, int level) {
-    const std::string_view extension = config::facts_of(format).name;
-    if (level == 0) return fmt::format("{}.{}", name, extension);
-    return fmt::format("{}.mip{}.{}", name, level, extension);
-}
-
-std::string file_name(const std::string& name, const config::AssetFiles& files,
-                      config::FileFormat format, int level) {
-    const bool plays_all = config::facts_of(format).only_refers && files.frames > 0;
-    return file_name(plays_all ? config::sequence_name(name) : name, format, level);
-}
-
-std::string companion_file_name(const std::string& name, const std::string& format) {
-    return fmt::format("{}.{}", name, format);
-}
-
-std::vector<std::string> file_names(const config::Bake& bake) {
-    const config::AssetFiles& files = config::files_of(bake);
-    std::vector<std::string> names;
-    for (const config::FileFormat format : files.formats) {
-        const int count = config::files_of_levels(format, files.mips);
-        for (int level = 0; level < count; ++level) {
-            names.push_back(file_name(bake.name, files, format, level));
-        }
-    }
-    const auto* bruneton = bake.find<config::BrunetonBake>();
-    const auto* environment = bake.find<config::EnvironmentBake>();
-    if ((bruneton && config::has_companion(*bruneton)) || (environment && environment->lights)) {
-        names.push_back(companion_file_name(bake.name, "json"));
-    }
-    for (std::string& name :
-         config::sidecar_names(files, config::kind_of(bake).facts.name, bake.name)) {
-        names.push_back(std::move(name));
-    }
-    return names;
-}
-
 namespace {
 
 enum class Attempt { taken, busy, impossible };
 
 Attempt try_lock(int descriptor) {
-    while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
-        if (errno == EINTR) continue;
-        return errno == EWOULDBLOCK ? Attempt::busy : Attempt::impossible;
+    if (uninterrupted([&] { return ::flock(descriptor, LOCK_EX | LOCK_NB); }) == 0) {
+        return Attempt::taken;
     }
-    return Attempt::taken;
+    return errno == EWOULDBLOCK ? Attempt::busy : Attempt::impossible;
 }
 
 // Whether the folder of that name is still the one that was opened. A process that gave up may have
@@ -209,8 +171,8 @@ config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
     FileDescriptor open;
     for (bool waited = false;;) {
         if (!open.valid()) {
-            open = closed_last(
-                FileDescriptor(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)));
+            open = closed_last(FileDescriptor(uninterrupted(
+                [&] { return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); })));
         }
         if (!open.valid()) {
             return {{},

@@ -1,5 +1,5 @@
 // The folder that a bake writes into: checks whether the bake may write there and what is there
-// already, names the files, and locks the folder.
+// already, and locks the folder.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,8 @@
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/manifest.h"
+#include "config/assets/output_files.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
-#include "config/sections/parameters.h"
 
 namespace skybake {
 
@@ -24,6 +23,8 @@ struct OutputFolder {
     // If this is not empty, it says what is wrong with the folder's manifest, as a clause. Then
     // only the list of files that skybake wrote is known.
     std::string reason = {};
+    // A bake was killed before its manifest got its name; `previous` holds what it had finished.
+    bool is_unfinished = false;
 };
 
 // Inspects the folder and changes nothing; call it before a long bake. `files` are the names that
@@ -42,21 +43,10 @@ config::Outcome<std::vector<std::filesystem::path>> create_output_folder(
 // Removes the folders that create_output_folder made, as far as they are empty.
 void remove_empty_folders(std::span<const std::filesystem::path> folders);
 
-// Returns the name of an asset's file, relative to the output folder: "NAME.exr" or "NAME.vdb" for
-// level 0, "NAME.mip1.exr" and so on for further levels of detail. It follows from the recipe
-// alone.
-std::string file_name(const std::string& name, config::FileFormat format, int level);
-
-// Returns the same for an asset with `files`. A scene that plays a sequence, of which the asset is the
-// first frame, has the name of the sequence.
-std::string file_name(const std::string& name, const config::AssetFiles& files,
-                      config::FileFormat format, int level);
-
-// Returns the name of a text file beside the files of an asset: "NAME.json".
-std::string companion_file_name(const std::string& name, const std::string& format);
-
-// Returns the names of all files of a [bake.NAME].
-std::vector<std::string> file_names(const config::Bake& bake);
+static_assert(manifest_name == config::manifest_file);
+using config::companion_file_name;
+using config::file_name;
+using config::file_names;
 
 // Lets one process at a time work in a folder. It holds an advisory lock (flock) on the folder
 // itself, so nothing is left behind: the lock ends with this object or with the process, however

@@ -6,18 +6,23 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bakers/io/files/atomic_file.h"
+#include "bakers/io/files/system_call.h"
+#include "bakers/io/manifest/manifest.h"
 
 namespace skybake {
 namespace {
@@ -67,38 +72,40 @@ std::string temporary_prefix(const fs::path& path) {
 
 constexpr std::string_view temporary_suffix = ".tmp";
 
-// Whether the name is ".NAME.skybake-PID-N.tmp".
-bool is_temporary(std::string_view name, std::string_view prefix) {
-    if (name.size() <= prefix.size() + temporary_suffix.size() ||
-        name.substr(0, prefix.size()) != prefix ||
-        name.substr(name.size() - temporary_suffix.size()) != temporary_suffix) {
-        return false;
+// Returns the process number of ".NAME.skybake-PID-N.tmp", or 0 if the name is another.
+pid_t owner_of(std::string_view name, std::string_view prefix) {
+    if (name.size() <= prefix.size() + temporary_suffix.size() || !name.starts_with(prefix) ||
+        !name.ends_with(temporary_suffix)) {
+        return 0;
     }
     name = name.substr(prefix.size(), name.size() - prefix.size() - temporary_suffix.size());
     pid_t owner = 0;
     unsigned number = 0;
     const char* const end = name.data() + name.size();
     const auto pid = std::from_chars(name.data(), end, owner);
-    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0) return false;
+    if (pid.ec != std::errc{} || pid.ptr == end || *pid.ptr != '-' || owner <= 0) return 0;
     const auto count = std::from_chars(pid.ptr + 1, end, number);
-    return count.ec == std::errc{} && count.ptr == end;
+    return count.ec == std::errc{} && count.ptr == end ? owner : 0;
 }
 
-// Removes a temporary whose lock nobody holds, because its process is gone. The process number
-// cannot tell this: a process that is being killed, or that its parent has not waited for, still
-// has its number; another process may have it by now; and numbers are not unique across containers
-// or machines that share a folder.
-void remove_if_left_over(const fs::path& temporary) {
-    const FileDescriptor file(
-        ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK));
-    if (file.valid() && ::flock(file.get(), LOCK_EX | LOCK_NB) == 0) ::unlink(temporary.c_str());
+// Returns a descriptor that holds the lock of a temporary, or none if somebody else holds it.
+FileDescriptor locked(const fs::path& temporary) {
+    FileDescriptor file(uninterrupted([&] {
+        return ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    }));
+    const bool taken = file.valid() && uninterrupted([&] {
+                           return ::flock(file.get(), LOCK_EX | LOCK_NB);
+                       }) == 0;
+    return taken ? std::move(file) : FileDescriptor();
 }
 
 // Locks a temporary that has just been made. Returns false if another process has mistaken it for a
 // leftover in the meantime: it holds the lock, or the name is gone. On file systems without locks,
 // leftovers are never removed, so this returns true.
 bool lock_unless_removed(int descriptor) {
-    if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) return errno != EWOULDBLOCK;
+    if (uninterrupted([&] { return ::flock(descriptor, LOCK_EX | LOCK_NB); }) != 0) {
+        return errno != EWOULDBLOCK;
+    }
     struct stat status {};
     return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
 }
@@ -110,16 +117,49 @@ std::string own_prefix(const std::string& name) {
     return name.substr(0, mark + temporary_mark.size());
 }
 
-void remove_stale(const fs::path& folder,
-                  const std::function<std::string(const std::string& name)>& prefix_for) {
+using PrefixFor = std::function<std::string(const std::string& name)>;
+
+// Returns the temporaries in a folder, each with its process number.
+std::vector<std::pair<fs::path, pid_t>> temporaries_in(const fs::path& folder,
+                                                       const PrefixFor& prefix_for) {
     std::error_code error;
-    std::vector<fs::path> temporaries;
+    std::vector<std::pair<fs::path, pid_t>> found;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
         const std::string name = entry->path().filename().native();
-        if (is_temporary(name, prefix_for(name))) temporaries.push_back(entry->path());
+        const pid_t owner = owner_of(name, prefix_for(name));
+        if (owner != 0) found.emplace_back(entry->path(), owner);
     }
-    for (const fs::path& temporary : temporaries) remove_if_left_over(temporary);
+    return found;
+}
+
+// Whether somebody holds the lock of any temporary of a process but this one.
+bool holds_another(const fs::path& folder, pid_t owner, const fs::path& but) {
+    const auto all = temporaries_in(folder, own_prefix);
+    return std::any_of(all.begin(), all.end(), [&](const auto& other) {
+        std::error_code gone;
+        return other.second == owner && other.first != but && !locked(other.first).valid() &&
+               fs::exists(other.first, gone);
+    });
+}
+
+// Removes temporaries whose process is gone: nobody holds their lock or that of another one of the
+// same process. The process number alone cannot tell this: a process that is being killed, or that
+// its parent has not waited for, still has its number; another process may have it by now; and
+// numbers are not unique across containers or machines that share a folder.
+void remove_stale(const fs::path& folder, const PrefixFor& prefix_for) {
+    std::map<pid_t, bool> lives;
+    for (const auto& [temporary, owner] : temporaries_in(folder, prefix_for)) {
+        const FileDescriptor file = locked(temporary);
+        if (!file.valid()) continue;
+        const auto [known, is_new] = lives.try_emplace(owner);
+        if (is_new) known->second = holds_another(folder, owner, temporary);
+        if (!known->second) ::unlink(temporary.c_str());
+    }
+}
+
+fs::path folder_of(const fs::path& target) {
+    return target.has_parent_path() ? target.parent_path() : fs::path(".");
 }
 
 }  // namespace
@@ -135,25 +175,49 @@ TemporaryFile::TemporaryFile(const fs::path& target) {
         file_ =
             FileDescriptor(::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     } while (file_.valid() ? !lock_unless_removed(file_.get()) : errno == EINTR || errno == EEXIST);
+    made_ = file_.valid();
 }
 
 TemporaryFile::~TemporaryFile() {
-    if (file_.valid() && !renamed_) ::unlink(path_.c_str());
+    if (made_) ::unlink(path_.c_str());
     leave(slot_);
 }
 
+void TemporaryFile::leave_behind() {
+    leave(std::exchange(slot_, -1));
+    made_ = false;
+}
+
 bool TemporaryFile::rename_to(const fs::path& target) {
-    renamed_ = ::rename(path_.c_str(), target.c_str()) == 0;
-    return renamed_;
+    const bool renamed =
+        uninterrupted([&] { return ::rename(path_.c_str(), target.c_str()); }) == 0;
+    if (renamed) made_ = false;
+    return renamed;
 }
 
 void remove_stale_temporaries(const fs::path& target) {
-    const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-    remove_stale(folder,
+    remove_stale(folder_of(target),
                  [prefix = temporary_prefix(target)](const std::string&) { return prefix; });
 }
 
-void remove_stale_temporaries_in(const fs::path& folder) { remove_stale(folder, own_prefix); }
+void remove_stale_temporaries_in(const fs::path& folder) {
+    const std::string kept = temporary_prefix(manifest_name);
+    remove_stale(folder, [&kept](const std::string& name) {
+        const std::string prefix = own_prefix(name);
+        return prefix == kept ? name : prefix;
+    });
+}
+
+std::vector<fs::path> temporaries_of(const fs::path& target) {
+    const auto prefix_for = [prefix = temporary_prefix(target)](const std::string&) {
+        return prefix;
+    };
+    std::vector<fs::path> paths;
+    for (const auto& [path, owner] : temporaries_in(folder_of(target), prefix_for)) {
+        paths.push_back(path);
+    }
+    return paths;
+}
 
 void remember_made_folder(const fs::path& folder) { enter(made_folders, folder); }
 

@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
+#include <map>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/manifest/claimed_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/math/hash.h"
 
@@ -67,48 +68,46 @@ ManifestPlace manifest_place(const std::filesystem::path& path) {
 }
 
 Manifest merge_manifests(const Manifest& previous, Manifest fresh) {
+    std::map<std::string, ManifestAsset*> replacements;
+    for (ManifestAsset& asset : fresh.assets) replacements.emplace(asset.name, &asset);
     std::vector<ManifestAsset> merged;
-    const auto named = [](std::vector<ManifestAsset>& assets, const std::string& name) {
-        return std::find_if(assets.begin(), assets.end(),
-                            [&name](const ManifestAsset& asset) { return asset.name == name; });
-    };
     for (const ManifestAsset& asset : previous.assets) {
-        const auto replacement = named(fresh.assets, asset.name);
-        if (replacement == fresh.assets.end()) {
-            merged.push_back(asset);
-        } else {
-            merged.push_back(std::move(*replacement));
-            fresh.assets.erase(replacement);
-        }
+        const auto replacement = replacements.extract(asset.name);
+        merged.push_back(replacement ? std::move(*replacement.mapped()) : asset);
     }
-    std::move(fresh.assets.begin(), fresh.assets.end(), std::back_inserter(merged));
+    for (ManifestAsset& asset : fresh.assets) {
+        const auto left = replacements.find(asset.name);
+        if (left != replacements.end() && left->second == &asset) merged.push_back(std::move(asset));
+    }
     fresh.assets = std::move(merged);
     return fresh;
 }
 
-bool claims(const Manifest& manifest, const std::filesystem::path& file) {
-    const std::filesystem::path wanted = file.lexically_normal();
-    if (wanted == manifest_name) return true;
+ClaimedFiles::ClaimedFiles(const Manifest& manifest) : files_{std::string(manifest_name)} {
     for (const ManifestAsset& asset : manifest.assets) {
-        for (const ManifestFile& claimed : asset.files) {
-            if (std::filesystem::path(claimed.path).lexically_normal() == wanted) return true;
-        }
+        for (const ManifestFile& file : asset.files) add(file.path);
     }
-    return std::any_of(manifest.retired.begin(), manifest.retired.end(),
-                       [&wanted](const RetiredFile& retired) {
-                           return std::filesystem::path(retired.path).lexically_normal() == wanted;
-                       });
+    for (const RetiredFile& file : manifest.retired) add(file.path);
+}
+
+std::string ClaimedFiles::name_of(const std::filesystem::path& file) {
+    return file.lexically_normal().string();
+}
+
+bool claims(const Manifest& manifest, const std::filesystem::path& file) {
+    return ClaimedFiles(manifest).hold(file);
 }
 
 std::vector<RetiredFile> files_no_longer_made(const Manifest& previous, const Manifest& fresh) {
+    const ClaimedFiles made(fresh);
     std::vector<RetiredFile> retired;
     for (const ManifestAsset& asset : previous.assets) {
         for (const ManifestFile& file : asset.files) {
-            if (!claims(fresh, file.path)) retired.push_back({file.path, file.xxh3});
+            if (!made.hold(file.path)) retired.push_back({file.path, file.xxh3});
         }
     }
     for (const RetiredFile& file : previous.retired) {
-        if (!claims(fresh, file.path)) retired.push_back(file);
+        if (!made.hold(file.path)) retired.push_back(file);
     }
     return retired;
 }

@@ -57,7 +57,9 @@ std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
 void remove_left_overs(const std::filesystem::path& folder) {
     const auto lock = FolderLock::acquire(
         folder, [] {}, [] { return true; });
-    if (lock.value) remove_stale_temporaries_in(folder);
+    if (!lock.value) return;
+    remove_stale_temporaries_in(folder);
+    remove_stale_temporaries(folder / manifest_name);
 }
 
 // Passes the calls of one bake's observer on to the sweep's observer, one at a time.
@@ -125,11 +127,17 @@ class SweepRunner {
         const int threads = thread_count(job_.threads);
         const int workers = std::min(threads, static_cast<int>(waiting_.size()));
         std::vector<std::thread> others;
-        for (int worker = 0; worker < workers; ++worker) {
-            // The remaining threads go to the first workers.
-            const int own = threads / workers + (worker < threads % workers ? 1 : 0);
-            others.emplace_back([this, own] { work(own); });
+        // The remaining threads go to the first workers.
+        const auto own = [=](int worker) {
+            return threads / workers + (worker < threads % workers ? 1 : 0);
+        };
+        try {
+            for (int worker = 1; worker < workers; ++worker) {
+                others.emplace_back([this, count = own(worker)] { work(count); });
+            }
+        } catch (const std::system_error&) {  // the system grants no more
         }
+        if (workers > 0) work(own(0));
         for (std::thread& other : others) other.join();
     }
 

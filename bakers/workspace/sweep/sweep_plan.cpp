@@ -19,7 +19,7 @@ using config::Outcome;
 // Whether the folder's manifest says what it would say if it were written now. It also contains the
 // recipe's parameters that no asset depends on.
 bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
-    if (plan.stale_count() > 0 || !plan.folder.previous) return false;
+    if (plan.stale_count() > 0 || !plan.folder.previous || plan.folder.is_unfinished) return false;
     const Manifest& previous = *plan.folder.previous;
     const Manifest fresh = new_manifest(recipe);
     const auto parse = [](const std::string& text) {

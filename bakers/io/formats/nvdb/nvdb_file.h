@@ -11,8 +11,8 @@
 // writes `NanoVDB1` and `NanoVDB2`, and reads these files too.
 //
 // Nodes are stored breadth-first, children in the order of their parent's table, with the bounds and
-// the extremes of their active values, but without means and deviations. The checksum covers grid,
-// tree and root. Behind the leaves of the first grid is a blind datum named skybake/asset: the
+// the extremes of their active values, but without means and deviations. The checksum covers
+// grid, tree, root and every node. Behind the leaves of the first grid is a blind datum named skybake/asset: the
 // description of the asset, as text.
 #pragma once
 

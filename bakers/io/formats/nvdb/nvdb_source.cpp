@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/io/formats/nvdb/nvdb_checksum.h"
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_tree.h"
 #include "bakers/io/volumes/density_ramp.h"
@@ -57,6 +58,9 @@ class NvdbVoxels : public VoxelSource {
         }
         return largest;
     }
+
+    // Last, because other checks say what is wrong.
+    void expect_checksum(const NvdbGrid& grid) { expect_nvdb_checksum(file_, grid); }
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         std::vector<NvdbUnit> memory;
@@ -184,6 +188,7 @@ Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std:
         auto source =
             std::make_shared<NvdbVoxels>(std::move(file), grid.head.type, std::move(tree), density);
         voxels.largest = source->survey();
+        source->expect_checksum(grid);
         voxels.voxels = std::move(source);
         return {std::move(voxels), {}};
     });

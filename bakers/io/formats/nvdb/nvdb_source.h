@@ -14,7 +14,7 @@ namespace skybake {
 // distances become densities (vdb_source.h). Before voxels are returned, every leaf has been decoded
 // once. Memory use is 24 bytes for each leaf and tile.
 //
-// E0300 if the file cannot be read. E0304 if it is damaged or compressed, was written by another major
+// E0300 if the file cannot be read. E0304 if it is damaged, which its checksum tells, or compressed, was written by another major
 // version (nvdb_file.h), has no such grid, or the grid has another type, is turned, sheared or mirrored
 // against the axes, has no active voxels, more than 16384 voxels along an axis, active voxels beyond
 // its bounds or a value that is not finite; the message says which.

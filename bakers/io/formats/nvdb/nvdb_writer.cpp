@@ -1,7 +1,5 @@
 #include "bakers/io/formats/nvdb/nvdb_writer.h"
 
-#include <libdeflate.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstring>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/nvdb/nvdb_checksum.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/io/formats/nvdb/nvdb_leaves.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
@@ -112,9 +111,10 @@ class NvdbGridWriter {
         const std::uint64_t blind_at = leaves_at_ + leaves_ * leaf_bytes_;
         std::uint64_t end = blind_at;
         if (!description.empty()) end += write_blind(description);
-        write_head(name, description.empty() ? 0 : blind_at, end);
         write_uppers();
         for (std::size_t i = 0; i < made_.size(); ++i) write_lower(i);
+        checksums_.insert(checksums_.end(), leaf_checksums_.begin(), leaf_checksums_.end());
+        write_head(name, description.empty() ? 0 : blind_at, end);
         output_.seek(begin_ + end);
         return true;
     }
@@ -148,6 +148,9 @@ class NvdbGridWriter {
                 if (!complete) return false;
                 NvdbSlot& made = slots[static_cast<std::size_t>(slot)];
                 output_.write(made.leaves);
+                for (std::size_t at = 0; at < made.leaves.size(); at += leaf_bytes_) {
+                    leaf_checksums_.push_back(nvdb_crc(made.leaves.substr(at, leaf_bytes_)));
+                }
                 made.node.first_leaf = leaves_;
                 leaves_ += made.node.leaves;
                 lower_[static_cast<std::size_t>(i)] = made.node;
@@ -238,9 +241,8 @@ class NvdbGridWriter {
             tile.child =
                 static_cast<std::int64_t>(uppers_at_ + i * sizeof(NvdbUpper) - nvdb_root_at);
         }
-        // Magic number and checksum are not in the checksum.
-        const std::string_view summed = grid.bytes().substr(16);
-        grid->mChecksum = 0xFFFFFFFF00000000U | libdeflate_crc32(0, summed.data(), summed.size());
+        grid->mChecksum = std::uint64_t{nvdb_crc_of_nodes(checksums_)} << 32 |
+                          nvdb_crc(grid.bytes().substr(nvdb_summed_from));
         output_.seek(begin_);
         output_.write(grid.bytes());
         fill_file_head(*grid, tree, name);
@@ -305,7 +307,7 @@ class NvdbGridWriter {
                     static_cast<std::int64_t>(lowers_at_ + k * sizeof(NvdbLower)) -
                     static_cast<std::int64_t>(uppers_at_ + i * sizeof(NvdbUpper));
             }
-            output_.write(node.bytes());
+            write_node(node.bytes());
         }
     }
 
@@ -325,7 +327,12 @@ class NvdbGridWriter {
                 leaf += leaf_bytes_;
             }
         }
-        output_.write(node.bytes());
+        write_node(node.bytes());
+    }
+
+    void write_node(std::string_view bytes) {
+        checksums_.push_back(nvdb_crc(bytes));
+        output_.write(bytes);
     }
 
     const FileContent& content_;
@@ -343,6 +350,8 @@ class NvdbGridWriter {
     std::vector<NvdbLowerNode> lower_;  // all of `nodes_`
     std::vector<std::size_t> made_;     // those of them that have leaves
     std::vector<NvdbUpperNode> uppers_;
+    std::vector<std::uint32_t> checksums_;  // of upper nodes, then of lower ones, then of leaves
+    std::vector<std::uint32_t> leaf_checksums_;
     NvdbActive whole_;
     NvdbGridHead head_;
 };

@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/io/files/system_call.h"
 #include "bakers/io/formats/png/map_image.h"
 
 namespace skybake {
@@ -54,7 +55,8 @@ constexpr std::array<Format, 6> formats = {{
 // Returns the format of the file, or null if the library must not open it.
 const char* format_of(const std::filesystem::path& path) {
     std::array<char, 8> bytes{};
-    std::ifstream file(path, std::ios::binary);
+    std::ifstream file;
+    open_to_read(file, path);
     file.read(bytes.data(), bytes.size());
     const std::string_view begin(bytes.data(), static_cast<std::size_t>(file.gcount()));
     file.clear();

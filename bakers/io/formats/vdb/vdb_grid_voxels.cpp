@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "bakers/io/formats/vdb/vdb_grid_tree.h"
+#include "bakers/io/files/system_call.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
 #include "bakers/io/volumes/leaf_cubes.h"
@@ -34,7 +35,7 @@ class GridVoxels : public VoxelSource {
         : tree_(std::move(tree)),
           half_(grid.descriptor.saveFloatAsHalf()),
           settings_(std::ios::binary),
-          file_(::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+          file_(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); })) {
         expect(file_.valid(), "it has gone while it was read");
         settings_.copyfmt(input.stream());
         settings_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);

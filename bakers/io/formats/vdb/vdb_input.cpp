@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "bakers/io/files/system_call.h"
+
 namespace skybake::vdb {
 namespace {
 
@@ -39,7 +41,8 @@ void add_entry(const std::string& name, const std::string& type, const std::stri
 
 }  // namespace
 
-Input::Input(const std::filesystem::path& path) : stream_(path, std::ios::binary) {
+Input::Input(const std::filesystem::path& path) {
+    open_to_read(stream_, path);
     stream_.exceptions(std::ios::failbit | std::ios::badbit | std::ios::eofbit);
     stream_.seekg(0, std::ios::end);
     file_size_ = stream_.tellg();
