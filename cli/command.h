@@ -33,6 +33,7 @@ struct OptionRow {
     std::string_view help = {};
     std::string_view fallback = {};              // the value if not given, as help shows it
     std::vector<std::string_view> choices = {};  // the only values allowed; empty: any
+    std::vector<std::string> offered = {};       // by shells, besides other values
     bool repeatable = false;                     // if false, the last value counts
     bool is_path = false;                        // the value names a file or a folder
     // It returns E0001 for a text that the option does not take. If it is null, the option takes

@@ -264,6 +264,16 @@ std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem:
     return diagnostic;
 }
 
+namespace {
+
+OptionRow preset_row() {
+    OptionRow row = options::preset("the preset to start from, such as clouds.thesis", "earth");
+    row.offered = names_with("");
+    return row;
+}
+
+}  // namespace
+
 Command init_command() {
     return {
         .name = "init",
@@ -272,7 +282,7 @@ Command init_command() {
         .arguments = {{.name = "file",
                        .help = "the recipe to write (default skybake.toml); - prints it",
                        .required = false}},
-        .options = {options::preset("the preset to start from, such as clouds.thesis", "earth"),
+        .options = {preset_row(),
                     options::list("list the presets of each kind and write nothing"),
                     options::force("overwrite an existing file")},
         .examples = {{"skybake init earth.toml",

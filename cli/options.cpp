@@ -14,6 +14,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/http_cache.h"
+#include "config/fields/fields.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 
@@ -128,7 +129,32 @@ Outcome<double> read_max_memory(const std::string& text) {
 
 }  // namespace options
 
-OptionRow set_row() { return options::set("override a value of the recipe"); }
+namespace {
+
+// Returns the paths of keys in tables whose names a recipe does not choose, with an equals sign. An
+// asset's own name stands for that of its table.
+std::vector<std::string> keys_to_set() {
+    std::vector<std::string> keys;
+    for (const config::Section& section : config::sections()) {
+        const bool is_of_asset = !section.asset.empty();
+        if (section.path.starts_with("sweep") || section.path.starts_with("preview")) continue;
+        if (!is_of_asset && section.path.find('*') != std::string_view::npos) continue;
+        const std::string table =
+            is_of_asset ? fmt::format("bake.{}", section.asset) : std::string(section.path);
+        for (const config::Field& field : section.fields) {
+            keys.push_back(config::join_path(table, field.key) + "=");
+        }
+    }
+    return keys;
+}
+
+}  // namespace
+
+OptionRow set_row() {
+    OptionRow row = options::set("override a value of the recipe");
+    row.offered = keys_to_set();
+    return row;
+}
 
 OptionRow certify_row() { return options::certify("how thoroughly to measure errors", "quick"); }
 

@@ -107,6 +107,12 @@ std::vector<std::string_view> argument_choices(const Command& command,
     return choices;
 }
 
+// Returns the values of an option that shells offer.
+std::string offered(const OptionRow& option) {
+    if (!option.choices.empty()) return fmt::format("{}", fmt::join(option.choices, " "));
+    return fmt::format("{}", fmt::join(option.offered, " "));
+}
+
 // Returns the cases `COMMAND:OPTION`, where OPTION is the word before the cursor, that complete the
 // option's value.
 std::string bash_values(std::string_view command, std::span<const OptionRow> options) {
@@ -118,8 +124,8 @@ std::string bash_values(std::string_view command, std::span<const OptionRow> opt
             patterns.push_back(fmt::format("{}:{}", command, word));
         }
         const std::string reply =
-            !option.choices.empty()
-                ? fmt::format("_skybake_words \"{}\"", fmt::join(option.choices, " "))
+            !offered(option).empty()
+                ? fmt::format("_skybake_words \"{}\"", offered(option))
             : is_folder(option) ? "_skybake_paths -d"
             : option.is_path    ? "_skybake_paths -f"
                                 : ":";
@@ -139,6 +145,8 @@ std::string bash_words(std::span<const OptionRow> options) {
 constexpr std::string_view bash_functions = R"(# bash completion for skybake
 _skybake_words() {
     COMPREPLY=($(compgen -W "$1" -- "$cur"))
+    # A value follows the equals sign.
+    [[ ${COMPREPLY[0]-} != *= ]] || compopt -o nospace 2>/dev/null || true
 }
 _skybake_paths() {
     local IFS=$'\n'
@@ -196,8 +204,8 @@ std::string zsh_specs(std::span<const OptionRow> options) {
         const std::string help = replaced(option.help, {{'[', "\\["}, {']', "\\]"}});
         std::string spec = fmt::format("[{}]", help);
         if (!option.value.empty()) {
-            const std::string action = !option.choices.empty()
-                                           ? fmt::format("({})", fmt::join(option.choices, " "))
+            const std::string action = !offered(option).empty()
+                                           ? fmt::format("({})", offered(option))
                                        : is_folder(option) ? "_files -/"
                                        : option.is_path    ? "_files"
                                                            : " ";
@@ -252,9 +260,8 @@ std::string fish_options(const std::string& where, std::span<const OptionRow> op
     for (const OptionRow& option : options) {
         text += fmt::format("complete -c skybake{} -l {}", where, option.name);
         if (option.short_name != 0) text += fmt::format(" -s {}", option.short_name);
-        if (!option.choices.empty()) {
-            text += fmt::format(" -x -a {}",
-                                shell_quoted(fmt::format("{}", fmt::join(option.choices, " "))));
+        if (!offered(option).empty()) {
+            text += fmt::format(" -x -a {}", shell_quoted(offered(option)));
         } else if (is_folder(option)) {
             text += " -x -a '(__fish_complete_directories)'";
         } else if (option.is_path) {

@@ -99,12 +99,8 @@ class FolderMaker {
     bool has_modules() {
         for (const PlannedAsset& planned : plan_.assets) {
             if (!planned.stale()) continue;
-            const config::AssetFiles& files = config::files_of(*planned.bake);
-            for (const config::FileFormat format : files.formats) {
-                const auto ask = format_of(format).obstacle;
-                if (ask == nullptr) continue;
-                auto obstacle = ask(bake_.folder / file_name(planned.bake->name, files, format, 0));
-                if (obstacle) return stop({std::move(*obstacle)});
+            if (auto obstacle = missing_module(*planned.bake, bake_.folder)) {
+                return stop({std::move(*obstacle)});
             }
         }
         return true;
@@ -383,8 +379,8 @@ class MadeFolders {
 };
 
 struct LockedFolder {
-    MadeFolders made;
     FolderLock lock;
+    MadeFolders made;  // the last member: removed while the lock is held
 };
 
 // Makes and locks the folder, repeatedly if necessary: another process may remove the folder that
@@ -400,7 +396,7 @@ Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer
         if (!made.value) return {{}, std::move(made.diagnostics)};
         auto lock = FolderLock::acquire(folder, waits, [&] { return observer.cancelled(); });
         if (lock.value) {
-            return {LockedFolder{MadeFolders(std::move(*made.value)), std::move(*lock.value)}, {}};
+            return {LockedFolder{std::move(*lock.value), MadeFolders(std::move(*made.value))}, {}};
         }
         std::error_code error;
         if (lock.diagnostics.empty() || fs::exists(folder, error)) {
@@ -410,6 +406,16 @@ Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer
 }
 
 }  // namespace
+
+std::optional<Diagnostic> missing_module(const config::Bake& bake, const fs::path& folder) {
+    const config::AssetFiles& files = config::files_of(bake);
+    for (const config::FileFormat format : files.formats) {
+        const auto ask = format_of(format).obstacle;
+        if (ask == nullptr) continue;
+        if (auto obstacle = ask(folder / file_name(bake.name, files, format, 0))) return obstacle;
+    }
+    return std::nullopt;
+}
 
 bool has_frames(const FolderBake& bake) {
     return bake.frame_by_frame &&

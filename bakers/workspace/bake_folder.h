@@ -10,7 +10,9 @@
 // that is interrupted goes on where it stopped, and a program may show the frames that are there.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -61,6 +63,10 @@ struct BakedFolder {
 // values than the recipe. Warnings may accompany a value. After an interruption there is neither a
 // value nor an error.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
+
+// Loads the modules that an asset's files need. Returns E0301 if one is missing or cannot be loaded.
+std::optional<config::Diagnostic> missing_module(const config::Bake& bake,
+                                                 const std::filesystem::path& folder);
 
 // Whether anything is baked frame by frame.
 bool has_frames(const FolderBake& bake);

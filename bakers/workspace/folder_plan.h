@@ -28,7 +28,7 @@ struct AssetIdentity {
     Certification certification = Certification::quick;
     std::string parameters;             // canonical TOML of those that the asset depends on
     std::vector<ManifestInput> inputs;  // files besides the recipe, by content
-    std::string sidecars;               // the texts that a target's own files are made of
+    std::string sidecars;  // the texts that a target's own files are made of, and revisions of formats
     std::string key;                    // key_of all of the above
 };
 

@@ -36,6 +36,10 @@ expect "full" bake --certify = fu
 expect "quick full off" sweep --certify =
 expect "slurm" sweep --emit sl
 expect "auto always" --color a
+expect "atmosphere.ground_albedo= atmosphere.ground_radius=" bake earth.toml --set atmosphere.ground_
+expect "bake.transmittance.size=" show earth.toml --set bake.transmittance.si
+expect "mars mars_rgb" init --preset mar
+expect "clouds.thesis" init --preset clouds.th
 expect "" bake --jobs ""
 expect "a folder" bake -o a
 expect "a folder" bake --output a

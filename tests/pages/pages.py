@@ -64,6 +64,20 @@ def broken_links():
         yield f"only {count} links were found"
 
 
+def broken_where_installed():
+    """Links of installed pages to what is not installed: pages of examples, and what cli/CMakeLists.txt adds."""
+    text = (source / "cli/CMakeLists.txt").read_text()
+    added = [source / name for name in re.search(r"foreach\(linked IN ITEMS(.*?)\)", text, re.S)[1].split()]
+    installed = [page for page in pages() if page.is_relative_to(source / "examples") or page in added]
+    for page in installed:
+        for link in links(page):
+            path = link.partition("#")[0]
+            target = (page.parent / path).resolve() if path else page
+            if not path.startswith("http") and not any(
+                    target.is_relative_to(place) for place in [source / "examples", *added]):
+                yield f"{page.relative_to(source)}: {link} is not installed"
+
+
 def left_out():
     """An asset without a page, a page or lookup that nothing links, a README that has grown."""
     listed = (source / "config/assets/assets.h").read_text()
@@ -210,7 +224,7 @@ def wrong_figures(skybake, page):
 
 mode, arguments = sys.argv[1], sys.argv[3:]
 if mode == "links":
-    failures = [*broken_links(), *left_out()]
+    failures = [*broken_links(), *broken_where_installed(), *left_out()]
 elif mode == "commands":
     failures = [*failing_recipes(*arguments), *wrong_commands(*arguments)]
 else:

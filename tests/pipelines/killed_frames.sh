@@ -54,10 +54,10 @@ for at in {1..14}; do
     traced "killed$at" -e inject=rename:signal=KILL:when="$at" || code=$?
     ((code == 137)) || fail "not killed at name $at: exit code $code"
     complete=$(((at - 1) / 2 < 6 ? (at - 1) / 2 : 6))
-    made "killed$at"
+    made "killed$at" || fail "killed at name $at"
     # A frame is complete with its second file. The kill comes before the call or after it.
     ((made == 7 - complete || made == 7 - complete - 1)) || fail "killed at name $at: $made assets made, $complete were complete"
-done
+done 2> >(grep -v Killed >&2)
 echo "killed at each of 14 names"
 
 # Killed twice, and with another recipe in between: what the first kill left is still known.

@@ -60,6 +60,11 @@ for recipe in tables vdb; do
         done
     done
 done
+for most in 3 5 8; do
+    "${as_user[@]}" bash -c 'ulimit -u "$1" && exec timeout -s KILL 60 "${@:2}"' _ "$most" \
+        "$program" sweep threads/tables.toml --vary noise.n.seed=1,2,3 --certify off -j 8 -o threads/sweep$most \
+        >/dev/null 2>log || fail "a sweep with $most threads: exit code $?: $(cat log)"
+done
 # Tables need no thread but the first; OpenVDB's libraries begin threads of their own.
 ((baked >= 30)) || fail "only $baked bakes succeeded"
 ((refused > 0)) || fail "no limit was too low for OpenVDB"

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/math/parallel.h"
+#include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/sweep/variants.h"
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/recipe/recipe.h"
@@ -116,8 +117,23 @@ FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe,
     return bake;
 }
 
+namespace {
+
+// The libraries of modules begin threads when they are loaded, and end the process where they cannot.
+// So modules are loaded before the sweep's own threads take those that the system grants.
+void load_modules(const SweepJob& job) {
+    const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, 0);
+    if (!recipe.value) return;
+    for (const config::Bake& bake : recipe.value->parameters.bakes) {
+        static_cast<void>(missing_module(bake, job.folder));  // which its variant will say
+    }
+}
+
+}  // namespace
+
 std::vector<PlannedVariant> plan_sweep(const SweepJob& job,
                                        const std::function<bool()>& cancelled) {
+    load_modules(job);
     const VariantNames names(job.sweep);
     std::vector<int> indices;
     for (int i = job.shard - 1; i < variant_count(job.sweep); i += job.shards) indices.push_back(i);
