@@ -69,6 +69,8 @@ TEST(InfoCommand, EscapesWhatWouldControlATerminal) {
         const Result result = run_words(words);
         EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << words[0] << result.out;
         EXPECT_EQ(result.error.find('\x1b'), std::string::npos) << words[0] << result.error;
+        const bool tells = words[0] == "info" || words[0] == "check";
+        if (!tells) continue;
         EXPECT_TRUE(contains(result.out + result.error, "\\u001b")) << words[0];
     }
 }

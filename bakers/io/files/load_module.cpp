@@ -32,14 +32,17 @@ fs::path find_module(const std::string& file_name) {
 
 std::string file_name_of(const std::string& module) { return module + ".so"; }
 
+bool uses_openvdb(const std::string& module) {
+    return module == vdb_module_name || module == image_module_name;
+}
+
 // Returns why a module cannot be loaded, or an empty text. OpenVDB brings log4cplus, which begins four
-// threads as it is loaded, and waits for ever or ends the process if one cannot begin. With these and
-// one for TBB, the module is loaded before other threads take their place.
+// threads as it is loaded, and waits for ever or ends the process if one cannot begin. One more is left
+// to whoever tells how far the work is.
 std::string want_of_threads(const std::string& module) {
     constexpr int wanted = 5;
-    if (module != vdb_module_name && module != image_module_name) return "";
+    if (!uses_openvdb(module)) return "";
     const int startable = startable_threads(wanted);
-    static_cast<void>(thread_count(0));  // and TBB, which OpenVDB uses, asks for no more than there are
     if (startable == wanted) return "";
     return fmt::format(
         "the system lets this process begin only {} of the {} threads that OpenVDB needs (ulimit -u, "
@@ -75,6 +78,8 @@ ModuleSymbol load_module(const std::string& module, const char* symbol) {
     if (address == nullptr) {
         return {nullptr, fmt::format("a module cannot be loaded: {}", ::dlerror())};
     }
+    // OpenVDB uses TBB, which asks for no more threads than are granted here.
+    if (uses_openvdb(module)) static_cast<void>(thread_count(0));
     return {address, ""};
 }
 
