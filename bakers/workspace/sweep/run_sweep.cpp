@@ -15,6 +15,7 @@
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/math/parallel.h"
+#include "bakers/math/startable_threads.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/folder_plan.h"
@@ -125,7 +126,10 @@ class SweepRunner {
             if (!variant.to_be_made()) settle(variant);
         }
         const int threads = thread_count(job_.threads);
-        const int workers = std::min(threads, static_cast<int>(waiting_.size()));
+        int workers = std::min(threads, static_cast<int>(waiting_.size()));
+        // The threads of loops come on top of the workers.
+        const int wanted = threads + workers;
+        if (workers > 1 && startable_threads(wanted) < wanted) workers = 1;
         std::vector<std::thread> others;
         // The remaining threads go to the first workers.
         const auto own = [=](int worker) {
