@@ -59,7 +59,7 @@ const std::string a_noise =
 // Levels of detail and frames have names that follow from the asset's; a dot is in no asset's name.
 TEST(OutputFiles, OfFramesDifferFromThoseOfOtherAssets) {
     EXPECT_EQ(told(a_noise + noise("c", "frames = 2\n") + noise("C_0002", "frame = 1\n")),
-              Told{"E0177 12"});
+              Told{"E0177 13"});
 }
 
 // 255 bytes are what file systems allow, whatever the files of an asset end with.
