@@ -81,7 +81,7 @@ forbid 'toml\+\+' 'config bakers cli' 'config/diagnostics/toml_source\.cpp'
 forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_library\.h"
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
-forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_writer\.cpp|bakers/preview/live/zlib_bytes\.cpp"
+forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_checksum\.cpp|bakers/preview/live/zlib_bytes\.cpp"
 forbid 'zstd\.h' 'config bakers cli' "$formats/ktx2/zstd_stream\.cpp"
 forbid 'nanovdb/' 'config bakers cli' "$formats/nvdb/nvdb_layout\.h"
 forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder|grid_tree|grid_voxels|input)\.cpp|$formats/vdb/vdb_(library|input)\.h"
