@@ -28,15 +28,16 @@ void run_with_threads(int threads, const std::function<void()>& work) {
     arena.execute(work);
 }
 
+std::mutex asking;
+int asked = 1;  // the most threads that were found to be granted
+
 // Returns `threads`, or how many the system grants if these are fewer. TBB ends the process when a
 // thread of it cannot begin, so it never asks for more than were granted, whoever uses it. One thread
 // is left to whoever tells how far the work is.
 int granted(int threads) {
-    static std::mutex mutex;
-    static int asked = 1;
     static int most = std::numeric_limits<int>::max();
-    const std::lock_guard lock(mutex);
-    if (threads > asked && asked < most) {
+    const std::lock_guard lock(asking);
+    if (threads > asked && threads <= most) {
         asked = threads;
         const int startable = startable_threads(threads);
         if (startable < threads) {
@@ -49,6 +50,11 @@ int granted(int threads) {
 }
 
 }  // namespace
+
+void count_threads_again() {
+    const std::lock_guard lock(asking);
+    asked = 1;
+}
 
 int thread_count(int threads) {
     return granted(threads > 0 ? threads : oneapi::tbb::this_task_arena::max_concurrency());

@@ -8,4 +8,8 @@ namespace skybake {
 // Begins up to `wanted` threads at once, ends them again, and returns how many could begin.
 int startable_threads(int wanted);
 
+// Makes parallel loops (parallel.h) find out again how many threads they may have, after a library has
+// begun some of its own. Otherwise they do so when they are asked for more than before.
+void count_threads_again();
+
 }  // namespace skybake

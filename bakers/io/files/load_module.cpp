@@ -79,7 +79,10 @@ ModuleSymbol load_module(const std::string& module, const char* symbol) {
         return {nullptr, fmt::format("a module cannot be loaded: {}", ::dlerror())};
     }
     // OpenVDB uses TBB, which asks for no more threads than are granted here.
-    if (uses_openvdb(module)) static_cast<void>(thread_count(0));
+    if (uses_openvdb(module)) {
+        count_threads_again();
+        static_cast<void>(thread_count(0));
+    }
     return {address, ""};
 }
 
