@@ -9,6 +9,7 @@
 #include <cassert>
 #include <cstddef>
 #include <limits>
+#include <list>
 #include <mutex>
 
 #include "bakers/math/parallel.h"
@@ -42,8 +43,9 @@ int granted(int threads) {
         const int startable = startable_threads(threads);
         if (startable < threads) {
             most = std::max(startable, 1);
-            static const global_control limit(global_control::max_allowed_parallelism,
-                                              static_cast<std::size_t>(most));
+            static std::list<global_control> limits;  // of which the least holds
+            limits.emplace_back(global_control::max_allowed_parallelism,
+                                static_cast<std::size_t>(most));
         }
     }
     return std::min(threads, most);
