@@ -78,7 +78,7 @@ class FolderMaker {
 
     Outcome<BakedFolder> make() {
         const bool made = has_modules() && make_frames() && make_all() && stage_all() &&
-                          stage_manifest() && commit(unnamed());
+                          stage_manifest() && commit(unnamed(), Told::by_staged_manifest);
         if (made) {
             journal_.end();
         } else if (!is_half_named_) {
@@ -114,7 +114,7 @@ class FolderMaker {
             if (!planned.stale() || !is_frame(bake_, *planned.bake)) continue;
             const bool made = make(i);
             if (observer_.cancelled()) return stop_for_interruption();
-            if (!made || !stage(i) || !commit({i})) return false;
+            if (!made || !stage(i) || !commit({i}, Told::by_journal)) return false;
         }
         return true;
     }
@@ -293,15 +293,24 @@ class FolderMaker {
         }
     }
 
-    // Gives the staged files their names, which the journal tells before.
-    bool commit(const std::vector<std::size_t>& assets) {
+    // How the next bake would know of files if this one were killed while they get their names: a
+    // staged manifest is a journal until it has its own.
+    enum class Told { by_journal, by_staged_manifest };
+
+    // Gives the staged files their names.
+    bool commit(const std::vector<std::size_t>& assets, Told told) {
         std::vector<ManifestAsset> entries;
         for (const std::size_t i : assets) entries.push_back(result_.assets[i].entry);
-        auto failures = journal_.add(entries);
+        std::vector<Diagnostic> failures;
+        if (told == Told::by_journal) failures = journal_.add(entries);
         const std::size_t staged = files_.size();
         if (failures.empty()) failures = files_.commit();
-        is_half_named_ = files_.size() < staged && !failures.empty();
-        if (!failures.empty()) return stop(std::move(failures));
+        if (!failures.empty()) {
+            is_half_named_ = files_.size() < staged;
+            // The staged manifest will be gone.
+            if (is_half_named_ && told == Told::by_staged_manifest) stop(journal_.add(entries));
+            return stop(std::move(failures));
+        }
         named_.insert(assets.begin(), assets.end());
         for (const ManifestAsset& entry : entries) offer(entry);
         return true;

@@ -1,8 +1,9 @@
 // The journal of a bake, which tells the next one what a killed bake has finished.
 //
 // manifest.json gets its name last, so whoever sees it sees the files that it lists. Before the first
-// of these files gets its name, the bake writes their entries into a temporary of manifest.json, the
-// journal: each text in it is a manifest of the assets that are about to appear. A bake that is killed
+// of these files gets its name, their entries are in a temporary of manifest.json, the journal: it is the
+// manifest itself, or, while frames of a sequence appear one by one, a text of manifests, each of the
+// frame that is about to appear. A bake that is killed
 // leaves it. The next one believes it of files that hold the bytes that it says, and of no others.
 #pragma once
 
