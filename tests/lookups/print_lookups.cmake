@@ -51,6 +51,7 @@ print_lookups(${FOLDER}/colours "")
 # Files of one wavelength have other channels.
 skybake(said bake ${RECIPE} -o ${FOLDER}/one_colour --certify=off --prune
     --set "wavelengths=[\"550 nm\"]" --set "bake.air.content=\"in_scatter\""
+    --set "bake.air_from_space.content=\"in_scatter\""
     --set "atmosphere.layers.rayleigh.scattering=\"1.36e-5 /m\""
     --set "atmosphere.layers.ozone.absorption=\"1.88e-6 /m\""
     --only transmittance --only air --only sky)

@@ -206,7 +206,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 12,
+    static const Baker<EnvironmentBake> row = {.version = 13,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,
