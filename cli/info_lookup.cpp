@@ -15,7 +15,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/preview/live/live_scene.h"
+#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/load_assets.h"
 #include "cli/command.h"
 #include "cli/events.h"

@@ -269,6 +269,11 @@ namespace {
 OptionRow preset_row() {
     OptionRow row = options::preset("the preset to start from, such as clouds.thesis", "earth");
     row.offered = names_with("");
+    for (const PresetKind& kind : kinds) {
+        for (const config::Preset& preset : kind.all()) {
+            if (presets_for_init(preset.name).size() == 1) row.offered.emplace_back(preset.name);
+        }
+    }
     return row;
 }
 

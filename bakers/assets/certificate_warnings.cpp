@@ -136,7 +136,8 @@ std::vector<Diagnostic> warn_of_large_errors(const config::Parameters& parameter
                                                 : fmt::format("`{}`: {}", baked.name, error.text);
         warning.label = advice_on(error.code, parameters, baked);
         warning.code = std::move(error.code);
-        if (certificate.advice.empty()) certificate.advice = warning.label;
+        if (!certificate.advice.empty()) certificate.advice += "; ";
+        certificate.advice += warning.label;
         warnings.push_back(std::move(warning));
     }
     if (certificate.advice.empty() && certificate.sky && certificate.sky->points == 0) {

@@ -36,7 +36,7 @@ expect "full" bake --certify = fu
 expect "quick full off" sweep --certify =
 expect "slurm" sweep --emit sl
 expect "auto always" --color a
-expect "atmosphere.ground_albedo= atmosphere.ground_radius=" bake earth.toml --set atmosphere.ground_
+expect "atmosphere.ground_radius= atmosphere.ground_albedo=" bake earth.toml --set atmosphere.ground_
 expect "bake.transmittance.size=" show earth.toml --set bake.transmittance.si
 expect "mars mars_rgb" init --preset mar
 expect "clouds.thesis" init --preset clouds.th

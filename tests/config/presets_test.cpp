@@ -42,7 +42,7 @@ TEST(Presets, TheEarthHasItsLightSolved) {
         const Recipe recipe = valid(std::string(find_preset(preset)->text));
         return recipe.parameters.bakes.at(1).as<MultipleScatteringBake>();
     };
-    for (const char* preset : {"earth", "mars"}) {
+    for (const char* preset : {"earth", "earth_urban_haze"}) {
         EXPECT_EQ(second_order(preset).method, MultipleScatteringMethod::solved) << preset;
         EXPECT_EQ(second_order(preset).mapping, MultipleScatteringMapping::twilight) << preset;
     }

@@ -215,7 +215,7 @@ class ChangedRecipe {
 };
 
 // Changes each value of a recipe. What names other things cannot change alone, or has no other
-// value; `fixed` has their keys or their whole paths.
+// value; `fixed` has their keys or their whole paths. `flip` is refused where no file is an image.
 void change_every_value(const std::string& text, const std::set<std::string>& fixed) {
     const auto changed = ChangedRecipe(text).change_all();
     for (const ResolvedValue& value : recipe_of(text, kMaps).values) {
@@ -231,7 +231,7 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds, {"format", "profile", "pack", "asset", "cloud", "of", "shape",
+    change_every_value(kClouds, {"flip", "format", "profile", "pack", "asset", "cloud", "of", "shape",
                                  "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
 }
 
@@ -278,14 +278,14 @@ TEST(KeyCoversBytes, WhateverChangesOfColors) {
 }
 
 TEST(KeyCoversBytes, WhateverElseChanges) {
-    change_every_value(kOthers, {"format", "profile", "pack", "asset", "cloud", "noise", "file",
+    change_every_value(kOthers, {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "file",
                                  "type", "sizes", "shape", "of", "frames", "bake.wave_0001.frame",
                                  "bake.wave_0002.frame", "bake.book.mips"});
 }
 
 // A cloud of a volume has one channel.
 TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
-    change_every_value(kVolumes, {"format", "asset", "cloud", "volume", "file", "grid", "channel",
+    change_every_value(kVolumes, {"flip", "format", "asset", "cloud", "volume", "file", "grid", "channel",
                                   "channels", "size", "slices", "first_slice"});
 }
 

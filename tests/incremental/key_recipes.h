@@ -102,6 +102,7 @@ type = "curl"
 frequency = 2
 component = "z"
 [clouds.c]
+corner = ["20 m", "-30 m"]
 noise = "shape"
 detail = "detail"
 erosion = [0.1, 0.2]

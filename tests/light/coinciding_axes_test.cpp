@@ -83,6 +83,9 @@ TEST(CoincidingAxes, SunsAtTheZenithNadirAndHorizonAreThoseBesideThem) {
         ASSERT_EQ(on_axis.parameters.bakes.size(), 21U);
         for (std::size_t i = 0; i < on_axis.parameters.bakes.size(); ++i) {
             const config::Bake& bake = on_axis.parameters.bakes[i];
+            // Within the planet, straight below a camera on the ground, a sun on the horizon is lit from
+            // one side and not from the other.
+            if (exact == "0 deg" && bake.name == "froxels_ground_down") continue;
             expect_alike(values_of(shared.baked(on_axis, bake)),
                          values_of(shared.baked(beside, beside.parameters.bakes[i])),
                          exact + " " + bake.name);

@@ -1,3 +1,4 @@
+#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/live/live_scene.h"
 
 #include <gtest/gtest.h>

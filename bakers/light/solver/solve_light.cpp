@@ -103,12 +103,6 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
-    if (settings.orders > 0) {
-        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
-        solved.light = std::move(sum.light);
-        solved.applications = sum.applications;
-        return solved;
-    }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
@@ -116,6 +110,12 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     LightField start = correct(first, light_scale(first));
     coarse.follow(start);
     steep.follow(reading.read_light(start));
+    if (settings.orders > 0) {
+        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        return solved;
+    }
     OrderSum sum = sum_of_orders(first, std::move(start), next, correct,
                                  {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);

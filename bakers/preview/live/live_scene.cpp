@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bakers/preview/check_options.h"
+#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/live/live_clouds.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/live/live_textures.h"

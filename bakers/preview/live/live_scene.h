@@ -21,8 +21,4 @@ namespace skybake {
 // there is no recipe to read numbers from, or the air has other than three or four channels.
 config::Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOptions& options);
 
-// Returns GLSL that shows light as pictures of these assets do: with daylight as white, by the curve film.
-// E0001 if there are no two tables of three or four channels, by which rays are marched.
-config::Outcome<std::string> film_lookup(const PreviewAssets& assets, int threads);
-
 }  // namespace skybake
