@@ -19,14 +19,15 @@ function imageOf(picture) {
     const image = images.get(picture.file);
     return image.isConnected && !standing.contains(image) ? image.cloneNode() : image;
 }
-// A title that stands in the picture does not stand below it too. A caption's second line is folded.
-function figureOf(picture, content) {
+// A title that stands in the picture does not stand below it too. A caption's second line is folded. Where the
+// picture changes, `words` stand in the place of its first line.
+function figureOf(picture, content, words = null) {
     const [caption, more] = picture.caption.split('\n');
     return element('figure',
         {style: `--shape: ${(picture.width / picture.height).toFixed(3)}; --width: ${picture.width}px`, 'data-name': picture.name,
          class: picture.kind},
         ...content, element('figcaption', {},
-            picture.titled ? null : element('b', {}, picture.title), caption,
+            picture.titled ? null : element('b', {}, picture.title), words ?? caption,
             more ? element('details', {}, element('summary', {}, 'How it was made'), more) : null));
 }
 // Pictures of one sequence are a turntable, those of one group are tabs of one figure, and every
@@ -69,7 +70,7 @@ function turntable(frames) {
         slider.value = at;
         image.src = sources[at];
         image.alt = frames[at].caption;
-        words.textContent = frames[at].caption;
+        words.textContent = frames[at].caption.split('\n')[0];
     }
     function step() {
         if (figure.isConnected) show(Number(slider.value) + 1);
@@ -98,8 +99,7 @@ function turntable(frames) {
         if (held) show(held.index + (event.clientX - held.x) / image.clientWidth * frames.length);
     });
     for (const end of ['pointerup', 'pointercancel']) image.addEventListener(end, () => { held = null; });
-    const figure = figureOf({...frames[0], caption: words}, [image,
-        element('div', {class: 'turn'}, button, slider)]);
+    const figure = figureOf(frames[0], [image, element('div', {class: 'turn'}, button, slider)], words);
     figure.classList.add('turntable');
     show(0);
     if (perSecond > 0 && !matchMedia('(prefers-reduced-motion: reduce)').matches) play();

@@ -38,6 +38,7 @@ const tests = {
     async 'turns a turntable by slider, drag, keys and by itself'(browser) {
         const out = path.join(work, 'turning');
         execFileSync(program, ['preview', write('turning.toml', recipe), '--only', 'cumulus', '--turntable', '6',
+                               '--sun-elevation', '40',
                                '--size', '64x36', '-o', out, '-q']);
         const page = await open(browser, path.join(out, 'index.html'));
         const figure = page.locator('figure.turntable');

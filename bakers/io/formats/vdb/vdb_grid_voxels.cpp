@@ -100,7 +100,7 @@ class GridVoxels : public VoxelSource {
         if (value == tree_.background) return;
         const Coord local = Leaf::offsetToLocalCoord(static_cast<openvdb::Index>(offset));
         std::array<std::int64_t, 3> index{};
-        for (std::size_t i = 0; i < 3; ++i) index[i] = leaf.corner[i] + local[static_cast<int>(i)];
+        for (std::size_t i = 0; i < 3; ++i) index[i] = leaf.corner[i] + local[i];
         faults.add(value, index);
     }
 
