@@ -42,6 +42,13 @@ standingPictures.remove();
 
 const controls = 'a, button, input, summary, [tabindex]';
 const sectionId = (part) => part.closest('section')?.id ?? '';
+// Which of the details of a section with the same words they are.
+function placeOf(whole, details) {
+    const words = details.firstChild.textContent;
+    const alike = Array.from(whole.querySelectorAll('details')).filter((other) =>
+        sectionId(other) === sectionId(details) && other.firstChild.textContent === words);
+    return `${words} ${alike.indexOf(details)}`;
+}
 
 // What a reader has chosen: open details, tabs, the turn of a turntable, and where the focus is.
 function choicesIn(whole) {
@@ -49,16 +56,17 @@ function choicesIn(whole) {
     const of = (part) => all(controls).filter((other) => sectionId(other) === sectionId(part));
     const focused = whole.contains(document.activeElement) ? document.activeElement : null;
     return {
-        open: all('details[open]').map((part) => [sectionId(part), part.firstChild.textContent]),
+        open: all('details[open]').map((part) => [sectionId(part), placeOf(whole, part)]),
         tabs: all('[role=tab][aria-selected=true]').map((tab) => [sectionId(tab), tab.textContent]),
         turns: all('input[type=range]').map((slider) => [sectionId(slider), slider.value]),
-        focus: focused ? [sectionId(focused), of(focused).indexOf(focused)] : null,
+        focus: focused && [sectionId(focused), of(focused).indexOf(focused),
+                           focused.matches('summary') ? placeOf(whole, focused.parentElement) : null],
     };
 }
 function choose(whole, {open, tabs, turns, focus}) {
     const among = (chosen, part, value) => chosen.some(([id, other]) => id === sectionId(part) && other === value);
-    for (const part of whole.querySelectorAll('details')) part.open = among(open, part, part.firstChild.textContent);
     for (const tab of whole.querySelectorAll('[role=tab]')) if (among(tabs, tab, tab.textContent)) tab.click();
+    for (const part of whole.querySelectorAll('details')) part.open = among(open, part, placeOf(whole, part));
     for (const slider of whole.querySelectorAll('input[type=range]')) {
         const turn = turns.find(([id]) => id === sectionId(slider));
         if (!turn) continue;
@@ -66,8 +74,10 @@ function choose(whole, {open, tabs, turns, focus}) {
         slider.dispatchEvent(new Event('input'));
     }
     if (!focus) return;
-    const found = Array.from(whole.querySelectorAll(controls)).filter((part) => sectionId(part) === focus[0]);
-    found[focus[1]]?.focus({preventScroll: true});
+    const [section, index, place] = focus;
+    const found = Array.from(whole.querySelectorAll(controls)).filter((part) => sectionId(part) === section);
+    const folded = found.find((part) => place && part.matches('summary') && placeOf(whole, part.parentElement) === place);
+    (folded ?? found[index])?.focus({preventScroll: true});
 }
 
 // Shows other data with the figures of `html`, once their images can be painted. What the reader looks at stays.
