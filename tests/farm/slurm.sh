@@ -13,6 +13,8 @@ preset = "earth_hillaire"
 [bake.transmittance]
 [bake.multiple_scattering]
 method = "converged"
+mapping = "hillaire"
+size = [32, 32]
 max_texel_error = "0.02 %"
 [sweep]
 "atmosphere.ground_albedo" = [0.1, 0.3, 0.5]
