@@ -61,9 +61,13 @@ for recipe in tables vdb; do
     done
 done
 for most in 3 5 8; do
+    code=0
     "${as_user[@]}" bash -c 'ulimit -u "$1" && exec timeout -s KILL 60 "${@:2}"' _ "$most" \
         "$program" sweep threads/tables.toml --vary noise.n.seed=1,2,3 --certify off -j 8 -o threads/sweep$most \
-        >/dev/null 2>log || fail "a sweep with $most threads: exit code $?: $(cat log)"
+        >/dev/null 2>log || code=$?
+    # Whether a thread can begin may change between the count and the use.
+    [[ $code == 0 ]] || { [[ $code == 3 ]] && grep -q 'begin (only|no more)' -E log; } ||
+        fail "a sweep with $most threads: exit code $code: $(cat log)"
 done
 # Tables need no thread but the first; OpenVDB's libraries begin threads of their own.
 ((baked >= 30)) || fail "only $baked bakes succeeded"
