@@ -55,9 +55,8 @@ std::vector<config::Diagnostic> check_air(const config::Recipe& recipe);
 
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
 // is compared with paths of light. E0405 if it needs light that cannot be solved for
-// (solvable_air.h). W0214, W0220
-// to W0222 if it is measured and far off (certificate_warnings.h). Diagnostics name the line of the
-// section, or of its key that they speak of.
+// (solvable_air.h). W0214 and W0220 to W0222 if it is measured and far off (certificate_warnings.h).
+// Diagnostics name the line of the section, or of its key that they speak of.
 config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
                                   const BakeOptions& options);
 

@@ -57,14 +57,14 @@ struct BakedFolder {
     std::vector<RetiredFile> pruned;   // from earlier recipes, and removed
 };
 
-// Bakes into the folder. An asset that its baker refuses (E0401 to E0405, E0407) is left out, and
-// what the folder held of it before stays; the errors accompany the value, which there is none of if
-// no asset could be made. After errors of plan_folder or of writing (E0301) the folder is unchanged,
-// except that after a failed rename the files already renamed keep their names, and that complete
-// frames stay and are in the manifest. E0301 can also mean that a file could not be removed; then everything
-// else is as it should be. W0303: after a bake of a part, an entry that was not baked has other
-// values than the recipe. Warnings may accompany a value. After an interruption there is neither a
-// value nor an error.
+// Bakes into the folder. An asset that its baker refuses (E0401 to E0405, E0407), or whose picture
+// changes meanwhile (E0300), is left out, and what the folder held of it before stays. Its errors
+// accompany the value; there is no value if no asset could be made. After errors of plan_folder or of
+// writing (E0301) the folder is unchanged, except that after a failed rename the files already renamed
+// keep their names, and that complete frames stay and are in the manifest. E0301 can also mean that a
+// file could not be removed; then everything else is as it should be. W0303: after a bake of a part,
+// an entry that was not baked has other values than the recipe. Warnings may accompany a value. After
+// an interruption there is neither a value nor an error.
 config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
 
 // Loads the modules that an asset's files need. Returns E0301 if one is missing or cannot be loaded.
