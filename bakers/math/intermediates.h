@@ -1,5 +1,5 @@
-// What several assets are made from, and is made once for all of them: solved light, tables of
-// sunlight, voxels of clouds.
+// Intermediates are what several assets are made from, made once for all of them: solved light, tables
+// of sunlight, voxels of clouds.
 //
 // A plan says beforehand what each asset will need. An intermediate is made by the asset that asks
 // for it first, and freed after the last one that was expected to ask. Only equal needs share one:

@@ -141,7 +141,7 @@ struct GradientStack {
 // The three components of a displacement, in tiles.
 using WarpPlan = std::array<GradientStack, 3>;
 
-// What an octave makes of the points of cells.
+// The functions that an octave may make of the points of cells.
 enum class CellKind { worley, alligator };
 
 // One octave of cellular noise. Channels that use equal octaves share one field.

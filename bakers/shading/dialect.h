@@ -11,7 +11,7 @@ namespace skybake {
 // A type of GLSL: "float", "vec3", "ivec2", "bool", "sampler3D". An empty text if it is none.
 std::string_view spelt_type(std::string_view type, ShadingLanguage language);
 
-// Of a number or a vector of them: "vec3" has 3 components of "float".
+// Types are numbers or vectors of them: "vec3" has 3 components of "float".
 int components_of(std::string_view type);
 std::string_view scalar_of(std::string_view type);
 std::string vector_of(std::string_view scalar, int components);
@@ -33,11 +33,11 @@ struct TextureFunction {
     std::string_view form;
     std::string_view result;
 };
-// Of a texture of that type. The form is empty if it is none.
+// How the language looks up such a texture; `form` is empty for other types.
 TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
                                        ShadingLanguage language);
 
-// A name that the language does not keep for itself.
+// A name that is not reserved in the language.
 std::string allowed_name(std::string_view name, ShadingLanguage language);
 
 }  // namespace skybake

@@ -171,7 +171,7 @@ Value ExpressionTranslator::primary() {
 
 // --- Calls ----------------------------------------------------------------------------------
 
-// Of what stands in `callee.text`.
+// Translates a call of what stands in `callee.text`.
 Value ExpressionTranslator::call(Value callee) {
     std::vector<Value> arguments;
     take("(");

@@ -177,7 +177,7 @@ class Translator : private ExpressionTranslator {
         return to_ == Language::wgsl ? text : text + as_it_is(end);
     }
 
-    // What stands before the functions, also where several lookups stand in one file.
+    // Returns the lines before the functions, for files with several lookups too.
     std::string prelude() const {
         if (to_ == Language::msl) return "#include <metal_stdlib>\nusing namespace metal;\n\n";
         if (to_ != Language::hlsl || !uses_size_of_) return "";

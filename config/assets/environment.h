@@ -19,7 +19,7 @@ enum class EnvironmentMapping { longitude_latitude, cube, octahedral };
 // Whether texels hold the light of the sun's disc.
 enum class SunInMap { none, disc };
 
-// What the levels of detail beyond the first hold.
+// The content of the levels of detail beyond the first.
 enum class LevelContent { mean, ggx };
 
 struct EnvironmentBake : LightFiles {

@@ -187,7 +187,7 @@ bool is_of_particles(const DecodedSection& layer) {
     return choice_of<Phase>(phase) == Phase::mie;
 }
 
-// What a layer's coefficients follow from: its numbers, [particles.NAME], kinds
+// The source of a layer's coefficients: its numbers, [particles.NAME], kinds
 // of spheres, a gas, or an amount of haze.
 enum class Matter { numbers, particles, spheres, gas, aerosol };
 
@@ -283,7 +283,7 @@ constexpr double usual_angstrom_exponent = 1.3;
 constexpr double depolarization_of_air = 0.0279;
 constexpr double usual_humidity = 0.8;
 
-// Of the gas that a layer has.
+// Returns the depolarisation of a layer's gas.
 double depolarization_of(const Layer& layer) {
     if (!layer.gas || !scatters(layer.gas->gas)) return 0;
     if (layer.gas->gas == Gas::air) return depolarization_of_air;

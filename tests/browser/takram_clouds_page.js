@@ -68,7 +68,7 @@ window.look_up = async (name, url, places, upside_down) => {
     return Array.from(values);
 };
 
-// What may be wrong with a texture: nothing, all numbers 0, or all in the opposite order.
+// Changes of a texture: nothing, all numbers 0, or all in the opposite order.
 const changes = {
     nothing: (data) => data,
     zeros: (data) => data.fill(0),

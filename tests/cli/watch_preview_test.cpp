@@ -143,7 +143,7 @@ TEST(WatchPreview, ARecipeThatWasNeverRightGetsAPageToo) {
     EXPECT_EQ(watcher.stop(SIGTERM), 130);
 }
 
-// What would take an hour at full quality is given up once its recipe is saved anew, and at Ctrl-C.
+// Work that would take an hour at full quality is given up once its recipe is saved anew, and at Ctrl-C.
 TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
     const TemporaryFolder folder;
     const std::string recipe = (folder / "recipe.toml").string();

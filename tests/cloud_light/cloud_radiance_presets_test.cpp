@@ -39,7 +39,7 @@ constexpr int kDegree = 3;
 constexpr int kColumns = 8;  // of a picture
 constexpr int kRows = 6;
 constexpr int kPathsOfPixel = 1024;
-// Of pixels that are few and nearly without noise.
+// Paths and number of the pixels that are few and nearly without noise.
 constexpr int kManyPaths = 20000;
 constexpr std::size_t kFewPixels = 48;
 constexpr int kThreads = 2;

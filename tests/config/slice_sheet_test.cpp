@@ -25,7 +25,7 @@ TEST(SliceSheet, AStackIsOneColumn) {
     EXPECT_EQ(sheet.rows, 32);
 }
 
-// What Unreal, Unity and Godot want.
+// Tests the sheets that Unreal, Unity and Godot want.
 TEST(SliceSheet, PowersOfTwoMakeSheetsOfPowersOfTwo) {
     EXPECT_EQ(atlas_of({128, 128, 128}), (std::array{16, 8}));
     EXPECT_EQ(atlas_of({32, 32, 32}), (std::array{8, 4}));

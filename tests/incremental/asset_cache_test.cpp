@@ -113,7 +113,7 @@ TEST_F(Cache, VerifyRemovesDamage) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
-// Of equal recipes.
+// The recipes are equal.
 TEST_F(Cache, WhatAnotherReleaseOrVersionMadeIsNeverRead) {
     const AssetIdentity now =
         *asset_identity(bake_.recipe, bake_.recipe.parameters.bakes.at(0), Certification::quick)

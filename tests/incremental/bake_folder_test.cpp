@@ -260,7 +260,7 @@ TEST(BakeFolder, AFailureLeavesOutItsAssetAlone) {
     ASSERT_EQ(outcome.value->assets.size(), 2U);
     EXPECT_EQ(outcome.value->assets[0].state, AssetState::up_to_date);
     EXPECT_EQ(outcome.value->assets[1].state, AssetState::baked);
-    // What the folder held of the asset stays, and so does its entry.
+    // The folder's files of the asset stay, and so does its entry.
     const auto after = time_stamps(folder / "out");
     for (const char* file : {"shape.exr", "shape.bin", "transmittance.exr"}) {
         EXPECT_EQ(after.at(file), before.at(file)) << file;
@@ -519,7 +519,7 @@ TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
     EXPECT_FALSE(fs::exists(folder / "out"));
     bake.bake.memory_limit_mib = 1e6;
     ASSERT_TRUE(bake.run().value.has_value());
-    // What is up to date needs none.
+    // Assets that are up to date need none.
     bake.bake.memory_limit_mib = 0;
     EXPECT_TRUE(bake.run().value.has_value());
 }

@@ -1,4 +1,4 @@
-// What assets share: made once, freed after the last, and without a trace in the bytes.
+// Tests what assets share: made once, freed after the last, and without a trace in the bytes.
 #include "bakers/math/intermediates.h"
 
 #include <fmt/format.h>

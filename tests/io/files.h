@@ -1,4 +1,4 @@
-// What the tests of files share: a folder that vanishes, a table with all that a table can have.
+// Shared by the tests of files: a folder that vanishes, a table with all that a table can have.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -254,7 +254,7 @@ inline SheetGrid grid_of(const std::array<int, 3>& size, config::SheetLayout lay
     return sheet_grid(size, files);
 }
 
-// What a reader must know of a file of the asset.
+// Returns the facts that a reader must know of a file of the asset.
 inline FileShape shape_of(const Baked& baked) {
     const std::array<int, 3>& size = baked.levels[0].size;
     return {size,

@@ -52,7 +52,7 @@ inline std::array<double, 4> filtered(const Texture& texture, const std::array<d
     return value;
 }
 
-// Of level 0, rounded as a file stores it.
+// Returns level 0 as a texture, rounded as a file stores it.
 inline Texture texture_of(const Baked& baked) {
     const Level& level = baked.levels.front();
     const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());

@@ -244,7 +244,7 @@ TEST(Flipbook, HasProbesWithinLayersThatAreNoLoop) {
     EXPECT_GT(loop[1], 5);
 }
 
-// Of a smooth motion the middle of two frames is off by the square of the time between them.
+// In a smooth motion the middle of two frames is off by the square of the time between them.
 TEST(Flipbook, StatesTheErrorOfBlending) {
     std::array<double, 2> rms{};
     for (const std::size_t i : {0u, 1u}) {

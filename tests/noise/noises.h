@@ -125,7 +125,7 @@ inline Planes specified(const noise::NoisePlan& plan, const VoxelBox& box) {
     return planes;
 }
 
-// What a box must not be written beyond its end.
+// The value beyond a box's end, which must not be overwritten.
 inline constexpr float kCanary = -12345.0f;
 inline constexpr std::size_t kCanaries = 64;
 

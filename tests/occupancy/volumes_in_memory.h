@@ -44,7 +44,7 @@ inline std::uint32_t mixed(std::uint32_t x) {
 // In [0, 1), a multiple of 2^-24.
 inline float share_of(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-// What kinds of values a volume may hold.
+// Kinds of values that a volume may hold.
 enum class Values {
     uniform,    // [0, 1)
     sparse,     // one in sixteen of them, else 0

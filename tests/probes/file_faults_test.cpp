@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a manifest's probe says, of tables and volumes alike.
+// A probe of a manifest, of tables and volumes alike.
 struct ProbeOfFile {
     std::vector<std::pair<Uvw, double>> lookups;  // with their shares
     std::vector<double> value;

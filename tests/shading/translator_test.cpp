@@ -192,7 +192,7 @@ TEST(Translation, OfDeclarations) {
            "struct Shell {\n    R: f32,  // km\n}\nfn f(s: Shell) -> f32 { return s.R; }\n");
 }
 
-// What it does not know it refuses, with the line.
+// The translator refuses what it does not know, with the line.
 TEST(Translation, RefusesTheRestOfGlsl) {
     const std::vector<std::pair<const char*, const char*>> cases = {
         {"float f(float x) {\n    return fract(x);\n}", "line 2 of GLSL: the function `fract`"},

@@ -195,7 +195,7 @@ TEST(NvdbGrid, IsFoundByItsName) {
     }
 }
 
-// What a bake writes comes back as a volume.
+// The files of a bake can be read as volumes.
 TEST(NvdbGrid, IsWhatABakeWrites) {
     const TemporaryFolder folder;
     for (const auto type :

@@ -16,7 +16,7 @@ namespace skybake {
 
 namespace {
 
-// Of the phase function, far below what tables of the sky hold.
+// The accuracy of the phase function, far below the errors of the sky's tables.
 constexpr double kAccuracy = 3e-3;
 
 std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticles& layer,

@@ -150,7 +150,7 @@ class Iteration {
         return value;
     }
 
-    // What a km of air at a texel's point scatters towards its beginning.
+    // Returns the light that a km of air at a texel's point scatters towards its beginning.
     Grid scattering_density(int order) const {
         Grid density(texels_);
         for_each_row("density", [&](int v, int w) {

@@ -100,7 +100,7 @@ class Check {
     double zero_m_;  // the least that is looked up for 0
 };
 
-// What is found at one point.
+// The finding at one point.
 struct Finding {
     Point place{};
     Point texel{};

@@ -18,7 +18,7 @@ namespace skybake {
 
 namespace {
 
-// Of refine_view_ray: a hundredth of it changes nothing.
+// The tolerance of refine_view_ray: a hundredth of it changes nothing.
 constexpr double kRayTolerance = 1e-2;
 
 // A place between two neighbours of `count`; the only one is its own neighbour.

@@ -68,7 +68,7 @@ class ScaledEquations {
         const auto camera = static_cast<std::size_t>(sample_.views[view].camera);
         return camera * sample_.suns.size() + ray / sample_.azimuth_cosines.size();
     }
-    // Of one ray in a dome.
+    // Returns the share of one ray in its dome.
     double view_share(const FitView& view) const {
         return view.share * (view.meets_ground ? ground_views_ : 1) /
                static_cast<double>(sample_.azimuth_cosines.size());

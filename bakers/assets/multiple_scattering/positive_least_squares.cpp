@@ -50,7 +50,7 @@ Vector half_gradient(const SparseEquations& equations, const Restraint& restrain
     return result;
 }
 
-// Of the matrix of that gradient.
+// Returns the diagonal of that gradient's matrix.
 Vector diagonal_of(const SparseEquations& equations, const Restraint& restraint) {
     Vector result = restraint.towards_one;
     for (std::size_t t = 0; t < equations.weights.size(); ++t) {

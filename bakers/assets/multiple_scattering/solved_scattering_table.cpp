@@ -28,8 +28,8 @@ namespace {
 
 // The light of skies has moments of this degree at least.
 constexpr int kLeastSkyDegree = 8;
-// Of the light of air with spheres, whose peaks the sky's own light leaves out: moments of this degree
-// feed the mean radiance.
+// The least degree for air with spheres, whose peaks the sky's own light leaves out: moments of this
+// degree feed the mean radiance.
 constexpr int kDegreeWithPeaks = 4;
 
 // M_lm of solved_scattering_table.h.
@@ -41,7 +41,7 @@ Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
     return harmonic_norm(l, m) * moments[static_cast<std::size_t>(moment_index(l, m))];
 }
 
-// Of all channels, on the solution's grid; 0 where there is no solution.
+// Returns the largest magnitude of a moment over all channels and the solution's grid; 0 where there is none.
 double largest_moment(const SolvedLight& light, int l, int m) {
     double most = 0;
     for (const double altitude_km : light.altitudes_km) {

@@ -112,7 +112,7 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light) 
 
 namespace {
 
-// What goes in and what comes out may differ by this share: ten times what Earth's do.
+// The light that goes in and out may differ by this share: ten times as much as Earth's does.
 constexpr double kEnergyTolerance = 0.03;
 constexpr double kMostLeftOut = 0.01;
 

@@ -27,7 +27,7 @@ void append_number(std::string& bytes, const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// What the data format descriptor says of a part of a texel or a block.
+// A part of a texel or a block, as the data format descriptor has it.
 struct Sample {
     std::size_t first_bit = 0;
     std::size_t bits = 0;

@@ -11,7 +11,7 @@
 
 namespace skybake {
 
-// What a grid of any program says of itself.
+// The facts that a grid of any program states.
 struct NvdbGridFacts {
     std::string name;
     std::string type;        // "float", "vec3f", "points"

@@ -24,7 +24,7 @@ constexpr std::size_t tif_short_entries = 9;  // those of a directory that are n
 
 enum class TifType : std::uint16_t { text = 2, short_number = 3, long_number = 4 };
 
-// What the directories of a file say.
+// The directories of a file.
 struct TifPages {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
