@@ -237,7 +237,7 @@ void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decode
     if (matter == Matter::gas) {
         leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo",
                    "optical_depth", "visibility", "angstrom_exponent"},
-                  "a gas", "`gas` knows it at each wavelength; leave it out", layer, decoder);
+                  "a gas", "`gas` sets it at every wavelength; remove this key", layer, decoder);
     } else if (matter == Matter::aerosol) {
         leave_out({"scattering", "extinction", "absorption"}, "an aerosol",
                   "it follows from the optical depth or the visibility; leave it out", layer,

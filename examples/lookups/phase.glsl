@@ -3,7 +3,7 @@
 // Phase functions of droplets have peaks of a tenth of a degree, where cosines of floats have no digits
 // left: the angle comes as sine and cosine of its half.
 
-// Of the scattering angle: `a` and `b` are unit vectors, the view ray and the direction to the sun.
+// Sine and cosine of half the angle between the unit vectors `a`, the view ray, and `b`, towards the sun.
 vec2 half_angle(vec3 a, vec3 b) { return 0.5 * vec2(length(a - b), length(a + b)); }
 
 // The place in the table from 0 to 1 of t = half_angle(a, b), by the table's spacing, which is `mapping`

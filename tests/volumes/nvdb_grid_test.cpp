@@ -76,7 +76,7 @@ std::string problem_of(const std::filesystem::path& path, const std::string& gri
     if (voxels.value) return "";
     EXPECT_EQ(voxels.diagnostics.at(0).code, "E0304");
     const std::string& message = voxels.diagnostics.at(0).message;
-    const std::string words = "that skybake reads: ";
+    const std::string words = " as a NanoVDB file: ";
     return message.substr(message.find(words) + words.size());
 }
 

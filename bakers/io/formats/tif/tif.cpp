@@ -152,7 +152,7 @@ Outcome<bool> write_tif_file(const FileContent& content, const fs::path& path) {
 config::Diagnostic damaged_tif_file(const fs::path& path, const std::string& reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no TIFF file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a TIFF file: {}", path.string(), reason));
 }
 
 // Reads a part of a file that is in it.
