@@ -42,7 +42,7 @@ struct Need {
     NeedKey key;
     std::string name;       // "solved light", for people
     double seconds = 0;     // an estimate: on one thread of a machine of 2022
-    double memory_mib = 0;  // that it takes while it is kept
+    double memory_mib = 0;  // taken while it is kept
 };
 
 // Several threads may use one. Those that ask for an intermediate which another one makes wait for

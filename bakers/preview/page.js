@@ -42,7 +42,7 @@ standingPictures.remove();
 
 const controls = 'a, button, input, summary, [tabindex]';
 const sectionId = (part) => part.closest('section')?.id ?? '';
-// Which of the details of a section with the same words they are.
+// Tells details apart by their words, and their number among those of the section with the same words.
 function placeOf(whole, details) {
     const words = details.firstChild.textContent;
     const alike = Array.from(whole.querySelectorAll('details')).filter((other) =>

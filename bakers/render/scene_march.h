@@ -33,7 +33,7 @@ struct SceneLayer {
 // The share of the reach from which on a layer fades.
 inline constexpr double kFadeFrom = 0.67;
 
-// Which pixels have kSamples samples and not one: those where clouds are thin or end, or all.
+// The pixels that have kSamples samples and not one: those where clouds are thin or end, or all.
 enum class Refinement { none, thin, all };
 
 // The view that a picture shows, and the care that is taken with it.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLanguages = shading_languages.size();
 
-// By language in the order of ShadingLanguage.
+// A type's names in all languages, in the order of ShadingLanguage.
 struct TypeRow {
     std::array<std::string_view, kLanguages> words;
     std::string_view scalar;

@@ -13,7 +13,7 @@
 
 namespace skybake::config {
 
-// Which direction a texel shows. A cube is a strip of six faces below each other.
+// The direction that a texel shows. A cube is a strip of six faces below each other.
 enum class EnvironmentMapping { longitude_latitude, cube, octahedral };
 
 // Whether texels hold the light of the sun's disc.

@@ -7,7 +7,7 @@ const path = require('node:path');
 
 // --- Calls --------------------------------------------------------------------------------------
 
-// By function: {file, function, textures, types, channels, calls}.
+// Returns for each function {file, function, textures, types, channels, calls}.
 function noted_functions(printed_tests, work) {
     execFileSync(printed_tests, ['--gtest_brief=1'], {env: {...process.env, SKYBAKE_CALLS: work}});
     const functions = new Map();

@@ -159,7 +159,7 @@ const tests = {
         const percents = (await column(page, 4)).filter((text) => /^[\d.e-]+ %$/.test(text));
         assert.equal(percents.length, withSky.length);
 
-        // By keyboard; assets without a figure stay last both ways.
+        // Sorts by keyboard; assets without a figure stay last both ways.
         for (const sign of [1, -1]) {
             await page.focus('[aria-label="All assets"] th button:text-is("Lookup error, max")');
             await page.keyboard.press('Enter');
@@ -196,7 +196,7 @@ const tests = {
         await page.keyboard.press('Escape');
         assert.ok(!(await dialog.isVisible()));
         assert.ok(await first.evaluate((button) => button === document.activeElement));
-        // By keyboard, and closed by its button.
+        // Opens it by keyboard, and closes it by its button.
         await page.keyboard.press('Enter');
         assert.ok(await dialog.isVisible());
         await page.click('dialog [aria-label="Close"]');

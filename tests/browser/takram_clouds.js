@@ -57,7 +57,7 @@ function faults_of_files(asset) {
 }
 
 const size = [48, 32];
-const own = '/modules/@takram/three-clouds/assets/';  // which has all but stbn
+const own = '/modules/@takram/three-clouds/assets/';  // has all but stbn
 const names = ['local_weather', 'shape', 'shape_detail', 'turbulence', 'stbn'];
 const wrong = [['local_weather', 'nothing'], ...names.flatMap((name) => [[name, 'zeros'], [name, 'reversed']]), ['stbn', 'nothing']];
 

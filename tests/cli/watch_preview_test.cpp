@@ -95,7 +95,7 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
     EXPECT_TRUE(contains(read_bytes(folder / "error"), "index.html: a draft in "));
     const std::string picture = read_bytes(watcher.out() + "/volume_slices.png");
 
-    // As editors save: a new file is renamed over the old one.
+    // Saves as editors do: a new file is renamed over the old one.
     write_bytes(folder / "new", recipe_of("2"));
     fs::rename(folder / "new", recipe);
     ASSERT_TRUE(watcher.reaches(4, 0));

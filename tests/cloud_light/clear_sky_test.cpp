@@ -198,7 +198,7 @@ TEST(ClearSky, IsToldFromItsFlip) {
     };
     const auto flipped = radiance_values(layer, places, bake, on(2), details);
     constexpr std::size_t kAlongX = 3;
-    constexpr int kPlaces = 40;  // that differ in the noise of their paths alone
+    constexpr int kPlaces = 40;  // differ in the noise of their paths alone
     double wanted = 0;
     for (int i = 0; i < kPlaces; ++i) {
         wanted += reference({(i + 0.5) / kPlaces, 0.6, 14.5 / 16})[kAlongX] / kPlaces;

@@ -108,7 +108,7 @@ std::vector<float> texels_of(const std::vector<float>& values, const std::array<
     return texels;
 }
 
-// As the baker makes them, from one solution for all parts.
+// Returns the textures as the baker makes them, from one solution for all parts.
 test::LightTextures textures_of(const CloudLayer& layer, double elevation) {
     config::CloudLightBake bake;
     bake.sun_elevations = {{elevation}};

@@ -40,7 +40,7 @@ TEST(SliceSheet, HasTheColumnsThatWereAskedFor) {
     EXPECT_EQ(atlas_of({16, 8, 10}, 25), (std::array{25, 1}));
 }
 
-// By trying all columns, whether they divide or not.
+// Tries all columns, whether they divide or not.
 TEST(SliceSheet, NoFullSheetIsNearerToASquare) {
     EXPECT_TRUE(rc::check([] {
         Size size;

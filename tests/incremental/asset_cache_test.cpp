@@ -84,7 +84,7 @@ TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
 
 TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
     cache_.offer(asset(1));
-    std::vector<FileDescriptor> others;  // that are alive, and so hold their locks
+    std::vector<FileDescriptor> others;  // alive, and so holding their locks
     for (int i = 0; i < 64; ++i) {
         const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
         fs::create_directory(folder_ / taken);

@@ -131,7 +131,7 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     copied_there.bake.sources = {&cache};
     EXPECT_EQ(copied_there.states(), (States{copied, copied, copied}));
     for (const auto& [name, bytes] : before) {
-        if (name == "manifest.json") continue;  // which holds times
+        if (name == "manifest.json") continue;  // it holds times
         EXPECT_EQ(read_bytes(folder / "further" / name), bytes) << name;
         EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "second" / name))) << name;
     }

@@ -171,7 +171,7 @@ TEST(Intermediates, LeaveNoTraceInTheBytesOfAssets) {
     }
 }
 
-// As the variants of a sweep are: one after the other, or side by side.
+// Bakes as the variants of a sweep are baked: one after the other, or side by side.
 TEST(Intermediates, AreMadeOnceForSeveralFolders) {
     const testing::TemporaryFolder folder;
     std::vector<config::Recipe> recipes;

@@ -131,7 +131,7 @@ inline std::vector<Probe> sample_volume_probes(const Level& level, std::size_t c
         probe.at = {{"x_tile", probe.uvw[0]}, {"y_tile", probe.uvw[1]}, {"z_tile", probe.uvw[2]}};
         probe.value.assign(channels, 0.0);
         probe.tolerance.assign(channels, 1e-9);
-        // As of two sub-images.
+        // One probe blends two lookups, as of two sub-images.
         if (i == 3) probe.blend = BlendedLookup{probe.uvw, 0.25};
         for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
             std::vector<float> voxel(channels);

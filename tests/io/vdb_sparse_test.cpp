@@ -248,7 +248,7 @@ TEST(VdbSparseCases, ChannelsHaveVoxelsOfTheirOwn) {
     EXPECT_EQ(wrong_with(named), "");
 }
 
-// As dense volumes: the same places, the same values.
+// Compares with dense volumes: the same places, the same values.
 TEST(VdbSparseCases, VoxelsNeedNotBeCubes) {
     const TemporaryFolder folder;
     Baked volume = sparse_sample({20, 20, 20}, 1, speckle);

@@ -68,7 +68,7 @@ class Dice {
     // In [0, 1).
     double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
     double uniform(double from, double to) { return from + (to - from) * uniform(); }
-    // By decades: as many numbers from 1e-3 to 1e-2 as from 1e-2 to 1e-1.
+    // Returns a number even in decades: as many from 1e-3 to 1e-2 as from 1e-2 to 1e-1.
     double decades(double from, double to) { return from * std::pow(to / from, uniform()); }
     bool one_in(int count) { return uniform() * count < 1; }
 

@@ -29,7 +29,7 @@ struct Texture {
     }
 };
 
-// As GL has it: absent colours are 0, absent alpha is 1.
+// Fetches as GL does: absent colours are 0, absent alpha is 1.
 inline std::array<double, 4> fetched(const Texture& texture, const std::array<int, 3>& at) {
     ++texture.lookups;
     std::array<double, 4> value{0, 0, 0, 1};

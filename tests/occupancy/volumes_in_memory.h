@@ -85,7 +85,7 @@ inline Volume any_volume(int largest_size, Values values, bool half = false) {
     for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
         volume.voxels[i] = value_of(values, mixed(seed + static_cast<std::uint32_t>(i)));
     }
-    if (half && values != Values::wide) {  // which halves cannot hold
+    if (half && values != Values::wide) {  // halves cannot hold those
         round_values(volume.voxels.data(), volume.voxels.size(), config::PixelType::half);
     }
     return volume;

@@ -1,4 +1,4 @@
-// Which pixels of a picture have more samples than one.
+// Tests which pixels of a picture have more samples than one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

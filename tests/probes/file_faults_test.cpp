@@ -127,7 +127,7 @@ int failed_by_swap(const BakedFile& file, std::size_t a, std::size_t b) {
     });
 }
 
-// By fault: how many probes fail.
+// Returns for each fault how many probes fail.
 std::map<std::string, int> failed_by_fault(const BakedFile& file) {
     std::map<std::string, int> failed = {{"zeros", failed_probes(file, zeros(file.texels))}};
     const auto axes = static_cast<std::size_t>(file.dimensions);

@@ -317,7 +317,7 @@ TEST(SweepScripts, KubernetesLeavesDollarsAlone) {
     const auto job = nlohmann::json::parse(script.out);
     const nlohmann::json& container = job["spec"]["template"]["spec"]["containers"][0];
     std::string command = container["command"][2];
-    // As Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
+    // Expands as Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
     std::string expanded;
     for (std::size_t i = 0; i < command.size(); ++i) {
         EXPECT_FALSE(command.substr(i).starts_with("$(HOME)") && (i == 0 || command[i - 1] != '$'));

@@ -83,7 +83,7 @@ config::Layer with_coefficients(config::Layer layer) {
 
 namespace {
 
-// As of the key `extinction`.
+// The upper limit of the key `extinction`.
 constexpr double kMostExtinctionPerMeter = 1e6;
 
 config::Diagnostic problem(std::string message, std::string label) {

@@ -217,7 +217,7 @@ class Iteration {
 
     using Irradiance = std::array<Spectrum, kIrradianceSize>;
 
-    // By the order before `order`, at the ground.
+    // Returns the irradiance of the ground by the order before `order`.
     Irradiance indirect_irradiance(int order) const {
         Irradiance result{};
         for_each_tile(kIrradianceSize, options_, "irradiance", [&](int i) {

@@ -19,7 +19,7 @@
 
 namespace skybake::cloud_light {
 
-// Which places of an axis of `voxels` voxels have their light computed: place i is at
+// The places of an axis of `voxels` voxels whose light is computed: place i is at
 // (i + 1/2) * voxels / count.
 struct PlaceGrid {
     std::array<int, 3> voxels{};

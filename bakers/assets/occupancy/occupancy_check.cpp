@@ -23,7 +23,7 @@ namespace skybake::occupancy {
 
 namespace {
 
-// As many as the widest filter uses.
+// The widest filter uses as many planes.
 constexpr int kPlanes = 4;
 
 }  // namespace
@@ -144,7 +144,7 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
 }
 
-// Which channel tells empty cells from others, the plainest first.
+// The channel that tells empty cells from others: the plainest one.
 struct Teller {
     std::size_t channel = 0;
     OccupancyContent content = OccupancyContent::occupied;

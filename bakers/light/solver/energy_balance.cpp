@@ -32,7 +32,7 @@ void for_suns(double from, double to, const Visit& visit) {
     }
 }
 
-// As for_suns, over all that have light.
+// Does as for_suns does, over all suns that have light.
 template <class Visit>
 void for_all_suns(const SunAxis& axis, const Visit& visit) {
     for_suns(axis.centre, 1, visit);

@@ -367,7 +367,7 @@ std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {
 std::vector<VariantResult> run_sweep(const SweepJob& job, std::vector<PlannedVariant> plan,
                                      SweepObserver& observer) {
     SweepRunner(job, plan, observer).run();
-    remove_stale_temporaries_in(job.folder);  // those of an index
+    remove_stale_temporaries_in(job.folder);  // temporaries of the index
     return results_of(std::move(plan));
 }
 

@@ -32,8 +32,8 @@ struct Sample {
     std::size_t first_bit = 0;
     std::size_t bits = 0;
     std::uint8_t channel = 0;  // with qualifiers
-    std::uint32_t lower = 0;   // what stands for 0, or -1
-    std::uint32_t upper = 0;   // what stands for 1
+    std::uint32_t lower = 0;   // the code of 0, or of -1
+    std::uint32_t upper = 0;   // the code of 1
 };
 
 constexpr std::uint8_t is_signed = 0x40;

@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t tif_head_size = 8;
 constexpr std::size_t tif_entry_size = 12;
-constexpr std::size_t tif_short_entries = 9;  // those of a directory that are no offsets or texts
+constexpr std::size_t tif_short_entries = 9;  // entries that are no offsets or texts
 
 enum class TifType : std::uint16_t { text = 2, short_number = 3, long_number = 4 };
 
