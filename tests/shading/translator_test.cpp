@@ -294,8 +294,9 @@ TEST(Translation, UsesNoReservedWordAsAName) {
             const bool is_word = tokens[i].kind == TokenKind::word;
             const std::string_view before = tokens[i - 1].text;
             const bool is_after_type = before == "," || before == "ColumnShell" ||
-                                       !spelt_type(before, Language::glsl).empty();
-            if (is_word && is_after_type && spelt_type(tokens[i].text, Language::glsl).empty()) {
+                                       !translated_type(before, Language::glsl).empty();
+            if (is_word && is_after_type &&
+                translated_type(tokens[i].text, Language::glsl).empty()) {
                 names.insert(std::string(tokens[i].text));
             }
         }
