@@ -29,9 +29,6 @@ constexpr Choice method_choices[] = {
 constexpr Choice solved_content_choices[] = {
     {MultipleScatteringContent::hillaire, "hillaire",
      "the mean radiance, in place of Hillaire's texture"},
-    {MultipleScatteringContent::fitted, "fitted",
-     "the value that comes nearest to the sky when light is scattered equally in all "
-     "directions"},
     {MultipleScatteringContent::moments, "moments", "angular moments of the light, one table each"},
 };
 

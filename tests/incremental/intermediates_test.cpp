@@ -119,7 +119,7 @@ size = [8, 4]
 [bake.psi]
 asset = "multiple_scattering"
 method = "solved"
-content = "fitted"
+content = "moments"
 size = [8, 8]
 [bake.mean]
 asset = "multiple_scattering"

@@ -232,7 +232,7 @@ std::string_view method_like(const config::MultipleScatteringBake& bake) {
     if (bake.method == MultipleScatteringMethod::as_in_paper) return "as_in_paper";
     if (bake.method == MultipleScatteringMethod::converged) return "converged";
     if (bake.content == MultipleScatteringContent::moments) return "moments";
-    return bake.content == MultipleScatteringContent::fitted ? "fitted" : "mean_radiance";
+    return "mean_radiance";
 }
 
 LadderStep table_step(const Parameters& parameters, const MethodErrors& methods) {
