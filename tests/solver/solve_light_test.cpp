@@ -1,4 +1,4 @@
-// What must hold of light, whatever the atmosphere.
+// Tests what must hold of light, whatever the atmosphere.
 #include "bakers/light/solver/solve_light.h"
 
 #include <gtest/gtest.h>

@@ -214,7 +214,7 @@ int search_residual(const NextOrder& next, const CorrectResidual& correct, const
            static_cast<int>(corrected.size()) < search.most_applications &&
            !is_cancelled(progress)) {
         corrected.push_back(correct ? correct(directions.back(), scale) : directions.back());
-        // What a residual like the last direction, of length 1, means for the light.
+        // The change of light by a residual like the last direction, of length 1.
         const PerChannel growth = norm(corrected.back(), scale);
         next(corrected.back(), image);
         LightField candidate = corrected.back();

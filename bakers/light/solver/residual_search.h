@@ -17,7 +17,7 @@ namespace skybake {
 // Applies K: computes the light of the next order.
 using NextOrder = std::function<void(const LightField& light, LightField& next)>;
 
-// What errors are shares of: for each level and sun the mean light, then for each sun the sky's
+// Errors are shares of these values: for each level and sun the mean light, then for each sun the sky's
 // irradiance; kChannelSlots values each, all above 0.
 using LightScale = std::vector<double>;
 

@@ -104,8 +104,8 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
 
 constexpr int kLimbNodesOfFlatPlanets = 2;
 
-// Of the largest scale height: how much higher or lower the rays of a low sun may pass at a cell's
-// end than at its beginning. Their transmittance changes over a scale height.
+// The largest change of a ray's altitude over a cell under a low sun, as a share of the largest scale
+// height. The rays' transmittance changes over a scale height.
 constexpr double kTwilightStep = 0.7;
 
 // Returns the thickness that a table's column would have at its largest density, its scale height if
@@ -218,7 +218,7 @@ namespace {
 // Points that contribute less than this share of the light from all directions make no nodes.
 constexpr double kLeastShare = 1e-6;
 
-// What the points of a ray scatter to its beginning: [point * layers + layer]. A point below
+// Returns the light that points of a ray scatter to its beginning: [point * layers + layer]. A point below
 // kLeastShare is 0 and its share moved to the point before it, since light that is lost at each of
 // the thousands of scatterings in thick fog would add up to a percent.
 std::vector<Spectrum> shares_of_points(const FanRay& ray, std::size_t layers) {
