@@ -194,8 +194,8 @@ std::string better_than(const MultipleScatteringBake& asset, const SkyMedium& me
     }
     if (!is_solved(asset)) return "method = \"solved\" has a smaller error, with the same lookup";
     if (tables_of(asset) > 1) return "";
-    return "content = \"moments\" has about half of the sky's error, for six lookups in place of "
-           "one";
+    return "content = \"moments\" has a third to two thirds of the sky's error, for six lookups in "
+           "place of one";
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters,
