@@ -63,6 +63,9 @@ namespace {
 constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
+// Most of what so few orders send on was scattered once: they fall from sun to sun as it does.
+constexpr int kFewOrders = 3;
+
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
 
@@ -103,6 +106,16 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
+    const auto sum_orders = [&] {
+        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        return solved;
+    };
+    if (settings.orders > 0 && settings.orders <= kFewOrders) {
+        steep.follow(reading.read_light(first));
+        return sum_orders();
+    }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
@@ -110,12 +123,7 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     LightField start = correct(first, light_scale(first));
     coarse.follow(start);
     steep.follow(reading.read_light(start));
-    if (settings.orders > 0) {
-        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
-        solved.light = std::move(sum.light);
-        solved.applications = sum.applications;
-        return solved;
-    }
+    if (settings.orders > 0) return sum_orders();
     OrderSum sum = sum_of_orders(first, std::move(start), next, correct,
                                  {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
