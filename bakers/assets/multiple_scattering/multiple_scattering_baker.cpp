@@ -88,7 +88,7 @@ AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& a
     });
 }
 
-// What the published lookups take between the table and the place in it, and behind.
+// The arguments of the published lookups between the table and the place in it, and behind that.
 struct SunArguments {
     std::string thickness_km;
     std::string axis;  // the mapping and the crop
@@ -131,7 +131,7 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
                     suffix, tables);
     scattered.suffix = "_scattered";
     AssetLookup lookup = {"moments", {with_wavelengths(stored.channels, std::move(moment))}};
-    // Of a higher degree it would leave moments out.
+    // At a higher degree this function would leave moments out.
     if (asset.degree == 2) {
         lookup.functions.push_back(with_wavelengths(stored.channels, std::move(scattered)));
     }

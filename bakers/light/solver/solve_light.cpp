@@ -63,8 +63,25 @@ namespace {
 constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
-// Most of what so few orders send on was scattered once: they fall from sun to sun as it does.
+// Each of so few orders is read by its own falls from sun to sun, for which no estimate is needed.
 constexpr int kFewOrders = 3;
+
+// Light between suns is read by the falls of an estimate. Where that is too dark, each order would make
+// more light of it than there is, so the estimate takes further orders until none lifts it this much.
+constexpr double kMostLift = 2;
+constexpr int kMostLifts = 40;
+
+// Returns how much brighter a residual makes the mean light anywhere, as a ratio.
+double lift_by(const LightField& residual, LightField light) {
+    const LightScale before = resolved_light(light);
+    add(residual, light);
+    const LightScale after = resolved_light(light);
+    double most = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] > 0) most = std::max(most, after[i] / before[i]);
+    }
+    return most;
+}
 
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
@@ -106,26 +123,35 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
-    const auto sum_orders = [&] {
-        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+    const auto sum_orders = [&](const NextOrder& by) {
+        OrderSum sum = sum_of_first_orders(first, by, settings.orders, progress);
         solved.light = std::move(sum.light);
         solved.applications = sum.applications;
-        return solved;
+        return std::move(solved);
     };
     if (settings.orders > 0 && settings.orders <= kFewOrders) {
-        steep.follow(reading.read_light(first));
-        return sum_orders();
+        return sum_orders([&](const LightField& light, LightField& image) {
+            steep.follow(reading.read_light(light));
+            next(light, image);
+        });
     }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
     };
-    LightField start = correct(first, light_scale(first));
-    coarse.follow(start);
-    steep.follow(reading.read_light(start));
-    if (settings.orders > 0) return sum_orders();
-    OrderSum sum = sum_of_orders(first, std::move(start), next, correct,
-                                 {settings.tolerance, settings.most_applications}, progress);
+    OrderSum sum;
+    sum.light = correct(first, light_scale(first));
+    while (!is_cancelled(progress)) {
+        coarse.follow(sum.light);
+        steep.follow(reading.read_light(sum.light));
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
+        add(sum.residual, sum.light);
+    }
+    if (settings.orders > 0) return sum_orders(next);
+    sum = sum_of_orders(first, std::move(sum), next, correct,
+                        {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
     solved.applications = sum.applications;
     solved.left_out = sum.left_out;
