@@ -63,6 +63,9 @@ namespace {
 constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
+// Each of so few orders is read by its own falls from sun to sun, for which no estimate is needed.
+constexpr int kFewOrders = 3;
+
 // Light between suns is read by the falls of an estimate. Where that is too dark, each order would make
 // more light of it than there is, so the estimate takes further orders until none lifts it this much.
 constexpr double kMostLift = 2;
@@ -120,6 +123,18 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
+    const auto sum_orders = [&](const NextOrder& by) {
+        OrderSum sum = sum_of_first_orders(first, by, settings.orders, progress);
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        return std::move(solved);
+    };
+    if (settings.orders > 0 && settings.orders <= kFewOrders) {
+        return sum_orders([&](const LightField& light, LightField& image) {
+            steep.follow(reading.read_light(light));
+            next(light, image);
+        });
+    }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
@@ -134,12 +149,7 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
         add(sum.residual, sum.light);
     }
-    if (settings.orders > 0) {
-        sum = sum_of_first_orders(first, next, settings.orders, progress);
-        solved.light = std::move(sum.light);
-        solved.applications = sum.applications;
-        return solved;
-    }
+    if (settings.orders > 0) return sum_orders(next);
     sum = sum_of_orders(first, std::move(sum), next, correct,
                         {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
