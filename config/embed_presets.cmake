@@ -1,8 +1,8 @@
-# Writes the C++ source that holds the preset texts.
+# Writes the C++ source that holds the texts of the presets and of the diagnostic codes.
 #   cmake -DOUTPUT=presets_data.cpp -DPRESETS=a.toml;b.toml -DNOISE_PRESETS=c.toml
 #         -DCLOUD_PRESETS=d.toml -DPARTICLE_PRESETS=e.toml -DLAYER_PRESETS=f.toml
-#         -P embed_presets.cmake
-# Called by the build whenever a preset changes.
+#         -DCODES=codes.toml -P embed_presets.cmake
+# Called by the build whenever one of them changes.
 
 # The presets of a list of files as the function NAME that returns them.
 function(append_presets name)
@@ -26,9 +26,10 @@ ${entries}};
 ")
 endfunction()
 
-file(WRITE "${OUTPUT}.new" "// Made from config/presets/**/*.toml by embed_presets.cmake.
+file(WRITE "${OUTPUT}.new" "// Made from config/presets/**/*.toml and codes.toml by embed_presets.cmake.
 #include <array>
 
+#include \"config/diagnostics/diagnostic_codes.h\"
 #include \"config/presets/presets.h\"
 
 namespace skybake::config {
@@ -38,7 +39,12 @@ append_presets(noise_presets ${NOISE_PRESETS})
 append_presets(cloud_presets ${CLOUD_PRESETS})
 append_presets(particle_presets ${PARTICLE_PRESETS})
 append_presets(layer_presets ${LAYER_PRESETS})
+file(READ "${CODES}" codes)
 file(APPEND "${OUTPUT}.new" "
+std::string_view diagnostic_codes_toml() {
+    return R\"codes(${codes})codes\";
+}
+
 }  // namespace skybake::config
 ")
 file(RENAME "${OUTPUT}.new" "${OUTPUT}")

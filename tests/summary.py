@@ -3,6 +3,7 @@
 
     ctest --test-dir BUILD ... --output-junit RESULTS
     tests/summary.py BUILD RESULTS [STEP WALL_SECONDS PROCESSOR_SECONDS]...
+    tests/summary.py --failed RESULTS   prints which tests failed, and the last lines of each
 
 Prints the time of each label and of each folder of tests/, the slowest tests, the steps of the run, and
 last, so that nobody overlooks it, every test that was skipped or left out, with the reason that it
@@ -18,9 +19,10 @@ from collections import defaultdict
 from pathlib import Path
 
 SLOWEST = 20
+LAST_LINES = 25  # of a test that failed
 BUDGET = 600  # seconds of the first tier on two idle cores
 SECOND_TIER = Path(__file__).parent / "second_tier/label.cmake"
-# What tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
+# Finds what tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
 REASON = re.compile(r"^(.*(?:skipped: |not tested).*|(?<=: Skipped\n).*)$", re.M)
 
 
@@ -52,7 +54,8 @@ class Result:
         self.name = case.get("name")
         self.seconds = float(case.get("time"))
         self.skipped = case.get("status") in ("notrun", "disabled")
-        output = case.findtext("system-out") or ""
+        self.failed = case.get("status") == "fail"
+        self.output = output = case.findtext("system-out") or ""
         self.reasons = [reason.strip() for reason in REASON.findall(output)]
         if self.skipped and not self.reasons:
             skipped = case.find("skipped")
@@ -118,10 +121,20 @@ def not_tested(tests, results):
     return ["\n" + "=" * 100, "THIS RUN DID NOT TEST EVERYTHING:", *lines, "=" * 100]
 
 
+def failures(results):
+    lines = []
+    for result in (result for result in results if result.failed):
+        lines += [f"failed: {result.name}", *result.output.splitlines()[-LAST_LINES:]]
+    return lines
+
+
 def main():
     build, path, *steps = sys.argv[1:]
-    tests = known_tests(build)
     results = [Result(case) for case in xml.parse(path).getroot().iter("testcase")]
+    if build == "--failed":
+        print("\n".join(failures(results)))
+        return 0
+    tests = known_tests(build)
     print("\n".join(times(tests, results) + slowest(results) + steps_table(steps)
                     + not_tested(tests, results)))
     unknown = unknown_in_second_tier(tests)

@@ -14,6 +14,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/volume_search.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
 
@@ -89,8 +90,8 @@ void add_levels(int count, NextSize next_size, const BakeOptions& options, Baked
         level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size, level.size);
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
-            level.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels,
-                                                          options, "mips");
+            level.voxels = std::make_shared<VoxelArray>(
+                read_voxels(*level.voxels, level.size, channels, options, "mips"));
         }
         volume.levels.push_back(std::move(level));
     }
@@ -297,13 +298,13 @@ void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace
 
 // Holds the voxels of a small level in memory, because making all of them once is cheaper than
 // making eight for every lookup.
-Level held_if_small(const Level& level, const BakeOptions& options) {
+Level in_memory_if_small(const Level& level, const BakeOptions& options) {
     constexpr std::int64_t kSmall = 1 << 18;
     Level held = level;
     const auto channels = static_cast<int>(level.statistics.size());
     if (VoxelBox{{}, level.size}.count() <= kSmall) {
-        held.voxels =
-            std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "probes");
+        held.voxels = std::make_shared<VoxelArray>(
+            read_voxels(*level.voxels, level.size, channels, options, "probes"));
     }
     return held;
 }
@@ -319,7 +320,7 @@ std::optional<config::Diagnostic> add_volume_probes(const std::string& asset, in
                                                     config::PixelType type,
                                                     const BakeOptions& options, Level& level) {
     ProbeSpace space{place ? place : texture_place, {}};
-    const Level readable = held_if_small(level, options);
+    const Level readable = in_memory_if_small(level, options);
     add_seams(readable, space.wanted);
     add_even_places(space.wanted);
     add_peaks(readable, type, space.wanted);

@@ -34,7 +34,7 @@ struct PointFrame {
     bool in_tile = false;  // x and y alone count, because all tiles are alike
 };
 
-// Of the layer's own points.
+// Returns the frame of the layer's own points.
 inline PointFrame own_frame(const CloudMarch& march) {
     PointFrame frame;
     frame.samples = march.own_samples > 0 ? march.own_samples : march.light_samples;
@@ -42,8 +42,8 @@ inline PointFrame own_frame(const CloudMarch& march) {
     frame.in_tile = !march.medium->variation.varies();
     return frame;
 }
-// Of points that may be outside of the layer, by the edges of their unit in metres and the altitude of their
-// z = 0.
+// Returns the frame of points that may be outside of the layer, by the edges of their unit in metres and the
+// altitude of their z = 0.
 inline PointFrame frame_from(const std::array<double, 3>& unit_m, double base_m,
                              const CloudMarch& march) {
     const CloudMedium& to = *march.medium;

@@ -42,10 +42,10 @@ inline constexpr int kNearLight = 12;
 // The share of the reach from which on a layer fades.
 inline constexpr double kFadeFrom = 0.67;
 
-// Which pixels have kSamples samples and not one: those with grain or edges of clouds, or all.
+// The pixels that have kSamples samples and not one: those with grain or edges of clouds, or all.
 enum class Refinement { none, thin, all };
 
-// What a picture shows, and how carefully.
+// The view that a picture shows, and the care that is taken with it.
 struct SceneFrame {
     int width = 0;
     int height = 0;

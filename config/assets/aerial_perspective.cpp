@@ -23,95 +23,54 @@ constexpr Range fov_range{0, std::numbers::pi, true, true};
 
 constexpr Range picture_aspect_range{1e-3, 1e3};
 
-constexpr std::array aerial_content_choices = {
-    Choice{AerialContent::in_scatter_and_transmittance, "in_scatter_and_transmittance",
-           "light in R, G, B and the channels' mean transmittance in A"},
-    Choice{AerialContent::in_scatter, "in_scatter", "light alone"},
-    Choice{AerialContent::transmittance, "transmittance", "transmittance alone, of each channel"},
+constexpr Choice aerial_content_choices[] = {
+    {AerialContent::in_scatter_and_transmittance, "in_scatter_and_transmittance",
+     "light in R, G, B and the channels' mean transmittance in A"},
+    {AerialContent::in_scatter, "in_scatter", "light alone"},
+    {AerialContent::transmittance, "transmittance", "transmittance alone, of each channel"},
 };
 
-constexpr std::array slices_choices = {
-    Choice{SliceSpacing::linear, "linear", "w = distance / view_distance"},
-    Choice{SliceSpacing::squared, "squared",
-           "w = sqrt(distance / view_distance): closer together near the camera"},
+constexpr Choice slices_choices[] = {
+    {SliceSpacing::linear, "linear", "w = distance / view_distance"},
+    {SliceSpacing::squared, "squared",
+     "w = sqrt(distance / view_distance): closer together near the camera"},
 };
 
-constexpr std::array slices_begin_choices = {
-    Choice{SlicesBegin::camera, "camera", "distances count from the camera"},
-    Choice{SlicesBegin::air, "air",
-           "distances count from where each view ray enters the air, and end with twice its way to "
-           "the ground, or its way through the air"},
+constexpr Choice slices_begin_choices[] = {
+    {SlicesBegin::camera, "camera", "distances count from the camera"},
+    {SlicesBegin::air, "air",
+     "distances count from where each view ray enters the air, and end with twice its way to "
+     "the ground, or its way through the air"},
 };
 
-const std::array aerial_perspective_table = {
-    AerialPerspectiveField{asset_field, {}},
-    AerialPerspectiveField{
-        {.key = "size",
-         .kind = Kind::voxels,
-         .range = voxel_range,
-         .fallback = "[32, 32, 32]",
-         .documentation = "voxels across and down the picture, and the number of slices",
-         .citation = hillaire_2020},
-        &AerialPerspectiveBake::size},
-    AerialPerspectiveField{{.key = "content",
-                            .kind = Kind::choice,
-                            .choices = aerial_content_choices,
-                            .fallback = R"("in_scatter_and_transmittance")",
-                            .documentation = "what the channels hold"},
-                           &AerialPerspectiveBake::content},
-    AerialPerspectiveField{camera_altitude_field, &AerialPerspectiveBake::altitude},
-    AerialPerspectiveField{{.key = "sun_elevation",
-                            .kind = Kind::angle,
-                            .range = elevation_range,
-                            .required = true,
-                            .documentation = "elevation of the sun at the camera"},
-                           &AerialPerspectiveBake::sun_elevation},
-    AerialPerspectiveField{{.key = "heading",
-                            .kind = Kind::angle,
-                            .range = turn_range,
-                            .fallback = R"("0 deg")",
-                            .documentation = "camera heading, clockwise from the sun's azimuth"},
-                           &AerialPerspectiveBake::heading},
-    AerialPerspectiveField{{.key = "pitch",
-                            .kind = Kind::angle,
-                            .range = elevation_range,
-                            .fallback = R"("0 deg")",
-                            .documentation = "camera pitch, upwards from the horizontal"},
-                           &AerialPerspectiveBake::pitch},
-    AerialPerspectiveField{{.key = "fov",
-                            .kind = Kind::angle,
-                            .range = fov_range,
-                            .fallback = R"("60 deg")",
-                            .documentation = "angle between the lower and the upper edge"},
-                           &AerialPerspectiveBake::fov},
-    AerialPerspectiveField{{.key = "aspect",
-                            .kind = Kind::number,
-                            .range = picture_aspect_range,
-                            .fallback = "1.7777777777777777",
-                            .documentation = "width of the picture over its height"},
-                           &AerialPerspectiveBake::aspect},
-    AerialPerspectiveField{
-        {.key = "view_distance",
-         .kind = Kind::length,
-         .range = view_distance_range,
-         .documentation = "distance at w = 1, from where the slices begin; by default that of "
-                          "[scene], or its default, and in space the longest way through the air"},
-        &AerialPerspectiveBake::view_distance},
-    AerialPerspectiveField{{.key = "slices",
-                            .kind = Kind::choice,
-                            .choices = slices_choices,
-                            .fallback = R"("squared")",
-                            .documentation = "the distance that a slice stands for",
-                            .citation = hillaire_2020},
-                           &AerialPerspectiveBake::slices},
-    AerialPerspectiveField{
-        {.key = "slices_begin",
-         .kind = Kind::choice,
-         .choices = slices_begin_choices,
-         .documentation = "where the slices begin; by default with the air for cameras in space"},
-        &AerialPerspectiveBake::slices_begin},
-    AerialPerspectiveField{orders_field, &AerialPerspectiveBake::orders},
-    AerialPerspectiveField{layers_field, &AerialPerspectiveBake::layers},
+const AerialPerspectiveField aerial_perspective_table[] = {
+    {asset_field, {}},
+    {"size", Kind::voxels, &AerialPerspectiveBake::size,
+     "voxels across and down the picture, and the number of slices", voxel_range,
+     Default{"[32, 32, 32]"}, Cited{hillaire_2020}},
+    {"content", Kind::choice, &AerialPerspectiveBake::content, "what the channels hold",
+     aerial_content_choices, Default{R"("in_scatter_and_transmittance")"}},
+    {camera_altitude_field, &AerialPerspectiveBake::altitude},
+    {"sun_elevation", Kind::angle, &AerialPerspectiveBake::sun_elevation,
+     "elevation of the sun at the camera", elevation_range, KeyFlag::required},
+    {"heading", Kind::angle, &AerialPerspectiveBake::heading,
+     "camera heading, clockwise from the sun's azimuth", turn_range, Default{R"("0 deg")"}},
+    {"pitch", Kind::angle, &AerialPerspectiveBake::pitch,
+     "camera pitch, upwards from the horizontal", elevation_range, Default{R"("0 deg")"}},
+    {"fov", Kind::angle, &AerialPerspectiveBake::fov, "angle between the lower and the upper edge",
+     fov_range, Default{R"("60 deg")"}},
+    {"aspect", Kind::number, &AerialPerspectiveBake::aspect, "width of the picture over its height",
+     picture_aspect_range, Default{"1.7777777777777777"}},
+    {"view_distance", Kind::length, &AerialPerspectiveBake::view_distance,
+     "distance at w = 1, from where the slices begin; by default that of "
+     "[scene], or its default, and in space the longest way through the air",
+     view_distance_range},
+    {"slices", Kind::choice, &AerialPerspectiveBake::slices, "the distance that a slice stands for",
+     slices_choices, Default{R"("squared")"}, Cited{hillaire_2020}},
+    {"slices_begin", Kind::choice, &AerialPerspectiveBake::slices_begin,
+     "where the slices begin; by default with the air for cameras in space", slices_begin_choices},
+    {orders_field, &AerialPerspectiveBake::orders},
+    {layers_field, &AerialPerspectiveBake::layers},
 };
 
 Length default_view_distance() {

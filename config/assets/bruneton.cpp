@@ -21,32 +21,28 @@ constexpr Range sun_cosine_range{-1, 0, false, true};
 
 constexpr Range solar_range{0, 1e6, true};
 
-constexpr std::array bruneton_table_choices = {
-    Choice{BrunetonTable::transmittance, "transmittance",
-           "transmittance to the top of the atmosphere"},
-    Choice{BrunetonTable::scattering, "scattering",
-           "light scattered towards a view ray, by nu, sun, view and altitude"},
-    Choice{BrunetonTable::single_mie, "single_mie", "the first order of the Mie layers on its own"},
-    Choice{BrunetonTable::higher_orders, "higher_orders",
-           "all orders from the second on, on their own"},
-    Choice{BrunetonTable::irradiance, "irradiance", "irradiance of a level surface by the sky"},
+constexpr Choice bruneton_table_choices[] = {
+    {BrunetonTable::transmittance, "transmittance", "transmittance to the top of the atmosphere"},
+    {BrunetonTable::scattering, "scattering",
+     "light scattered towards a view ray, by nu, sun, view and altitude"},
+    {BrunetonTable::single_mie, "single_mie", "the first order of the Mie layers on its own"},
+    {BrunetonTable::higher_orders, "higher_orders", "all orders from the second on, on their own"},
+    {BrunetonTable::irradiance, "irradiance", "irradiance of a level surface by the sky"},
 };
 
-constexpr std::array convention_choices = {
-    Choice{BrunetonConvention::bruneton, "bruneton",
-           "the layout of the textures of the implementation of 2017"},
-    Choice{BrunetonConvention::takram, "takram",
-           "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
-           "parameters"},
-    Choice{BrunetonConvention::calcmysky, "calcmysky",
-           "the sun's axis of CalcMySky and Stellarium"},
+constexpr Choice convention_choices[] = {
+    {BrunetonConvention::bruneton, "bruneton",
+     "the layout of the textures of the implementation of 2017"},
+    {BrunetonConvention::takram, "takram",
+     "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
+     "parameters"},
+    {BrunetonConvention::calcmysky, "calcmysky", "the sun's axis of CalcMySky and Stellarium"},
 };
 
-constexpr std::array bruneton_method_choices = {
-    Choice{BrunetonMethod::solved, "solved",
-           "orders from the second on, from a solution of all light"},
-    Choice{BrunetonMethod::iterated, "iterated",
-           "order after order on the table's own grid, as published"},
+constexpr Choice bruneton_method_choices[] = {
+    {BrunetonMethod::solved, "solved", "orders from the second on, from a solution of all light"},
+    {BrunetonMethod::iterated, "iterated",
+     "order after order on the table's own grid, as published"},
 };
 
 constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};
@@ -58,89 +54,41 @@ constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irra
 
 constexpr std::string_view with_method[] = {"scattering", "higher_orders"};
 
-const std::array bruneton_table = {
-    BrunetonField{asset_field, {}},
-    BrunetonField{{.key = "table",
-                   .kind = Kind::choice,
-                   .choices = bruneton_table_choices,
-                   .fallback = R"("scattering")",
-                   .documentation = "which of the tables to bake",
-                   .citation = bruneton_2017},
-                  &BrunetonBake::table},
-    BrunetonField{{.key = "convention",
-                   .kind = Kind::choice,
-                   .choices = convention_choices,
-                   .fallback = R"("bruneton")",
-                   .documentation = "the reader that the files are for"},
-                  &BrunetonBake::convention},
-    BrunetonField{
-        {.key = "size",
-         .kind = Kind::voxels,
-         .range = voxel_range,
-         .documentation = "texels along u, v, w; by default [256, 128, 32] of scattering, [256, "
-                          "64, 1] of transmittance, [64, 16, 1] of irradiance",
-         .citation = bruneton_2017},
-        &BrunetonBake::size},
-    BrunetonField{{.key = "nu_size",
-                   .kind = Kind::integer,
-                   .range = nu_range,
-                   .fallback = "8",
-                   .documentation = "number of angles between view and sun, side by side along u",
-                   .citation = bruneton_2017,
-                   .selector = "table",
-                   .selected_by = by_nu},
-                  &BrunetonBake::nu_size},
-    BrunetonField{{.key = "combined",
-                   .kind = Kind::flag,
-                   .documentation = "whether A holds the Mie layers' first order, red alone, as "
-                                    "takram's loader expects, for which it is true by default; "
-                                    "otherwise the table is R G B, and single_mie holds that order",
-                   .selector = "table",
-                   .selected_by = scattering},
-                  &BrunetonBake::combined},
-    BrunetonField{{.key = "orders",
-                   .kind = Kind::levels,
-                   .range = orders_range,
-                   .fallback = R"("all")",
-                   .documentation = "number of orders of scattering, with the first",
-                   .hint = "Bruneton uses 4",
-                   .selector = "table",
-                   .selected_by = with_orders},
-                  &BrunetonBake::orders},
-    BrunetonField{
-        {.key = "method",
-         .kind = Kind::choice,
-         .choices = bruneton_method_choices,
-         .fallback = R"("solved")",
-         .documentation = "where the higher orders come from; for iterated, \"all\" orders are 4",
-         .selector = "table",
-         .selected_by = with_method},
-        &BrunetonBake::method},
-    BrunetonField{{.key = "sun_cos_zenith_min",
-                   .kind = Kind::number,
-                   .range = sun_cosine_range,
-                   .documentation = "where the sun's axis begins; by default -0.5 for takram, as "
-                                    "its loader expects, -R / (2 R_top) for calcmysky, which takes "
-                                    "no other, and else cos 102 deg",
-                   .citation = bruneton_2017,
-                   .selector = "table",
-                   .selected_by = by_nu},
-                  &BrunetonBake::sun_cos_zenith_min},
-    BrunetonField{{.key = "mie_layers",
-                   .kind = Kind::text_list,
-                   .documentation = "layers whose first order is kept apart; by default those with "
-                                    "phase functions other than rayleigh and isotropic",
-                   .hint = "for example [\"aerosol\"]",
-                   .selector = "table",
-                   .selected_by = by_nu},
-                  &BrunetonBake::mie_layers},
-    BrunetonField{{.key = "solar_irradiance",
-                   .kind = Kind::fractions,
-                   .range = solar_range,
-                   .documentation = "factor of all light; by default 1, or takram's own",
-                   .selector = "table",
-                   .selected_by = with_light},
-                  &BrunetonBake::solar_irradiance},
+const BrunetonField bruneton_table[] = {
+    {asset_field, {}},
+    {"table", Kind::choice, &BrunetonBake::table, "which of the tables to bake",
+     bruneton_table_choices, Default{R"("scattering")"}, Cited{bruneton_2017}},
+    {"convention", Kind::choice, &BrunetonBake::convention, "the reader that the files are for",
+     convention_choices, Default{R"("bruneton")"}},
+    {"size", Kind::voxels, &BrunetonBake::size,
+     "texels along u, v, w; by default [256, 128, 32] of scattering, [256, "
+     "64, 1] of transmittance, [64, 16, 1] of irradiance",
+     voxel_range, Cited{bruneton_2017}},
+    {"nu_size", Kind::integer, &BrunetonBake::nu_size,
+     "number of angles between view and sun, side by side along u", nu_range, Default{"8"},
+     When{"table", by_nu}, Cited{bruneton_2017}},
+    {"combined", Kind::flag, &BrunetonBake::combined,
+     "whether A holds the Mie layers' first order, red alone, as "
+     "takram's loader expects, for which it is true by default; "
+     "otherwise the table is R G B, and single_mie holds that order",
+     When{"table", scattering}},
+    {"orders", Kind::levels, &BrunetonBake::orders,
+     "number of orders of scattering, with the first", orders_range, Default{R"("all")"},
+     Hint{"Bruneton uses 4"}, When{"table", with_orders}},
+    {"method", Kind::choice, &BrunetonBake::method,
+     "where the higher orders come from; for iterated, \"all\" orders are 4",
+     bruneton_method_choices, Default{R"("solved")"}, When{"table", with_method}},
+    {"sun_cos_zenith_min", Kind::number, &BrunetonBake::sun_cos_zenith_min,
+     "where the sun's axis begins; by default -0.5 for takram, as "
+     "its loader expects, -R / (2 R_top) for calcmysky, which takes "
+     "no other, and else cos 102 deg",
+     sun_cosine_range, When{"table", by_nu}, Cited{bruneton_2017}},
+    {"mie_layers", Kind::text_list, &BrunetonBake::mie_layers,
+     "layers whose first order is kept apart; by default those with "
+     "phase functions other than rayleigh and isotropic",
+     Hint{"for example [\"aerosol\"]"}, When{"table", by_nu}},
+    {"solar_irradiance", Kind::fractions, &BrunetonBake::solar_irradiance,
+     "factor of all light; by default 1, or takram's own", solar_range, When{"table", with_light}},
 };
 
 // This is the cosine of 102 deg. Below it, Bruneton's half floats hold no light. takram uses the

@@ -28,50 +28,34 @@ constexpr std::string_view schneider_2023 =
     "Schneider 2023, Nubis Cubed: Methods (and madness) to model and render immersive real-time "
     "voxel-based clouds";
 
-constexpr std::array distance_content_choices = {
-    Choice{DistanceContent::distance, "distance",
-           "metres to the cloud, negative within it; it must be the first"},
-    Choice{DistanceContent::profile, "profile",
-           "how deep within the cloud: 0 at its surface, 1 at the depth `core` and deeper"},
-    Choice{
-        DistanceContent::detail_type, "detail_type",
-        "0 at the base, where details are wisps, 1 from `wisp_height` on, where they are billows"},
-    Choice{DistanceContent::density_scale, "density_scale", "mean of the volume's voxels"},
+constexpr Choice distance_content_choices[] = {
+    {DistanceContent::distance, "distance",
+     "metres to the cloud, negative within it; it must be the first"},
+    {DistanceContent::profile, "profile",
+     "how deep within the cloud: 0 at its surface, 1 at the depth `core` and deeper"},
+    {DistanceContent::detail_type, "detail_type",
+     "0 at the base, where details are wisps, 1 from `wisp_height` on, where they are billows"},
+    {DistanceContent::density_scale, "density_scale", "mean of the volume's voxels"},
 };
 
-const std::array distance_table = {
-    DistanceField{asset_field, {}},
-    DistanceField{source_volume_field, &CloudDistanceBake::of},
-    DistanceField{source_channel_field, &CloudDistanceBake::channel},
-    DistanceField{{.key = "cell",
-                   .kind = Kind::power_of_two,
-                   .range = cell_range,
-                   .fallback = "4",
-                   .documentation = "voxels along each edge of a texel",
-                   .hint = "1, 2, 4, 8 or 16"},
-                  &CloudDistanceBake::cell},
-    DistanceField{{.key = "range",
-                   .kind = Kind::length_bounds,
-                   .range = distance_range,
-                   .fallback = R"(["-256 m", "4096 m"])",
-                   .documentation = "least and greatest distance, which unorm types store as 0 and "
-                                    "1; distances beyond it are stored as its ends",
-                   .hint = "a texel holds 0 exactly where the ends are as -1 to 16",
-                   .citation = schneider_2023},
-                  &CloudDistanceBake::range},
-    DistanceField{{.key = "core",
-                   .kind = Kind::length,
-                   .range = core_range,
-                   .documentation = "depth from which the profile is 1; by default the greatest "
-                                    "depth of the volume"},
-                  &CloudDistanceBake::core},
-    DistanceField{{.key = "contents",
-                   .kind = Kind::choice_list,
-                   .choices = distance_content_choices,
-                   .fallback = R"(["distance"])",
-                   .documentation = "what the one, three or four channels hold, in this order",
-                   .citation = schneider_2023},
-                  &CloudDistanceBake::contents},
+const DistanceField distance_table[] = {
+    {asset_field, {}},
+    {source_volume_field, &CloudDistanceBake::of},
+    {source_channel_field, &CloudDistanceBake::channel},
+    {"cell", Kind::power_of_two, &CloudDistanceBake::cell, "voxels along each edge of a texel",
+     cell_range, Default{"4"}, Hint{"1, 2, 4, 8 or 16"}},
+    {"range", Kind::length_bounds, &CloudDistanceBake::range,
+     "least and greatest distance, which unorm types store as 0 and "
+     "1; distances beyond it are stored as its ends",
+     distance_range, Default{R"(["-256 m", "4096 m"])"},
+     Hint{"a texel holds 0 exactly where the ends are as -1 to 16"}, Cited{schneider_2023}},
+    {"core", Kind::length, &CloudDistanceBake::core,
+     "depth from which the profile is 1; by default the greatest "
+     "depth of the volume",
+     core_range},
+    {"contents", Kind::choice_list, &CloudDistanceBake::contents,
+     "what the one, three or four channels hold, in this order", distance_content_choices,
+     Default{R"(["distance"])"}, Cited{schneider_2023}},
 };
 
 // This is one section while it is resolved.

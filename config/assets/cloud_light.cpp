@@ -31,27 +31,26 @@ constexpr double degree_in_radians = std::numbers::pi / 180;
 constexpr Range sun_range{degree_in_radians, std::numbers::pi / 2};
 constexpr Range azimuth_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
-constexpr std::array contents_choices = {
-    Choice{CloudLightContents::optical_depth, "optical_depth",
-           "from a point to each sun, through the layer as it repeats"},
-    Choice{CloudLightContents::transmittance, "transmittance", "exp(-optical depth) to each sun"},
-    Choice{CloudLightContents::shadow, "shadow",
-           "a map of one slice: the optical depth of the whole layer, from its base to each sun"},
-    Choice{CloudLightContents::optical_depth_harmonics, "optical_depth_harmonics",
-           "optical depth to suns anywhere above the horizon, as harmonics of their directions"},
-    Choice{CloudLightContents::transmittance_harmonics, "transmittance_harmonics",
-           "transmittance to suns anywhere above the horizon, as harmonics of their directions"},
-    Choice{CloudLightContents::sky_visibility, "sky_visibility",
-           "transmittance to the sky, and 0 below the horizon, as harmonics of the direction"},
-    Choice{CloudLightContents::sun_radiance, "sun_radiance",
-           "sunlight that the cloud scatters for the second time or more often, as harmonics of "
-           "the direction in which it goes on"},
-    Choice{CloudLightContents::sky_radiance, "sky_radiance",
-           "light of a uniform sky that the cloud scatters, of all orders, as such harmonics"},
-    Choice{CloudLightContents::clear_sky_radiance, "clear_sky_radiance",
-           "the same of the recipe's clear sky under one sun, for a mean radiance of 1"},
-    Choice{CloudLightContents::ground_radiance, "ground_radiance",
-           "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
+constexpr Choice contents_choices[] = {
+    {CloudLightContents::optical_depth, "optical_depth",
+     "from a point to each sun, through the layer as it repeats"},
+    {CloudLightContents::transmittance, "transmittance", "exp(-optical depth) to each sun"},
+    {CloudLightContents::shadow, "shadow",
+     "a map of one slice: the optical depth of the whole layer, from its base to each sun"},
+    {CloudLightContents::optical_depth_harmonics, "optical_depth_harmonics",
+     "optical depth to suns anywhere above the horizon, as harmonics of their directions"},
+    {CloudLightContents::transmittance_harmonics, "transmittance_harmonics",
+     "transmittance to suns anywhere above the horizon, as harmonics of their directions"},
+    {CloudLightContents::sky_visibility, "sky_visibility",
+     "transmittance to the sky, and 0 below the horizon, as harmonics of the direction"},
+    {CloudLightContents::sun_radiance, "sun_radiance",
+     "sunlight that the cloud scatters at least twice, as harmonics of its direction of travel"},
+    {CloudLightContents::sky_radiance, "sky_radiance",
+     "light of a uniform sky that the cloud scatters, of all orders, as such harmonics"},
+    {CloudLightContents::clear_sky_radiance, "clear_sky_radiance",
+     "the same of the recipe's clear sky under one sun, for a mean radiance of 1"},
+    {CloudLightContents::ground_radiance, "ground_radiance",
+     "light of uniform ground that the cloud scatters, of all orders, as such harmonics"},
 };
 
 constexpr std::string_view of_suns[] = {"optical_depth", "transmittance", "shadow", "sun_radiance",
@@ -75,73 +74,37 @@ constexpr Field of_light_within(Field field) {
     return field;
 }
 
-const std::array cloud_light_table = {
-    CloudLightField{asset_field, {}},
-    CloudLightField{source_volume_field, &CloudLightBake::of},
-    CloudLightField{source_channel_field, &CloudLightBake::channel},
-    CloudLightField{{.key = "contents",
-                     .kind = Kind::choice,
-                     .choices = contents_choices,
-                     .fallback = R"("optical_depth")",
-                     .documentation = "what the channels hold"},
-                    &CloudLightBake::contents},
-    CloudLightField{
-        {.key = "sun_elevations",
-         .kind = Kind::angles,
-         .range = sun_range,
-         .required = true,
-         .documentation = "one, three or four suns, each with a channel; radiance takes one",
-         .hint = "for example [\"60 deg\", \"30 deg\", \"10 deg\"]",
-         .selector = "contents",
-         .selected_by = of_suns},
-        &CloudLightBake::sun_elevations},
-    CloudLightField{{.key = "sun_azimuths",
-                     .kind = Kind::angles,
-                     .range = azimuth_range,
-                     .documentation = "azimuth of each sun, from +x towards +y; by default all 0",
-                     .selector = "contents",
-                     .selected_by = of_suns},
-                    &CloudLightBake::sun_azimuths},
-    CloudLightField{
-        {.key = "degree",
-         .kind = Kind::integer,
-         .range = harmonics_degree_range,
-         .fallback = "1",
-         .documentation = "degree of the harmonics, which have (degree + 1)^2 coefficients",
-         .selector = "contents",
-         .selected_by = in_harmonics},
-        &CloudLightBake::degree},
-    CloudLightField{{.key = "part",
-                     .kind = Kind::integer,
-                     .range = part_range,
-                     .fallback = "1",
-                     .documentation = "which four of the coefficients the channels are; degree 2 "
-                                      "has 3 parts, degree 3 has 4",
-                     .selector = "contents",
-                     .selected_by = in_harmonics},
-                    &CloudLightBake::part},
-    CloudLightField{{.key = "cell",
-                     .kind = Kind::integer,
-                     .range = light_cell_range,
-                     .fallback = "4",
-                     .documentation = "voxels along each edge of a texel: 4 gives 1/64 as many "
-                                      "texels as the volume has voxels",
-                     .hint = "2 to 8",
-                     .exclusive_group = "size"},
-                    &CloudLightBake::cell},
-    CloudLightField{{.key = "max_error",
-                     .kind = Kind::fraction,
-                     .range = lookup_error_range,
-                     .documentation = "in place of cell, asks for the fewest texels of which the "
-                                      "RMS error of lookups is within this share of the range",
-                     .hint = "for example \"2 %\"",
-                     .exclusive_group = "size",
-                     .selector = "contents",
-                     .selected_by = of_depths},
-                    &CloudLightBake::max_error},
-    CloudLightField{of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},
-    CloudLightField{of_light_within(single_scattering_albedo_field),
-                    &CloudLightBake::single_scattering_albedo},
+const CloudLightField cloud_light_table[] = {
+    {asset_field, {}},
+    {source_volume_field, &CloudLightBake::of},
+    {source_channel_field, &CloudLightBake::channel},
+    {"contents", Kind::choice, &CloudLightBake::contents, "what the channels hold",
+     contents_choices, Default{R"("optical_depth")"}},
+    {"sun_elevations", Kind::angles, &CloudLightBake::sun_elevations,
+     "one, three or four suns, each with a channel; radiance takes one", sun_range,
+     KeyFlag::required, Hint{"for example [\"60 deg\", \"30 deg\", \"10 deg\"]"},
+     When{"contents", of_suns}},
+    {"sun_azimuths", Kind::angles, &CloudLightBake::sun_azimuths,
+     "azimuth of each sun, from +x towards +y; by default all 0", azimuth_range,
+     When{"contents", of_suns}},
+    {"degree", Kind::integer, &CloudLightBake::degree,
+     "degree of the harmonics, which have (degree + 1)^2 coefficients", harmonics_degree_range,
+     Default{"1"}, When{"contents", in_harmonics}},
+    {"part", Kind::integer, &CloudLightBake::part,
+     "which four of the coefficients the channels are; degree 2 "
+     "has 3 parts, degree 3 has 4",
+     part_range, Default{"1"}, When{"contents", in_harmonics}},
+    {"cell", Kind::integer, &CloudLightBake::cell,
+     "voxels along each edge of a texel: 4 gives 1/64 as many "
+     "texels as the volume has voxels",
+     light_cell_range, Default{"4"}, Hint{"2 to 8"}, Exclusive{"size"}},
+    {"max_error", Kind::fraction, &CloudLightBake::max_error,
+     "in place of cell, asks for the fewest texels of which the "
+     "RMS error of lookups is within this share of the range",
+     lookup_error_range, Hint{"for example \"2 %\""}, Exclusive{"size"},
+     When{"contents", of_depths}},
+    {of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},
+    {of_light_within(single_scattering_albedo_field), &CloudLightBake::single_scattering_albedo},
 };
 
 VoxelCounts texels_of(const CloudVolumeBake& volume, int cell, bool is_map) {
@@ -167,8 +130,8 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 void derive_pixel_type(DecodedSection& bake, CloudLightContents contents, const Cloud* cloud) {
     constexpr double largest_half = 65504;
     const DecodedField& suns = bake.at("sun_elevations");
-    const bool is_depth = contents == CloudLightContents::optical_depth ||
-                          contents == CloudLightContents::shadow;
+    const bool is_depth =
+        contents == CloudLightContents::optical_depth || contents == CloudLightContents::shadow;
     if (!is_depth || !cloud || !suns.value) return;
     const auto& elevations = std::get<std::vector<double>>(*suns.value);
     const double lowest = *std::min_element(elevations.begin(), elevations.end());

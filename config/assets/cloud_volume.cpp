@@ -25,49 +25,25 @@ constexpr Range voxel_size_range{1e-3, 1e8};
 
 constexpr Range cloud_extent_range{1e-3, 1e8};
 
-const std::array cloud_volume_table = {
-    CloudVolumeField{asset_field, {}},
-    CloudVolumeField{{.key = "cloud",
-                      .kind = Kind::text,
-                      .required = true,
-                      .documentation = "NAME of the [clouds.NAME] to bake"},
-                     &CloudVolumeBake::cloud},
-    CloudVolumeField{{.key = "size",
-                      .kind = Kind::voxels,
-                      .range = voxel_range,
-                      .documentation = "voxels along x, y and z, which is up",
-                      .hint = "for example [512, 512, 128]",
-                      .exclusive_group = "size",
-                      .exclusive_side = "counted"},
-                     &CloudVolumeBake::size},
-    CloudVolumeField{
-        {.key = "extent",
-         .kind = Kind::lengths,
-         .range = cloud_extent_range,
-         .documentation =
-             "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
-         .hint = "voxel_size sets it where it does not divide the cloud's extent",
-         .exclusive_group = "size",
-         .exclusive_side = "counted"},
-        &CloudVolumeBake::extent},
-    CloudVolumeField{{.key = "voxel_size",
-                      .kind = Kind::length,
-                      .range = voxel_size_range,
-                      .documentation = "edge of a cubic voxel, in place of size; the cloud's "
-                                       "extent is rounded up to whole voxels",
-                      .hint = "for example \"12 m\"",
-                      .exclusive_group = "size",
-                      .exclusive_side = "measured",
-                      .only_shown = true},
-                     {}},
-    CloudVolumeField{
-        {.key = "cover",
-         .kind = Kind::fraction,
-         .range = unit_range,
-         .documentation = "share of the columns of voxels that hold cloud, met exactly, "
-                          "in place of the cloud's coverage; by default the cloud's",
-         .hint = "the bake finds the coverage that gives it"},
-        &CloudVolumeBake::cover},
+const CloudVolumeField cloud_volume_table[] = {
+    {asset_field, {}},
+    {"cloud", Kind::text, &CloudVolumeBake::cloud, "NAME of the [clouds.NAME] to bake",
+     KeyFlag::required},
+    {"size", Kind::voxels, &CloudVolumeBake::size, "voxels along x, y and z, which is up",
+     voxel_range, Hint{"for example [512, 512, 128]"}, Exclusive{"size", "counted"}},
+    {"extent", Kind::lengths, &CloudVolumeBake::extent,
+     "what the voxels span, to which the cloud is stretched; by default the cloud's extent",
+     cloud_extent_range, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
+     Exclusive{"size", "counted"}},
+    {"voxel_size", Kind::length, nullptr,
+     "edge of a cubic voxel, in place of size; the cloud's "
+     "extent is rounded up to whole voxels",
+     voxel_size_range, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
+     KeyFlag::only_shown},
+    {"cover", Kind::fraction, &CloudVolumeBake::cover,
+     "share of the columns of voxels that hold cloud, met exactly, "
+     "in place of the cloud's coverage; by default the cloud's",
+     unit_range, Hint{"the bake finds the coverage that gives it"}},
 };
 
 // Whether cubes of this edge fill the extent exactly.

@@ -30,24 +30,24 @@ constexpr Range camera_place_range{-1e8, 1e8};
 constexpr Range sample_range{1, 16};
 constexpr Range sun_or_moon_range{0, 1e6, true};
 
-constexpr std::array environment_mapping_choices = {
-    Choice{EnvironmentMapping::longitude_latitude, "longitude_latitude",
-           "azimuth along u and elevation along v, twice as wide as high"},
-    Choice{EnvironmentMapping::cube, "cube",
-           "six square faces below each other: +x, -x, +y, -y, +z, -z, as GPUs have them"},
-    Choice{EnvironmentMapping::octahedral, "octahedral",
-           "the sphere as an octahedron that is unfolded to a square, the zenith in its middle"},
+constexpr Choice environment_mapping_choices[] = {
+    {EnvironmentMapping::longitude_latitude, "longitude_latitude",
+     "azimuth along u and elevation along v, twice as wide as high"},
+    {EnvironmentMapping::cube, "cube",
+     "six square faces below each other: +x, -x, +y, -y, +z, -z, as GPUs have them"},
+    {EnvironmentMapping::octahedral, "octahedral",
+     "the sphere as an octahedron that is unfolded to a square, the zenith in its middle"},
 };
 
-constexpr std::array environment_sun_choices = {
-    Choice{SunInMap::none, "none", "the sun's disc is left out; `lights` tells its light"},
-    Choice{SunInMap::disc, "disc", "texels hold the light of the sun's disc, all of it"},
+constexpr Choice environment_sun_choices[] = {
+    {SunInMap::none, "none", "the sun's disc is left out; `lights` tells its light"},
+    {SunInMap::disc, "disc", "texels hold the light of the sun's disc, all of it"},
 };
 
-constexpr std::array level_choices = {
-    Choice{LevelContent::mean, "mean", "the means of the level before"},
-    Choice{LevelContent::ggx, "ggx",
-           "light as rough surfaces reflect it, from smooth to the roughness 1"},
+constexpr Choice level_choices[] = {
+    {LevelContent::mean, "mean", "the means of the level before"},
+    {LevelContent::ggx, "ggx",
+     "light as rough surfaces reflect it, from smooth to the roughness 1"},
 };
 
 constexpr Field needing_clouds(Field field) {
@@ -55,95 +55,57 @@ constexpr Field needing_clouds(Field field) {
     return field;
 }
 
-const std::array environment_table = {
-    EnvironmentField{asset_field, {}},
-    EnvironmentField{{.key = "mapping",
-                      .kind = Kind::choice,
-                      .choices = environment_mapping_choices,
-                      .fallback = R"("longitude_latitude")",
-                      .documentation = "which direction a texel shows"},
-                     &EnvironmentBake::mapping},
-    EnvironmentField{
-        {.key = "size",
-         .kind = Kind::size,
-         .range = texel_range,
-         .fallback = "[1024, 512]",
-         .documentation = "texels of the image: around, and from the zenith to straight down; of a "
-                          "cube [256, 1536] by default, of an octahedron [512, 512]"},
-        &EnvironmentBake::size},
-    EnvironmentField{camera_altitude_field, &EnvironmentBake::altitude},
-    EnvironmentField{{.key = "sun_elevation",
-                      .kind = Kind::angle,
-                      .range = elevation_range,
-                      .required = true,
-                      .documentation = "elevation of the sun, which stands in the middle of a row"},
-                     &EnvironmentBake::sun_elevation},
-    EnvironmentField{{.key = "sun_azimuth",
-                      .kind = Kind::angle,
-                      .range = environment_azimuth_range,
-                      .fallback = R"("0 deg")",
-                      .documentation = "azimuth of the sun, to the right of straight ahead, which "
-                                       "is the middle of a row and the x axis of clouds"},
-                     &EnvironmentBake::sun_azimuth},
-    EnvironmentField{orders_field, &EnvironmentBake::orders},
-    EnvironmentField{layers_field, &EnvironmentBake::layers},
-    EnvironmentField{
-        {.key = "clouds",
-         .kind = Kind::text_list,
-         .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
-                          "sky, or a list of them, one for each layer; without it, the sky is "
-                          "clear",
-         .hint = "for example [\"cumulus\", \"cirrus\"]"},
-        &EnvironmentBake::clouds},
-    EnvironmentField{
-        needing_clouds({.key = "camera_x",
-                        .kind = Kind::length,
-                        .range = camera_place_range,
-                        .fallback = R"("0 m")",
-                        .documentation = "x of the camera, from the corner of the clouds' tiles"}),
-        &EnvironmentBake::camera_x},
-    EnvironmentField{
-        needing_clouds({.key = "camera_y",
-                        .kind = Kind::length,
-                        .range = camera_place_range,
-                        .fallback = R"("0 m")",
-                        .documentation = "y of the camera, from the corner of the clouds' tiles"}),
-        &EnvironmentBake::camera_y},
-    EnvironmentField{
-        needing_clouds(
-            {.key = "samples",
-             .kind = Kind::integer,
-             .range = sample_range,
-             .fallback = "2",
-             .documentation = "rays along each edge of a texel, whose mean through clouds it is"}),
-        &EnvironmentBake::samples},
-    EnvironmentField{{.key = "sun",
-                      .kind = Kind::choice,
-                      .choices = environment_sun_choices,
-                      .fallback = R"("none")",
-                      .documentation = "whether the map holds the light of the sun's disc"},
-                     &EnvironmentBake::sun},
-    EnvironmentField{{.key = "level_content",
-                      .kind = Kind::choice,
-                      .choices = level_choices,
-                      .fallback = R"("mean")",
-                      .documentation = "what the levels of `mips` beyond the first hold",
-                      .citation = karis_2013},
-                     &EnvironmentBake::level_content},
-    EnvironmentField{{.key = "lights",
-                      .kind = Kind::flag,
-                      .fallback = "false",
-                      .documentation = "writes NAME.json with the sun's light, the light on a "
-                                       "level surface, and spherical harmonics to degree 4"},
-                     &EnvironmentBake::lights},
-    EnvironmentField{{.key = "solar_irradiance",
-                      .kind = Kind::fractions,
-                      .range = sun_or_moon_range,
-                      .documentation = "factor of all light, for another unit, or for a moon or a "
-                                       "star in the place of the sun; without it 1",
-                      .hint = "133100 makes cd/m2 of colours under the sun, and 0.31 under a full "
-                              "moon"},
-                     &EnvironmentBake::solar_irradiance},
+const EnvironmentField environment_table[] = {
+    {asset_field, {}},
+    {"mapping", Kind::choice, &EnvironmentBake::mapping, "which direction a texel shows",
+     environment_mapping_choices, Default{R"("longitude_latitude")"}},
+    {"size", Kind::size, &EnvironmentBake::size,
+     "texels of the image: around, and from the zenith to straight down; of a "
+     "cube [256, 1536] by default, of an octahedron [512, 512]",
+     texel_range, Default{"[1024, 512]"}},
+    {camera_altitude_field, &EnvironmentBake::altitude},
+    {"sun_elevation", Kind::angle, &EnvironmentBake::sun_elevation,
+     "elevation of the sun, which stands in the middle of a row", elevation_range,
+     KeyFlag::required},
+    {"sun_azimuth", Kind::angle, &EnvironmentBake::sun_azimuth,
+     "azimuth of the sun, to the right of straight ahead, which "
+     "is the middle of a row and the x axis of clouds",
+     environment_azimuth_range, Default{R"("0 deg")"}},
+    {orders_field, &EnvironmentBake::orders},
+    {layers_field, &EnvironmentBake::layers},
+    {"clouds", Kind::text_list, &EnvironmentBake::clouds,
+     "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
+     "sky, or a list of them, one for each layer; without it, the sky is "
+     "clear",
+     Hint{"for example [\"cumulus\", \"cirrus\"]"}},
+    {needing_clouds(key("camera_x", Kind::length,
+                        "x of the camera, from the corner of the clouds' tiles", camera_place_range,
+                        Default{R"("0 m")"})),
+     &EnvironmentBake::camera_x},
+    {needing_clouds(key("camera_y", Kind::length,
+                        "y of the camera, from the corner of the clouds' tiles", camera_place_range,
+                        Default{R"("0 m")"})),
+     &EnvironmentBake::camera_y},
+    {needing_clouds(key("samples", Kind::integer,
+                        "rays along each edge of a texel, whose mean through clouds it is",
+                        sample_range, Default{"2"})),
+     &EnvironmentBake::samples},
+    {"sun", Kind::choice, &EnvironmentBake::sun,
+     "whether the map holds the light of the sun's disc", environment_sun_choices,
+     Default{R"("none")"}},
+    {"level_content", Kind::choice, &EnvironmentBake::level_content,
+     "what the levels of `mips` beyond the first hold", level_choices, Default{R"("mean")"},
+     Cited{karis_2013}},
+    {"lights", Kind::flag, &EnvironmentBake::lights,
+     "writes NAME.json with the sun's light, the light on a "
+     "level surface, and spherical harmonics to degree 4",
+     Default{"false"}},
+    {"solar_irradiance", Kind::fractions, &EnvironmentBake::solar_irradiance,
+     "factor of all light, for another unit, or for a moon or a "
+     "star in the place of the sun; without it 1",
+     sun_or_moon_range,
+     Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full "
+          "moon"}},
 };
 
 template <class T>

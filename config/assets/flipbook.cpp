@@ -30,40 +30,28 @@ using FlipbookField = Row<FlipbookBake>;
 constexpr Range length_range{1, 16384};
 constexpr Range slice_range{0, 16383};
 
-constexpr std::array mapping_choices = {
-    Choice{FlipbookMapping::frames, "frames",
-           "a 3-D texture with a slice for each frame, which has one level"},
-    Choice{FlipbookMapping::layers, "layers",
-           "an array of 2-D textures with a layer for each frame, which may have `mips`"},
+constexpr Choice mapping_choices[] = {
+    {FlipbookMapping::frames, "frames",
+     "a 3-D texture with a slice for each frame, which has one level"},
+    {FlipbookMapping::layers, "layers",
+     "an array of 2-D textures with a layer for each frame, which may have `mips`"},
 };
 
-const std::array flipbook_table = {
-    FlipbookField{asset_field, {}},
-    FlipbookField{{.key = "of",
-                   .kind = Kind::text,
-                   .required = true,
-                   .documentation = "NAME of the [bake.NAME] with `frames`: a noise_volume, a "
-                                    "weather_map or a cloud_volume"},
-                  &FlipbookBake::sequence},
-    FlipbookField{{.key = "length",
-                   .kind = Kind::integer,
-                   .range = length_range,
-                   .documentation = "number of frames; by default those of the sequence",
-                   .hint = "columns times rows of a sheet"},
-                  &FlipbookBake::length},
-    FlipbookField{
-        {.key = "slice",
-         .kind = Kind::integer,
-         .range = slice_range,
-         .documentation = "which slice of volumes, counted from 0 along z; by default the "
-                          "middle one"},
-        &FlipbookBake::slice},
-    FlipbookField{{.key = "mapping",
-                   .kind = Kind::choice,
-                   .choices = mapping_choices,
-                   .fallback = R"("frames")",
-                   .documentation = "what DDS and KTX2 files hold the frames as"},
-                  &FlipbookBake::mapping},
+const FlipbookField flipbook_table[] = {
+    {asset_field, {}},
+    {"of", Kind::text, &FlipbookBake::sequence,
+     "NAME of the [bake.NAME] with `frames`: a noise_volume, a "
+     "weather_map or a cloud_volume",
+     KeyFlag::required},
+    {"length", Kind::integer, &FlipbookBake::length,
+     "number of frames; by default those of the sequence", length_range,
+     Hint{"columns times rows of a sheet"}},
+    {"slice", Kind::integer, &FlipbookBake::slice,
+     "which slice of volumes, counted from 0 along z; by default the "
+     "middle one",
+     slice_range},
+    {"mapping", Kind::choice, &FlipbookBake::mapping, "what DDS and KTX2 files hold the frames as",
+     mapping_choices, Default{R"("frames")"}},
 };
 
 template <class Frame>

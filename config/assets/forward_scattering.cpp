@@ -10,25 +10,17 @@ namespace {
 
 using ForwardField = Row<ForwardScatteringBake>;
 
-const std::array forward_scattering_table = {
-    ForwardField{asset_field, {}},
-    ForwardField{{.key = "size",
-                  .kind = Kind::size,
-                  .range = texel_range,
-                  .fallback = "[128, 64]",
-                  .documentation = "texels along the scattering angle and along the optical depth",
-                  .exclusive_group = "size"},
-                 &ForwardScatteringBake::size},
-    ForwardField{max_error_field, &ForwardScatteringBake::max_error},
-    ForwardField{
-        {.key = "degree",
-         .kind = Kind::integer,
-         .range = harmonics_degree_range,
-         .fallback = "3",
-         .documentation = "degree of the harmonics of cloud_light that hold the other light"},
-        &ForwardScatteringBake::degree},
-    ForwardField{droplet_diameter_field, &ForwardScatteringBake::droplet_diameter},
-    ForwardField{single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
+const ForwardField forward_scattering_table[] = {
+    {asset_field, {}},
+    {"size", Kind::size, &ForwardScatteringBake::size,
+     "texels along the scattering angle and along the optical depth", texel_range,
+     Default{"[128, 64]"}, Exclusive{"size"}},
+    {max_error_field, &ForwardScatteringBake::max_error},
+    {"degree", Kind::integer, &ForwardScatteringBake::degree,
+     "degree of the harmonics of cloud_light that hold the other light", harmonics_degree_range,
+     Default{"3"}},
+    {droplet_diameter_field, &ForwardScatteringBake::droplet_diameter},
+    {single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
 };
 
 std::vector<Read> reads_of(const Parameters&, const ForwardScatteringBake&) { return {}; }

@@ -9,16 +9,16 @@ namespace {
 
 using IrradianceField = Row<IrradianceBake>;
 
-constexpr std::array irradiance_content_choices = {
-    Choice{IrradianceContent::direct, "direct", "light of the sun alone"},
-    Choice{IrradianceContent::sky, "sky", "light of the sky alone"},
-    Choice{IrradianceContent::total, "total", "light of both"},
+constexpr Choice irradiance_content_choices[] = {
+    {IrradianceContent::direct, "direct", "light of the sun alone"},
+    {IrradianceContent::sky, "sky", "light of the sky alone"},
+    {IrradianceContent::total, "total", "light of both"},
 };
 
-constexpr std::array sun_mapping_choices = {
-    Choice{MultipleScatteringMapping::hillaire, "hillaire",
-           "linear in sun cosine and altitude, with end points on texel centres"},
-    Choice{MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
+constexpr Choice sun_mapping_choices[] = {
+    {MultipleScatteringMapping::hillaire, "hillaire",
+     "linear in sun cosine and altitude, with end points on texel centres"},
+    {MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
 };
 
 constexpr std::string_view sky[] = {"sky"};
@@ -30,35 +30,20 @@ constexpr Field orders_of_sky() {
     return field;
 }
 
-const std::array irradiance_table = {
-    IrradianceField{asset_field, {}},
-    IrradianceField{{.key = "size",
-                     .kind = Kind::size,
-                     .range = texel_range,
-                     .fallback = "[64, 32]",
-                     .documentation = "texels along the sun cosine and along altitude"},
-                    &IrradianceBake::size},
-    IrradianceField{{.key = "content",
-                     .kind = Kind::choice,
-                     .choices = irradiance_content_choices,
-                     .fallback = R"("total")",
-                     .documentation = "what lights the level surface"},
-                    &IrradianceBake::content},
-    IrradianceField{orders_of_sky(), &IrradianceBake::orders},
-    IrradianceField{layers_field, &IrradianceBake::layers},
-    IrradianceField{
-        {.key = "max_texel_error",
-         .kind = Kind::fraction,
-         .range = texel_error_range,
-         .fallback = R"("0.2 %")",
-         .documentation = "quadrature error of a texel, which sets the number of directions"},
-        &IrradianceBake::max_texel_error},
-    IrradianceField{{.key = "mapping",
-                     .kind = Kind::choice,
-                     .choices = sun_mapping_choices,
-                     .fallback = R"("twilight")",
-                     .documentation = "which sun angle and altitude a texel stands for"},
-                    &IrradianceBake::mapping},
+const IrradianceField irradiance_table[] = {
+    {asset_field, {}},
+    {"size", Kind::size, &IrradianceBake::size, "texels along the sun cosine and along altitude",
+     texel_range, Default{"[64, 32]"}},
+    {"content", Kind::choice, &IrradianceBake::content, "what lights the level surface",
+     irradiance_content_choices, Default{R"("total")"}},
+    {orders_of_sky(), &IrradianceBake::orders},
+    {layers_field, &IrradianceBake::layers},
+    {"max_texel_error", Kind::fraction, &IrradianceBake::max_texel_error,
+     "quadrature error of a texel, which sets the number of directions", texel_error_range,
+     Default{R"("0.2 %")"}},
+    {"mapping", Kind::choice, &IrradianceBake::mapping,
+     "which sun angle and altitude a texel stands for", sun_mapping_choices,
+     Default{R"("twilight")"}},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const IrradianceBake&) {

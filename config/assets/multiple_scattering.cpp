@@ -11,29 +11,25 @@ using MultipleScatteringField = Row<MultipleScatteringBake>;
 
 constexpr Range degree_range{2, 8};
 
-constexpr std::array multiple_scattering_mapping_choices = {
-    Choice{MultipleScatteringMapping::hillaire, "hillaire",
-           "linear in sun cosine and altitude, with end points on texel centres"},
-    Choice{MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
+constexpr Choice multiple_scattering_mapping_choices[] = {
+    {MultipleScatteringMapping::hillaire, "hillaire",
+     "linear in sun cosine and altitude, with end points on texel centres"},
+    {MultipleScatteringMapping::twilight, "twilight", "more texels near sunrise and sunset"},
 };
 
-constexpr std::array method_choices = {
-    Choice{MultipleScatteringMethod::converged, "converged",
-           "Hillaire's closure of the second order, by as many nodes as the error needs"},
-    Choice{MultipleScatteringMethod::as_in_paper, "as_in_paper",
-           "the same by 64 uniform directions of 20 steps each, for comparison"},
-    Choice{MultipleScatteringMethod::solved, "solved",
-           "all orders of scattering, each layer with its own phase function"},
+constexpr Choice method_choices[] = {
+    {MultipleScatteringMethod::converged, "converged",
+     "Hillaire's closure of the second order, by as many nodes as the error needs"},
+    {MultipleScatteringMethod::as_in_paper, "as_in_paper",
+     "the same by 64 uniform directions of 20 steps each, for comparison"},
+    {MultipleScatteringMethod::solved, "solved",
+     "all orders of scattering, each layer with its own phase function"},
 };
 
-constexpr std::array solved_content_choices = {
-    Choice{MultipleScatteringContent::hillaire, "hillaire",
-           "the mean radiance, in place of Hillaire's texture"},
-    Choice{MultipleScatteringContent::fitted, "fitted",
-           "the value that comes nearest to the sky when light is scattered equally in all "
-           "directions"},
-    Choice{MultipleScatteringContent::moments, "moments",
-           "angular moments of the light, one table each"},
+constexpr Choice solved_content_choices[] = {
+    {MultipleScatteringContent::hillaire, "hillaire",
+     "the mean radiance, in place of Hillaire's texture"},
+    {MultipleScatteringContent::moments, "moments", "angular moments of the light, one table each"},
 };
 
 constexpr std::string_view solved[] = {"solved"};
@@ -42,57 +38,26 @@ constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
 
 constexpr std::string_view moments[] = {"moments"};
 
-const std::array multiple_scattering_table = {
-    MultipleScatteringField{asset_field, {}},
-    MultipleScatteringField{{.key = "size",
-                             .kind = Kind::size,
-                             .range = texel_range,
-                             .fallback = "[64, 64]",
-                             .documentation = "texels along the sun cosine and along altitude",
-                             .citation = hillaire_2020,
-                             .exclusive_group = "size"},
-                            &MultipleScatteringBake::size},
-    MultipleScatteringField{max_error_field, &MultipleScatteringBake::max_error},
-    MultipleScatteringField{{.key = "mapping",
-                             .kind = Kind::choice,
-                             .choices = multiple_scattering_mapping_choices,
-                             .fallback = R"("twilight")",
-                             .documentation = "which sun angle and altitude a texel stands for",
-                             .citation = hillaire_2020},
-                            &MultipleScatteringBake::mapping},
-    MultipleScatteringField{{.key = "method",
-                             .kind = Kind::choice,
-                             .choices = method_choices,
-                             .fallback = R"("solved")",
-                             .documentation = "how the light is computed",
-                             .citation = hillaire_2020},
-                            &MultipleScatteringBake::method},
-    MultipleScatteringField{
-        {.key = "max_texel_error",
-         .kind = Kind::fraction,
-         .range = texel_error_range,
-         .fallback = R"("0.2 %")",
-         .documentation = "quadrature error of a texel, which sets the number of nodes",
-         .selector = "method",
-         .selected_by = unsolved},
-        &MultipleScatteringBake::max_texel_error},
-    MultipleScatteringField{{.key = "content",
-                             .kind = Kind::choice,
-                             .choices = solved_content_choices,
-                             .fallback = R"("hillaire")",
-                             .documentation = "which part of the solution the texels hold",
-                             .selector = "method",
-                             .selected_by = solved},
-                            &MultipleScatteringBake::content},
-    MultipleScatteringField{
-        {.key = "degree",
-         .kind = Kind::integer,
-         .range = degree_range,
-         .fallback = "2",
-         .documentation = "degree of the moments; 2 holds Rayleigh scattering exactly",
-         .selector = "content",
-         .selected_by = moments},
-        &MultipleScatteringBake::degree},
+const MultipleScatteringField multiple_scattering_table[] = {
+    {asset_field, {}},
+    {"size", Kind::size, &MultipleScatteringBake::size,
+     "texels along the sun cosine and along altitude", texel_range, Default{"[64, 64]"},
+     Exclusive{"size"}, Cited{hillaire_2020}},
+    {max_error_field, &MultipleScatteringBake::max_error},
+    {"mapping", Kind::choice, &MultipleScatteringBake::mapping,
+     "which sun angle and altitude a texel stands for", multiple_scattering_mapping_choices,
+     Default{R"("twilight")"}, Cited{hillaire_2020}},
+    {"method", Kind::choice, &MultipleScatteringBake::method, "how the light is computed",
+     method_choices, Default{R"("solved")"}, Cited{hillaire_2020}},
+    {"max_texel_error", Kind::fraction, &MultipleScatteringBake::max_texel_error,
+     "quadrature error of a texel, which sets the number of nodes", texel_error_range,
+     Default{R"("0.2 %")"}, When{"method", unsolved}},
+    {"content", Kind::choice, &MultipleScatteringBake::content,
+     "which part of the solution the texels hold", solved_content_choices, Default{R"("hillaire")"},
+     When{"method", solved}},
+    {"degree", Kind::integer, &MultipleScatteringBake::degree,
+     "degree of the moments; 2 holds Rayleigh scattering exactly", degree_range, Default{"2"},
+     When{"content", moments}},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatteringBake& bake) {

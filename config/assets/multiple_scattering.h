@@ -12,7 +12,7 @@
 namespace skybake::config {
 
 enum class MultipleScatteringMethod { converged, as_in_paper, solved };
-enum class MultipleScatteringContent { hillaire, fitted, moments };
+enum class MultipleScatteringContent { hillaire, moments };
 
 struct MultipleScatteringBake : LightFiles {
     std::array<int, 2> size{};        // texels along the sun's cosine and along altitude

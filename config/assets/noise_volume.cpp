@@ -13,19 +13,13 @@ namespace {
 
 using NoiseVolumeField = Row<NoiseVolumeBake>;
 
-const std::array noise_volume_table = {
-    NoiseVolumeField{asset_field, {}},
-    NoiseVolumeField{{.key = "noise",
-                      .kind = Kind::text,
-                      .required = true,
-                      .documentation = "NAME of the [noise.NAME] to bake"},
-                     &NoiseVolumeBake::noise},
-    NoiseVolumeField{{.key = "size",
-                      .kind = Kind::voxels,
-                      .range = voxel_range,
-                      .documentation = "voxels along x, y and z; by default the noise's size",
-                      .hint = "1 along z gives a picture"},
-                     &NoiseVolumeBake::size},
+const NoiseVolumeField noise_volume_table[] = {
+    {asset_field, {}},
+    {"noise", Kind::text, &NoiseVolumeBake::noise, "NAME of the [noise.NAME] to bake",
+     KeyFlag::required},
+    {"size", Kind::voxels, &NoiseVolumeBake::size,
+     "voxels along x, y and z; by default the noise's size", voxel_range,
+     Hint{"1 along z gives a picture"}},
 };
 
 // Returns the place that decides the size: in the bake, or the name of the noise.

@@ -24,59 +24,41 @@ namespace {
 
 using OccupancyField = Row<OccupancyBake>;
 
-constexpr std::array filter_choices = {
-    Choice{OccupancyFilter::nearest, "nearest", "the voxel in which a point lies"},
-    Choice{OccupancyFilter::trilinear, "trilinear", "between the eight nearest voxels, as GPUs do"},
-    Choice{OccupancyFilter::tricubic, "tricubic", "cubic B-spline over 64 voxels"},
+constexpr Choice filter_choices[] = {
+    {OccupancyFilter::nearest, "nearest", "the voxel in which a point lies"},
+    {OccupancyFilter::trilinear, "trilinear", "between the eight nearest voxels, as GPUs do"},
+    {OccupancyFilter::tricubic, "tricubic", "cubic B-spline over 64 voxels"},
 };
 
-constexpr std::array rule_choices = {
-    Choice{OccupancyRule::exact, "exact",
-           "a cell is empty only where no filtered sample in it is above 0"},
-    Choice{OccupancyRule::thesis, "thesis",
-           "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
-           "wisps"},
+constexpr Choice rule_choices[] = {
+    {OccupancyRule::exact, "exact",
+     "a cell is empty only where no filtered sample in it is above 0"},
+    {OccupancyRule::thesis, "thesis",
+     "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
+     "wisps"},
 };
 
-constexpr std::array occupancy_content_choices = {
-    Choice{OccupancyContent::occupied, "occupied", "1, or 0 where the cell is empty"},
-    Choice{OccupancyContent::leap, "leap",
-           "cells to the nearest occupied one, along the longest of the three axes"},
-    Choice{OccupancyContent::minimum, "minimum", "the smallest filtered sample in the cell"},
-    Choice{OccupancyContent::maximum, "maximum", "the largest filtered sample in the cell"},
+constexpr Choice occupancy_content_choices[] = {
+    {OccupancyContent::occupied, "occupied", "1, or 0 where the cell is empty"},
+    {OccupancyContent::leap, "leap",
+     "cells to the nearest occupied one, along the longest of the three axes"},
+    {OccupancyContent::minimum, "minimum", "the smallest filtered sample in the cell"},
+    {OccupancyContent::maximum, "maximum", "the largest filtered sample in the cell"},
 };
 
-const std::array occupancy_table = {
-    OccupancyField{asset_field, {}},
-    OccupancyField{source_volume_field, &OccupancyBake::of},
-    OccupancyField{source_channel_field, &OccupancyBake::channel},
-    OccupancyField{{.key = "cell",
-                    .kind = Kind::power_of_two,
-                    .range = cell_range,
-                    .fallback = "4",
-                    .documentation = "voxels along each edge of a cell",
-                    .hint = "1, 2, 4, 8 or 16",
-                    .citation = olajos_2016},
-                   &OccupancyBake::cell},
-    OccupancyField{{.key = "filter",
-                    .kind = Kind::choice,
-                    .choices = filter_choices,
-                    .fallback = R"("trilinear")",
-                    .documentation = "how the runtime looks the volume up"},
-                   &OccupancyBake::filter},
-    OccupancyField{{.key = "rule",
-                    .kind = Kind::choice,
-                    .choices = rule_choices,
-                    .fallback = R"("exact")",
-                    .documentation = "when a cell is empty",
-                    .citation = olajos_2016},
-                   &OccupancyBake::rule},
-    OccupancyField{{.key = "contents",
-                    .kind = Kind::choice_list,
-                    .choices = occupancy_content_choices,
-                    .fallback = R"(["occupied", "leap", "minimum", "maximum"])",
-                    .documentation = "what the one, three or four channels hold, in this order"},
-                   &OccupancyBake::contents},
+const OccupancyField occupancy_table[] = {
+    {asset_field, {}},
+    {source_volume_field, &OccupancyBake::of},
+    {source_channel_field, &OccupancyBake::channel},
+    {"cell", Kind::power_of_two, &OccupancyBake::cell, "voxels along each edge of a cell",
+     cell_range, Default{"4"}, Hint{"1, 2, 4, 8 or 16"}, Cited{olajos_2016}},
+    {"filter", Kind::choice, &OccupancyBake::filter, "how the runtime looks the volume up",
+     filter_choices, Default{R"("trilinear")"}},
+    {"rule", Kind::choice, &OccupancyBake::rule, "when a cell is empty", rule_choices,
+     Default{R"("exact")"}, Cited{olajos_2016}},
+    {"contents", Kind::choice_list, &OccupancyBake::contents,
+     "what the one, three or four channels hold, in this order", occupancy_content_choices,
+     Default{R"(["occupied", "leap", "minimum", "maximum"])"}},
 };
 
 // This is one section while it is resolved.

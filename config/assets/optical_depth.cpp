@@ -19,89 +19,51 @@ constexpr Range shell_altitude_range{1, 1e9};
 
 constexpr std::string_view ai_2014 = "Ai et al. 2014";
 
-constexpr std::array depth_table_choices = {
-    Choice{OpticalDepthTable::to_top, "to_top",
-           "column from a point to the top of the atmosphere, by angle and altitude"},
-    Choice{OpticalDepthTable::between, "between", "column between two points"},
-    Choice{OpticalDepthTable::density, "density", "density by altitude"},
-    Choice{OpticalDepthTable::phase, "phase", "phase functions, by scattering angle"},
+constexpr Choice depth_table_choices[] = {
+    {OpticalDepthTable::to_top, "to_top",
+     "column from a point to the top of the atmosphere, by angle and altitude"},
+    {OpticalDepthTable::between, "between", "column between two points"},
+    {OpticalDepthTable::density, "density", "density by altitude"},
+    {OpticalDepthTable::phase, "phase", "phase functions, by scattering angle"},
 };
 
-constexpr std::array coordinates_choices = {
-    Choice{BetweenCoordinates::altitudes, "altitudes",
-           "two altitudes and the angle between them at the planet's centre"},
-    Choice{BetweenCoordinates::distance, "distance",
-           "altitude, zenith angle, distance along the ray"},
+constexpr Choice coordinates_choices[] = {
+    {BetweenCoordinates::altitudes, "altitudes",
+     "two altitudes and the angle between them at the planet's centre"},
+    {BetweenCoordinates::distance, "distance", "altitude, zenith angle, distance along the ray"},
 };
 
-constexpr std::array depth_sampling_choices = {
-    Choice{DepthSampling::exact, "exact", "quadrature to the last digit"},
-    Choice{DepthSampling::equal_attenuation, "equal_attenuation",
-           "shells that attenuate light from above equally, with one sample in each"},
-    Choice{DepthSampling::uniform, "uniform", "shells of equal thickness, with one sample in each"},
+constexpr Choice depth_sampling_choices[] = {
+    {DepthSampling::exact, "exact", "quadrature to the last digit"},
+    {DepthSampling::equal_attenuation, "equal_attenuation",
+     "shells that attenuate light from above equally, with one sample in each"},
+    {DepthSampling::uniform, "uniform", "shells of equal thickness, with one sample in each"},
 };
 
 constexpr std::string_view of_columns[] = {"to_top", "between"};
 constexpr std::string_view between[] = {"between"};
 constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
 
-const std::array optical_depth_table = {
-    OpticalDepthField{asset_field, {}},
-    OpticalDepthField{{.key = "table",
-                       .kind = Kind::choice,
-                       .choices = depth_table_choices,
-                       .fallback = R"("to_top")",
-                       .documentation = "which of the tables to bake",
-                       .citation = ai_2014},
-                      &OpticalDepthBake::table},
-    OpticalDepthField{{.key = "size",
-                       .kind = Kind::voxels,
-                       .range = voxel_range,
-                       .documentation = "texels along u, v, w; by default [256, 128, 1] of to_top, "
-                                        "[64, 64, 64] of between, [1024, 1, 1] of the others"},
-                      &OpticalDepthBake::size},
-    OpticalDepthField{
-        {.key = "kinds",
-         .kind = Kind::text_list,
-         .documentation =
-             "one to four layers of the atmosphere, each a channel; by default all of them",
-         .hint = "for example [\"air\", \"dust\", \"fog\", \"rain\"]"},
-        &OpticalDepthBake::kinds},
-    OpticalDepthField{{.key = "coordinates",
-                       .kind = Kind::choice,
-                       .choices = coordinates_choices,
-                       .fallback = R"("altitudes")",
-                       .documentation = "how the two points are given",
-                       .citation = ai_2014,
-                       .selector = "table",
-                       .selected_by = between},
-                      &OpticalDepthBake::coordinates},
-    OpticalDepthField{{.key = "sampling",
-                       .kind = Kind::choice,
-                       .choices = depth_sampling_choices,
-                       .fallback = R"("exact")",
-                       .documentation = "how densities are summed along a ray",
-                       .citation = ai_2014,
-                       .selector = "table",
-                       .selected_by = of_columns},
-                      &OpticalDepthBake::sampling},
-    OpticalDepthField{{.key = "shells",
-                       .kind = Kind::integer,
-                       .range = shells_range,
-                       .fallback = "32",
-                       .documentation = "number of shells",
-                       .selector = "sampling",
-                       .selected_by = shells},
-                      &OpticalDepthBake::shells},
-    OpticalDepthField{{.key = "max_altitude",
-                       .kind = Kind::length,
-                       .range = shell_altitude_range,
-                       .fallback = R"("35 km")",
-                       .documentation = "altitude of the highest shell; the air above is left out",
-                       .citation = ai_2014,
-                       .selector = "sampling",
-                       .selected_by = shells},
-                      &OpticalDepthBake::max_altitude},
+const OpticalDepthField optical_depth_table[] = {
+    {asset_field, {}},
+    {"table", Kind::choice, &OpticalDepthBake::table, "which of the tables to bake",
+     depth_table_choices, Default{R"("to_top")"}, Cited{ai_2014}},
+    {"size", Kind::voxels, &OpticalDepthBake::size,
+     "texels along u, v, w; by default [256, 128, 1] of to_top, "
+     "[64, 64, 64] of between, [1024, 1, 1] of the others",
+     voxel_range},
+    {"kinds", Kind::text_list, &OpticalDepthBake::kinds,
+     "one to four layers of the atmosphere, each a channel; by default all of them",
+     Hint{"for example [\"air\", \"dust\", \"fog\", \"rain\"]"}},
+    {"coordinates", Kind::choice, &OpticalDepthBake::coordinates, "how the two points are given",
+     coordinates_choices, Default{R"("altitudes")"}, When{"table", between}, Cited{ai_2014}},
+    {"sampling", Kind::choice, &OpticalDepthBake::sampling, "how densities are summed along a ray",
+     depth_sampling_choices, Default{R"("exact")"}, When{"table", of_columns}, Cited{ai_2014}},
+    {"shells", Kind::integer, &OpticalDepthBake::shells, "number of shells", shells_range,
+     Default{"32"}, When{"sampling", shells}},
+    {"max_altitude", Kind::length, &OpticalDepthBake::max_altitude,
+     "altitude of the highest shell; the air above is left out", shell_altitude_range,
+     Default{R"("35 km")"}, When{"sampling", shells}, Cited{ai_2014}},
 };
 
 VoxelCounts default_size(OpticalDepthTable table) {

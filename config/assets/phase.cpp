@@ -19,72 +19,41 @@ constexpr Range phase_texel_range{2, 16384};
 
 constexpr Range phase_degree_range{1, 256};
 
-constexpr std::array phase_content_choices = {
-    Choice{PhaseContent::phase, "phase", "the phase function, 1/sr"},
-    Choice{PhaseContent::inverse_cumulative, "inverse_cumulative",
-           "1 - cosine of the angle below which a share u of light goes"},
+constexpr Choice phase_content_choices[] = {
+    {PhaseContent::phase, "phase", "the phase function, 1/sr"},
+    {PhaseContent::inverse_cumulative, "inverse_cumulative",
+     "1 - cosine of the angle below which a share u of light goes"},
 };
 
-constexpr std::array spacing_choices = {
-    Choice{PhaseSpacing::best, "best",
-           "the most accurate of angle, cosine and peaks, or the smallest with max_error"},
-    Choice{PhaseSpacing::angle, "angle", "uniform in the scattering angle"},
-    Choice{PhaseSpacing::cosine, "cosine", "uniform in its cosine"},
-    Choice{PhaseSpacing::peaks, "peaks", "closer together towards 0 and 180 deg"},
-    Choice{PhaseSpacing::cosine_from_back, "cosine_from_back",
-           "uniform in the cosine, from 180 deg to 0, as Bevy reads it"},
+constexpr Choice spacing_choices[] = {
+    {PhaseSpacing::best, "best",
+     "the most accurate of angle, cosine and peaks, or the smallest with max_error"},
+    {PhaseSpacing::angle, "angle", "uniform in the scattering angle"},
+    {PhaseSpacing::cosine, "cosine", "uniform in its cosine"},
+    {PhaseSpacing::peaks, "peaks", "closer together towards 0 and 180 deg"},
+    {PhaseSpacing::cosine_from_back, "cosine_from_back",
+     "uniform in the cosine, from 180 deg to 0, as Bevy reads it"},
 };
 
 constexpr std::string_view phase[] = {"phase"};
 
-const std::array phase_table = {
-    PhaseField{asset_field, {}},
-    PhaseField{{.key = "particles",
-                .kind = Kind::text,
-                .documentation = "NAME of the [particles.NAME] that scatter",
-                .exclusive_group = "of"},
-               &PhaseBake::particles},
-    PhaseField{{.key = "layer",
-                .kind = Kind::text,
-                .documentation = "NAME of the [atmosphere.layers.NAME] that scatters",
-                .exclusive_group = "of"},
-               &PhaseBake::layer},
-    PhaseField{{.key = "size",
-                .kind = Kind::integer,
-                .range = phase_texel_range,
-                .fallback = "1024",
-                .documentation = "texels",
-                .exclusive_group = "size"},
-               &PhaseBake::size},
-    PhaseField{
-        {.key = "max_error",
-         .kind = Kind::fraction,
-         .range = lookup_error_range,
-         .documentation =
-             "in place of size, asks for the smallest table whose lookups are within this error",
-         .hint = "errors below 0.01 are invisible",
-         .exclusive_group = "size"},
-        &PhaseBake::max_error},
-    PhaseField{{.key = "content",
-                .kind = Kind::choice,
-                .choices = phase_content_choices,
-                .fallback = R"("phase")",
-                .documentation = "what the texels hold"},
-               &PhaseBake::content},
-    PhaseField{{.key = "spacing",
-                .kind = Kind::choice,
-                .choices = spacing_choices,
-                .fallback = R"("best")",
-                .documentation = "which angle a texel stands for",
-                .selector = "content",
-                .selected_by = phase},
-               &PhaseBake::spacing},
-    PhaseField{{.key = "degree",
-                .kind = Kind::integer,
-                .range = phase_degree_range,
-                .fallback = "16",
-                .documentation = "Legendre moments up to this degree go into the manifest"},
-               &PhaseBake::degree},
+const PhaseField phase_table[] = {
+    {asset_field, {}},
+    {"particles", Kind::text, &PhaseBake::particles, "NAME of the [particles.NAME] that scatter",
+     Exclusive{"of"}},
+    {"layer", Kind::text, &PhaseBake::layer, "NAME of the [atmosphere.layers.NAME] that scatters",
+     Exclusive{"of"}},
+    {"size", Kind::integer, &PhaseBake::size, "texels", phase_texel_range, Default{"1024"},
+     Exclusive{"size"}},
+    {"max_error", Kind::fraction, &PhaseBake::max_error,
+     "in place of size, asks for the smallest table whose lookups are within this error",
+     lookup_error_range, Hint{"errors below 0.01 are invisible"}, Exclusive{"size"}},
+    {"content", Kind::choice, &PhaseBake::content, "what the texels hold", phase_content_choices,
+     Default{R"("phase")"}},
+    {"spacing", Kind::choice, &PhaseBake::spacing, "which angle a texel stands for",
+     spacing_choices, Default{R"("best")"}, When{"content", phase}},
+    {"degree", Kind::integer, &PhaseBake::degree,
+     "Legendre moments up to this degree go into the manifest", phase_degree_range, Default{"16"}},
 };
 
 // Finds the particles or the layer of the atmosphere that the bake names. Exactly one of the two

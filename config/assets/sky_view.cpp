@@ -9,41 +9,27 @@ namespace {
 
 using SkyViewField = Row<SkyViewBake>;
 
-constexpr std::array sky_method_choices = {
-    Choice{SkyMethod::solved, "solved", "all orders, each layer with its own phase function"},
-    Choice{SkyMethod::strips, "strips",
-           "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
+constexpr Choice sky_method_choices[] = {
+    {SkyMethod::solved, "solved", "all orders, each layer with its own phase function"},
+    {SkyMethod::strips, "strips",
+     "the second order alone, lit by a sky of 8 strips (Ai et al. 2014)"},
 };
 
 constexpr std::string_view with_multiple[] = {"all", "multiple"};
 
-const std::array sky_view_table = {
-    SkyViewField{asset_field, {}},
-    SkyViewField{{.key = "size",
-                  .kind = Kind::size,
-                  .range = texel_range,
-                  .fallback = "[192, 108]",
-                  .documentation = "texels along azimuth and along elevation, for one sun",
-                  .citation = hillaire_2020},
-                 &SkyViewBake::size},
-    SkyViewField{camera_altitude_field, &SkyViewBake::altitude},
-    SkyViewField{
-        {.key = "sun_elevations",
-         .kind = Kind::angles,
-         .range = elevation_range,
-         .required = true,
-         .documentation = "suns with a table each, stacked in one file, the first at v = 0"},
-        &SkyViewBake::sun_elevations},
-    SkyViewField{orders_field, &SkyViewBake::orders},
-    SkyViewField{layers_field, &SkyViewBake::layers},
-    SkyViewField{{.key = "sky",
-                  .kind = Kind::choice,
-                  .choices = sky_method_choices,
-                  .fallback = R"("solved")",
-                  .documentation = "how light scattered more than once is found",
-                  .selector = "orders",
-                  .selected_by = with_multiple},
-                 &SkyViewBake::sky},
+const SkyViewField sky_view_table[] = {
+    {asset_field, {}},
+    {"size", Kind::size, &SkyViewBake::size,
+     "texels along azimuth and along elevation, for one sun", texel_range, Default{"[192, 108]"},
+     Cited{hillaire_2020}},
+    {camera_altitude_field, &SkyViewBake::altitude},
+    {"sun_elevations", Kind::angles, &SkyViewBake::sun_elevations,
+     "suns with a table each, stacked in one file, the first at v = 0", elevation_range,
+     KeyFlag::required},
+    {orders_field, &SkyViewBake::orders},
+    {layers_field, &SkyViewBake::layers},
+    {"sky", Kind::choice, &SkyViewBake::sky, "how light scattered more than once is found",
+     sky_method_choices, Default{R"("solved")"}, When{"orders", with_multiple}},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {

@@ -16,17 +16,12 @@
 
 namespace skybake::config {
 
-inline constexpr Field source_volume_field{
-    .key = "of",
-    .kind = Kind::text,
-    .required = true,
-    .documentation = "NAME of the [bake.NAME] with asset = \"cloud_volume\""};
+inline constexpr Field source_volume_field = key(
+    "of", Kind::text, "NAME of the [bake.NAME] with asset = \"cloud_volume\"", KeyFlag::required);
 
-inline constexpr Field source_channel_field{
-    .key = "channel",
-    .kind = Kind::text,
-    .documentation = "channel of that volume; its first by default",
-    .hint = "R, G, B or A, or Y for a volume of one channel"};
+inline constexpr Field source_channel_field =
+    key("channel", Kind::text, "channel of that volume; its first by default",
+        Hint{"R, G, B or A, or Y for a volume of one channel"});
 
 // Voxels along an edge of a cell.
 inline constexpr Range cell_range{1, 16};

@@ -9,44 +9,31 @@ namespace {
 
 using TransmittanceField = Row<TransmittanceBake>;
 
-constexpr std::array transmittance_content_choices = {
-    Choice{TransmittanceContent::transmittance, "transmittance",
-           "the share of light that passes, in [0, 1]"},
-    Choice{TransmittanceContent::optical_depth, "optical_depth",
-           "-ln of the transmittance, which keeps its digits where the transmittance underflows"},
+constexpr Choice transmittance_content_choices[] = {
+    {TransmittanceContent::transmittance, "transmittance",
+     "the share of light that passes, in [0, 1]"},
+    {TransmittanceContent::optical_depth, "optical_depth",
+     "-ln of the transmittance, which keeps its digits where the transmittance underflows"},
 };
 
-constexpr std::array transmittance_mapping_choices = {
-    Choice{TransmittanceMapping::bruneton, "bruneton",
-           "ratios of distances, with end points on texel centres"},
-    Choice{TransmittanceMapping::ue, "ue",
-           "the same ratios without the half-texel correction, as widely copied"},
+constexpr Choice transmittance_mapping_choices[] = {
+    {TransmittanceMapping::bruneton, "bruneton",
+     "ratios of distances, with end points on texel centres"},
+    {TransmittanceMapping::ue, "ue",
+     "the same ratios without the half-texel correction, as widely copied"},
 };
 
-const std::array transmittance_table = {
-    TransmittanceField{asset_field, {}},
-    TransmittanceField{{.key = "size",
-                        .kind = Kind::size,
-                        .range = texel_range,
-                        .fallback = "[256, 64]",
-                        .documentation = "texels along the zenith angle and along altitude",
-                        .citation = bruneton_2008,
-                        .exclusive_group = "size"},
-                       &TransmittanceBake::size},
-    TransmittanceField{max_error_field, &TransmittanceBake::max_error},
-    TransmittanceField{{.key = "content",
-                        .kind = Kind::choice,
-                        .choices = transmittance_content_choices,
-                        .fallback = R"("transmittance")",
-                        .documentation = "what the texels hold"},
-                       &TransmittanceBake::content},
-    TransmittanceField{{.key = "mapping",
-                        .kind = Kind::choice,
-                        .choices = transmittance_mapping_choices,
-                        .fallback = R"("bruneton")",
-                        .documentation = "which angle and altitude a texel stands for",
-                        .citation = bruneton_2008},
-                       &TransmittanceBake::mapping},
+const TransmittanceField transmittance_table[] = {
+    {asset_field, {}},
+    {"size", Kind::size, &TransmittanceBake::size,
+     "texels along the zenith angle and along altitude", texel_range, Default{"[256, 64]"},
+     Exclusive{"size"}, Cited{bruneton_2008}},
+    {max_error_field, &TransmittanceBake::max_error},
+    {"content", Kind::choice, &TransmittanceBake::content, "what the texels hold",
+     transmittance_content_choices, Default{R"("transmittance")"}},
+    {"mapping", Kind::choice, &TransmittanceBake::mapping,
+     "which angle and altitude a texel stands for", transmittance_mapping_choices,
+     Default{R"("bruneton")"}, Cited{bruneton_2008}},
 };
 
 std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake&) {

@@ -39,89 +39,47 @@ constexpr ValueKind share_kind = list_kind(
 constexpr Range streak_range{0, 1};
 constexpr Range wind_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
-constexpr std::array weather_content_choices = {
-    Choice{WeatherContent::amounts, "amounts",
-           "how much there is of what each channel stands for: 0 none, 1 all"},
-    Choice{WeatherContent::directions, "directions",
-           "the unit vector along the channels R, G and B: (1 + vector) / 2"},
+constexpr Choice weather_content_choices[] = {
+    {WeatherContent::amounts, "amounts",
+     "how much there is of what each channel stands for: 0 none, 1 all"},
+    {WeatherContent::directions, "directions",
+     "the unit vector along the channels R, G and B: (1 + vector) / 2"},
 };
-constexpr std::array cover_edge_choices = {
-    Choice{CoverEdge::linear, "linear", "in proportion to the noise"},
-    Choice{CoverEdge::smooth, "smooth", "smoothstep of that"},
+constexpr Choice cover_edge_choices[] = {
+    {CoverEdge::linear, "linear", "in proportion to the noise"},
+    {CoverEdge::smooth, "smooth", "smoothstep of that"},
 };
 constexpr std::string_view of_amounts[] = {"amounts"};
 
-const std::array weather_map_table = {
-    WeatherMapField{asset_field, {}},
-    WeatherMapField{{.key = "noise",
-                     .kind = Kind::text,
-                     .required = true,
-                     .documentation = "NAME of the [noise.NAME] whose plane z = 1/2 is taken",
-                     .citation = schneider_2015},
-                    &WeatherMapBake::noise},
-    WeatherMapField{{.key = "size",
-                     .kind = Kind::size,
-                     .range = texel_range,
-                     .documentation = "texels along x and y; by default those of the noise's size"},
-                    &WeatherMapBake::size},
-    WeatherMapField{{.key = "content",
-                     .kind = Kind::choice,
-                     .choices = weather_content_choices,
-                     .fallback = R"("amounts")",
-                     .documentation = "what a texel holds"},
-                    &WeatherMapBake::content},
-    WeatherMapField{{.key = "covered",
-                     .kind = share_kind,
-                     .range = unit_range,
-                     .fallback = "0.5",
-                     .documentation = "share of the texels of a channel that are above 0, exactly",
-                     .hint = "0.3 for fair weather, 1 for channels without gaps",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::covered},
-    WeatherMapField{{.key = "full",
-                     .kind = share_kind,
-                     .range = unit_range,
-                     .fallback = "0",
-                     .documentation = "share of the texels that are 1; with 0 the greatest one is",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::full},
-    WeatherMapField{{.key = "edge",
-                     .kind = Kind::choice,
-                     .choices = cover_edge_choices,
-                     .fallback = R"("linear")",
-                     .documentation = "how a channel rises from 0 to 1",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::edge},
-    WeatherMapField{
-        {.key = "yields_to",
-         .kind = Kind::text_list,
-         .documentation = "for each channel, another one whose finished values are "
-                          "taken from its noise, or \"\"",
-         .hint = "with [\"G\", \"\", \"\"] there are low clouds where there are no middle ones",
-         .selector = "content",
-         .selected_by = of_amounts},
-        &WeatherMapBake::yields_to},
-    WeatherMapField{{.key = "streaks",
-                     .kind = share_kind,
-                     .range = streak_range,
-                     .fallback = "0",
-                     .documentation = "length in tiles over which the wind draws a channel's noise "
-                                      "out, falling to 1/e",
-                     .hint = "0.05 for cirrus",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::streaks},
-    WeatherMapField{{.key = "wind",
-                     .kind = Kind::angle,
-                     .range = wind_range,
-                     .fallback = R"("0 deg")",
-                     .documentation = "where the wind draws streaks to, from +x towards +y",
-                     .selector = "content",
-                     .selected_by = of_amounts},
-                    &WeatherMapBake::wind},
+const WeatherMapField weather_map_table[] = {
+    {asset_field, {}},
+    {"noise", Kind::text, &WeatherMapBake::noise,
+     "NAME of the [noise.NAME] whose plane z = 1/2 is taken", KeyFlag::required,
+     Cited{schneider_2015}},
+    {"size", Kind::size, &WeatherMapBake::size,
+     "texels along x and y; by default those of the noise's size", texel_range},
+    {"content", Kind::choice, &WeatherMapBake::content, "what a texel holds",
+     weather_content_choices, Default{R"("amounts")"}},
+    {"covered", share_kind, &WeatherMapBake::covered,
+     "share of the texels of a channel that are above 0, exactly", unit_range, Default{"0.5"},
+     Hint{"0.3 for fair weather, 1 for channels without gaps"}, When{"content", of_amounts}},
+    {"full", share_kind, &WeatherMapBake::full,
+     "share of the texels that are 1; with 0 the greatest one is", unit_range, Default{"0"},
+     When{"content", of_amounts}},
+    {"edge", Kind::choice, &WeatherMapBake::edge, "how a channel rises from 0 to 1",
+     cover_edge_choices, Default{R"("linear")"}, When{"content", of_amounts}},
+    {"yields_to", Kind::text_list, &WeatherMapBake::yields_to,
+     "for each channel, another one whose finished values are "
+     "taken from its noise, or \"\"",
+     Hint{"[\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
+     When{"content", of_amounts}},
+    {"streaks", share_kind, &WeatherMapBake::streaks,
+     "length in tiles over which the wind draws a channel's noise "
+     "out, falling to 1/e",
+     streak_range, Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", of_amounts}},
+    {"wind", Kind::angle, &WeatherMapBake::wind,
+     "where the wind draws streaks to, from +x towards +y", wind_range, Default{R"("0 deg")"},
+     When{"content", of_amounts}},
 };
 
 // This is one section while it is resolved.
@@ -258,9 +216,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& b
 
 const AssetKind& asset_kind(Tag<WeatherMapBake>) {
     static const auto rows =
-        with_file_fields(weather_map_table, {.formats = R"(["png"])",
-                                             .mips = "number of levels of detail, with the map",
-                                             .pixel_type = R"("unorm8")"});
+        with_file_fields(weather_map_table, {.formats = R"(["png"])", .pixel_type = R"("unorm8")"});
     static const AssetKind kind = make_asset_kind<WeatherMapBake>(
         {
             .name = "weather_map",

@@ -1,26 +1,51 @@
 #include "config/diagnostics/diagnostic_codes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
-#include "config/diagnostics/code_tables.h"
+#include "config/diagnostics/toml_source.h"
 
 namespace skybake::config {
 namespace {
 
-std::vector<DiagnosticCode> joined_tables() {
-    std::vector<DiagnosticCode> all;
-    for (const auto& table :
-         {text_codes(), section_codes(), asset_codes(), run_codes(), warning_codes()}) {
-        all.insert(all.end(), table.begin(), table.end());
+constexpr int usage = 2;
+constexpr int input_or_output = 3;
+constexpr int failed_check = 4;
+constexpr int internal = 5;
+
+std::string text_at(const Table& code, std::string_view key) {
+    const Entry* entry = find_entry(code, key);
+    return entry ? std::get<std::string>(entry->value.data) : "";
+}
+
+int exit_code_of(std::string_view code) {
+    if (code.starts_with('W')) return 0;
+    if (code.starts_with("E00") || code.starts_with("E01")) return usage;
+    if (code.starts_with("E03")) return input_or_output;
+    return code.starts_with("E04") ? failed_check : internal;
+}
+
+std::vector<DiagnosticCode> read_codes() {
+    const Source source{.name = "codes.toml", .text = std::string(diagnostic_codes_toml())};
+    DiagnosticList errors;
+    const std::optional<Table> table = parse_toml(source, errors);
+    assert(table && "config/diagnostics/codes.toml is TOML");
+    std::vector<DiagnosticCode> codes;
+    for (const Entry& entry : *table) {
+        const Table& code = *as_table(entry.value);
+        std::string paragraph = text_at(code, "text");
+        std::replace(paragraph.begin(), paragraph.end(), '\n', ' ');
+        codes.push_back({entry.key, text_at(code, "title"), std::move(paragraph),
+                         text_at(code, "wrong"), text_at(code, "right"), exit_code_of(entry.key)});
     }
-    return all;
+    return codes;
 }
 
 }  // namespace
 
 std::span<const DiagnosticCode> diagnostic_codes() {
-    static const std::vector<DiagnosticCode> all = joined_tables();
+    static const std::vector<DiagnosticCode> all = read_codes();
     return all;
 }
 
@@ -34,9 +59,9 @@ const DiagnosticCode* find_diagnostic_code(std::string_view code) {
 int exit_code(std::span<const Diagnostic> diagnostics) {
     int result = 0;
     for (const Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.severity != Severity::error) continue;
-        const DiagnosticCode* code = find_diagnostic_code(diagnostic.code);
-        result = std::max(result, code ? code->exit_code : internal);
+        if (diagnostic.severity == Severity::error) {
+            result = std::max(result, exit_code_of(diagnostic.code));
+        }
     }
     return result;
 }

@@ -1,12 +1,9 @@
-// This header declares the one table of diagnostic codes: what each code means, what to do about
-// it, and the exit code of a run that ends with it. A code keeps its meaning for ever, and a
-// retired number is not used again.
-//
-//   E00xx the command line     E01xx the recipe     E03xx files     E04xx checks of results
-//   E05xx the program itself   W02xx warnings
+// This header declares the one table of diagnostic codes, which codes.toml holds: what each code means,
+// what to do about it, and the exit code of a run that ends with it.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "config/diagnostics/diagnostic.h"
@@ -14,13 +11,16 @@
 namespace skybake::config {
 
 struct DiagnosticCode {
-    std::string_view code;         // "E0102"
-    std::string_view title;        // "unknown key"
-    std::string_view explanation;  // a paragraph
-    std::string_view wrong;        // a text that causes the diagnostic; may be empty
-    std::string_view right;        // the same text, corrected
-    int exit_code = 2;             // 0 for warnings
+    std::string code;         // "E0102"
+    std::string title;        // "unknown key"
+    std::string explanation;  // a paragraph
+    std::string wrong;        // a text that causes the diagnostic; may be empty
+    std::string right;        // the same text, corrected
+    int exit_code = 2;        // 0 for warnings
 };
+
+// Returns the text of codes.toml, which is put into the binary when it is built.
+std::string_view diagnostic_codes_toml();
 
 std::span<const DiagnosticCode> diagnostic_codes();
 

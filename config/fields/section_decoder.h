@@ -18,6 +18,7 @@
 #include "config/diagnostics/diagnostic.h"
 #include "config/fields/field_value.h"
 #include "config/fields/fields.h"
+#include "config/fields/key.h"
 #include "config/text/quantity.h"
 #include "config/text/value_tree.h"
 
@@ -86,15 +87,20 @@ struct Row {
     void (*assign_to)(S& target, char S::*member, const Field& field,
                       const FieldValue& value) = nullptr;
 
-    Row(const Field& key, std::nullptr_t) : field(key) {}
+    Row(const Field& key_field, std::nullptr_t) : field(key_field) {}
 
     template <class T, class Base>
-    requires std::is_base_of_v<Base, S> Row(const Field& key, T Base::*of_base)
-        : field(key),
+    requires std::is_base_of_v<Base, S> Row(const Field& key_field, T Base::*of_base)
+        : field(key_field),
           member(reinterpret_cast<char S::*>(static_cast<T S::*>(of_base))),
           assign_to([](S& target, char S::*any, const Field& of, const FieldValue& value) {
               assign(of, value, target.*reinterpret_cast<T S::*>(any));
           }) {}
+
+    // The key is said in place, with the parts of key().
+    template <class Member, class... Parts>
+    Row(std::string_view name, const ValueKind& kind, Member of, const Parts&... parts)
+        : Row(key(name, kind, parts...), of) {}
 
     void fill(S& target, const FieldValue& value) const {
         if (assign_to) assign_to(target, member, field, value);

@@ -74,8 +74,7 @@ std::optional<Pair> read_entry(const Reader& reader, const Columns& columns, con
             fmt::format("each entry is {}, such as {}", pair_words(columns), columns.example));
         return std::nullopt;
     }
-    const Field second_field{
-        .key = columns.second, .kind = columns.second_kind, .range = reader.field.range};
+    const Field second_field = key(columns.second, columns.second_kind, reader.field.range);
     const auto first =
         read_number(Reader{columns.first, reader.path, reader.diagnostics}, (*pair)[0]);
     const auto second =
@@ -174,9 +173,9 @@ std::optional<double> read_item(const Reader& reader, const Field& field, const 
 }
 
 std::optional<IndexPoint> read_index(const Reader& reader, const Value& value) {
-    constexpr Field wavelength{.key = "wavelength", .kind = Kind::length, .range = {1e-8, 1e-3}};
-    constexpr Field real{.key = "n", .kind = Kind::number, .range = {0.01, 100}};
-    const Field imaginary{.key = "k", .kind = Kind::number, .range = reader.field.range};
+    constexpr Field wavelength = key("wavelength", Kind::length, Range{1e-8, 1e-3});
+    constexpr Field real = key("n", Kind::number, Range{0.01, 100});
+    const Field imaginary = key("k", Kind::number, reader.field.range);
     const Array* items = entry_items(reader, value, 3, "[wavelength, n, k]");
     if (!items) return std::nullopt;
     const auto at = read_item(reader, wavelength, (*items)[0]);
@@ -187,7 +186,7 @@ std::optional<IndexPoint> read_index(const Reader& reader, const Value& value) {
 }
 
 std::optional<ComponentNumber> read_component(const Reader& reader, const Value& value) {
-    const Field number{.key = "number", .kind = Kind::number_density, .range = reader.field.range};
+    const Field number = key("number", Kind::number_density, reader.field.range);
     const Array* items = entry_items(reader, value, 2, "[component, number density]");
     if (!items) return std::nullopt;
     const auto* name = std::get_if<std::string>(&(*items)[0].data);

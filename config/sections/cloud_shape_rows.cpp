@@ -11,29 +11,27 @@ namespace {
 constexpr Range profile_range{-1e6, 1e6};
 constexpr Range sharpness_range{0, 1e6};
 
-constexpr std::array height_profile_choices = {
-    Choice{HeightProfileType::thesis, "thesis",
-           "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
-    Choice{HeightProfileType::cumulus, "cumulus",
-           "full above a flat base, thinning towards the top"},
-    Choice{HeightProfileType::stratus, "stratus", "a thin sheet near the base"},
-    Choice{HeightProfileType::stratocumulus, "stratocumulus", "between stratus and cumulus"},
-    Choice{HeightProfileType::blended, "blended",
-           "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
-    Choice{HeightProfileType::tabulated, "tabulated",
-           "linear between the entries of table, and constant beyond them"},
+constexpr Choice height_profile_choices[] = {
+    {HeightProfileType::thesis, "thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
+    {HeightProfileType::cumulus, "cumulus", "full above a flat base, thinning towards the top"},
+    {HeightProfileType::stratus, "stratus", "a thin sheet near the base"},
+    {HeightProfileType::stratocumulus, "stratocumulus", "between stratus and cumulus"},
+    {HeightProfileType::blended, "blended",
+     "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
+    {HeightProfileType::tabulated, "tabulated",
+     "linear between the entries of table, and constant beyond them"},
 };
-constexpr std::array wrap_choices = {
-    Choice{MapWrap::repeat, "repeat", "the picture tiles"},
-    Choice{MapWrap::clamp, "clamp", "the picture's border continues outwards"},
+constexpr Choice wrap_choices[] = {
+    {MapWrap::repeat, "repeat", "the picture tiles"},
+    {MapWrap::clamp, "clamp", "the picture's border continues outwards"},
 };
-constexpr std::array filter_choices = {
-    Choice{MapFilter::nearest, "nearest", "the pixel in which a point lies"},
-    Choice{MapFilter::linear, "linear", "bilinear between the centres of pixels"},
+constexpr Choice filter_choices[] = {
+    {MapFilter::nearest, "nearest", "the pixel in which a point lies"},
+    {MapFilter::linear, "linear", "bilinear between the centres of pixels"},
 };
-constexpr std::array color_space_choices = {
-    Choice{MapColorSpace::linear, "linear", "numbers as they are stored"},
-    Choice{MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
+constexpr Choice color_space_choices[] = {
+    {MapColorSpace::linear, "linear", "numbers as they are stored"},
+    {MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
 };
 
 // These are the profiles for which a key applies.
@@ -41,52 +39,22 @@ constexpr std::string_view thesis[] = {"thesis"};
 constexpr std::string_view blended[] = {"blended"};
 constexpr std::string_view tabulated_height[] = {"tabulated"};
 
-const std::array height_profile_table = {
-    HeightProfileField{
-        {.key = "type",
-         .kind = Kind::choice,
-         .choices = height_profile_choices,
-         .fallback = R"("cumulus")",
-         .documentation = "how full the cloud is at height h, from 0 at the base to 1 at the top",
-         .citation = schneider_2015},
-        &HeightProfile::type},
-    HeightProfileField{{.key = "bottom_sharpness",
-                        .kind = Kind::number,
-                        .range = sharpness_range,
-                        .fallback = "50",
-                        .documentation = "how fast the cloud fills above its base",
-                        .citation = olajos_2016,
-                        .selector = "type",
-                        .selected_by = thesis},
-                       &HeightProfile::bottom_sharpness},
-    HeightProfileField{{.key = "top_falloff",
-                        .kind = Kind::number,
-                        .range = sharpness_range,
-                        .fallback = "4",
-                        .documentation = "how fast it thins towards its top",
-                        .citation = olajos_2016,
-                        .selector = "type",
-                        .selected_by = thesis},
-                       &HeightProfile::top_falloff},
-    HeightProfileField{{.key = "cloud_type",
-                        .kind = Kind::number,
-                        .range = unit_range,
-                        .fallback = "1",
-                        .documentation = "0 is stratus, 0.5 stratocumulus and 1 cumulus",
-                        .citation = schneider_2015,
-                        .selector = "type",
-                        .selected_by = blended},
-                       &HeightProfile::cloud_type},
-    HeightProfileField{
-        {.key = "table",
-         .kind = Kind::height_table,
-         .range = profile_range,
-         .required = true,
-         .documentation = "pairs [height, value] with increasing heights within [0, 1]; values "
-                          "below 0 take from the towers, which fray there",
-         .selector = "type",
-         .selected_by = tabulated_height},
-        &HeightProfile::table},
+const HeightProfileField height_profile_table[] = {
+    {"type", Kind::choice, &HeightProfile::type,
+     "how full the cloud is at height h, from 0 at the base to 1 at the top",
+     height_profile_choices, Default{R"("cumulus")"}, Cited{schneider_2015}},
+    {"bottom_sharpness", Kind::number, &HeightProfile::bottom_sharpness,
+     "how fast the cloud fills above its base", sharpness_range, Default{"50"},
+     When{"type", thesis}, Cited{olajos_2016}},
+    {"top_falloff", Kind::number, &HeightProfile::top_falloff, "how fast it thins towards its top",
+     sharpness_range, Default{"4"}, When{"type", thesis}, Cited{olajos_2016}},
+    {"cloud_type", Kind::number, &HeightProfile::cloud_type,
+     "0 is stratus, 0.5 stratocumulus and 1 cumulus", unit_range, Default{"1"},
+     When{"type", blended}, Cited{schneider_2015}},
+    {"table", Kind::height_table, &HeightProfile::table,
+     "pairs [height, value] with increasing heights within [0, 1]; values "
+     "below 0 take from the towers, which fray there",
+     profile_range, KeyFlag::required, When{"type", tabulated_height}},
 };
 
 // Both maps have the same keys. They differ in what their numbers mean.
@@ -95,35 +63,19 @@ constexpr std::string_view type_file = "picture whose numbers replace cloud_type
 
 std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
     return {
-        CloudMapField{{.key = "file",
-                       .kind = Kind::text,
-                       .required = true,
-                       .documentation = file_documentation,
-                       .hint = "relative to the folder of the recipe that names it"},
-                      &CloudMap::file},
-        CloudMapField{{.key = "channel",
-                       .kind = Kind::text,
-                       .documentation = "channel of the picture; its first by default",
-                       .hint = "for example \"R\""},
-                      &CloudMap::channel},
-        CloudMapField{{.key = "wrap",
-                       .kind = Kind::choice,
-                       .choices = wrap_choices,
-                       .fallback = R"("repeat")",
-                       .documentation = "what lies beyond the picture's border"},
-                      &CloudMap::wrap},
-        CloudMapField{{.key = "filter",
-                       .kind = Kind::choice,
-                       .choices = filter_choices,
-                       .fallback = R"("linear")",
-                       .documentation = "what lies between the picture's pixels"},
-                      &CloudMap::filter},
-        CloudMapField{{.key = "color_space",
-                       .kind = Kind::choice,
-                       .choices = color_space_choices,
-                       .fallback = R"("linear")",
-                       .documentation = "how the picture stores its numbers"},
-                      &CloudMap::color_space},
+        CloudMapField{"file", Kind::text, &CloudMap::file, file_documentation, KeyFlag::required,
+                      Hint{"relative to the folder of the recipe that names it"}},
+        CloudMapField{"channel", Kind::text, &CloudMap::channel,
+                      "channel of the picture; its first by default", Hint{"for example \"R\""}},
+        CloudMapField{"wrap", Kind::choice, &CloudMap::wrap,
+                      "what lies beyond the picture's border", wrap_choices,
+                      Default{R"("repeat")"}},
+        CloudMapField{"filter", Kind::choice, &CloudMap::filter,
+                      "what lies between the picture's pixels", filter_choices,
+                      Default{R"("linear")"}},
+        CloudMapField{"color_space", Kind::choice, &CloudMap::color_space,
+                      "how the picture stores its numbers", color_space_choices,
+                      Default{R"("linear")"}},
     };
 }
 

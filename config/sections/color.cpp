@@ -6,52 +6,37 @@
 namespace skybake::config {
 namespace {
 
-constexpr std::array space_choices = {
-    Choice{ColorSpace::linear_srgb, "linear_srgb", "primaries of sRGB and Rec. 709, linear"},
-    Choice{ColorSpace::display_p3, "display_p3", "primaries of Display P3, linear"},
-    Choice{ColorSpace::rec2020, "rec2020", "primaries of Rec. 2020, linear"},
-    Choice{ColorSpace::acescg, "acescg", "primaries AP1 of ACES, linear"},
-    Choice{ColorSpace::xyz, "xyz", "the observer's tristimulus values"},
-    Choice{ColorSpace::none, "none", "the wavelengths themselves"},
+constexpr Choice space_choices[] = {
+    {ColorSpace::linear_srgb, "linear_srgb", "primaries of sRGB and Rec. 709, linear"},
+    {ColorSpace::display_p3, "display_p3", "primaries of Display P3, linear"},
+    {ColorSpace::rec2020, "rec2020", "primaries of Rec. 2020, linear"},
+    {ColorSpace::acescg, "acescg", "primaries AP1 of ACES, linear"},
+    {ColorSpace::xyz, "xyz", "the observer's tristimulus values"},
+    {ColorSpace::none, "none", "the wavelengths themselves"},
 };
-constexpr std::array observer_choices = {
-    Choice{Observer::cie_1931, "cie_1931", "the CIE's standard observer of 1931, 2 degrees"},
+constexpr Choice observer_choices[] = {
+    {Observer::cie_1931, "cie_1931", "the CIE's standard observer of 1931, 2 degrees"},
 };
-constexpr std::array sun_choices = {
-    Choice{SunSpectrum::measured, "measured", "the sun's spectrum outside the air, of ASTM G173"},
-    Choice{SunSpectrum::flat, "flat", "the same at all wavelengths"},
+constexpr Choice sun_choices[] = {
+    {SunSpectrum::measured, "measured", "the sun's spectrum outside the air, of ASTM G173"},
+    {SunSpectrum::flat, "flat", "the same at all wavelengths"},
 };
-constexpr std::array white_choices = {
-    Choice{WhitePoint::sun, "sun", "light with the spectrum of the sun is (1, 1, 1)"},
-    Choice{WhitePoint::space, "space",
-           "the white of the space is: D65, and for acescg nearly D60; the sun is slightly yellow"},
+constexpr Choice white_choices[] = {
+    {WhitePoint::sun, "sun", "light with the spectrum of the sun is (1, 1, 1)"},
+    {WhitePoint::space, "space",
+     "the white of the space is: D65, and for acescg nearly D60; the sun is slightly yellow"},
 };
 
-const std::array color_table = {
-    ColorField{{.key = "space",
-                .kind = Kind::choice,
-                .choices = space_choices,
-                .fallback = R"("linear_srgb")",
-                .documentation = "colour space of tables of light"},
-               &Color::space},
-    ColorField{{.key = "observer",
-                .kind = Kind::choice,
-                .choices = observer_choices,
-                .fallback = R"("cie_1931")",
-                .documentation = "whose colour matching functions turn spectra into colours"},
-               &Color::observer},
-    ColorField{{.key = "sun",
-                .kind = Kind::choice,
-                .choices = sun_choices,
-                .fallback = R"("measured")",
-                .documentation = "spectrum of the sun that lights the sky"},
-               &Color::sun},
-    ColorField{{.key = "white",
-                .kind = Kind::choice,
-                .choices = white_choices,
-                .fallback = R"("sun")",
-                .documentation = "which light is white"},
-               &Color::white},
+const ColorField color_table[] = {
+    {"space", Kind::choice, &Color::space, "colour space of tables of light", space_choices,
+     Default{R"("linear_srgb")"}},
+    {"observer", Kind::choice, &Color::observer,
+     "whose colour matching functions turn spectra into colours", observer_choices,
+     Default{R"("cie_1931")"}},
+    {"sun", Kind::choice, &Color::sun, "spectrum of the sun that lights the sky", sun_choices,
+     Default{R"("measured")"}},
+    {"white", Kind::choice, &Color::white, "which light is white", white_choices,
+     Default{R"("sun")"}},
 };
 
 }  // namespace

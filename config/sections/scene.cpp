@@ -6,28 +6,16 @@
 namespace skybake::config {
 namespace {
 
-const std::array scene_table = {
-    SceneField{{.key = "altitude",
-                .kind = Kind::length_bounds,
-                .range = camera_altitude_range,
-                .fallback = R"(["0 km", "3 km"])",
-                .documentation = "altitudes of the cameras, from the lowest to the highest"},
-               &Scene::altitude},
-    SceneField{
-        {.key = "sun_elevation",
-         .kind = Kind::angle_bounds,
-         .range = elevation_range,
-         .fallback = R"(["-90 deg", "90 deg"])",
-         .documentation = "elevations of the sun at the cameras, from the lowest to the highest",
-         .hint = "-18 deg is the end of twilight on Earth"},
-        &Scene::sun_elevation},
-    SceneField{{.key = "view_distance",
-                .kind = Kind::length,
-                .range = view_distance_range,
-                .fallback = R"("64 km")",
-                .documentation = "distance up to which the cameras see things on the ground",
-                .role = Role::usual},
-               &Scene::view_distance},
+const SceneField scene_table[] = {
+    {"altitude", Kind::length_bounds, &Scene::altitude,
+     "altitudes of the cameras, from the lowest to the highest", camera_altitude_range,
+     Default{R"(["0 km", "3 km"])"}},
+    {"sun_elevation", Kind::angle_bounds, &Scene::sun_elevation,
+     "elevations of the sun at the cameras, from the lowest to the highest", elevation_range,
+     Default{R"(["-90 deg", "90 deg"])"}, Hint{"-18 deg is the end of twilight on Earth"}},
+    {"view_distance", Kind::length, &Scene::view_distance,
+     "distance up to which the cameras see things on the ground", view_distance_range,
+     Default{R"("64 km")"}, Role::usual},
 };
 
 }  // namespace

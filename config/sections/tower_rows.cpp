@@ -28,9 +28,9 @@ constexpr ValueKind life_kind = list_kind("three numbers, such as [0.4, 0.3, 0.3
 
 constexpr std::string_view byers_1949 = "Byers and Braham 1949, The Thunderstorm";
 
-constexpr std::array tower_shape_choices = {
-    Choice{TowerShape::gaussian, "gaussian", "a Gaussian over the ground plan, at every height"},
-    Choice{TowerShape::dome, "dome", "a solid with a round top, in metres"},
+constexpr Choice tower_shape_choices[] = {
+    {TowerShape::gaussian, "gaussian", "a Gaussian over the ground plan, at every height"},
+    {TowerShape::dome, "dome", "a solid with a round top, in metres"},
 };
 
 // These are the shapes for which a key applies.
@@ -38,206 +38,102 @@ constexpr std::string_view gaussian[] = {"gaussian"};
 constexpr std::string_view dome[] = {"dome"};
 
 // Towers and scatters share the keys of domes.
-constexpr Field shape_field{.key = "shape",
-                            .kind = Kind::choice,
-                            .choices = tower_shape_choices,
-                            .fallback = R"("gaussian")",
-                            .documentation = "what a tower is"};
-constexpr Field widest_field{
-    .key = "widest",
-    .kind = Kind::number,
-    .range = unit_range,
-    .fallback = "0",
-    .documentation =
+constexpr Field shape_field =
+    key("shape", Kind::choice, "what a tower is", tower_shape_choices, Default{R"("gaussian")"});
+constexpr Field widest_field =
+    key("widest", Kind::number,
         "height of the widest place, as a share of the tower's height; above and "
         "below it the tower narrows as an ellipsoid does",
-    .hint = "0 gives a dome on a flat base, 0.5 a ball, and 1 an anvil with a flat top",
-    .selector = "shape",
-    .selected_by = dome};
-constexpr Field lean_field{.key = "lean",
-                           .kind = Kind::pair,
-                           .range = lean_range,
-                           .fallback = "[0, 0]",
-                           .documentation =
-                               "how far the wind shifts the tower along x and y, per "
-                               "height",
-                           .selector = "shape",
-                           .selected_by = dome};
-constexpr Field lobes_field{
-    .key = "lobes",
-    .kind = Kind::integer,
-    .range = lobes_range,
-    .fallback = "0",
-    .documentation = "number of balls that bulge out of the tower, as on a cauliflower",
-    .selector = "shape",
-    .selected_by = dome};
-constexpr Field lobe_size_field{
-    .key = "lobe_size",
-    .kind = Kind::bounds,
-    .range = lobe_size_range,
-    .fallback = "[0.3, 0.55]",
-    .documentation = "range of the radius of a lobe, over the lesser radius of its tower",
-    .selector = "shape",
-    .selected_by = dome};
-constexpr Field life_field{
-    .key = "life",
-    .kind = life_kind,
-    .range = unit_range,
-    .documentation =
+        unit_range, Default{"0"},
+        Hint{"0 gives a dome on a flat base, 0.5 a ball, and 1 an anvil with a flat top"},
+        When{"shape", dome});
+constexpr Field lean_field = key("lean", Kind::pair,
+                                 "how far the wind shifts the tower along x and y, per "
+                                 "height",
+                                 lean_range, Default{"[0, 0]"}, When{"shape", dome});
+constexpr Field lobes_field =
+    key("lobes", Kind::integer, "number of balls that bulge out of the tower, as on a cauliflower",
+        lobes_range, Default{"0"}, When{"shape", dome});
+constexpr Field lobe_size_field = key(
+    "lobe_size", Kind::bounds, "range of the radius of a lobe, over the lesser radius of its tower",
+    lobe_size_range, Default{"[0.3, 0.55]"}, When{"shape", dome});
+constexpr Field life_field =
+    key("life", life_kind,
         "how long the tower grows, stays and dissolves, as shares of the cloud's "
         "`period`; without it the tower stands",
-    .hint = "after shares that add up to 1, such as [0.4, 0.3, 0.3], it is born again at once",
-    .citation = byers_1949};
-constexpr Field grows_from_field{
-    .key = "grows_from",
-    .kind = Kind::number,
-    .range = unit_range,
-    .fallback = "0.4",
-    .documentation =
+        unit_range,
+        Hint{"after shares that add up to 1, such as [0.4, 0.3, 0.3], it is born again at once"},
+        Cited{byers_1949});
+constexpr Field grows_from_field =
+    key("grows_from", Kind::number,
         "width of a tower that is born, as a share of its full width; its height "
         "grows from 0",
-    .needs = "life"};
+        unit_range, Default{"0.4"}, Needs{"life"});
 
-const std::array tower_table = {
-    TowerField{shape_field, &Tower::shape},
-    TowerField{{.key = "center",
-                .kind = Kind::pair,
-                .range = center_range,
-                .required = true,
-                .documentation = "x and y of the tower's middle, in tiles",
-                .hint = "[0.5, 0.5] is the middle of the cloud",
-                .citation = olajos_2016,
-                .selector = "shape",
-                .selected_by = gaussian},
-               &Tower::center},
-    TowerField{{.key = "sigma",
-                .kind = Kind::pair,
-                .range = sigma_range,
-                .required = true,
-                .documentation = "standard deviations along the tower's own axes, in tiles",
-                .hint = "for example [0.03, 0.06]",
-                .citation = olajos_2016,
-                .selector = "shape",
-                .selected_by = gaussian},
-               &Tower::sigma},
-    TowerField{{.key = "foot",
-                .kind = Kind::lengths,
-                .range = foot_range,
-                .required = true,
-                .documentation = "x and y of the tower's middle, and how high above the cloud's "
-                                 "base it begins",
-                .hint = "a height below 0 cuts its foot off",
-                .selector = "shape",
-                .selected_by = dome},
-               &Tower::foot},
-    TowerField{{.key = "size",
-                .kind = Kind::lengths,
-                .range = dome_size_range,
-                .required = true,
-                .documentation = "widths along the tower's own axes, and its height",
-                .selector = "shape",
-                .selected_by = dome},
-               &Tower::size},
-    TowerField{{.key = "rotation",
-                .kind = Kind::angle,
-                .range = angle_range,
-                .fallback = R"("0 deg")",
-                .documentation = "angle of the tower's axes against x and y, counterclockwise"},
-               &Tower::rotation},
-    TowerField{{.key = "correlation",
-                .kind = Kind::number,
-                .range = correlation_range,
-                .fallback = "0",
-                .documentation = "correlation between the tower's own axes, before rotation",
-                .selector = "shape",
-                .selected_by = gaussian},
-               &Tower::correlation},
-    TowerField{{.key = "amplitude",
-                .kind = Kind::number,
-                .range = amplitude_range,
-                .required = true,
-                .documentation = "what the tower adds to the height profile at its middle",
-                .citation = olajos_2016},
-               &Tower::amplitude},
-    TowerField{widest_field, &Tower::widest},
-    TowerField{lean_field, &Tower::lean},
-    TowerField{lobes_field, &Tower::lobes},
-    TowerField{lobe_size_field, &Tower::lobe_size},
-    TowerField{{.key = "seed",
-                .kind = Kind::seed,
-                .fallback = "0",
-                .documentation = "another seed gives other lobes",
-                .selector = "shape",
-                .selected_by = dome},
-               &Tower::seed},
-    TowerField{life_field, &Tower::life},
-    TowerField{grows_from_field, &Tower::grows_from},
-    TowerField{{.key = "born",
-                .kind = Kind::number,
-                .range = unit_range,
-                .fallback = "0",
-                .documentation = "when the tower is born, as a share of the cloud's `period`",
-                .needs = "life"},
-               &Tower::born},
+const TowerField tower_table[] = {
+    {shape_field, &Tower::shape},
+    {"center", Kind::pair, &Tower::center, "x and y of the tower's middle, in tiles", center_range,
+     KeyFlag::required, Hint{"[0.5, 0.5] is the middle of the cloud"}, When{"shape", gaussian},
+     Cited{olajos_2016}},
+    {"sigma", Kind::pair, &Tower::sigma, "standard deviations along the tower's own axes, in tiles",
+     sigma_range, KeyFlag::required, Hint{"for example [0.03, 0.06]"}, When{"shape", gaussian},
+     Cited{olajos_2016}},
+    {"foot", Kind::lengths, &Tower::foot,
+     "x and y of the tower's middle, and how high above the cloud's "
+     "base it begins",
+     foot_range, KeyFlag::required, Hint{"a height below 0 cuts its foot off"},
+     When{"shape", dome}},
+    {"size", Kind::lengths, &Tower::size, "widths along the tower's own axes, and its height",
+     dome_size_range, KeyFlag::required, When{"shape", dome}},
+    {"rotation", Kind::angle, &Tower::rotation,
+     "angle of the tower's axes against x and y, counterclockwise", angle_range,
+     Default{R"("0 deg")"}},
+    {"correlation", Kind::number, &Tower::correlation,
+     "correlation between the tower's own axes, before rotation", correlation_range, Default{"0"},
+     When{"shape", gaussian}},
+    {"amplitude", Kind::number, &Tower::amplitude,
+     "what the tower adds to the height profile at its middle", amplitude_range, KeyFlag::required,
+     Cited{olajos_2016}},
+    {widest_field, &Tower::widest},
+    {lean_field, &Tower::lean},
+    {lobes_field, &Tower::lobes},
+    {lobe_size_field, &Tower::lobe_size},
+    {"seed", Kind::seed, &Tower::seed, "another seed gives other lobes", Default{"0"},
+     When{"shape", dome}},
+    {life_field, &Tower::life},
+    {grows_from_field, &Tower::grows_from},
+    {"born", Kind::number, &Tower::born,
+     "when the tower is born, as a share of the cloud's `period`", unit_range, Default{"0"},
+     Needs{"life"}},
 };
 
-const std::array tower_scatter_table = {
-    TowerScatterField{shape_field, &TowerScatter::shape},
-    TowerScatterField{{.key = "count",
-                       .kind = Kind::integer,
-                       .range = tower_count_range,
-                       .fallback = "0",
-                       .documentation = "number of towers"},
-                      &TowerScatter::count},
-    TowerScatterField{{.key = "seed",
-                       .kind = Kind::seed,
-                       .fallback = "0",
-                       .documentation = "another seed gives other places"},
-                      &TowerScatter::seed},
-    TowerScatterField{{.key = "sigma",
-                       .kind = Kind::bounds,
-                       .range = scatter_sigma_range,
-                       .fallback = "[0.02, 0.05]",
-                       .documentation = "range of the standard deviation along the smaller axis, "
-                                        "in tiles; its logarithm is uniform",
-                       .selector = "shape",
-                       .selected_by = gaussian},
-                      &TowerScatter::sigma},
-    TowerScatterField{{.key = "width",
-                       .kind = Kind::length_bounds,
-                       .range = dome_size_range,
-                       .fallback = R"(["300 m", "900 m"])",
-                       .documentation = "range of the width along the smaller axis; its logarithm "
-                                        "is uniform",
-                       .selector = "shape",
-                       .selected_by = dome},
-                      &TowerScatter::width},
-    TowerScatterField{{.key = "slenderness",
-                       .kind = Kind::bounds,
-                       .range = slenderness_range,
-                       .fallback = "[0.6, 1]",
-                       .documentation = "range of the height over the width of the smaller axis",
-                       .selector = "shape",
-                       .selected_by = dome},
-                      &TowerScatter::slenderness},
-    TowerScatterField{{.key = "aspect",
-                       .kind = Kind::bounds,
-                       .range = tower_aspect_range,
-                       .fallback = "[1, 2]",
-                       .documentation = "range of the ratio of the larger axis to the smaller one"},
-                      &TowerScatter::aspect},
-    TowerScatterField{{.key = "amplitude",
-                       .kind = Kind::bounds,
-                       .range = amplitude_range,
-                       .fallback = "[0.2, 0.5]",
-                       .documentation = "range of what a tower adds to the height profile"},
-                      &TowerScatter::amplitude},
-    TowerScatterField{widest_field, &TowerScatter::widest},
-    TowerScatterField{lean_field, &TowerScatter::lean},
-    TowerScatterField{lobes_field, &TowerScatter::lobes},
-    TowerScatterField{lobe_size_field, &TowerScatter::lobe_size},
-    TowerScatterField{life_field, &TowerScatter::life},
-    TowerScatterField{grows_from_field, &TowerScatter::grows_from},
+const TowerScatterField tower_scatter_table[] = {
+    {shape_field, &TowerScatter::shape},
+    {"count", Kind::integer, &TowerScatter::count, "number of towers", tower_count_range,
+     Default{"0"}},
+    {"seed", Kind::seed, &TowerScatter::seed, "another seed gives other places", Default{"0"}},
+    {"sigma", Kind::bounds, &TowerScatter::sigma,
+     "range of the standard deviation along the smaller axis, "
+     "in tiles; its logarithm is uniform",
+     scatter_sigma_range, Default{"[0.02, 0.05]"}, When{"shape", gaussian}},
+    {"width", Kind::length_bounds, &TowerScatter::width,
+     "range of the width along the smaller axis; its logarithm "
+     "is uniform",
+     dome_size_range, Default{R"(["300 m", "900 m"])"}, When{"shape", dome}},
+    {"slenderness", Kind::bounds, &TowerScatter::slenderness,
+     "range of the height over the width of the smaller axis", slenderness_range,
+     Default{"[0.6, 1]"}, When{"shape", dome}},
+    {"aspect", Kind::bounds, &TowerScatter::aspect,
+     "range of the ratio of the larger axis to the smaller one", tower_aspect_range,
+     Default{"[1, 2]"}},
+    {"amplitude", Kind::bounds, &TowerScatter::amplitude,
+     "range of what a tower adds to the height profile", amplitude_range, Default{"[0.2, 0.5]"}},
+    {widest_field, &TowerScatter::widest},
+    {lean_field, &TowerScatter::lean},
+    {lobes_field, &TowerScatter::lobes},
+    {lobe_size_field, &TowerScatter::lobe_size},
+    {life_field, &TowerScatter::life},
+    {grows_from_field, &TowerScatter::grows_from},
 };
 
 }  // namespace

@@ -50,43 +50,26 @@ namespace {
 constexpr Range value_count_range{2, most_variants};
 constexpr Range points_range{1, most_variants};
 
-constexpr std::array scale_choices = {
-    Choice{SweepScale::linear, "linear", "equal differences"},
-    Choice{SweepScale::log, "log", "equal ratios, which need from and to above 0"},
+constexpr Choice scale_choices[] = {
+    {SweepScale::linear, "linear", "equal differences"},
+    {SweepScale::log, "log", "equal ratios, which need from and to above 0"},
 };
 
 constexpr std::array sweep_table = {
-    Field{.key = "zip",
-          .kind = Kind::path_groups,
-          .documentation =
-              "keys varied in lockstep instead of crossed, with equally many values each"},
-    Field{.key = "sobol",
-          .kind = Kind::integer,
-          .range = points_range,
-          .documentation = "points of a Sobol sequence that cover all ranges without a count",
-          .hint = "a power of two covers them best",
-          .citation = "Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
-                      "projections"},
+    key("zip", Kind::path_groups,
+        "keys varied in lockstep instead of crossed, with equally many values each"),
+    key("sobol", Kind::integer, "points of a Sobol sequence that cover all ranges without a count",
+        points_range, Hint{"a power of two covers them best"},
+        Cited{"Joe and Kuo 2008, Constructing Sobol sequences with better two-dimensional "
+              "projections"}),
 };
 
 constexpr std::array range_table = {
-    Field{.key = "from",
-          .kind = Kind::swept,
-          .required = true,
-          .documentation = "the first value, written as the key takes it"},
-    Field{.key = "to",
-          .kind = Kind::swept,
-          .required = true,
-          .documentation = "the last value; Sobol points stay below it"},
-    Field{.key = "count",
-          .kind = Kind::integer,
-          .range = value_count_range,
-          .documentation = "number of values, with both ends; without it `sobol` says how many"},
-    Field{.key = "scale",
-          .kind = Kind::choice,
-          .choices = scale_choices,
-          .fallback = R"("linear")",
-          .documentation = "how the values are spaced"},
+    key("from", Kind::swept, "the first value, written as the key takes it", KeyFlag::required),
+    key("to", Kind::swept, "the last value; Sobol points stay below it", KeyFlag::required),
+    key("count", Kind::integer,
+        "number of values, with both ends; without it `sobol` says how many", value_count_range),
+    key("scale", Kind::choice, "how the values are spaced", scale_choices, Default{R"("linear")"}),
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ namespace skybake::test {
 class DenseScattering {
   public:
     // The largest errors are those against `exact`.
-    DenseScattering(const ScatteringMapping& mapping, const DenseVolume& table, TexelRow row,
+    DenseScattering(const ScatteringMapping& mapping, const VoxelArray& table, TexelRow row,
                     ExactTexel exact, RandomCase& random)
         : mapping_(mapping),
           table_(table),
@@ -50,7 +50,7 @@ class DenseScattering {
         double nu = 0;
     };
 
-    // Of suns of one view.
+    // Returns the mean square of the errors under suns of one view.
     double mean_square(const ScatteringView& view) {
         constexpr int kSuns = 256;
         constexpr double kGoldenSection = 0.6180339887498949;
@@ -87,7 +87,7 @@ class DenseScattering {
     }
 
     const ScatteringMapping& mapping_;
-    const DenseVolume& table_;
+    const VoxelArray& table_;
     std::vector<double> scale_;
     TexelRow row_;
     ExactTexel exact_;

@@ -283,7 +283,7 @@ TEST(CloudDecoder, NamesAreBare) {
     EXPECT_EQ(fault("tower = 3").label, "did you mean `towers`?");
 }
 
-// As includes are: beside the file that names them.
+// Maps are looked for as includes are: beside the file that names them.
 TEST(CloudDecoder, MapsLieBesideTheirRecipe) {
     const testing::TemporaryFolder folder;
     folder.write("parts/map.toml", "clouds.c.coverage_map.file = '../maps/a.png'\n");

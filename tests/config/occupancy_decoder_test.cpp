@@ -108,7 +108,7 @@ std::vector<Diagnostic> of_size(int x, int y, int z, const std::string& keys) {
     return diagnostics;
 }
 
-// Of three tiles of 10 voxels side by side, the third begins at voxel 20. With cells of 4, repeated
+// Where three tiles of 10 voxels lie side by side, the third begins at voxel 20. With cells of 4, repeated
 // as 3 texels that span 12 voxels each, a runtime would look it up in the texels of voxels 8 to 12.
 TEST(OccupancyDecoder, CellsTileAsTheVolumeDoes) {
     for (const auto& [x, y, axis] : {std::tuple{10, 16, 'x'}, std::tuple{16, 10, 'y'}}) {

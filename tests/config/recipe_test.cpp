@@ -177,7 +177,7 @@ TEST(Recipe, EveryFaultIsReportedWithItsPlace) {
     }
 }
 
-// Those that need files, settings or a thousand errors have tests of their own.
+// Codes that need files, settings or a thousand errors have tests of their own.
 TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
     std::set<std::string> tested = {"E0116", "E0120", "E0122", "E0123", "E0125"};
     for (const Fault& fault : faults) tested.insert(fault.code);
@@ -195,8 +195,7 @@ TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
     }
 }
 
-// What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
-// does not.
+// `explain` shows for a code about noises and clouds a recipe that earns it, and one that does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",
                              "E0150", "E0171", "E0174", "E0175", "E0176", "E0177", "E0189", "W0203", "W0204",

@@ -81,7 +81,7 @@ TEST(SkyView, LayersBelongToSingleScatteringAndAreThoseOfTheAtmosphere) {
     EXPECT_EQ(faults("[atmosphere.layers.mie]\nenabled = false\n" + view +
                      "orders = 'single'\nlayers = ['mie']"),
               Codes{"E0138 7:10"});
-    // What is at fault elsewhere is not said twice.
+    // Faults elsewhere are not reported twice.
     EXPECT_EQ(
         faults("[atmosphere.layers.mie]\ng = 2\n" + view + "orders = 'single'\nlayers = ['mie']"),
         Codes{"E0110 3:5"});

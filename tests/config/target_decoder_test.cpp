@@ -189,7 +189,7 @@ TEST(Targets, RefuseLevelsThatEndEarlyWhereTheProgramDoes) {
     EXPECT_EQ(refused[0].label, "it loads 1 level, or all 5");
 }
 
-// What is beside the files follows from the asset, whatever its mapping.
+// The files beside an asset's follow from the asset, whatever its mapping.
 TEST(Targets, HaveTheSameSidecarsInAllUsesOfAnAsset) {
     for (const TargetFacts& target : targets()) {
         for (const TargetUse& use : target.uses) {

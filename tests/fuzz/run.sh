@@ -16,9 +16,17 @@ for fuzzer in "${fuzzers[@]}"; do
     mkdir -p "$found"
     "build/fuzz/tests/fuzz/${fuzzer}_fuzzer" -max_total_time="$seconds" -timeout=10 \
         -rss_limit_mb=2048 -print_final_stats=1 -verbosity=0 \
-        -artifact_prefix="$found/" "$found" "tests/fuzz/corpus/$fuzzer" &
+        -artifact_prefix="$found/" "$found" "tests/fuzz/corpus/$fuzzer" >"$found.log" 2>&1 &
     pids+=($!)
 done
 failed=0
-for pid in "${pids[@]}"; do wait "$pid" || failed=1; done
+for i in "${!fuzzers[@]}"; do
+    log=build/fuzz/found/${fuzzers[i]}.log
+    if wait "${pids[i]}"; then
+        echo "${fuzzers[i]}: $(sed -n 's/^stat::number_of_executed_units: *//p' "$log") runs"
+    else
+        failed=1
+        tail -n 60 "$log"
+    fi
+done
 exit "$failed"

@@ -48,7 +48,7 @@ std::string content_text(const BrunetonBake& bake, const TableContent& content) 
         light);
 }
 
-// What follows from the sun's axis: D(1), D(0), and the largest share A that is on it.
+// Adds the constants of the sun's axis: D(1), D(0), and the largest share A that is on it.
 void describe_axes(const ScatteringMapping& mapping, Baked& volume) {
     const Shell& shell = mapping.shell();
     for (AxisMapping& axis : volume.axes) axis.constants = shell_constants(shell);
@@ -162,7 +162,7 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     // The baseline's texels stay as they are.
     const bool fits = !(content.first().wants_higher() && packets.front().light &&
                         bake.method == config::BrunetonMethod::iterated);
-    const auto table = std::make_shared<DenseVolume>(
+    const auto table = std::make_shared<VoxelArray>(
         table_texels(content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }),
                      fits, options));
     for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);

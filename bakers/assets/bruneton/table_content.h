@@ -1,4 +1,4 @@
-// What a table of scattering holds of all wavelengths of a recipe: the wavelengths of one packet as
+// A table of scattering holds, of all wavelengths of a recipe, the wavelengths of one packet as
 // they are, or the colours made of the light of all packets.
 //
 // A colour is a sum over wavelengths i of weight_i times light (light/sky_colors.h). It is taken
@@ -69,7 +69,7 @@ class TableContent {
 
 // Returns the texels, u fastest. If `fits`, they are moved so that lookups between them are right
 // (lookup_fit.h), wavelength by wavelength, since colours need not be above 0.
-DenseVolume table_texels(const TableContent& content, const ScatteringMapping& mapping,
+VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
                          std::span<const TableParts> parts, bool fits, const BakeOptions& options);
 
 }  // namespace skybake

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/field/finish_table.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/math/relative_error.h"
@@ -28,8 +28,8 @@ namespace {
 
 // The light of skies has moments of this degree at least.
 constexpr int kLeastSkyDegree = 8;
-// Of the light of air with spheres, whose peaks the sky's own light leaves out: moments of this degree
-// feed the mean radiance.
+// Air with spheres scatters light into peaks, which the sky's own light leaves out. Moments of this
+// degree feed its mean radiance.
 constexpr int kDegreeWithPeaks = 4;
 
 // M_lm of solved_scattering_table.h.
@@ -41,7 +41,7 @@ Spectrum moment_of(const SolvedLight& light, int l, int m, double altitude_km,
     return harmonic_norm(l, m) * moments[static_cast<std::size_t>(moment_index(l, m))];
 }
 
-// Of all channels, on the solution's grid; 0 where there is no solution.
+// Returns the largest moment of any channel on the solution's grid, or 0 where there is no solution.
 double largest_moment(const SolvedLight& light, int l, int m) {
     double most = 0;
     for (const double altitude_km : light.altitudes_km) {
@@ -127,12 +127,6 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
     set_files(bake, table);
     table.certificate.reference = "the same light before it was stored";
     table.certificate.scale = kRelativeErrorScale;
-    if (bake.content == MultipleScatteringContent::fitted) {
-        table.content =
-            "Psi (1/sr) for which the sky is right when it is scattered alike in all directions, "
-            "per unit of solar irradiance; multiply by sigma_s alone";
-        table.certificate.reference = "the fit before it was stored";
-    }
     if (degree > 0) table.certificate.scale += "; moments beyond the first: to their largest";
 }
 
@@ -141,9 +135,7 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
 LightRequest light_request(const config::Atmosphere& atmosphere,
                            const MultipleScatteringBake& bake) {
     LightRequest request = {.atmosphere = atmosphere, .peaks_of_spheres = true};
-    const bool fitted = bake.content == MultipleScatteringContent::fitted;
-    const bool moments = bake.content == MultipleScatteringContent::moments;
-    const int wanted = fitted ? kLeastSkyDegree : moments ? bake.degree : 0;
+    const int wanted = bake.content == MultipleScatteringContent::moments ? bake.degree : 0;
     if (has_spheres(atmosphere)) {
         request.degree = std::max(wanted, kDegreeWithPeaks);
     } else if (wanted > kLeastSkyDegree) {
@@ -155,8 +147,7 @@ LightRequest light_request(const config::Atmosphere& atmosphere,
 // Whether errors are measured against a finer solution. A quick certificate compares with the light
 // that was stored: error.sky tells how far that light is off, by paths.
 bool needs_finer_light(const MultipleScatteringBake& bake, Certification certification) {
-    const bool fitted = bake.content == MultipleScatteringContent::fitted;
-    return !fitted && (certification == Certification::full || bake.max_error);
+    return certification == Certification::full || bake.max_error;
 }
 
 // The reference of the certificate.
@@ -192,8 +183,7 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     describe(bake, columns, degree, shell_of(medium.air), table);
 
     config::Outcome<Baked> outcome;
-    const bool fitted = bake.content == MultipleScatteringContent::fitted;
-    if ((fitted || moments) && bake.max_error) {
+    if (moments && bake.max_error) {
         config::Diagnostic failure;
         failure.code = "E0403";
         failure.message =
@@ -205,8 +195,6 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     const auto solved = light_of(light_request(atmosphere, bake), medium, options);
     if (options.cancelled()) return outcome;
     const SolvedLight& light = *solved;
-    Image2<double> texels;
-    if (fitted) texels = fitted_texels(medium, light, scene, columns, bake.size, options.threads);
     const EnergyBalance balance = energy_balance(medium, light);
     if (const auto failure = check_light(balance, light, table.name)) {
         outcome.diagnostics.push_back(*failure);
@@ -242,10 +230,8 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
                 if (moments) place.insert(place.end(), {{"l", l}, {"m", m}});
                 return place;
             };
-            const TableModel model = fitted
-                                         ? fitted_model(texels)
-                                         : moment_model(light, finer_light ? *finer_light : light,
-                                                        l, m, columns, thickness_km);
+            const TableModel model = moment_model(light, finer_light ? *finer_light : light, l, m,
+                                                  columns, thickness_km);
             config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
             outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
                                        part.diagnostics.end());

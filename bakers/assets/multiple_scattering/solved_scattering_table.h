@@ -2,8 +2,6 @@
 //
 //   hillaire   the mean radiance Psi = E0 / 4pi: the texture of Hillaire 2020, made of every order
 //              with its layer's own phase function and of the ground's light in all of them
-//   fitted     the same texture with the texels that make the sky right when it is scattered alike
-//              in all directions (fitted_radiance.h)
 //   moments    moments of the light up to a degree N, one table below the other by rising l, and in
 //              it by rising m: M_lm in 1/sr, the first of them Psi itself. Towards a direction
 //              whose zenith angle has the cosine mu and whose azimuth from the sun is phi a km of

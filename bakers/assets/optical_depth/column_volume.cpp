@@ -17,6 +17,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
 #include "bakers/field/stored_voxels.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/optical_depth.h"
@@ -71,7 +72,7 @@ std::vector<double> as_channels(std::vector<double> values) {
     return values;
 }
 
-// What one table is: its texels, and how they are measured.
+// One table: its texels, and how they are measured.
 struct Contents {
     ChannelValue value;
     VolumeFinish finish;
@@ -148,7 +149,7 @@ double unit_coordinate(double u, int size) { return size == 1 ? 0 : (u * size - 
 // One axis, along u.
 using AlongAxis = std::function<double(std::size_t kind, double x)>;
 
-// What a coordinate of the axis stands for, under its name.
+// Returns the name of an axis's quantity, and its value at a coordinate.
 using AxisPlace = std::function<std::pair<std::string, double>(double x)>;
 
 Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace place) {
@@ -402,7 +403,7 @@ std::shared_ptr<const VoxelSource> kept_if_small(std::shared_ptr<const VoxelSour
                                                  const std::array<int, 3>& size, int channels,
                                                  const BakeOptions& options) {
     if (VoxelBox{{}, size}.count() * channels > kKeptFloats) return texels;
-    return std::make_shared<StoredSource>(*texels, size, channels, options, "mips");
+    return std::make_shared<VoxelArray>(read_voxels(*texels, size, channels, options, "mips"));
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <array>
 #include <utility>
 
-#include "bakers/assets/multiple_scattering/fitted_radiance.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
@@ -27,8 +26,6 @@ using config::MultipleScatteringMethod;
 // The quadrature level, from 0, that the default `max_texel_error` chooses on Earth
 // (tests/benchmarks/README.md): level 9 of those counted from 1.
 constexpr int kLevel = 8;
-// The degree of the light that a table is fitted to (fitted_radiance.h).
-constexpr int kFittedDegree = 8;
 constexpr auto kConvention = TexelConvention::end_points_on_texel_centres;
 
 struct TableShape {
@@ -88,43 +85,21 @@ SolvedLight solved(const SkyMedium& medium, int degree) {
     return solve_light(medium, settings, 1);
 }
 
-FitAxes axes_of(const SkyMedium& medium, const TableShape& shape) {
-    const auto [columns, rows] = shape.size;
-    FitAxes axes;
-    for (int x = 0; x < columns; ++x) {
-        axes.sun_cos_zenith_of_columns.push_back(
-            sun_cos_zenith_at(shape.mapping, texel_coordinate(kConvention, x, columns)));
-    }
-    for (int y = 0; y < rows; ++y) {
-        axes.altitudes_km_of_rows.push_back(texel_coordinate(kConvention, y, rows) *
-                                            medium.air.thickness_km);
-    }
-    axes.column_of = [shape](double sun_cos_zenith) {
-        return sun_coordinate(shape.mapping, sun_cos_zenith) * (shape.size[0] - 1);
-    };
-    return axes;
-}
-
 std::unique_ptr<HigherOrders> mean_radiance(const SkyMedium& medium, const TableShape& shape) {
     const SolvedLight light = solved(medium, SolverSettings().degree);
-    const FitAxes axes = axes_of(medium, shape);
     const auto [columns, rows] = shape.size;
     Image2<double> texels(columns, rows, medium.air.channels);
     double* texel = texels.texels.data();
-    for (const double altitude_km : axes.altitudes_km_of_rows) {
-        for (const double sun_cos_zenith : axes.sun_cos_zenith_of_columns) {
-            const Spectrum mean = light.mean_radiance_at(altitude_km, sun_cos_zenith);
+    for (int y = 0; y < rows; ++y) {
+        const double altitude_km = texel_coordinate(kConvention, y, rows) * medium.air.thickness_km;
+        for (int x = 0; x < columns; ++x) {
+            const double cosine =
+                sun_cos_zenith_at(shape.mapping, texel_coordinate(kConvention, x, columns));
+            const Spectrum mean = light.mean_radiance_at(altitude_km, cosine);
             texel = std::copy_n(data(mean), texels.channels, texel);
         }
     }
     return orders_of_table(medium.air, shape, texels);
-}
-
-std::unique_ptr<HigherOrders> fitted(const SkyMedium& medium, const TableShape& shape) {
-    const SolvedLight light = solved(medium, kFittedDegree);
-    return orders_of_table(
-        medium.air, shape,
-        fit_mean_radiance(medium, light, FitScene(), axes_of(medium, shape), FitSettings(), 1));
 }
 
 // Higher orders that are looked up in the solution itself, which this class owns.
@@ -172,10 +147,6 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
         methods.push_back({key_of("mean_radiance", shape), "mean radiance, solved", name_of(shape),
                            "", [&medium, shape] { return mean_radiance(medium, shape); }});
     }
-    for (const TableShape& shape : shapes) {
-        methods.push_back({key_of("fitted", shape), "fitted, solved", name_of(shape), "",
-                           [&medium, shape] { return fitted(medium, shape); }});
-    }
     // Quick reports leave out Bruneton's tables, which take longer than all other methods together,
     // and which hold one or three wavelengths.
     const bool has_bruneton = !quick && (medium.air.channels == 1 || medium.air.channels == 3);
@@ -187,7 +158,7 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
                            [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
     }
     std::vector<int> degrees = {2, 4, 8};
-    // Of haze and fog, assets of the sky have moments of a higher degree.
+    // In haze and fog, assets of the sky have moments of a higher degree.
     if (const int most = sky_degree(medium); most > degrees.back()) degrees.push_back(most);
     for (const int degree : degrees) {
         methods.push_back(

@@ -40,7 +40,6 @@ struct SkyMethod {
 //   as in the paper    64 directions x 20 steps, 32x32
 //   converged          the same closure by the baker's quadrature (level 9), 32x32, 64x32 twilight
 //   mean radiance      of the solution, all orders with their phases, in the same tables
-//   fitted             to the skies of cameras up to 3 km (fitted_radiance.h), same tables
 //   Bruneton's tables  of scattering, 256x128x32, solved: with single_mie apart, and combined
 //   moments            of the solution, of degree 2, 4 and 8, and of sky_degree if it is higher
 std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick);
