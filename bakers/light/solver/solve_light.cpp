@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,23 @@ double lift_by(const LightField& residual, LightField light) {
     return most;
 }
 
+// Returns an estimate of the sum of all orders whose falls `next` may read light by, with its residual.
+// `follow` makes it read by those of an estimate.
+OrderSum estimated_sum(const LightField& first, LightField start, const NextOrder& next,
+                       const std::function<void(const LightField& estimate)>& follow,
+                       Progress* progress) {
+    OrderSum sum;
+    sum.light = std::move(start);
+    while (!is_cancelled(progress)) {
+        follow(sum.light);
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
+        add(sum.residual, sum.light);
+    }
+    return sum;
+}
+
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
 
@@ -139,16 +157,12 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
     };
-    OrderSum sum;
-    sum.light = correct(first, light_scale(first));
-    while (!is_cancelled(progress)) {
-        coarse.follow(sum.light);
-        steep.follow(reading.read_light(sum.light));
-        sum.residual = residual_of(first, next, sum.light);
-        ++sum.applications;
-        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
-        add(sum.residual, sum.light);
-    }
+    const auto follow = [&](const LightField& estimate) {
+        coarse.follow(estimate);
+        steep.follow(reading.read_light(estimate));
+    };
+    OrderSum sum =
+        estimated_sum(first, correct(first, light_scale(first)), next, follow, progress);
     if (settings.orders > 0) return sum_orders(next);
     sum = sum_of_orders(first, std::move(sum), next, correct,
                         {settings.tolerance, settings.most_applications}, progress);
