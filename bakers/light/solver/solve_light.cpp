@@ -141,17 +141,18 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
-    const auto sum_orders = [&](const NextOrder& by) {
-        OrderSum sum = sum_of_first_orders(first, by, settings.orders, progress);
+    const auto solved_by = [&](OrderSum sum) {
         solved.light = std::move(sum.light);
         solved.applications = sum.applications;
+        solved.left_out = sum.left_out;
         return std::move(solved);
     };
     if (settings.orders > 0 && settings.orders <= kFewOrders) {
-        return sum_orders([&](const LightField& light, LightField& image) {
+        const auto by_own_falls = [&](const LightField& light, LightField& image) {
             steep.follow(reading.read_light(light));
             next(light, image);
-        });
+        };
+        return solved_by(sum_of_first_orders(first, by_own_falls, settings.orders, progress));
     }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
@@ -161,15 +162,12 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         coarse.follow(estimate);
         steep.follow(reading.read_light(estimate));
     };
-    OrderSum sum =
-        estimated_sum(first, correct(first, light_scale(first)), next, follow, progress);
-    if (settings.orders > 0) return sum_orders(next);
-    sum = sum_of_orders(first, std::move(sum), next, correct,
-                        {settings.tolerance, settings.most_applications}, progress);
-    solved.light = std::move(sum.light);
-    solved.applications = sum.applications;
-    solved.left_out = sum.left_out;
-    return solved;
+    OrderSum sum = estimated_sum(first, correct(first, light_scale(first)), next, follow, progress);
+    if (settings.orders > 0) {
+        return solved_by(sum_of_first_orders(first, next, settings.orders, progress));
+    }
+    return solved_by(sum_of_orders(first, std::move(sum), next, correct,
+                                   {settings.tolerance, settings.most_applications}, progress));
 }
 
 SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,
