@@ -43,28 +43,42 @@ Diagnostic unwritable(const fs::path& path, const std::string& reason) {
                       fmt::format("cannot write `{}`: {}", path.string(), reason));
 }
 
-std::error_code renamed(const fs::path& from, const fs::path& to) {
-    const bool done = uninterrupted([&] { return ::rename(from.c_str(), to.c_str()); }) == 0;
+// A folder that is open, and a path in it; with AT_FDCWD, any path.
+struct PathIn {
+    int folder = AT_FDCWD;
+    fs::path path;
+};
+
+std::error_code renamed(const PathIn& from, const PathIn& to) {
+    const bool done =
+        uninterrupted([&] {
+            return ::renameat(from.folder, from.path.c_str(), to.folder, to.path.c_str());
+        }) == 0;
     return {done ? 0 : errno, std::generic_category()};
 }
 
 // Gives a complete folder of `pending` its name.
-std::vector<Diagnostic> take_in(const fs::path& pending, const fs::path& target) {
+std::vector<Diagnostic> take_in(const fs::path& cache, const fs::path& pending,
+                                const std::string& key) {
+    const FileDescriptor group = group_folder(cache, key, true);
+    const fs::path target = entry_folder(cache, key);
+    if (!group.valid()) return {unwritable(target, std::generic_category().message(errno))};
     std::error_code error;
-    fs::create_directories(target.parent_path(), error);
-    if (error) return {unwritable(target, error.message())};
     if (fs::is_symlink(target, error)) fs::remove(target, error);  // one that leads nowhere
-    error = renamed(pending, target);
+    error = renamed({.path = pending}, {group.get(), key});
     // If another process was faster, its entry holds the same bytes.
     if (error && !fs::exists(target)) return {unwritable(target, error.message())};
     return {};
 }
 
 // Removes an entry: moves it to `pending` at once, then removes it file by file.
-std::vector<Diagnostic> remove_entry(const fs::path& cache, const fs::path& entry) {
+std::vector<Diagnostic> remove_entry(const fs::path& cache, const std::string& key) {
+    const FileDescriptor group = group_folder(cache, key, false);
+    if (!group.valid()) return {};
     std::error_code error;
     const PendingFolder pending(cache, error);
-    if (!error) error = renamed(entry, pending.path() / "entry");
+    if (!error) error = renamed({group.get(), key}, {.path = pending.path() / "entry"});
+    const fs::path entry = entry_folder(cache, key);
     if (error && fs::exists(entry)) return {unwritable(entry, error.message())};
     return {};
 }
@@ -134,6 +148,7 @@ bool is_entry_of(const Manifest& manifest, const std::string& key) {
 
 std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     if (!is_key(key) || !is_cache_folder(folder_)) return std::nullopt;
+    if (!group_folder(folder_, key, false).valid()) return std::nullopt;
     const fs::path folder = entry_folder(folder_, key);
     std::error_code error;
     if (!fs::exists(folder, error)) return std::nullopt;
@@ -141,7 +156,7 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     if (!manifest.value || !is_entry_of(*manifest.value, key)) {
         // A damaged entry is removed to make room for a good one. An entry that cannot be read now
         // may still be good.
-        if (manifest.value || is_damage(manifest.diagnostics)) remove_entry(folder_, folder);
+        if (manifest.value || is_damage(manifest.diagnostics)) remove_entry(folder_, key);
         return std::nullopt;
     }
     // Records the last use. It may fail, because a read-only cache can be used as well.
@@ -149,7 +164,9 @@ std::optional<ReadyAsset> AssetCache::find(const std::string& key) {
     return ReadyAsset{folder, manifest.value->assets[0]};
 }
 
-void AssetCache::reject(const ReadyAsset& asset) { remove_entry(folder_, asset.folder); }
+void AssetCache::reject(const ReadyAsset& asset) {
+    remove_entry(folder_, asset.folder.filename().string());
+}
 
 void AssetCache::offer(const ReadyAsset& asset) {
     keep(asset.entry.key, [&asset](const fs::path& folder, AtomicFiles& files) {
@@ -184,7 +201,7 @@ void AssetCache::keep(const std::string& key, const StageAsset& stage) {
         const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
         if (!manifest.value) return manifest.diagnostics;
         if (auto failures = files.commit(); !failures.empty()) return failures;
-        return take_in(pending.path(), entry_folder(folder_, key));
+        return take_in(folder_, pending.path(), key);
     };
     const auto problems = store();
     if (problems.empty()) ++kept_;
@@ -205,11 +222,12 @@ Outcome<std::vector<CacheEntry>> cache_entries(const fs::path& folder) {
     std::error_code error;
     for (fs::directory_iterator group(assets_folder(folder), error), end; !error && group != end;
          group.increment(error)) {
+        const std::string prefix = group->path().filename().string();
+        if (prefix.size() != 2 || !group_folder(folder, prefix, false).valid()) continue;
         for (fs::directory_iterator entry(group->path(), error); !error && entry != end;
              entry.increment(error)) {
-            if (is_key(entry->path().filename().string())) {
-                entries.push_back(describe(entry->path()));
-            }
+            const std::string key = entry->path().filename().string();
+            if (is_key(key) && key.starts_with(prefix)) entries.push_back(describe(entry->path()));
         }
     }
     if (error && error != std::errc::no_such_file_or_directory) {
@@ -234,7 +252,7 @@ Outcome<std::vector<CacheEntry>> collect_garbage(const fs::path& folder,
     std::vector<CacheEntry> removed;
     for (const CacheEntry& entry : *entries.value) {
         if (bytes <= largest_bytes) break;
-        auto problems = remove_entry(folder, entry.folder);
+        auto problems = remove_entry(folder, entry.key);
         if (!problems.empty()) return {{}, std::move(problems)};
         bytes -= entry.bytes;
         removed.push_back(entry);
@@ -251,7 +269,7 @@ Outcome<CacheVerification> verify_cache(const fs::path& folder) {
         const std::vector<fs::path> damaged = damages(entry);
         if (damaged.empty()) continue;
         verification.damaged.insert(verification.damaged.end(), damaged.begin(), damaged.end());
-        auto problems = remove_entry(folder, entry.folder);
+        auto problems = remove_entry(folder, entry.key);
         if (!problems.empty()) return {{}, std::move(problems)};
     }
     return {std::move(verification), {}};

@@ -30,8 +30,8 @@ constexpr std::string_view kTagText =
 // Returns the names in an open folder, or none if it cannot be read.
 std::vector<std::string> names_in(int folder) {
     std::vector<std::string> names;
-    const int copy = uninterrupted(
-        [&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
+    const int copy =
+        uninterrupted([&] { return ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC); });
     const std::unique_ptr<DIR, int (*)(DIR*)> listed(copy >= 0 ? ::fdopendir(copy) : nullptr,
                                                      &::closedir);
     if (!listed) {
@@ -46,14 +46,13 @@ std::vector<std::string> names_in(int folder) {
 }
 
 FileDescriptor real_folder_in(int parent, const char* name) {
-    return FileDescriptor(uninterrupted([&] {
-        return ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
-    }));
+    return FileDescriptor(uninterrupted(
+        [&] { return ::openat(parent, name, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW); }));
 }
 
 FileDescriptor folder_at(const fs::path& path) {
-    return FileDescriptor(uninterrupted(
-        [&] { return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
+    return FileDescriptor(
+        uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC); }));
 }
 
 // Removes what an open folder holds. Symbolic links are removed and not followed.
@@ -118,6 +117,16 @@ std::vector<Diagnostic> make_cache_folder(const fs::path& folder) {
                            fmt::format("cannot write `{}`: {}", folder.string(), error.message()))};
     }
     return write_file_atomically(folder / kTagName, kTagText).diagnostics;
+}
+
+FileDescriptor group_folder(const fs::path& cache, const std::string& key, bool make) {
+    FileDescriptor folder = folder_at(cache);
+    for (const std::string& name : {std::string("assets"), key.substr(0, 2)}) {
+        if (!folder.valid()) break;
+        if (make) ::mkdirat(folder.get(), name.c_str(), 0777);
+        folder = real_folder_in(folder.get(), name.c_str());
+    }
+    return folder;
 }
 
 PendingFolder::PendingFolder(const fs::path& cache, std::error_code& error) {

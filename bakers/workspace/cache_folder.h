@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <system_error>
 #include <vector>
 
@@ -25,6 +26,11 @@ bool is_cache_folder(const std::filesystem::path& folder);
 // Makes the folder a cache unless it is one. E0302 as above; E0301 if it cannot be written.
 [[nodiscard]] std::vector<config::Diagnostic> make_cache_folder(
     const std::filesystem::path& folder);
+
+// Opens the folder that holds entries whose keys begin like this one, `assets/XX`, after making it if
+// wanted. It is not valid where it does not exist, cannot be made, or where a symbolic link stands in the
+// way: what lies behind a link is not the cache's, and is neither read, written nor removed.
+FileDescriptor group_folder(const std::filesystem::path& cache, const std::string& key, bool make);
 
 // A folder in `pending`, named PID-N. It is locked while this process lives, and the destructor
 // removes it with its contents.

@@ -77,6 +77,35 @@ TEST_F(CacheFolder, APendingThatIsALinkIsNotFollowed) {
     EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "victim"), {}), 2);
 }
 
+// Someone's folder that is named like an entry, and whose manifest is damaged.
+TEST_F(CacheFolder, FoldersBehindLinksOrOfOtherNamesAreNoEntries) {
+    make_cache();
+    TestBake first(recipe_of(small_recipe), folder_ / "first");
+    uses[0](folder_ / "cache", first);
+    const auto entries = cache_entries(folder_ / "cache");
+    ASSERT_TRUE(entries.value && !entries.value->empty());
+    const std::string key = entries.value->front().key;
+    const std::string group = key.substr(0, 2);
+    const auto make_foreign = [&](const std::string& folder) {
+        write(folder + "/" + key + "/text");
+        write(folder + "/" + key + "/manifest.json");
+    };
+    make_foreign("victim");
+    make_foreign("cache/assets/mine");
+    fs::remove_all(folder_ / "cache/assets" / group);
+    fs::create_directory_symlink(folder_ / "victim", folder_ / "cache/assets" / group);
+    use_in_all_ways();
+    EXPECT_TRUE(holds("victim/" + key + "/text"));
+    EXPECT_TRUE(holds("cache/assets/mine/" + key + "/text"));
+
+    make_foreign("other/" + group);
+    fs::remove_all(folder_ / "cache/assets");
+    fs::create_directory_symlink(folder_ / "other", folder_ / "cache/assets");
+    use_in_all_ways();
+    EXPECT_TRUE(holds("other/" + group + "/" + key + "/text"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(folder_ / "other"), {}), 1);
+}
+
 TEST_F(CacheFolder, LinksWithinAnAbandonedFolderAreNotFollowed) {
     make_cache();
     write("victim/text");
