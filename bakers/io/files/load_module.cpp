@@ -37,17 +37,18 @@ bool uses_openvdb(const std::string& module) {
 }
 
 // Returns why a module cannot be loaded, or an empty text. OpenVDB brings log4cplus, which begins four
-// threads as it is loaded, and waits for ever or ends the process if one cannot begin. One more is left
-// to whoever tells how far the work is.
+// threads as it is loaded, and waits for ever or ends the process if one cannot begin; Pango begins two
+// and ends the process. One more is left to whoever tells how far the work is.
 std::string want_of_threads(const std::string& module) {
-    constexpr int wanted = 5;
-    if (!uses_openvdb(module)) return "";
+    const bool draws = module == chart_module_name;
+    if (!draws && !uses_openvdb(module)) return "";
+    const int wanted = draws ? 3 : 5;
     const int startable = startable_threads(wanted);
     if (startable == wanted) return "";
     return fmt::format(
-        "the system lets this process begin only {} of the {} threads that OpenVDB needs (ulimit -u, "
-        "or pids.max of a container)",
-        startable, wanted);
+        "the system lets this process begin only {} of the {} threads that {} needs (ulimit -u, or "
+        "pids.max of a container)",
+        startable, wanted, draws ? "Pango" : "OpenVDB");
 }
 
 }  // namespace
