@@ -203,7 +203,7 @@ TEST(Recipes, HaveACaseOfEveryCode) {
         }
     }
     for (const DiagnosticCode& code : diagnostic_codes()) {
-        if (code.code.starts_with("E01")) EXPECT_TRUE(said.contains(code.code)) << code.code;
+        EXPECT_TRUE(said.contains(code.code) || !code.code.starts_with("E01")) << code.code;
     }
 }
 
