@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "config/fields/fields.h"
 #include "config/optics/aerosol_components.h"

@@ -11,7 +11,7 @@ using testing::cloud_recipe;
 using testing::parse;
 using testing::valid;
 
-// The bake's keys begin on line 4.
+// A bake with these keys, and its cloud.
 std::string volume_recipe(const std::string& bake, const std::string& cloud = "") {
     return "[bake.c]\nasset = 'cloud_volume'\ncloud = 'c'\n" + bake + "\n" + cloud_recipe(cloud);
 }
@@ -115,11 +115,6 @@ TEST(CloudVolumeDecoder, WarnsOfVoxelsThatAreNotCubes) {
         << "only VDB files state edges";
     EXPECT_EQ(volume("size = [64, 32, 16]\nextent = ['64 m', '32 m', '16 m']").extent[0].meters,
               64);
-}
-
-// The noise has two cells a tile.
-TEST(CloudVolumeDecoder, OctavesAreScaled) {
-    EXPECT_EQ(volume("size = [16, 32, 8]").size[0], 16);
 }
 
 }  // namespace
