@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <optional>
 #include <regex>
 #include <string>
 #include <vector>
@@ -30,12 +29,12 @@ struct CaseLine {
 
 struct Case {
     int number = 0;
-    std::vector<CaseLine> lines;
+    std::vector<CaseLine> lines, behind;
     std::vector<std::string> settings;
-    std::vector<CaseLine> places;  // "#@ LINE" of the frame, "--set `SETTING`", or no line
+    std::vector<CaseLine> places;  // "#@ LINE" of the frame, "--set `SETTING`", or the recipe
 };
 
-const std::string no_line = "#@ no line";
+const std::string whole_recipe = "test.toml";  // as a place
 
 // Takes the expectations off the end of a line: "key = 1  # E0110 7 words # E0102 1+3 words".
 CaseLine read_line(const std::string& line, int number) {
@@ -60,14 +59,12 @@ class CaseReader {
         std::ifstream file(path);
         int number = 0;
         for (std::string line; std::getline(file, line);) read(line, read_line(line, ++number));
-        finish();
     }
     std::vector<Case> cases;
 
   private:
     void read(const std::string& whole, const CaseLine& line) {
         if (whole.starts_with("#===")) {
-            finish();
             before_.clear();
             behind_.clear();
             frame_ = &before_;
@@ -82,36 +79,33 @@ class CaseReader {
         }
     }
 
-    void read_case(const std::string& whole, const CaseLine& line) {
+    void read_case(const std::string& whole, CaseLine line) {
         const std::size_t first = whole.find_first_not_of(' ');
         const bool is_below = whole.compare(first, 2, "#^") == 0;
-        if (first == 0 && !is_below) {
-            finish();
-            open_ = Case{line.number, before_, {}, {}};
-        }
-        const std::string text = is_below ? "" : line.text.substr(first);
-        if (is_below) {
-            auto& above = open_->lines.back().expected;
+        if (cases.empty() || (first == 0 && !is_below))
+            cases.push_back({line.number, before_, behind_, {}, {}});
+        Case& open = cases.back();
+        line.text.erase(0, std::min(first, line.text.size()));
+        if (is_below && !open.lines.empty()) {
+            auto& above = open.lines.back().expected;
             above.insert(above.end(), line.expected.begin(), line.expected.end());
-        } else if (text.starts_with("#set ")) {
-            open_->settings.push_back(text.substr(5));
-            open_->places.push_back({"--set `" + text.substr(5) + "`", line.number, line.expected});
-        } else if (text.starts_with("#@")) {
-            open_->places.push_back({text == "#@" ? no_line : text, line.number, line.expected});
+        } else if (line.text.starts_with("#set ")) {
+            open.settings.push_back(line.text.substr(5));
+            line.text = "--set `" + open.settings.back() + "`";
+            open.places.push_back(line);
+        } else if (line.text.starts_with("#@")) {
+            if (line.text == "#@") line.text = whole_recipe;
+            open.places.push_back(line);
         } else {
-            open_->lines.push_back(line);
+            for (std::size_t end; (end = line.text.find(" ; ")) != line.text.npos;) {
+                open.lines.push_back({line.text.substr(0, end), line.number, {}});
+                line.text.erase(0, end + 3);
+            }
+            open.lines.push_back(line);
         }
-    }
-
-    void finish() {
-        if (!open_) return;
-        open_->lines.insert(open_->lines.end(), behind_.begin(), behind_.end());
-        cases.push_back(std::move(*open_));
-        open_.reset();
     }
 
     std::vector<CaseLine> before_, behind_, *frame_ = nullptr;
-    std::optional<Case> open_;
 };
 
 // A line's expectations that are met are taken away.
@@ -130,10 +124,9 @@ bool take(CaseLine& line, const Diagnostic& found) {
 
 // The line of a case that a diagnostic is about; none where the case has no such line.
 CaseLine* line_of(Case& one, const SourceRange& where) {
-    const bool is_text = where.source == "test.toml";
-    CaseLine* line =
-        is_text && where.line > 0 ? &one.lines.at(std::size_t(where.line - 1)) : nullptr;
-    const std::string place = line ? "#@ " + line->text : is_text ? no_line : where.source;
+    const bool is_text = where.source == whole_recipe && where.line > 0;
+    CaseLine* line = is_text ? &one.lines.at(static_cast<std::size_t>(where.line) - 1) : nullptr;
+    const std::string place = line ? "#@ " + line->text : where.source;
     for (CaseLine& said : one.places) {
         if (place.starts_with(said.text)) return &said;
     }
@@ -142,24 +135,25 @@ CaseLine* line_of(Case& one, const SourceRange& where) {
 
 void check(Case one, const char* path) {
     std::string text;
+    one.lines.insert(one.lines.end(), one.behind.begin(), one.behind.end());
     for (const CaseLine& line : one.lines) text += line.text + "\n";
-    const Outcome<Recipe> outcome = parse_recipe(text, "test.toml", {}, one.settings);
+    const Outcome<Recipe> outcome = parse_recipe(text, whole_recipe, {}, one.settings);
     if (outcome.value.has_value() != (exit_code(outcome.diagnostics) == 0))
         ADD_FAILURE_AT(path, one.number) << "a value and errors, or neither";
     for (const Diagnostic& found : outcome.diagnostics) {
         EXPECT_EQ(found.severity == Severity::warning, found.code.starts_with('W')) << found.code;
+        EXPECT_FALSE(found.message.empty()) << found.code;
         CaseLine* line = line_of(one, found.where);
         if (line && take(*line, found)) continue;
         ADD_FAILURE_AT(path, line ? line->number : one.number)
             << "not expected: # " << found.code << ' ' << found.where.column << '+'
             << found.where.length << ' ' << found.message << " | " << found.label;
     }
-    for (const auto* lines : {&one.lines, &one.places}) {
-        for (const CaseLine& line : *lines) {
-            for (const Expected& left : line.expected)
-                ADD_FAILURE_AT(path, line.number)
-                    << "not reported: # " << left.code << ' ' << left.column << ' ' << left.words;
-        }
+    one.lines.insert(one.lines.end(), one.places.begin(), one.places.end());
+    for (const CaseLine& line : one.lines) {
+        for (const Expected& left : line.expected)
+            ADD_FAILURE_AT(path, line.number)
+                << "not reported: # " << left.code << ' ' << left.column << ' ' << left.words;
     }
 }
 
