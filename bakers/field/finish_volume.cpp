@@ -14,6 +14,7 @@
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/field/volume_search.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/quadrature.h"
 
@@ -89,8 +90,8 @@ void add_levels(int count, NextSize next_size, const BakeOptions& options, Baked
         level.voxels = std::make_shared<MipSource>(finer.voxels, finer.size, level.size);
         const std::int64_t floats = VoxelBox{{}, level.size}.count() * channels;
         if (floats <= kKeptFloats) {
-            level.voxels = std::make_shared<StoredSource>(*level.voxels, level.size, channels,
-                                                          options, "mips");
+            level.voxels = std::make_shared<VoxelArray>(
+                read_voxels(*level.voxels, level.size, channels, options, "mips"));
         }
         volume.levels.push_back(std::move(level));
     }
@@ -302,8 +303,8 @@ Level held_if_small(const Level& level, const BakeOptions& options) {
     Level held = level;
     const auto channels = static_cast<int>(level.statistics.size());
     if (VoxelBox{{}, level.size}.count() <= kSmall) {
-        held.voxels =
-            std::make_shared<StoredSource>(*level.voxels, level.size, channels, options, "probes");
+        held.voxels = std::make_shared<VoxelArray>(
+            read_voxels(*level.voxels, level.size, channels, options, "probes"));
     }
     return held;
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
@@ -42,45 +41,6 @@ void StoredVoxels::fetch(const VoxelBox& box, std::size_t from, std::vector<floa
     for (std::size_t i = 0; i < count; ++i) {
         for (std::size_t c = 0; c < channels(); ++c) {
             values[(from + i) * channels() + c] = round_to_pixel_type(planar[c * count + i], type_);
-        }
-    }
-}
-
-StoredSource::StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
-                           const BakeOptions& options, std::string_view step)
-    : size_(size) {
-    const auto slice = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
-    for (int channel = 0; channel < channels; ++channel) {
-        values_.emplace_back(slice * static_cast<std::size_t>(size[2]));
-    }
-    // One after the other, the voxels of these boxes are those of the volume.
-    const BoxSequence boxes(size, channels);
-    for_each_tile(boxes.count(), options, step, [&](int tile) {
-        const VoxelBox box = boxes[tile];
-        const std::size_t first =
-            static_cast<std::size_t>(box.origin[2]) * slice +
-            static_cast<std::size_t>(box.origin[1]) * static_cast<std::size_t>(size[0]);
-        std::vector<float*> targets;
-        for (auto& values : values_) targets.push_back(values.data() + first);
-        source.fill(box, targets);
-    });
-}
-
-void StoredSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    const auto width = static_cast<std::size_t>(box.size[0]);
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        float* target = channels[c];
-        if (target == nullptr) continue;
-        for (int z = 0; z < box.size[2]; ++z) {
-            for (int y = 0; y < box.size[1]; ++y) {
-                const std::size_t row = static_cast<std::size_t>(box.origin[2] + z) *
-                                            static_cast<std::size_t>(size_[1]) +
-                                        static_cast<std::size_t>(box.origin[1] + y);
-                const float* from = values_[c].data() + row * static_cast<std::size_t>(size_[0]) +
-                                    static_cast<std::size_t>(box.origin[0]);
-                std::memcpy(target, from, width * sizeof(float));
-                target += width;
-            }
         }
     }
 }

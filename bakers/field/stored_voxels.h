@@ -1,16 +1,14 @@
-// Sources of voxels for levels of detail: the voxels of a level as a file holds them, a small
-// volume that is held in memory, and a volume at half the size.
+// Sources of voxels for levels of detail: the voxels of a level as a file holds them, and a volume at half
+// the size.
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <memory>
-#include <string_view>
 #include <vector>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
-#include "bakers/math/bake_options.h"
 
 namespace skybake {
 
@@ -31,20 +29,6 @@ class StoredVoxels {
 
     const Level& level_;
     config::PixelType type_;
-};
-
-// A small volume held in memory.
-class StoredSource : public VoxelSource {
-  public:
-    // Reads all voxels of `source`. Progress reports call this `step`. Once options.progress is
-    // cancelled, the voxels are incomplete, so callers must check it.
-    StoredSource(const VoxelSource& source, const std::array<int, 3>& size, int channels,
-                 const BakeOptions& options, std::string_view step);
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
-
-  private:
-    std::array<int, 3> size_;
-    std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
 };
 
 // The size of the next coarser level: half of each size, rounded down, at least 1.

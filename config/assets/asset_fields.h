@@ -99,14 +99,13 @@ inline constexpr Choice compression_choices[] = {
 // them.
 struct FileWords {
     std::string_view formats = R"(["exr"])";  // the default
-    std::string_view mips = "number of levels of detail, with the volume itself";
+    std::string_view mips = "number of levels of detail, with the first";
     std::string_view pixel_type = R"("half")";  // the default
     std::string_view flip = "false";            // the default; empty if other keys decide it
     std::string_view layout = R"("stack")";     // the default
 };
 
-inline constexpr FileWords table_files = {
-    .mips = "number of levels of detail, with the table itself", .pixel_type = R"("float")"};
+inline constexpr FileWords table_files = {.pixel_type = R"("float")"};
 
 inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
 

@@ -13,18 +13,13 @@
 #include "config/assets/environment.h"
 #include "config/sections/frames.h"
 #include "config/sections/targets.h"
+#include "config/text/text.h"
 
 namespace skybake::config {
 namespace {
 
 // In bytes, of Linux, macOS and Windows.
 constexpr std::size_t longest_name = 255;
-
-std::string lower_case(std::string_view name) {
-    std::string text;
-    for (const char c : name) text += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    return text;
-}
 
 // Whether Windows takes a file of this name, whatever follows its first dot, for a device
 // (learn.microsoft.com, "Naming Files, Paths, and Namespaces").

@@ -216,9 +216,7 @@ std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& b
 
 const AssetKind& asset_kind(Tag<WeatherMapBake>) {
     static const auto rows =
-        with_file_fields(weather_map_table, {.formats = R"(["png"])",
-                                             .mips = "number of levels of detail, with the map",
-                                             .pixel_type = R"("unorm8")"});
+        with_file_fields(weather_map_table, {.formats = R"(["png"])", .pixel_type = R"("unorm8")"});
     static const AssetKind kind = make_asset_kind<WeatherMapBake>(
         {
             .name = "weather_map",

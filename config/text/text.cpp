@@ -106,6 +106,12 @@ std::string_view trim(std::string_view text) {
     return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
+std::string lower_case(std::string_view text) {
+    std::string lower;
+    for (const char c : text) lower += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return lower;
+}
+
 std::size_t find_equals(std::string_view setting) {
     bool quoted = false;
     for (std::size_t i = 0; i < setting.size(); ++i) {

@@ -23,6 +23,9 @@ std::string wrap(std::string_view text, std::string_view prefix, std::size_t wid
 // Returns the text without the blanks and tabs at both ends.
 std::string_view trim(std::string_view text);
 
+// Returns the text with the letters A to Z in lower case, in any locale.
+std::string lower_case(std::string_view text);
+
 // Returns the position of the '=' between key and value. A '=' within the quotes of a name does not
 // count. Returns npos if there is none.
 std::size_t find_equals(std::string_view setting);

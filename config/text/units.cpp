@@ -280,10 +280,7 @@ namespace {
 
 // Letters in lower case, in the order of the alphabet.
 std::string letters_of(std::string_view name) {
-    std::string letters(name);
-    for (char& c : letters) {
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    }
+    std::string letters = lower_case(name);
     std::sort(letters.begin(), letters.end());
     return letters;
 }

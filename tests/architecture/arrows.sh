@@ -2,8 +2,11 @@
 # Which room may use which, and which library is included behind which wall. Rooms are the folders of
 # config/ and of bakers/. A room may use itself and the rooms of its line, and those of bakers/ all of
 # config/ besides.
+#   arrows.sh SOURCE            fails where an include or the sentence of a README says otherwise
+#   arrows.sh SOURCE --write    writes those sentences
 set -euo pipefail
 cd "$1"
+mode=${2:-}
 failures=0
 
 # complain LINES...: what stands there is not allowed
@@ -23,6 +26,22 @@ forbid() {
 # --- Rooms ------------------------------------------------------------------------------------------
 
 rooms=()
+arrows=()  # "room used"
+
+# Says in its README which rooms a room may use, or fails where another sentence stands there.
+say_in_readme() {
+    local page=$1/README.md sentence found
+    sentence=$(printf ', %s' "${@:2}")
+    [[ $# -gt 1 ]] || sentence=', no other room'
+    [[ $# -le 2 ]] || sentence="${sentence%, *} and ${sentence##*, }"
+    sentence="It may use ${sentence#, }"
+    sentence+=" (\`tests/architecture/arrows.sh\`)."
+    if [[ $mode == --write ]]; then
+        sentence=$sentence perl -0pi -e 's/^It may use .*?(?=\n\n|\n*\z)/$ENV{sentence}/ms' "$page"
+    fi
+    found=$(grep -m 1 '^It may use ' "$page" || true)
+    [[ "$found" == "$sentence" ]] || complain "$page says: $found"
+}
 
 # room NAME MAY_USE...: every include of another room that is not in the list is an arrow too many
 room() {
@@ -32,6 +51,8 @@ room() {
     found=$(grep -rnE "#include \"$house/" --include='*.h' --include='*.cpp' "$1" |
         grep -vE "#include \"$house/($allowed)/" || true)
     [[ -z "$found" ]] || complain "$found"
+    say_in_readme "$@"
+    [[ $house == config ]] || arrows+=("${@/#/${1#*/} }")
 }
 
 room config/text
@@ -61,6 +82,29 @@ room bakers/plot field io
 room bakers/render math color field io air light occupancy march plot
 room bakers/report math color field io air light noise clouds occupancy march assets plot render
 room bakers/preview math color field io air light occupancy march assets workspace plot render report
+
+# The drawing of bakers/FLOW.md leaves out arrows that follow from others: rooms are listed after all that
+# they use, so an arrow follows if another room that is used reaches its end.
+drawing=$(printf '%s\n' "${arrows[@]}" | awk '
+    $1 == $2 || $2 ~ /\// { next }
+    { used[$1] = used[$1] " " $2; if (!($1 in seen)) { seen[$1] = 1; order[++rooms] = $1 } }
+    END {
+        print "graph BT"
+        for (i = 1; i <= rooms; ++i) {
+            room = order[i]; count = split(used[room], ends, " ")
+            for (j = 1; j <= count; ++j) {
+                follows = 0
+                for (k = 1; k <= count; ++k) follows = follows || ((ends[k], ends[j]) in reaches)
+                if (!follows) print "    " room " --> " ends[j]
+                reaches[room, ends[j]] = 1
+            }
+        }
+    }')
+if [[ $mode == --write ]]; then
+    drawing=$drawing perl -0pi -e 's/(```mermaid\n).*?(```)/$1$ENV{drawing}\n$2/s' bakers/FLOW.md
+fi
+[[ "$(sed -n '/^```mermaid$/,/^```$/p' bakers/FLOW.md | sed '1d;$d')" == "$drawing" ]] ||
+    complain "bakers/FLOW.md draws other arrows than this file has"
 
 # Each room has its line, and nothing lies beside the rooms.
 for path in config/* bakers/*; do

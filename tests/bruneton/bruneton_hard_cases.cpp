@@ -17,7 +17,7 @@ struct Table {
     SkyMedium medium;
     config::BrunetonBake bake;
     ScatteringMapping mapping;
-    DenseVolume voxels;
+    VoxelArray voxels;
 };
 
 // Single scattering of all layers but `mie_layers`, which are in A.
@@ -34,11 +34,11 @@ Table table_of(const config::Atmosphere& atmosphere, std::array<int, 3> size, in
     const ScatteringContent content(medium, bake);
     const TableParts parts = make_parts(medium, nullptr, make_sunlight(medium.air, 2), content,
                                         mapping, BakeOptions{.threads = 2});
-    DenseVolume voxels = scattering_texels(content, mapping, parts);
+    VoxelArray voxels = scattering_texels(content, mapping, parts);
     return {std::move(medium), bake, mapping, std::move(voxels)};
 }
 
-double worst_below_zero(const DenseVolume& voxels) {
+double worst_below_zero(const VoxelArray& voxels) {
     double worst = 0;
     for (std::size_t c = 0; c < voxels.channels(); ++c) {
         for (const float value : voxels.channel(c)) {

@@ -172,8 +172,8 @@ TEST(BrunetonVolume, SkyIsTheTracedOne) {
     const ScatteringContent mie_content(medium, mie_bake);
     const TableParts parts =
         make_parts(medium, &light, make_sunlight(medium.air, 2), content, mapping, options);
-    DenseVolume air = scattering_texels(content, mapping, parts);
-    DenseVolume mie = scattering_texels(mie_content, mapping, parts);
+    VoxelArray air = scattering_texels(content, mapping, parts);
+    VoxelArray mie = scattering_texels(mie_content, mapping, parts);
     fit_lookups(mapping, 3, options, air);
     fit_lookups(mapping, 3, options, mie);
     std::vector<double> errors;

@@ -59,7 +59,7 @@ Claim claim_of_single_mie(RandomCase& random) {
     const SkyMedium medium = make_sky_medium(atmosphere);
     const Baked volume = value_of(
         bake_scattering({{atmosphere, medium, nullptr}}, {}, bake, kClaimOptions, empty_table()));
-    const auto& table = static_cast<const DenseVolume&>(*volume.levels[0].voxels);
+    const auto& table = static_cast<const VoxelArray&>(*volume.levels[0].voxels);
     const ScatteringContent content(medium, bake);
     const ScatteringMapping mapping(shell_of(medium.air), bake.size, bake.nu_size,
                                     bake.sun_cos_zenith_min);

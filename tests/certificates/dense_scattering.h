@@ -18,7 +18,7 @@ namespace skybake::test {
 class DenseScattering {
   public:
     // The largest errors are those against `exact`.
-    DenseScattering(const ScatteringMapping& mapping, const DenseVolume& table, TexelRow row,
+    DenseScattering(const ScatteringMapping& mapping, const VoxelArray& table, TexelRow row,
                     ExactTexel exact, RandomCase& random)
         : mapping_(mapping),
           table_(table),
@@ -87,7 +87,7 @@ class DenseScattering {
     }
 
     const ScatteringMapping& mapping_;
-    const DenseVolume& table_;
+    const VoxelArray& table_;
     std::vector<double> scale_;
     TexelRow row_;
     ExactTexel exact_;

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
@@ -140,7 +141,68 @@ std::string meaning(const Section& section, const Field& field) {
     return text;
 }
 
-std::string section_of_page(const Section& section) {
+// A key of some section, and how the page shows it.
+struct KeyRow {
+    const Field* field = nullptr;
+    std::string start;  // key and kind
+    std::string by_default;
+    std::string end;  // what is allowed, and the meaning
+
+    std::string text(std::string_view given) const { return start + std::string(given) + end; }
+    bool says_what(const KeyRow& other) const { return start == other.start && end == other.end; }
+};
+
+KeyRow row_of(const Section& section, const Field& field) {
+    return {&field, fmt::format("| `{}` | {} | ", field.key, cell(std::string(field.kind.words))),
+            default_of(field),
+            fmt::format(" | {} | {} |\n", allowed(field), meaning(section, field))};
+}
+
+std::vector<KeyRow> rows_of(const Section& section) {
+    std::vector<KeyRow> rows;
+    for (const Field& field : section.fields) rows.push_back(row_of(section, field));
+    return rows;
+}
+
+// The keys that at least three assets have alike, but perhaps for the default.
+std::vector<KeyRow> shared_rows() {
+    constexpr int fewest = 3;
+    std::vector<KeyRow> shared;
+    std::vector<int> uses;
+    for (const Section& section : sections()) {
+        if (section.asset.empty()) continue;
+        for (const KeyRow& row : rows_of(section)) {
+            const auto same = std::find_if(shared.begin(), shared.end(), [&](const KeyRow& other) {
+                return other.says_what(row);
+            });
+            const auto at = static_cast<std::size_t>(same - shared.begin());
+            if (same == shared.end()) {
+                shared.push_back(row);
+                uses.push_back(0);
+            }
+            ++uses[at];
+            if (shared[at].by_default != row.by_default) shared[at].by_default = "the asset's";
+        }
+    }
+    std::vector<KeyRow> often;
+    for (std::size_t i = 0; i < shared.size(); ++i) {
+        if (uses[i] >= fewest) often.push_back(shared[i]);
+    }
+    return often;
+}
+
+constexpr std::string_view kTableHead =
+    "\n| key | takes | default | allowed | meaning |\n|---|---|---|---|---|\n";
+constexpr std::string_view kSharedTitle = "Keys of several assets";
+
+std::string page_of_shared(const std::vector<KeyRow>& shared) {
+    std::string text = fmt::format("\n## {}\n\nEach asset below names those that it has.\n{}",
+                                   kSharedTitle, kTableHead);
+    for (const KeyRow& row : shared) text += row.text(row.by_default);
+    return text;
+}
+
+std::string section_of_page(const Section& section, const std::vector<KeyRow>& shared) {
     std::string text = fmt::format("\n## {}\n\n", title(section));
     std::string documentation = cell(section.documentation);
     documentation[0] =
@@ -151,12 +213,23 @@ std::string section_of_page(const Section& section) {
             fmt::format("`[bake.NAME]` with `asset = \"{0}\"`, or `[bake.{0}]`.", section.asset);
         text += fmt::format(" [A page of its own](../examples/assets/{}.md).\n", section.asset);
     }
-    if (section.fields.empty()) return text;
-    text += "\n| key | takes | default | allowed | meaning |\n|---|---|---|---|---|\n";
-    for (const Field& field : section.fields) {
-        text += fmt::format("| `{}` | {} | {} | {} | {} |\n", field.key,
-                            cell(std::string(field.kind.words)), default_of(field), allowed(field),
-                            meaning(section, field));
+    std::string own;
+    std::vector<std::string> others;
+    for (const KeyRow& row : rows_of(section)) {
+        const auto same = std::find_if(shared.begin(), shared.end(),
+                                       [&](const KeyRow& other) { return other.says_what(row); });
+        if (section.asset.empty() || same == shared.end()) {
+            own += row.text(row.by_default);
+        } else {
+            others.push_back(code(row.field->key) + (same->by_default == row.by_default
+                                                         ? ""
+                                                         : fmt::format(" ({})", row.by_default)));
+        }
+    }
+    if (!own.empty()) text += std::string(kTableHead) + own;
+    if (!others.empty()) {
+        text += fmt::format("\n[{}](#{}), with defaults where they are the asset's: {}.\n",
+                            kSharedTitle, anchor(kSharedTitle), fmt::join(others, ", "));
     }
     return text;
 }
@@ -164,7 +237,13 @@ std::string section_of_page(const Section& section) {
 std::string keys_page() {
     std::string text(kKeysPageHead);
     text += units_table() + '\n' + contents();
-    for (const Section& section : sections()) text += section_of_page(section);
+    const std::vector<KeyRow> shared = shared_rows();
+    bool is_told = false;
+    for (const Section& section : sections()) {
+        if (!section.asset.empty() && !is_told) text += page_of_shared(shared);
+        is_told = is_told || !section.asset.empty();
+        text += section_of_page(section, shared);
+    }
     return text;
 }
 

@@ -39,6 +39,12 @@ size = [16, 16, 16]
 formats = ["exr", "bin", "ktx2"]
 TOML
 sed 's/"bin"/"bin", "vdb"/' threads/tables.toml >threads/vdb.toml
+# with_few_threads N COMMAND...: a program that waits for ever is ended after a minute, in which a busy
+# machine bakes this.
+with_few_threads() {
+    "${as_user[@]}" bash -c 'ulimit -u "$1" && exec timeout -s KILL 60 "${@:2}"' _ "$@" >/dev/null 2>log
+}
+says_few_threads() { grep -qE 'begin (only|no more)' log; }
 baked=0 refused=0
 for recipe in tables vdb; do
     "$program" bake threads/$recipe.toml --certify off -q -o clean_$recipe >/dev/null 2>log || fail "$(cat log)"
@@ -46,14 +52,12 @@ for recipe in tables vdb; do
         for most in {3..16}; do
             code=0
             out=threads/$recipe-$jobs-$most
-            # A program that waits for ever is ended after a minute, in which a busy machine bakes this.
-            "${as_user[@]}" bash -c 'ulimit -u "$1" && exec timeout -s KILL 60 "${@:2}"' _ "$most" \
-                "$program" bake threads/$recipe.toml --certify off -j $jobs -o $out >/dev/null 2>log || code=$?
+            with_few_threads "$most" "$program" bake threads/$recipe.toml --certify off -j $jobs -o $out || code=$?
             case $code in
                 0) baked=$((baked + 1))
                    [[ "$(sums $out)" == "$(sums clean_$recipe)" ]] || fail "$out: other bytes" ;;
                 3) refused=$((refused + 1))
-                   grep -qE 'begin (only|no more)' log || fail "$out says: $(cat log)"
+                   says_few_threads || fail "$out says: $(cat log)"
                    [[ ! -e $out ]] || fail "$out: $(ls -A $out)" ;;
                 *) fail "$out: exit code $code: $(cat log)" ;;
             esac
@@ -62,11 +66,10 @@ for recipe in tables vdb; do
 done
 for most in 3 5 8; do
     code=0
-    "${as_user[@]}" bash -c 'ulimit -u "$1" && exec timeout -s KILL 60 "${@:2}"' _ "$most" \
-        "$program" sweep threads/tables.toml --vary noise.n.seed=1,2,3 --certify off -j 8 -o threads/sweep$most \
-        >/dev/null 2>log || code=$?
+    with_few_threads "$most" "$program" sweep threads/tables.toml --vary noise.n.seed=1,2,3 --certify off -j 8 \
+        -o threads/sweep$most || code=$?
     # Whether a thread can begin may change between the count and the use.
-    [[ $code == 0 ]] || { [[ $code == 3 ]] && grep -q 'begin (only|no more)' -E log; } ||
+    [[ $code == 0 ]] || { [[ $code == 3 ]] && says_few_threads; } ||
         fail "a sweep with $most threads: exit code $code: $(cat log)"
 done
 # Tables need no thread but the first; OpenVDB's libraries begin threads of their own.

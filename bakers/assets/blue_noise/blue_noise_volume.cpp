@@ -11,6 +11,7 @@
 #include "bakers/assets/blue_noise/mask_figures.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/noise/void_and_cluster.h"
 
 namespace skybake {
@@ -20,32 +21,6 @@ namespace {
 using config::BlueNoiseBake;
 using config::Outcome;
 using config::PixelType;
-
-class MaskVoxels : public VoxelSource {
-  public:
-    MaskVoxels(const std::array<int, 3>& size, std::vector<float> values)
-        : size_(size), values_(std::move(values)) {}
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        if (channels.front() == nullptr) return;
-        float* out = channels.front();
-        for (int z = 0; z < box.size[2]; ++z) {
-            for (int y = 0; y < box.size[1]; ++y) {
-                const auto row = static_cast<std::size_t>(
-                    (std::int64_t{box.origin[2] + z} * size_[1] + box.origin[1] + y) * size_[0] +
-                    box.origin[0]);
-                out = std::copy_n(values_.begin() + static_cast<std::ptrdiff_t>(row), box.size[0],
-                                  out);
-            }
-        }
-    }
-
-    const std::vector<float>& values() const { return values_; }
-
-  private:
-    std::array<int, 3> size_;
-    std::vector<float> values_;
-};
 
 std::vector<AxisMapping> axes_of(const std::array<int, 3>& size) {
     static constexpr std::array<const char*, 3> kQuantities = {"x_px", "y_px", "frame"};
@@ -95,7 +70,7 @@ Certificate certificate_of(const MaskView& mask) {
     return certificate;
 }
 
-std::shared_ptr<const MaskVoxels> mask_voxels(const BlueNoiseBake& bake,
+std::shared_ptr<const VoxelArray> mask_voxels(const BlueNoiseBake& bake,
                                               const std::vector<std::uint32_t>& ranks) {
     const auto pixels =
         static_cast<std::size_t>(bake.size[0]) * static_cast<std::size_t>(bake.size[1]);
@@ -105,7 +80,7 @@ std::shared_ptr<const MaskVoxels> mask_voxels(const BlueNoiseBake& bake,
         values.push_back(round_to_pixel_type(double{mask_value(rank, pixels, bake.pixel_type)},
                                              bake.pixel_type));
     }
-    return std::make_shared<MaskVoxels>(bake.voxels(), std::move(values));
+    return std::make_shared<VoxelArray>(bake.voxels(), std::vector<std::vector<float>>{values});
 }
 
 }  // namespace
@@ -124,7 +99,7 @@ Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& opt
     const std::vector<std::uint32_t> ranks = noise::void_and_cluster_ranks(
         {bake.voxels(), bake.spatial_sigma, bake.temporal_sigma, bake.seed}, options);
     if (options.cancelled()) return {};
-    const std::shared_ptr<const MaskVoxels> voxels = mask_voxels(bake, ranks);
+    const std::shared_ptr<const VoxelArray> voxels = mask_voxels(bake, ranks);
 
     volume.kind = "blue_noise";
     volume.content = "blue noise, dimensionless: in each frame all values are equally frequent";
@@ -134,7 +109,7 @@ Outcome<Baked> bake_blue_noise(const BlueNoiseBake& bake, const BakeOptions& opt
     set_files(bake, volume);
     volume.voxel_size_m.fill(1.0 / bake.size[0]);  // the mask is a metre wide
     volume.up_axis = "+z";
-    const MaskView mask{bake.voxels(), &voxels->values()};
+    const MaskView mask{bake.voxels(), &voxels->channel(0)};
     volume.details.emplace_back("low_power_of_frames", to_digits(low_power_of_frames(mask), 3));
     volume.details.emplace_back("low_power_over_time", to_digits(low_power_over_time(mask), 3));
     Level level;

@@ -76,7 +76,7 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
                                  Baked volume) {
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
-        std::make_shared<DenseVolume>(flat_texels(table, bake.size, channels, options));
+        std::make_shared<VoxelArray>(flat_texels(table, bake.size, channels, options));
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
     finish.expensive = bake.table == config::BrunetonTable::irradiance;
@@ -100,9 +100,9 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
 
 }  // namespace
 
-DenseVolume flat_texels(const FlatTable& table, const std::array<int, 3>& size,
+VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size,
                         std::size_t channels, const BakeOptions& options) {
-    DenseVolume texels(size, channels);
+    VoxelArray texels(size, channels);
     std::vector<double> x;
     for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));
     for_each_tile(size[1], options, "texels", [&](int v) {

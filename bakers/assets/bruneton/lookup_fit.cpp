@@ -89,7 +89,7 @@ std::vector<double> lookup_scales(const std::vector<double>& line) {
 }
 
 void fit_lookups(const ScatteringMapping& mapping, std::size_t channels, const BakeOptions& options,
-                 DenseVolume& table) {
+                 VoxelArray& table) {
     const std::array<int, 3>& size = mapping.size();
     const auto suns = static_cast<std::size_t>(mapping.sun_size());
     const auto width = static_cast<std::size_t>(size[0]);

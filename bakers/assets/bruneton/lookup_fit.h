@@ -24,6 +24,6 @@ std::vector<double> lookup_scales(const std::vector<double>& line);
 
 // Scales the first `channels` channels of a table of scattering.
 void fit_lookups(const ScatteringMapping& mapping, std::size_t channels, const BakeOptions& options,
-                 DenseVolume& table);
+                 VoxelArray& table);
 
 }  // namespace skybake

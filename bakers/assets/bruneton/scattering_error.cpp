@@ -42,7 +42,7 @@ double view_cosine(const Shell& shell, const ScatteringView& view) {
 
 class ScatteringErrors {
   public:
-    ScatteringErrors(const DenseVolume& table, const ScatteringMapping& mapping,
+    ScatteringErrors(const VoxelArray& table, const ScatteringMapping& mapping,
                      const ExactTexel& exact, const std::vector<double>& largest,
                      config::PixelType type)
         : table_(table), mapping_(mapping), exact_(exact), largest_(largest), type_(type) {}
@@ -169,7 +169,7 @@ class ScatteringErrors {
         return result;
     }
 
-    const DenseVolume& table_;
+    const VoxelArray& table_;
     const ScatteringMapping& mapping_;
     const ExactTexel& exact_;
     const std::vector<double>& largest_;
@@ -190,7 +190,7 @@ ExactTexel exact_texel(const TableContent& content,
     };
 }
 
-std::vector<double> largest_values(const DenseVolume& table) {
+std::vector<double> largest_values(const VoxelArray& table) {
     std::vector<double> largest;
     for (std::size_t c = 0; c < table.channels(); ++c) largest.push_back(table.largest(c));
     return largest;
@@ -200,7 +200,7 @@ int scattering_points(Certification certification) {
     return certification == Certification::full ? kFullPoints : kQuickPoints;
 }
 
-Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
                                config::PixelType type, int count, const BakeOptions& options) {
     const ScatteringErrors errors(table, mapping, exact, largest, type);
@@ -273,7 +273,7 @@ TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows
     };
 }
 
-void search_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                        const ExactTexel& exact, const TexelRow& row,
                        const std::vector<double>& largest, config::PixelType type,
                        const BakeOptions& options, Certificate& certificate) {

@@ -48,7 +48,7 @@ ExactTexel exact_texel(const TableContent& content,
 
 // Returns the largest value of each channel of a table. Where there is hardly any light, errors are
 // relative to a share of it.
-std::vector<double> largest_values(const DenseVolume& table);
+std::vector<double> largest_values(const VoxelArray& table);
 
 // Returns the number of points of a certificate.
 int scattering_points(Certification certification);
@@ -64,7 +64,7 @@ TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows
 
 // Searches the errors of lookups (error_search.h) over the same measure as measure_scattering, in
 // place of its lookups. `row` is the estimate that is searched.
-void search_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                        const ExactTexel& exact, const TexelRow& row,
                        const std::vector<double>& largest, config::PixelType type,
                        const BakeOptions& options, Certificate& certificate);
@@ -72,7 +72,7 @@ void search_scattering(const DenseVolume& table, const ScatteringMapping& mappin
 // Measures at points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that
 // directions can have. The texels that are measured are those next to the points whose own nu is
 // possible.
-Certificate measure_scattering(const DenseVolume& table, const ScatteringMapping& mapping,
+Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
                                config::PixelType type, int points, const BakeOptions& options);
 

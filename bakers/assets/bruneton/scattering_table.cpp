@@ -50,9 +50,9 @@ ScatteringParts TableParts::at(std::size_t texel) const {
     return parts;
 }
 
-DenseVolume scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
                               const TableParts& parts) {
-    DenseVolume table(mapping.size(), content.channels());
+    VoxelArray table(mapping.size(), content.channels());
     for (std::size_t i = 0; i < table.channel(0).size(); ++i) {
         const Texel texel = content.texel(parts.at(i));
         for (std::size_t c = 0; c < content.channels(); ++c) {
@@ -62,7 +62,7 @@ DenseVolume scattering_texels(const ScatteringContent& content, const Scattering
     return table;
 }
 
-Texel look_up(const DenseVolume& table, const ScatteringMapping& mapping,
+Texel look_up(const VoxelArray& table, const ScatteringMapping& mapping,
               const ScatteringCoordinates& x, config::PixelType type) {
     Texel sum{};
     for_each_tap(mapping, x, [&](int u, int v, int w, double weight) {
@@ -72,34 +72,6 @@ Texel look_up(const DenseVolume& table, const ScatteringMapping& mapping,
         }
     });
     return sum;
-}
-
-DenseVolume::DenseVolume(const std::array<int, 3>& size, std::size_t channels)
-    : size_(size),
-      values_(channels, std::vector<float>(static_cast<std::size_t>(VoxelBox{{}, size}.count()))) {}
-
-std::size_t DenseVolume::offset(int x, int y, int z) const {
-    const auto width = static_cast<std::size_t>(size_[0]);
-    const auto height = static_cast<std::size_t>(size_[1]);
-    return (static_cast<std::size_t>(z) * height + static_cast<std::size_t>(y)) * width +
-           static_cast<std::size_t>(x);
-}
-
-void DenseVolume::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        float* target = channels[c];
-        if (target == nullptr) continue;
-        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                target = std::copy_n(values_[c].data() + offset(box.origin[0], y, z), box.size[0],
-                                     target);
-            }
-        }
-    }
-}
-
-double DenseVolume::largest(std::size_t channel) const {
-    return *std::max_element(values_[channel].begin(), values_[channel].end());
 }
 
 namespace {

@@ -17,7 +17,7 @@
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
@@ -25,25 +25,6 @@
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
-
-// A dense volume: all its voxels are in memory.
-class DenseVolume : public VoxelSource {
-  public:
-    DenseVolume(const std::array<int, 3>& size, std::size_t channels);
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
-
-    const std::array<int, 3>& size() const { return size_; }
-    std::size_t channels() const { return values_.size(); }
-    std::size_t offset(int x, int y, int z) const;
-    std::vector<float>& channel(std::size_t c) { return values_[c]; }
-    const std::vector<float>& channel(std::size_t c) const { return values_[c]; }
-    double largest(std::size_t channel) const;
-
-  private:
-    std::array<int, 3> size_;
-    std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
-};
 
 // The parts of all texels of a size are made once in a run: the table of scattering, that of single
 // Mie scattering and that of higher orders use the same ones.
@@ -110,12 +91,12 @@ std::vector<ScatteringParts> parts_of_row(const ScatteringRows& rows,
                                           const ScatteringView& view);
 
 // Returns the exact texels of a content's table. Either kind of parts may be absent.
-DenseVolume scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
                               const TableParts& parts);
 
 // Looks up the first `channels` channels, linearly in each of the four coordinates between texels
 // of one half.
-Texel look_up(const DenseVolume& table, const ScatteringMapping& mapping,
+Texel look_up(const VoxelArray& table, const ScatteringMapping& mapping,
               const ScatteringCoordinates& x, config::PixelType type);
 
 // Converts light of all texels, u fastest, in 1/sr, into the form that tables of scattering hold:

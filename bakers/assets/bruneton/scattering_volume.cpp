@@ -162,7 +162,7 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     // The baseline's texels stay as they are.
     const bool fits = !(content.first().wants_higher() && packets.front().light &&
                         bake.method == config::BrunetonMethod::iterated);
-    const auto table = std::make_shared<DenseVolume>(
+    const auto table = std::make_shared<VoxelArray>(
         table_texels(content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }),
                      fits, options));
     for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);

@@ -120,10 +120,10 @@ namespace {
 
 // The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
 // layers'.
-DenseVolume packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
                           const TableParts& parts) {
     const std::size_t count = content.wavelengths();
-    DenseVolume texels(mapping.size(), content.holds_mie() ? 2 * count : count);
+    VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
     for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
         const ScatteringParts at = parts.at(i);
         const Spectrum light = content.light(at);
@@ -135,7 +135,7 @@ DenseVolume packet_texels(const ScatteringContent& content, const ScatteringMapp
     return texels;
 }
 
-PacketOfTexel packet_at(const DenseVolume& texels, std::size_t count, std::size_t texel) {
+PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t texel) {
     PacketOfTexel packet;
     for (std::size_t c = 0; c < texels.channels(); ++c) {
         (c < count ? packet.light[c] : packet.mie[c - count]) = texels.channel(c)[texel];
@@ -145,20 +145,20 @@ PacketOfTexel packet_at(const DenseVolume& texels, std::size_t count, std::size_
 
 }  // namespace
 
-DenseVolume table_texels(const TableContent& content, const ScatteringMapping& mapping,
+VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
                          std::span<const TableParts> parts, bool fits, const BakeOptions& options) {
     const std::vector<const ScatteringContent*>& packets = content.packets();
     if (!content.is_colored()) {
-        DenseVolume table = scattering_texels(*packets.front(), mapping, parts.front());
+        VoxelArray table = scattering_texels(*packets.front(), mapping, parts.front());
         if (fits) fit_lookups(mapping, packets.front()->measured_channels(), options, table);
         return table;
     }
-    std::vector<DenseVolume> light;
+    std::vector<VoxelArray> light;
     for (std::size_t p = 0; p < packets.size(); ++p) {
         light.push_back(packet_texels(*packets[p], mapping, parts[p]));
         if (fits) fit_lookups(mapping, light[p].channels(), options, light[p]);
     }
-    DenseVolume table(mapping.size(), content.channels());
+    VoxelArray table(mapping.size(), content.channels());
     const std::array<int, 3>& size = mapping.size();
     for_each_tile(size[1] * size[2], options, "colours", [&](int tile) {
         const ScatteringView view = mapping.view_of_texel(tile % size[1], tile / size[1]);

@@ -69,7 +69,7 @@ class TableContent {
 
 // Returns the texels, u fastest. If `fits`, they are moved so that lookups between them are right
 // (lookup_fit.h), wavelength by wavelength, since colours need not be above 0.
-DenseVolume table_texels(const TableContent& content, const ScatteringMapping& mapping,
+VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
                          std::span<const TableParts> parts, bool fits, const BakeOptions& options);
 
 }  // namespace skybake

@@ -16,6 +16,7 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/field/finish_volume.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/fields/fields.h"
 
@@ -28,30 +29,6 @@ using cloud_light::LightChannels;
 using config::CloudLightBake;
 using config::CloudLightContents;
 using config::Outcome;
-
-// Channels that are held in memory: [channel][z][y][x].
-class FittedTexels : public VoxelSource {
-  public:
-    FittedTexels(const std::array<int, 3>& size, std::vector<std::vector<float>> channels)
-        : size_(size), channels_(std::move(channels)) {}
-
-    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            float* out = channels[c];
-            if (out == nullptr) continue;
-            for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
-                for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    const std::size_t from = occupancy::index_of(size_, box.origin[0], y, z);
-                    out = std::copy_n(channels_[c].data() + from, box.size[0], out);
-                }
-            }
-        }
-    }
-
-  private:
-    std::array<int, 3> size_;
-    std::vector<std::vector<float>> channels_;
-};
 
 std::string_view word_of(CloudLightContents contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_light");
@@ -221,7 +198,7 @@ std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
         texels.push_back(cloud_light::fit_texels(values.channels[c], values.places.count, size,
                                                  bounds[c], threads));
     }
-    return std::make_shared<const FittedTexels>(size, std::move(texels));
+    return std::make_shared<const VoxelArray>(size, std::move(texels));
 }
 
 std::shared_ptr<const VoxelSource> cloud_light_texels(const CloudLayer& layer,

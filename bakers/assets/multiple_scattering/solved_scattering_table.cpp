@@ -12,6 +12,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/field/finish_table.h"
+#include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/math/relative_error.h"

@@ -17,6 +17,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/image.h"
 #include "bakers/field/stored_voxels.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/optical_depth.h"
@@ -402,7 +403,7 @@ std::shared_ptr<const VoxelSource> kept_if_small(std::shared_ptr<const VoxelSour
                                                  const std::array<int, 3>& size, int channels,
                                                  const BakeOptions& options) {
     if (VoxelBox{{}, size}.count() * channels > kKeptFloats) return texels;
-    return std::make_shared<StoredSource>(*texels, size, channels, options, "mips");
+    return std::make_shared<VoxelArray>(read_voxels(*texels, size, channels, options, "mips"));
 }
 
 }  // namespace

@@ -104,9 +104,9 @@ std::optional<BrunetonSweep> bruneton_flat_sweep(const config::Atmosphere& atmos
         subject->table.colours + (asked.convention == BrunetonConvention::takram ? 1 : 0);
     const std::vector<std::array<int, 3>> sizes = flat_sizes(asked, options.quick);
     for (const std::array<int, 3>& size : sizes) {
-        std::shared_ptr<const DenseVolume> texels;
+        std::shared_ptr<const VoxelArray> texels;
         const auto make = [&] {
-            texels = std::make_shared<const DenseVolume>(
+            texels = std::make_shared<const VoxelArray>(
                 flat_texels(subject->table, size, channels, BakeOptions{.threads = 1}));
         };
         const std::vector<double> seconds =

@@ -180,10 +180,10 @@ class ScatteringSweep {
     bool add_solved(const Size& size) {
         const ScatteringMapping mapping = subject_->mapping(size);
         const ScatteringContent& content = subject_->content;
-        std::shared_ptr<DenseVolume> exact;
-        std::shared_ptr<DenseVolume> fitted;
+        std::shared_ptr<VoxelArray> exact;
+        std::shared_ptr<VoxelArray> fitted;
         const auto exact_seconds = seconds_of([&] {
-            exact = std::make_shared<DenseVolume>(scattering_texels(
+            exact = std::make_shared<VoxelArray>(scattering_texels(
                 content, mapping,
                 make_parts(
                     subject_->medium, subject_->light.get(),
@@ -192,7 +192,7 @@ class ScatteringSweep {
         });
         if (!exact_seconds) return false;
         const auto fit_seconds = seconds_of([&] {
-            fitted = std::make_shared<DenseVolume>(*exact);
+            fitted = std::make_shared<VoxelArray>(*exact);
             fit_lookups(mapping, content.measured_channels(), one_thread_, *fitted);
         });
         if (!fit_seconds) return false;
@@ -217,9 +217,9 @@ class ScatteringSweep {
         const ScatteringMapping mapping = subject_->mapping(iterated_size_);
         const int most = asked_.orders == 0 ? kIteratedOrders : asked_.orders;
         for (int orders = 2; orders <= std::min(most, kIteratedOrders); ++orders) {
-            std::shared_ptr<DenseVolume> table;
+            std::shared_ptr<VoxelArray> table;
             const auto seconds = seconds_of(
-                [&] { table = std::make_shared<DenseVolume>(iterated_texels(mapping, orders)); });
+                [&] { table = std::make_shared<VoxelArray>(iterated_texels(mapping, orders)); });
             if (!seconds) return false;
             for (const PixelType type : {PixelType::float32, PixelType::half}) {
                 VolumeVariant& variant =
@@ -239,7 +239,7 @@ class ScatteringSweep {
         return true;
     }
 
-    DenseVolume iterated_texels(const ScatteringMapping& mapping, int orders) const {
+    VoxelArray iterated_texels(const ScatteringMapping& mapping, int orders) const {
         const ScatteringContent& content = subject_->content;
         TableParts parts;
         if (content.wants_single()) {
@@ -252,7 +252,7 @@ class ScatteringSweep {
     }
 
     VolumeVariant& add(std::string family, std::string name, const Size& size, PixelType type,
-                       const std::shared_ptr<const DenseVolume>& table) {
+                       const std::shared_ptr<const VoxelArray>& table) {
         VolumeVariant& variant =
             add_variant(made_.sweep, std::move(family), std::move(name), table, size, type);
         variant.in_quadrature_sweep = size == iterated_size_ && type == PixelType::float32;

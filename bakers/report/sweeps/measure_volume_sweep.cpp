@@ -16,6 +16,7 @@
 #include "bakers/field/certify.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/survey_volume.h"
+#include "bakers/field/voxel_array.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/memory.h"
 #include "bakers/report/sweeps/sweep.h"
@@ -150,9 +151,9 @@ class VolumeMeasurement {
 
     // Measures all variants with these voxels. Returns false after an interruption.
     bool measure(const SharedVoxels& voxels) {
-        const auto stored = std::make_shared<StoredSource>(
+        const auto stored = std::make_shared<VoxelArray>(read_voxels(
             *voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
-            BakeOptions{.threads = options_.threads}, "voxels");
+            BakeOptions{.threads = options_.threads}, "voxels"));
         for (const PixelType type : kTypes) {
             std::vector<std::size_t> variants;
             for (std::size_t i = 0; i < sweep_.variants.size(); ++i) {

@@ -79,9 +79,9 @@ class BrunetonSky {
     }
 
   private:
-    std::optional<DenseVolume> make_table(const ScatteringContent& content, const TableParts& parts,
+    std::optional<VoxelArray> make_table(const ScatteringContent& content, const TableParts& parts,
                                           const BakeOptions& options) const {
-        DenseVolume table = scattering_texels(content, mapping_, parts);
+        VoxelArray table = scattering_texels(content, mapping_, parts);
         fit_lookups(mapping_, content.measured_channels(), options, table);
         return table;
     }
@@ -92,8 +92,8 @@ class BrunetonSky {
     ScatteringMapping mapping_;
     ScatteringContent content_;
     ScatteringContent mie_content_;
-    std::optional<DenseVolume> scattering_;
-    std::optional<DenseVolume> mie_;  // none: combined
+    std::optional<VoxelArray> scattering_;
+    std::optional<VoxelArray> mie_;  // none: combined
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "bakers/field/stored_voxels.h"
+#include "bakers/field/voxel_array.h"
 
 #include <gtest/gtest.h>
 
@@ -12,12 +12,12 @@ using testing::sample_voxel;
 
 constexpr std::array<int, 3> kSize = {13, 6, 21};  // slices of two full tiles and a rest
 
-TEST(StoredSource, EqualsItsSourceInAnyBox) {
+TEST(VoxelArray, EqualsItsSourceInAnyBox) {
     const FunctionVoxels source(sample_voxel);
     for (const int threads : {1, 2}) {
         BakeOptions options;
         options.threads = threads;
-        const StoredSource stored(source, kSize, 3, options, "voxels");
+        const VoxelArray stored = read_voxels(source, kSize, 3, options, "voxels");
         for (const VoxelBox& box : {VoxelBox{{}, kSize}, VoxelBox{{12, 5, 20}, {1, 1, 1}},
                                     VoxelBox{{3, 2, 7}, {5, 4, 10}}}) {
             std::vector<std::vector<float>> wanted(3);
@@ -41,18 +41,18 @@ TEST(StoredSource, EqualsItsSourceInAnyBox) {
     }
 }
 
-TEST(StoredSource, FillsOnlyWhatIsWanted) {
-    const StoredSource stored(FunctionVoxels(sample_voxel), kSize, 2, {}, "voxels");
+TEST(VoxelArray, FillsOnlyWhatIsWanted) {
+    const VoxelArray stored = read_voxels(FunctionVoxels(sample_voxel), kSize, 2, {}, "voxels");
     float value = 0;
     stored.fill({{4, 5, 6}, {1, 1, 1}}, {nullptr, &value});
     EXPECT_EQ(value, sample_voxel(4, 5, 6, 1));
 }
 
-TEST(StoredSource, AsksForEachVoxelOnce) {
+TEST(VoxelArray, AsksForEachVoxelOnce) {
     std::vector<int> asked(static_cast<std::size_t>(kSize[0] * kSize[1] * kSize[2]), 0);
     BakeOptions options;
     options.threads = 1;
-    const StoredSource stored(
+    read_voxels(
         FunctionVoxels([&](int x, int y, int z, int) {
             ++asked[static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x)];
             return 0.0f;

@@ -1,0 +1,54 @@
+#include "bakers/field/voxel_array.h"
+
+#include <algorithm>
+
+#include "bakers/math/parallel.h"
+
+namespace skybake {
+
+VoxelArray::VoxelArray(const std::array<int, 3>& size, std::size_t channels)
+    : size_(size),
+      values_(channels, std::vector<float>(static_cast<std::size_t>(VoxelBox{{}, size}.count()))) {}
+
+std::size_t VoxelArray::offset(int x, int y, int z) const {
+    const auto width = static_cast<std::size_t>(size_[0]);
+    const auto height = static_cast<std::size_t>(size_[1]);
+    return (static_cast<std::size_t>(z) * height + static_cast<std::size_t>(y)) * width +
+           static_cast<std::size_t>(x);
+}
+
+void VoxelArray::fill(const VoxelBox& box, const std::vector<float*>& channels) const {
+    for (std::size_t c = 0; c < channels.size(); ++c) {
+        float* target = channels[c];
+        if (target == nullptr) continue;
+        for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
+            for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
+                target = std::copy_n(values_[c].data() + offset(box.origin[0], y, z), box.size[0],
+                                     target);
+            }
+        }
+    }
+}
+
+double VoxelArray::largest(std::size_t channel) const {
+    return *std::max_element(values_[channel].begin(), values_[channel].end());
+}
+
+VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
+                       const BakeOptions& options, std::string_view step) {
+    VoxelArray array(size, static_cast<std::size_t>(channels));
+    // One after the other, the voxels of these boxes are those of the volume.
+    const BoxSequence boxes(size, channels);
+    for_each_tile(boxes.count(), options, step, [&](int tile) {
+        const VoxelBox box = boxes[tile];
+        const std::size_t first = array.offset(box.origin[0], box.origin[1], box.origin[2]);
+        std::vector<float*> targets;
+        for (std::size_t c = 0; c < array.channels(); ++c) {
+            targets.push_back(array.channel(c).data() + first);
+        }
+        source.fill(box, targets);
+    });
+    return array;
+}
+
+}  // namespace skybake

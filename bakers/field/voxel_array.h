@@ -1,0 +1,41 @@
+// A volume whose voxels are all in memory.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+
+namespace skybake {
+
+class VoxelArray : public VoxelSource {
+  public:
+    // All voxels are 0.
+    VoxelArray(const std::array<int, 3>& size, std::size_t channels);
+    // `values` are [channel][z][y][x].
+    VoxelArray(const std::array<int, 3>& size, std::vector<std::vector<float>> values)
+        : size_(size), values_(std::move(values)) {}
+
+    void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
+
+    const std::array<int, 3>& size() const { return size_; }
+    std::size_t channels() const { return values_.size(); }
+    std::size_t offset(int x, int y, int z) const;
+    std::vector<float>& channel(std::size_t c) { return values_[c]; }
+    const std::vector<float>& channel(std::size_t c) const { return values_[c]; }
+    double largest(std::size_t channel) const;
+
+  private:
+    std::array<int, 3> size_;
+    std::vector<std::vector<float>> values_;  // per channel, [z][y][x]
+};
+
+// Reads all voxels of `source`. Progress reports call this `step`. Once options.progress is cancelled,
+// the voxels are incomplete, so callers must check it.
+VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,
+                       const BakeOptions& options, std::string_view step);
+
+}  // namespace skybake
