@@ -15,6 +15,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/math/facts.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/progress.h"
@@ -101,9 +102,9 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
             sky_error_text(asset.error),
             color_error_text(asset.error),
             cover_text(asset),
-            asset.error
-                ? fmt::format("{:.2g} / {:.2g}", asset.error->lookup.max, asset.error->lookup.rms)
-                : "not measured"};
+            asset.error ? fmt::format("{} / {}", to_digits(asset.error->lookup.max, 2),
+                                      to_digits(asset.error->lookup.rms, 2))
+                        : "not measured"};
 }
 
 // Returns the cells of a further file of a volume, which has another format or level of detail.
@@ -213,15 +214,16 @@ std::string sky_error_text(const std::optional<Certificate>& error) {
     if (!error || !error->sky) return "";
     const SkyError& sky = *error->sky;
     if (sky.points == 0) return "too noisy to tell";
-    const std::string text = fmt::format("{:.2g} / {:.2g} ± {:.2g} %", 100 * sky.median,
-                                         100 * sky.max, 100 * sky.standard_error);
+    const std::string text = fmt::format("{} / {} ± {} %", to_percent(sky.median),
+                                         to_percent(sky.max), to_percent(sky.standard_error));
     if (!sky.worst_sun_deg) return text;
     return text + fmt::format(" (sun {:.3g}°)", *sky.worst_sun_deg);
 }
 
 std::string color_error_text(const std::optional<Certificate>& error) {
     if (!error || !error->color) return "";
-    return fmt::format("{:.2g} / {:.2g} %", 100 * error->color->median, 100 * error->color->max);
+    return fmt::format("{} / {} %", to_percent(error->color->median),
+                       to_percent(error->color->max));
 }
 
 std::string plan_event(const FolderPlan& plan) {

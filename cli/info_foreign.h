@@ -1,4 +1,4 @@
-// What `info` says of grids, and of EXR images of kinds that skybake does not write.
+// Prints the facts of grids, and of EXR images of kinds that skybake does not write, for `info`.
 #pragma once
 
 #include <filesystem>

@@ -117,7 +117,7 @@ std::string language_line(ShadingLanguage language) {
     return fmt::format("{}; a texture's sampler follows it, and level 0 is read", name);
 }
 
-// What a runtime must know of the file besides the functions.
+// Returns what a runtime must know of the file besides the functions.
 std::string heading(const DescribedFile& described, const fs::path& path, const config::Bake& bake,
                     const AssetLookup& lookup, ShadingLanguage language) {
     const auto& [asset, file] = described;

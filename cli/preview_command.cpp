@@ -68,7 +68,7 @@ std::vector<fs::path> likely_folders(const PreviewRequest& request) {
 using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
-// What assets and pictures are made from.
+// Intermediates that assets and pictures are made from.
 struct SharedLight {
     explicit SharedLight(const PreviewRequest& request) : files(request) {}
 

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/assets/certificate_warnings.h"
 #include "bakers/assets/registry.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
@@ -154,10 +155,11 @@ std::string sky_text(const std::optional<SkyError>& sky) {
         return fmt::format("  sky error: too noisy to tell, against {}\n", sky->reference);
     }
     return fmt::format(
-        "  sky error: {:.2g} % (median), {:.2g} % (nine in ten are below), {:.2g} % (largest, at "
-        "{}), against {}, whose standard error is {:.2g} %\n",
-        100 * sky->median, 100 * sky->ninth_decile, 100 * sky->max, sky->worst, sky->reference,
-        100 * sky->standard_error);
+        "  sky error: {} % (median), {} % (nine in ten are below), {} % (largest, at {}), against "
+        "{}, "
+        "whose standard error is {} %\n",
+        to_percent(sky->median), to_percent(sky->ninth_decile), to_percent(sky->max), sky->worst,
+        sky->reference, to_percent(sky->standard_error));
 }
 
 std::string asset_text(const AssetReport& asset) {

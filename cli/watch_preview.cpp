@@ -266,7 +266,7 @@ class Watch {
     Console& console_;
     WatchedFiles files_;
     std::vector<fs::path> good_inputs_;
-    std::optional<BakeSelection> selection_;  // those of the draft that is shown
+    std::optional<BakeSelection> selection_;  // of the draft that is shown
     // Pictures of one round and of the next may be made from the same light.
     Intermediates intermediates_{BakeOptions().held_voxel_bytes};
     Intermediates::Expected pictures_need_;

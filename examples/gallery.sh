@@ -93,7 +93,7 @@ assets() {
     sheets assets "${shown[@]}"
 }
 
-# What accuracy costs, for each kind of asset that has such a plot, and for whole skies and colours.
+# Plots the costs of accuracy, for each kind of asset that has such a plot, and for whole skies and colours.
 reports() {
     local recipe name file
     mkdir -p "$folder/reports"

@@ -22,7 +22,7 @@ SLOWEST = 20
 LAST_LINES = 25  # of a test that failed
 BUDGET = 600  # seconds of the first tier on two idle cores
 SECOND_TIER = Path(__file__).parent / "second_tier/label.cmake"
-# What tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
+# Finds what tests say of what they leave out: scripts of all or of a part, GoogleTest in the next line.
 REASON = re.compile(r"^(.*(?:skipped: |not tested).*|(?<=: Skipped\n).*)$", re.M)
 
 

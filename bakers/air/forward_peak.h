@@ -7,8 +7,8 @@
 // the phase function is wide. The eye sees the peak only in light that is scattered once, which
 // therefore keeps the true phase function (Nakajima & Tanaka 1988).
 //
-// Two peaks are told apart here. Of spheres the phase function is cut down, within 10 degrees of
-// the incoming direction, to its value at 10 degrees. Of other phase functions, and of what is left
+// Two peaks are told apart here. For spheres the phase function is cut down, within 10 degrees of
+// the incoming direction, to its value at 10 degrees. For other phase functions, and for what is left
 // of spheres, the peak is what moments up to a degree cannot represent: with f the next moment, the
 // moments of the rest are (chi_l - f) / (1 - f) (delta-M: Wiscombe 1977).
 #pragma once

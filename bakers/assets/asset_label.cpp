@@ -9,7 +9,7 @@ using config::Parameters;
 
 namespace {
 
-// Of all assets of an atmosphere; their bakers add what the values are.
+// Returns the conventions of all assets of an atmosphere; their bakers add what the values are.
 Conventions sky_conventions(const Parameters& parameters) {
     Conventions conventions;
     conventions.length_unit = "km";

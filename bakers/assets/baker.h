@@ -1,4 +1,4 @@
-// What makes one kind of asset. Each folder beside this file defines the baker of its asset:
+// A baker makes one kind of asset. Each folder beside this file defines the baker of its asset:
 //
 //   const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>);
 //
@@ -36,7 +36,7 @@ struct Baker {
     config::Outcome<Baked> (*bake)(const config::Parameters& parameters, const Asset& asset,
                                    const BakeOptions& options, AssetLabel label) = nullptr;
     Estimate (*estimate)(const config::Parameters& parameters, const Asset& asset) = nullptr;
-    // What it is made from and shares with other assets. None: nothing.
+    // Returns what it is made from and shares with other assets. Null: nothing.
     std::vector<Need> (*needs)(const config::Parameters& parameters, const Asset& asset,
                                Certification certification) = nullptr;
     // How a runtime looks up what the probes name, of a table or volume as it is stored.
@@ -45,7 +45,7 @@ struct Baker {
     // The GLSL with which a runtime reads a file of it.
     AssetLookup (*lookup)(const config::Parameters& parameters, const Asset& asset,
                           const StoredTexels& stored) = nullptr;
-    // What its light is compared with. None: it holds no light that is scattered more than once.
+    // Returns what its light is compared with. Null: it holds no light that is scattered more than once.
     std::optional<TracedLight> (*traced)(const config::Parameters& parameters,
                                          const Asset& asset) = nullptr;
     // Makes the asset small enough for pictures in a second; the longest edge of a volume has at

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/field/pixel_type.h"
+#include "bakers/math/facts.h"
 
 namespace skybake {
 
@@ -90,6 +91,8 @@ std::string advice_on(const std::string& code, const config::Parameters& paramet
 
 }  // namespace
 
+double to_percent(double share) { return to_digits(100 * share, 2); }
+
 std::vector<LargeError> large_errors(const Certificate& certificate) {
     std::vector<LargeError> large;
     const ErrorFigures& texel = certificate.texel;
@@ -108,18 +111,18 @@ std::vector<LargeError> large_errors(const Certificate& certificate) {
     }
     const auto& sky = certificate.sky;
     if (sky && sky->points > 0 && !(sky->median <= kLargeSky)) {
-        large.push_back(
-            {"W0221", fmt::format("its sky is off by {:.2g} % in the median and up to "
-                                  "{:.2g} %, beside paths of light{}",
-                                  100 * sky->median, 100 * sky->max, at_place(sky->worst))});
+        large.push_back({"W0221", fmt::format("its sky is off by {} % in the median and up to "
+                                              "{} %, beside paths of light{}",
+                                              to_percent(sky->median), to_percent(sky->max),
+                                              at_place(sky->worst))});
     }
     const auto& color = certificate.color;
     if (color && is_far_off(*color)) {
         large.push_back(
-            {"W0222",
-             fmt::format("colours are off by {:.2g} % of luminance in one view of ten, and "
-                         "those of the sun at 5 and 1 degrees by {:.2g} and {:.2g} %",
-                         100 * color->ninth_decile, 100 * color->disc[0], 100 * color->disc[1])});
+            {"W0222", fmt::format("colours are off by {} % of luminance in one view of ten, and "
+                                  "those of the sun at 5 and 1 degrees by {} and {} %",
+                                  to_percent(color->ninth_decile), to_percent(color->disc[0]),
+                                  to_percent(color->disc[1]))});
     }
     return large;
 }

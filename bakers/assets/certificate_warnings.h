@@ -10,6 +10,9 @@
 
 namespace skybake {
 
+// Returns a share in percent to two digits, which prints as 190 and not as 1.9e+02.
+double to_percent(double share);
+
 // A figure of a certificate that is too large.
 struct LargeError {
     std::string code;  // W0214 lookups, W0220 texels, W0221 the sky, W0222 colours

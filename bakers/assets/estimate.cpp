@@ -80,7 +80,7 @@ Estimate estimate_texels(const AssetFiles& files, const std::array<int, 2>& size
     const double bytes = voxels_of({size[0], size[1], 1}, files.mips) * kChannels *
                          bytes_per_value(files.pixel_type);
     result.seconds = texels * seconds_per_texel + certification;
-    // As computed, as stored, and once more while a file is written.
+    // Texels are in memory as computed, as stored, and once more while a file is written.
     result.memory_mib =
         (texels * kChannels * (kBytesInDouble + sizeof(float)) + bytes + 8e6) / kMebibyte;
     result.disk_mib = bytes * static_cast<double>(files.formats.size()) / kMebibyte;

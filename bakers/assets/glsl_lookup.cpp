@@ -132,7 +132,7 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
     for (const GlslFunction& function : lookup.functions) {
         text += (text.empty() ? "" : "\n") + text_of(function, name);
     }
-    // What a function calls stands above it. The first paragraph says what holds for all.
+    // Each function stands below those that it calls. The first paragraph says what holds for all.
     const auto paragraphs = paragraphs_of(published_lookup(lookup.library));
     for (std::size_t i = paragraphs.size(); i-- > 0;) {
         const std::string code = without_glsl_comments(text);

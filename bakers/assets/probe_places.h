@@ -16,7 +16,7 @@
 
 namespace skybake {
 
-// What a file says of its texels.
+// The facts of a file about its texels.
 struct StoredTexels {
     std::string mapping;
     std::vector<int> size;
@@ -31,7 +31,7 @@ struct AssetPlaces {
     std::function<std::vector<ProbeLookup>(const Probe& probe, int level)> lookups;
 };
 
-// Of an asset that is looked up once, in all levels alike.
+// For an asset that is read with one lookup, the same at every level.
 inline AssetPlaces single_lookup(std::vector<std::string> names,
                                  std::function<Uvw(const Place& at)> uvw) {
     return {std::move(names), [uvw = std::move(uvw)](const Probe& probe, int) {

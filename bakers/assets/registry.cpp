@@ -54,7 +54,7 @@ bool scatters(const config::Layer& layer) {
                        [](const config::InverseLength& one) { return one.per_meter > 0; });
 }
 
-// What the light of a packet is compared with, which keeps the packet's parameters.
+// Returns what the light of a packet is compared with, which keeps the packet's parameters.
 template <class Asset>
 std::optional<TracedLight> light_of_packet(const Baker<Asset>& baker, const Parameters& parameters,
                                            const Bake& bake) {

@@ -155,8 +155,8 @@ class SkyComparison {
         return in_colors(packets, weights_);
     }
 
-    // What errors of a channel are relative to: its light, or in colours, of which one channel may
-    // be nearly 0 or below, the brightest channel.
+    // Returns what errors of a channel are relative to: its light, or in colours, of which one channel
+    // may be nearly 0 or below, the brightest channel.
     double scale_of(const PathTracedRadiance& traced, std::size_t channel) const {
         return weights_.empty() ? traced.radiance[channel] : largest(traced.radiance);
     }

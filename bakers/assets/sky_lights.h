@@ -36,7 +36,7 @@ std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
 ColorConvention color_convention(const config::Color& color, std::span<const glm::dvec3> weights,
                                  bool is_applied);
 
-// What fitting the colours needs, if the recipe has any.
+// Returns what fitting the colours needs, if the recipe has any.
 std::vector<Need> color_needs(const config::Parameters& parameters);
 
 // Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the

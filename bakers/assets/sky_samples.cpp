@@ -17,7 +17,7 @@ constexpr double kAzimuths_deg[] = {8, 35, 80, 125, 172};
 // Shares of the angle between the horizon and straight down.
 constexpr double kSharesBelow[] = {0.01, 0.08, 0.4};
 constexpr double kAzimuthsBelow_deg[] = {20, 150};
-// Steps away from the sun: upwards and aside.
+// Offsets from the sun: up and sideways.
 constexpr double kStepsFromSun_deg[][2] = {{0.6, 0.2}, {-0.3, 1.5}, {2.5, 1}, {-3, 2}};
 
 // Angles in degrees, as those of SkySample.

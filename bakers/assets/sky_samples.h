@@ -26,7 +26,7 @@ struct SkySample {
 std::vector<SkySample> sky_samples(const Shell& shell, double altitude_km,
                                    double sun_elevation_deg);
 
-// Returns directions of all cameras under all suns. Of each camera and sun, every `stride`-th
+// Returns directions of all cameras under all suns. For each camera and sun, every `stride`-th
 // direction is taken; which ones these are differs between cameras and suns.
 std::vector<SkySample> sky_samples(const Shell& shell, const std::vector<double>& altitudes_km,
                                    const std::vector<double>& sun_elevations_deg, int stride);

@@ -84,7 +84,7 @@ struct Run {
 // Neighbouring bricks of which `wanted(brick)` holds, as one, in a box of `width` columns.
 template <class Wanted>
 std::vector<Run> runs_of(int width, const Wanted& wanted) {
-    constexpr int kLongest = 16 * kBrickWidth;  // what the second cache holds of a brick's depth
+    constexpr int kLongest = 16 * kBrickWidth;  // the part of a brick that the second cache holds
     std::vector<Run> runs;
     for (int first = 0; first < width; first += kBrickWidth) {
         if (!wanted(static_cast<std::size_t>(first / kBrickWidth))) continue;
@@ -279,7 +279,7 @@ class BoxFiller {
     const Columns& all_columns_;
     const VoxelBox& box_;
     const std::vector<float*>& channels_;
-    const Columns* columns_ = nullptr;  // that hold those of the rows at hand
+    const Columns* columns_ = nullptr;  // hold the columns of the rows at hand
     Columns own_columns_;
     VoxelBox chunk_;                   // at hand
     AlignedFloats raised_;             // towers of the chunk's voxels, where there are domes

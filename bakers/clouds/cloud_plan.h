@@ -92,7 +92,7 @@ struct CloudPlan {
     int shaped_channels = 1;  // how many first channels are shaped; the others are plain noise
     float noise_bound = 0;    // upper bound of the base noise of shaped channels, as a float
 
-    // What gives n, with all its channels.
+    // Returns the source of n, with all its channels.
     const VoxelSource& shape() const;
     // Returns true only if the cloud is known to be empty in a box, besides what noise_bound says.
     bool is_empty(const VoxelBox& box) const { return volume && volume->is_empty(box); }

@@ -22,7 +22,7 @@ using config::Tower;
 // How far sums go: terms beyond are below e^-40 of the greatest.
 constexpr double kReach = 9;  // standard deviations; 9^2 / 2 > 40
 
-// Of a tower, along x and y.
+// The covariance of a tower's Gaussian along x and y.
 struct Covariance {
     double xx = 0, xy = 0, yy = 0;
     double determinant = 0;
@@ -195,7 +195,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
 }
 
 bool CloudReference::is_expensive() const {
-    // Of Gaussians, each with some microseconds, and of domes, each with some ten nanoseconds.
+    // A Gaussian takes some microseconds, a dome some ten nanoseconds.
     constexpr std::size_t kTowers = 300;
     constexpr std::size_t kDomes = 30000;
     return towers_.size() > kTowers || domes_.size() > kDomes ||

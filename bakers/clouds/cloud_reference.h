@@ -29,7 +29,7 @@ class CloudReference {
     CloudReference(const config::Cloud& cloud, const config::Noise& base,
                    const config::Noise* detail, CloudMaps maps);
 
-    // Of a cloud of a volume, at the size of its voxels.
+    // Makes the reference of a volume's cloud, at the size of its voxels.
     CloudReference(const config::Cloud& cloud, const CloudVolume& volume,
                    const config::Noise* detail, const std::array<int, 3>& size, CloudMaps maps);
 

@@ -68,7 +68,7 @@ TowerState tower_state(const TowerLife& tower, double born, const Cloud& cloud) 
 
 double scattered_birth(const config::TowerScatter& scatter, int index) {
     assert(index >= 0 && index < scatter.count);
-    // Numbers of their own leave places and sizes as they are without a life.
+    // Uses separate random numbers, so that a life cycle does not move or resize towers.
     constexpr std::uint64_t kBirths = std::uint64_t{1} << 32;
     UnitNumbers numbers(scatter.seed, kBirths + static_cast<std::uint64_t>(index));
     return (index + numbers.next()) / scatter.count;

@@ -1,6 +1,6 @@
 // Colour spaces by their primaries, and the matrices that lead to them from CIE XYZ.
 //
-// What is white? A sky table tells radiance per solar irradiance. There are these conventions:
+// A sky table tells radiance per solar irradiance. There are these conventions of white:
 //
 //   sun              The sun outside the air is white: (1, 1, 1). Light that air and ground have
 //                    not coloured is neutral, as photographs with the camera set to "daylight"

@@ -9,8 +9,8 @@ namespace skybake {
 
 namespace {
 
-// What a difference of weights from those of color_weights counts, in the mean square over samples:
-// so little that it decides only between weights which give the same colours to a thousandth.
+// The weight, in the mean square over samples, of differences from the weights of color_weights: so
+// little that it decides only between weights which give the same colours to a thousandth.
 constexpr double kRestraint = 1e-3;
 
 // A symmetric, positive matrix by rows, and its solution by Cholesky's method.

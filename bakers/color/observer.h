@@ -9,7 +9,7 @@ namespace skybake {
 constexpr double kShortestVisible_nm = 360;
 constexpr double kLongestVisible_nm = 830;
 
-// Returns (xbar, ybar, zbar), CIE's table at 5 nm interpolated linearly. Of smooth spectra
+// Returns (xbar, ybar, zbar), CIE's table at 5 nm interpolated linearly. For smooth spectra
 // integrals are those of the 1-nm table within 1e-4. It is 0 outside 360 to 830 nm.
 glm::dvec3 color_matching(double wavelength_nm);
 

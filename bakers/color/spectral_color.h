@@ -30,7 +30,7 @@ glm::dvec3 sun_xyz(Sunlight sunlight);
 // Lux outside the air at the mean distance of the Earth, from the measured spectrum: 133.1e3.
 double solar_illuminance_lux();
 
-// What colours are wanted.
+// The colours that are wanted.
 struct ColorTarget {
     ColorSpace space = ColorSpace::linear_srgb;
     White white = White::sun;

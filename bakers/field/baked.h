@@ -17,7 +17,7 @@
 
 namespace skybake {
 
-// What a lookup beyond the ends of an axis returns.
+// The value of a lookup beyond the ends of an axis: that of the end, or that of the repeated axis.
 enum class AxisWrap { clamp, repeat };
 
 // Whether a lookup interpolates between texels or takes the nearest one.

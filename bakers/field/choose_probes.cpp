@@ -29,8 +29,8 @@ constexpr double kPlenty = 16;
 // Probes are taken until each wrong lookup shows at this many of them.
 constexpr int kWantedProbes = kSeveralProbes + 1;
 
-// If necessary, every texel of a texture with at most so many texels is tried. Of one with few texels all
-// places are candidates then, of a larger one those that are needed.
+// If necessary, every texel of a texture with at most kMostTexels texels is tried. In a texture with at
+// most kFewTexels all places are candidates then, in a larger one those that are needed.
 constexpr std::int64_t kFewTexels = 4096;
 constexpr std::int64_t kMostTexels = 131072;
 

@@ -298,7 +298,7 @@ void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace
 
 // Holds the voxels of a small level in memory, because making all of them once is cheaper than
 // making eight for every lookup.
-Level held_if_small(const Level& level, const BakeOptions& options) {
+Level in_memory_if_small(const Level& level, const BakeOptions& options) {
     constexpr std::int64_t kSmall = 1 << 18;
     Level held = level;
     const auto channels = static_cast<int>(level.statistics.size());
@@ -320,7 +320,7 @@ std::optional<config::Diagnostic> add_volume_probes(const std::string& asset, in
                                                     config::PixelType type,
                                                     const BakeOptions& options, Level& level) {
     ProbeSpace space{place ? place : texture_place, {}};
-    const Level readable = held_if_small(level, options);
+    const Level readable = in_memory_if_small(level, options);
     add_seams(readable, space.wanted);
     add_even_places(space.wanted);
     add_peaks(readable, type, space.wanted);

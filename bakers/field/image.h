@@ -43,7 +43,7 @@ struct MapImage {
     std::string content_hash;  // xxh3_hex of width, height and values
 };
 
-// Which coordinates x in [0, 1] the texels of a table stand for.
+// The coordinates x in [0, 1] that the texels of a table stand for.
 enum class TexelConvention {
     end_points_on_texel_centres,  // x = 0 at the first centre, 1 at the last: u = 1/2N + x (1 -
                                   // 1/N)

@@ -37,7 +37,7 @@ class SparseRows {
     // So many voxels make one piece. Twice as many would take a sixth more memory for a cumulus.
     static constexpr std::size_t kPiece = 8;
 
-    // What `count` rows of `length` voxels take, besides their pieces.
+    // Returns the bytes of `count` rows of `length` voxels, besides their pieces.
     static std::int64_t fixed_bytes(std::size_t count, std::size_t length);
 
     // The caller has taken fixed_bytes from `memory`, which must outlive the rows. No row is held.

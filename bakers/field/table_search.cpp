@@ -69,8 +69,8 @@ double bend(const Line& line, CellTexels at, int low, int high) {
     return largest / 4;
 }
 
-// What texels let expect of the errors in their cells: the error of a value that is off by half the
-// bends along both axes.
+// Estimates the errors in the cells of texels: the error of a value that is off by half the bends along
+// both axes.
 class TexelBends {
   public:
     TexelBends(const TableModel& model, const Image2<float>& image, std::vector<double> scale)

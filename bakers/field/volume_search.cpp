@@ -33,7 +33,7 @@ std::vector<double> errors_of(const Level& level, const VolumeComparison& compar
                              : shares_of_range(level, found, wanted);
 }
 
-// What voxels let expect of the errors in their cells.
+// Estimates the errors in the cells of voxels.
 class VoxelBends {
   public:
     VoxelBends(const Level& level, const SearchGrid& grid, const VolumeComparison& comparison,

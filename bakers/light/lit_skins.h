@@ -16,7 +16,7 @@ namespace skybake {
 
 struct LitSkins {
     std::vector<double> altitudes_km;   // where rays are cut: quadrature_altitudes_km and the skins
-    std::vector<AltitudeRange> layers;  // those that begin or end abruptly
+    std::vector<AltitudeRange> layers;  // layers that begin or end abruptly
 
     bool hold(double altitude_km) const;
 };

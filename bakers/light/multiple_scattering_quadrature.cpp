@@ -108,7 +108,7 @@ RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double
     for (Direction& direction : directions) {
         ViewRay& ray = direction.ray;
         const double sine = std::sqrt(std::max(0.0, (1 - direction.mu) * (1 + direction.mu)));
-        // What this ray's weights are shares of.
+        // This ray's weights are shares of it.
         const Spectrum whole_per_ray =
             whole / (direction.weight * static_cast<double>(directions.size()));
         refine_view_ray(medium, whole_per_ray, level.ray_tolerance, ray);

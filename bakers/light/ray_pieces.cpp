@@ -41,7 +41,7 @@ const NodeShares& shares_up_to_nodes() {
     return shares;
 }
 
-// Of a node of the ray that starts at altitude_km.
+// Returns the altitude of a node of the ray that starts at altitude_km.
 double altitude_of(const Shell& shell, double altitude_km, double s_km, double distance_km) {
     return std::clamp(altitude_along_km(shell, altitude_km, s_km, distance_km), 0.0,
                       shell.thickness_km);  // rounding

@@ -56,7 +56,7 @@ struct Piece {
 };
 
 struct CutRay {
-    std::vector<Piece> pieces;  // those that light reaches from the ray's beginning, ascending
+    std::vector<Piece> pieces;  // pieces lit from the ray's beginning, ascending
     Spectrum depth{};           // optical depth of the whole ray
 };
 

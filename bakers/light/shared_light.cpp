@@ -28,7 +28,7 @@ LightRequest in_plain_words(LightRequest request) {
 }
 
 // How much more a solution costs than that of Earth's air: rays pass all levels on their way to each of
-// them, and light is sent on until it has left. Of spheres it is not known before they are computed.
+// them, and light is sent on until it has left. For spheres it is not known before they are computed.
 double effort_of(const LightRequest& request) {
     constexpr double kLevelsOfEarth = 45;
     constexpr double kMostOften = 10;  // measured at a depth of 100

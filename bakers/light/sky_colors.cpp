@@ -172,7 +172,7 @@ std::vector<glm::dvec3> ColorSkies::fitted_weights(const std::vector<config::Len
 std::vector<glm::dvec3> ColorSkies::fitted_factors(const std::vector<config::Length>& wavelengths,
                                                    const config::Color& color,
                                                    std::vector<glm::dvec3> weights) const {
-    // Of each channel alone: the factor is sum(found wanted) / sum(found^2).
+    // For each channel alone, the factor is sum(found wanted) / sum(found^2).
     glm::dvec3 products(0);
     glm::dvec3 squares(0);
     for (const ColorSample& sample :

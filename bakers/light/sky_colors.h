@@ -31,7 +31,7 @@ struct SkyColors {
     ColorError error;
 };
 
-// What files say of a recipe's colours, in the recipe's own words. Where the space is `none` it is
+// A recipe's colours in its own words, as files state them. Where the space is `none` it is
 // that of the weights.
 struct ColorWords {
     std::string space, white, sun, observer;
@@ -76,7 +76,7 @@ std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& 
 // Returns the weights by which the longest of three wavelengths is red and the shortest blue.
 std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths);
 
-// What the weights follow from.
+// The request that the weights follow from.
 struct ColorRequest {
     std::vector<config::Length> wavelengths;  // of the recipe, at least two
     config::Color color;

@@ -60,7 +60,7 @@ std::vector<Spectrum> take_peaks_out(SkyMedium& medium) {
     return shares;
 }
 
-// What peaks scatter once comes from next to the sun, where each point of the way adds as much.
+// Adds the light that peaks scatter once. It comes from next to the sun; each point of the way adds as much.
 void add_peaks(const SkyLight& light, const std::vector<Spectrum>& shares, double altitude_km,
                const SunZenith& sun, Spectrum& sum) {
     if (sun.cosine <= 0) return;
@@ -148,7 +148,7 @@ SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km)
 
 SkyIrradiance::~SkyIrradiance() = default;
 
-// Of light scattered `before`, else of light scattered once.
+// Traces light that was scattered `before`, or else light that is scattered once.
 SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int nodes,
                                                   bool before) const {
     std::vector<WeightedAngle> angles;

@@ -258,7 +258,7 @@ std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
 // Along a ray the sun moves, so that the light is not quite a polynomial of its degree.
 int SkyRow::azimuth_nodes() const { return std::max(higher_orders_->azimuth_degree(), 8) + 8; }
 
-// Of higher orders.
+// Returns the light of higher orders at each azimuth.
 std::vector<Spectrum> SkyRow::multiple(const RayOfAzimuth& ray_at,
                                        const std::vector<double>& azimuth_cosines) const {
     if (higher_orders_ == nullptr) return std::vector<Spectrum>(azimuth_cosines.size());

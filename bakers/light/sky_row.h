@@ -26,7 +26,7 @@ namespace skybake {
 // cosine.
 using RayOfAzimuth = std::function<SkyRay(double azimuth_cosine)>;
 
-// What the sun sends to one ray of a row, in parts that are smooth functions of the azimuth's cosine,
+// The light of the sun on one ray of a row, in parts that are smooth functions of the azimuth's cosine,
 // except where the planet's shadow begins.
 struct SplitSunlight {
     std::vector<Spectrum> single;  // of each layer, without its phase function; the sum of their

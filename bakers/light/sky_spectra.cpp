@@ -37,7 +37,7 @@ constexpr SolverSettings kFewNodes = {.degree = 2,
                                       .sunlight = {64, 32},
                                       .orders = 3};
 
-// Of the table from which rows read sunlight, which is off by 4e-5 (RMS).
+// The size of the table from which rows read sunlight, which is off by 4e-5 (RMS).
 constexpr TransmittanceField::Size kSunlightOfRows = {.columns = 256, .rows = 32, .least_rows = 7};
 
 // The camera, the suns and the views. The views under each second sun are measured, not fitted.

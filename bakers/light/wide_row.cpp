@@ -67,7 +67,7 @@ class RowParts {
     const Spectrum* at(std::size_t place) const { return values_.data() + place * count(); }
 
   private:
-    std::vector<std::size_t> layers_;  // those that scatter
+    std::vector<std::size_t> layers_;  // the layers that scatter
     std::vector<Spectrum> values_;
 };
 

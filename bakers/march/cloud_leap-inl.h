@@ -142,7 +142,7 @@ HWY_INLINE FloatMask leap(const CloudPath& path, const Pace& pace, const Place& 
     }
 }
 
-// Returns the lanes that look into the volume at their sample. Of the other lanes that are going,
+// Returns the lanes that look into the volume at their sample. Among the other lanes that are going,
 // those in empty cells have leapt. A lane looks for an empty cell only after a sample that was
 // empty, because inside clouds there is none. If only few lanes are left to look into the volume,
 // they wait for the others to leap.

@@ -243,7 +243,7 @@ class PointCollector {
     const RayBlock& rays_;
     LightPoints& points_;
     std::size_t first_ray_;
-    // Of the group of each ray: its first sample, and sums over all of them.
+    // The group of each ray: its first sample, and sums over all of them.
     FloatLanes first_ = FloatLanes(0.0F);
     FloatLanes weight_ = FloatLanes(0.0F);
     FloatLanes distance_ = FloatLanes(0.0F);

@@ -32,14 +32,14 @@ struct PointFrame {
     bool in_tile = false;  // x and y alone count, because all tiles are alike
 };
 
-// Of the layer's own points.
+// Returns the frame of the layer's own points.
 inline PointFrame own_frame(const CloudMarch& march) {
     PointFrame frame;
     frame.enters = false;
     frame.in_tile = !march.medium->variation.varies();
     return frame;
 }
-// Of points of another layer.
+// Returns the frame of points of another layer.
 inline PointFrame frame_of(const CloudMedium& from, const CloudMedium& to) {
     PointFrame frame;
     for (std::size_t a = 0; a < 3; ++a) {
@@ -48,7 +48,7 @@ inline PointFrame frame_of(const CloudMedium& from, const CloudMedium& to) {
     frame.offset_z = static_cast<float>((from.base_m - to.base_m) / to.meters_per_voxel(2));
     return frame;
 }
-// Of points in metres.
+// Returns the frame of points in metres.
 inline PointFrame frame_of_meters(const CloudMedium& to) {
     PointFrame frame;
     for (std::size_t a = 0; a < 3; ++a) {

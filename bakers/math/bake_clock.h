@@ -23,7 +23,7 @@ struct BakeSeconds {
     double texels = 0;
     double certificate = 0;
 
-    // Of the asset itself, without what measures it.
+    // Returns the seconds for the asset itself, without what measures it.
     double made() const { return light + colors + texels; }
 };
 

@@ -35,7 +35,7 @@ struct BakeOptions {
     // How many bytes the voxels of volumes that are held in memory may take, those of all running
     // bakes together. Others are made again by each pass over them.
     std::int64_t held_voxel_bytes = std::int64_t{256} << 20;
-    // What assets that are baked with the same options share (intermediates.h); null: nothing.
+    // Holds what assets that are baked with the same options share (intermediates.h); null: nothing.
     Intermediates* intermediates = nullptr;
 
     // True once the bake has been interrupted. It then returns early and its result must not be

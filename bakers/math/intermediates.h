@@ -1,5 +1,5 @@
-// What several assets are made from, and is made once for all of them: solved light, tables of
-// sunlight, voxels of clouds.
+// Intermediates are what several assets are made from, made once for all of them: solved light, tables
+// of sunlight, voxels of clouds.
 //
 // A plan says beforehand what each asset will need. An intermediate is made by the asset that asks
 // for it first, and freed after the last one that was expected to ask. Only equal needs share one:
@@ -42,7 +42,7 @@ struct Need {
     NeedKey key;
     std::string name;       // "solved light", for people
     double seconds = 0;     // an estimate: on one thread of a machine of 2022
-    double memory_mib = 0;  // that it takes while it is kept
+    double memory_mib = 0;  // taken while it is kept
 };
 
 // Several threads may use one. Those that ask for an intermediate which another one makes wait for

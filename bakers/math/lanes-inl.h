@@ -50,7 +50,7 @@ struct MaskOf {
     }
 };
 
-// As many numbers of type T as one vector holds. Division, square root and rounding exist for
+// A vector of numbers of type T. Division, square root and rounding exist for
 // floating-point types only. No operand of minimum or maximum may be NaN.
 template <class T>
 struct LanesOf {

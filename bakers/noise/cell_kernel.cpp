@@ -27,7 +27,7 @@ constexpr std::size_t kLineStride = CellCandidates::kLineStride;
 // Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.
 struct Extent {
     std::int64_t cell = 0;  // of the first voxel
-    int cells = 0;          // that the voxels lie in
+    int cells = 0;          // the cells that voxels lie in
     float low = 0;          // position of the first voxel
     float high = 0;         // and of the last
 };

@@ -55,7 +55,7 @@ void sum_cells(const ChannelPlan& channel, const std::vector<const float*>& fiel
     }
 }
 
-// By comparisons, since instruction sets differ in which of two zeros their minimum is.
+// Compares, since instruction sets differ in which of two zeros their minimum is.
 HWY_INLINE FloatVector between(FloatVector value, FloatVector low, FloatVector high) {
     value = hn::IfThenElse(hn::Lt(value, low), low, value);
     return hn::IfThenElse(hn::Gt(value, high), high, value);

@@ -107,7 +107,7 @@ HWY_INLINE Gradient4Vector lattice_gradient_4(const RowKeyVector& row, WordVecto
             along(2, hn::ShiftLeft<29>(h)), along(3, hn::ShiftLeft<28>(h))};
 }
 
-// Of 24 bits.
+// Returns 24 bits as a number in [0, 1).
 HWY_INLINE FloatVector unit_float(WordVector bits) {
     const Floats df;
     const hn::RebindToSigned<Floats> di;

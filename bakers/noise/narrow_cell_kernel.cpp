@@ -92,7 +92,7 @@ struct LaneCells {
     std::size_t column;  // of the first lane's cell in rows of points, less kMostRings
 };
 
-// What each lane finds in a row of values, one per cell.
+// Returns the value of each lane's cell in a row of values, one per cell.
 template <bool kOneCell>
 HWY_INLINE FloatVector look_up(const float* values, LaneIndices lanes) {
     if constexpr (kOneCell) return hn::Set(kFloats, *values);

@@ -186,7 +186,7 @@ class BoxFiller {
 
     bool is_direct(std::size_t index) const {
         const ChannelPlan& channel = plan_.channels[index];
-        if (is_one_field(channel)) {  // which other channels may have, too
+        if (is_one_field(channel)) {  // other channels may have it, too
             const auto field = static_cast<std::size_t>(channel.cells.front().field);
             return callers_[field] == channels_[index];
         }

@@ -124,7 +124,7 @@ struct GradientOctave {
     float amplitude = 1;           // factor on the noise itself
     std::optional<TimeStep> time;  // none: the noise has three dimensions
     std::array<AxisCells, 3> cells;
-    std::array<AxisBasis, 3> basis;  // those of the y axis are multiplied by the amplitude
+    std::array<AxisBasis, 3> basis;  // the y axis's are multiplied by the amplitude
 };
 
 // The function of an octave's value n that is weighted and summed.
@@ -141,7 +141,7 @@ struct GradientStack {
 // The three components of a displacement, in tiles.
 using WarpPlan = std::array<GradientStack, 3>;
 
-// What an octave makes of the points of cells.
+// The functions that an octave may make of the points of cells.
 enum class CellKind { worley, alligator };
 
 // One octave of cellular noise. Channels that use equal octaves share one field.

@@ -24,7 +24,7 @@ using reference::improved_noise;
 using reference::Lattice;
 using reference::nearest_points;
 
-// What tells an octave's lattice from the others of its sum.
+// Tells an octave's lattice from the others of its sum.
 struct OctaveName {
     Frequency frequency{};
     int repetition = 0;

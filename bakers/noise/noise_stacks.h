@@ -21,12 +21,12 @@ std::vector<double> weights_of(const config::NoiseOctaves& octaves);
 struct Keys {
     std::uint64_t noise_seed = 0;
     std::uint64_t channel_seed = 0;
-    // Of octave i.
+    // Returns the key of octave i.
     std::uint64_t operator()(Purpose purpose, const config::NoiseOctaves& octaves,
                              std::size_t i) const;
 };
 
-// What the octaves of one channel share.
+// Makes the octaves of one channel from what they share.
 struct OctaveMaker {
     const std::array<TileAxis, 3>& axes;
     Keys keys;

@@ -11,7 +11,7 @@ namespace {
 
 using config::OccupancyFilter;
 
-// Of the voxels about a place, `f` of the way from the second centre to the third.
+// Returns the weights of the voxels about a place, `f` of the way from the second centre to the third.
 std::array<double, 4> spline_weights(double f) {
     const double g = 1 - f;
     return {g * g * g / 6, (4 + 3 * f * f * (f - 2)) / 6, (4 + 3 * g * g * (g - 2)) / 6,

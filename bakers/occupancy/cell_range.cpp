@@ -16,7 +16,7 @@ namespace {
 
 using config::OccupancyFilter;
 
-// What the kernels want to know of rows of the last planes: each row is looked at once, shortly
+// Facts that the kernels need about rows of the last planes: each row is looked at once, shortly
 // before it is used, so that its voxels are in a cache by then.
 class SeenRows {
   public:

@@ -47,7 +47,7 @@ HWY_INLINE DoubleVector sum_at(const Value* const* rows, std::size_t x) {
     }
 }
 
-// The same of one element.
+// The same sum of one element.
 template <int kRows, class Value>
 HWY_INLINE double element_sum(const Value* const* rows, std::size_t x) {
     if constexpr (kRows == 1) {
@@ -122,7 +122,7 @@ void take_face_means(int rows_a_node, const std::vector<const double*>& rows, st
     take_means_of<4>(rows, length, false, extremes);
 }
 
-// Of rows, element by element.
+// Finds the extremes of rows, element by element.
 void row_extremes(const std::vector<const float*>& rows, std::size_t length, float* least,
                   float* most) {
     const float* const* const end = rows.data() + rows.size();
@@ -160,7 +160,7 @@ void promote(const float* values, std::size_t length, double* out) {
     }
 }
 
-// Of several extremes, element by element.
+// Merges several extremes, element by element.
 void merge(const std::array<const Extremes<double>*, 5>& parts, std::size_t length,
            Extremes<double>& out) {
     for (std::size_t x = 0; x < length; x += kDoubleLanes) {
@@ -301,7 +301,7 @@ HWY_EXPORT(magnitudes);
 
 namespace {
 
-// What vectors may reach over beyond the end of a row.
+// Vectors may reach so many doubles beyond the end of a row.
 constexpr std::size_t kVectorRoom = 64 / sizeof(double);
 
 // Begins a list of rows, to be filled by add(y, z) once for each that a node is the mean of.

@@ -1,5 +1,5 @@
-// Which voxels of a volume are above a threshold, one bit each, and which of the cells between voxel
-// centres hold cloud.
+// Tells which voxels of a volume are above a threshold, one bit each, and which of the cells between
+// voxel centres hold cloud.
 //
 // A trilinear lookup blends the eight voxels about a place. The cell between their centres is
 //   touched  if one of them is above the threshold: else no lookup in it is,

@@ -5,7 +5,7 @@
 
 namespace skybake::occupancy {
 
-// What a code is made from (DistanceCode).
+// The numbers that a code is made from (DistanceCode).
 struct CodeNumbers {
     double half_diagonal_m = 0;  // of a texel
     double curvature_m2 = 0;

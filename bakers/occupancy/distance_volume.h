@@ -14,7 +14,7 @@
 
 namespace skybake::occupancy {
 
-// What the channels besides the distance are made of.
+// The inputs of the channels besides the distance.
 struct DistanceFields {
     double core_m = 0;                // depth at which the profile is 1; 0: the greatest depth
     double wisp_height = 0;           // share of the volume's height at which the detail type is 1

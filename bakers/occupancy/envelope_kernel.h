@@ -46,7 +46,7 @@ class EnvelopeAxis {
 // a bit.
 inline constexpr std::size_t kColumns = 16;
 
-// What is known of the points that have been searched: the columns' best cells lie within.
+// The range of the columns' best cells among the points that have been searched.
 struct BestCells {
     int least = 0;
     int most = 0;

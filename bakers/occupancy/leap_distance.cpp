@@ -122,7 +122,7 @@ bool step_from_row(const std::uint8_t* other, std::uint8_t* row, std::size_t wid
     for (; x + kLanes <= width; x += kLanes) changes = hn::Or(changes, step(x));
     bool changed = !hn::AllTrue(kTag, hn::Eq(changes, hn::Zero(kTag)));
     if (x < width) {
-        // What the last vector makes of the room beyond the row is nobody's.
+        // The last vector's results in the room beyond the row are dropped.
         HWY_ALIGN std::uint8_t lanes[kLanes];
         hn::Store(step(x), kTag, lanes);
         for (std::size_t i = 0; i < width - x; ++i) changed = changed || lanes[i] != 0;

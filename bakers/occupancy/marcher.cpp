@@ -18,7 +18,7 @@ struct EndlessAxis {
     int cell = 1;
     int cells = 1;
 
-    // Of the place `position`, in voxels.
+    // The cell at `position`, in voxels.
     std::int64_t cell_at(double position) const {
         const auto voxel = static_cast<std::int64_t>(std::floor(position));
         const std::int64_t tile = floor_divided(voxel, voxels);

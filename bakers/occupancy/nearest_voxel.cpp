@@ -42,7 +42,7 @@ NearestVoxel::NearestVoxel(const VoxelBits& bits, const std::array<double, 3>& v
     while (count_of(levels_.back().size) > 1);
 }
 
-unsigned NearestVoxel::held_by_voxels(const std::array<int, 3>& first) const {
+unsigned NearestVoxel::contents_of_voxels(const std::array<int, 3>& first) const {
     const int width = std::min(kFinestEdge, bits_.voxels()[0] - first[0]);
     const std::uint64_t all = (std::uint64_t{1} << width) - 1;
     unsigned holds = 0;
@@ -55,7 +55,7 @@ unsigned NearestVoxel::held_by_voxels(const std::array<int, 3>& first) const {
     return holds;
 }
 
-unsigned NearestVoxel::held_by_blocks(const std::array<int, 3>& first) const {
+unsigned NearestVoxel::contents_of_blocks(const std::array<int, 3>& first) const {
     const Blocks& finer = levels_.back();
     unsigned holds = 0;
     for_each_within(first, 2, finer.size, [&](int x, int y, int z) {
@@ -73,8 +73,8 @@ void NearestVoxel::add_level() {
     }
     blocks.holds.resize(count_of(blocks.size));
     for_each_within({}, std::numeric_limits<int>::max(), blocks.size, [&](int x, int y, int z) {
-        const unsigned holds = is_finest ? held_by_voxels(times({x, y, z}, kFinestEdge))
-                                         : held_by_blocks(times({x, y, z}, 2));
+        const unsigned holds = is_finest ? contents_of_voxels(times({x, y, z}, kFinestEdge))
+                                         : contents_of_blocks(times({x, y, z}, 2));
         blocks.holds[index_of(blocks.size, x, y, z)] = static_cast<std::uint8_t>(holds);
     });
     levels_.push_back(std::move(blocks));

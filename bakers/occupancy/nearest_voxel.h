@@ -39,8 +39,8 @@ class NearestVoxel {
     };
 
     void add_level();
-    unsigned held_by_voxels(const std::array<int, 3>& first) const;
-    unsigned held_by_blocks(const std::array<int, 3>& first) const;
+    unsigned contents_of_voxels(const std::array<int, 3>& first) const;
+    unsigned contents_of_blocks(const std::array<int, 3>& first) const;
     double least_square(const std::array<double, 3>& place, bool above) const;
     double square_to(const Search& search, const std::array<int, 3>& first, int edge) const;
     void search_block(std::size_t level, const std::array<int, 3>& at, Search& search) const;

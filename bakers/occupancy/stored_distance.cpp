@@ -26,7 +26,7 @@ bool DistanceCode::is_unorm() const {
     return type_ == config::PixelType::unorm8 || type_ == config::PixelType::unorm16;
 }
 
-// What is left of a distance when all is taken off that a lookup may add.
+// Returns a distance less all that a lookup may add to it.
 double DistanceCode::shortened(float square) const {
     const double distance = std::sqrt(double{square}) * (1 - kCodeArithmetic);
     const double half = half_diagonal_m_;

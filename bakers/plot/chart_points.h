@@ -46,7 +46,7 @@ struct Label {
 };
 
 // Returns a box for each label. Labels are placed in the given order. Boxes stay within `area` and
-// touch neither each other nor an obstacle. Of the remaining places, a label takes one that is near
+// touch neither each other nor an obstacle. Among the remaining places, a label takes one that is near
 // and crosses few lines; a label without any place gets no box.
 std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& area,
                                              const std::vector<Box>& obstacles,

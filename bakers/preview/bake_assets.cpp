@@ -96,7 +96,7 @@ class PreviewBake {
     }
 
   private:
-    // What is done stays for the next bake.
+    // Keeps the finished assets for the next bake.
     Outcome<PreviewAssets> interrupted() {
         if (memory_ != nullptr) memory_->unfinished = std::move(fresh_memory_);
         return {};

@@ -20,7 +20,7 @@ struct SweptValue {
     std::optional<double> number;
 };
 
-// What a sweep measured of an asset, by its column in index.csv ("sky_median", "lookup_rms", "bytes")
+// The figures that a sweep measured, by its column in index.csv ("sky_median", "lookup_rms", "bytes")
 // and in timing.csv ("texels_s"). It is without figures that were not measured.
 using SweptFigures = std::map<std::string, double, std::less<>>;
 

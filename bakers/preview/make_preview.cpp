@@ -129,8 +129,14 @@ class Preview {
         const PreviewAsset* scattering = assets_.of_kind("multiple_scattering");
         if ((transmittance == nullptr && scattering == nullptr) || !assets_.recipe) return;
         if (transmittance == nullptr || scattering == nullptr) {
+            // A sky view or an environment has pictures of its own.
+            if (assets_.of_kind("sky_view") || assets_.of_kind("environment")) return;
             page_.notes.emplace_back(
-                "there is no sky: it needs both a transmittance and a multiple_scattering table");
+                assets_.of_kind("multiple_scattering_moments")
+                    ? "there is no sky: pictures march a table of mean light, and this one holds "
+                      "moments; asset = \"sky_view\" shows the sky of the same light"
+                    : "there is no sky: it needs both a transmittance and a multiple_scattering "
+                      "table");
             return;
         }
         begin_stage("sky");

@@ -1,7 +1,7 @@
 'use strict';
 // Arranges the page of the data that stand in it, and arranges it anew where a watching page gets others.
 
-// What is to be looked at comes first: the sweep, all clouds in one sky, clouds in their light, the
+// The parts to be looked at come first: the sweep, all clouds in one sky, clouds in their light, the
 // sky, then all others.
 function sectionsOf(preview) {
     const isLit = (asset) => asset.pictures.some((picture) => picture.kind === 'scene');
@@ -42,7 +42,7 @@ standingPictures.remove();
 
 const controls = 'a, button, input, summary, [tabindex]';
 const sectionId = (part) => part.closest('section')?.id ?? '';
-// Which of the details of a section with the same words they are.
+// Tells details apart by their words, and their number among those of the section with the same words.
 function placeOf(whole, details) {
     const words = details.firstChild.textContent;
     const alike = Array.from(whole.querySelectorAll('details')).filter((other) =>
@@ -50,7 +50,7 @@ function placeOf(whole, details) {
     return `${words} ${alike.indexOf(details)}`;
 }
 
-// What a reader has chosen: open details, tabs, the turn of a turntable, and where the focus is.
+// Returns a reader's choices: open details, tabs, the turn of a turntable, and where the focus is.
 function choicesIn(whole) {
     const all = (selector) => Array.from(whole.querySelectorAll(selector));
     const of = (part) => all(controls).filter((other) => sectionId(other) === sectionId(part));

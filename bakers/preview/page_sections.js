@@ -1,5 +1,5 @@
 'use strict';
-// What the page says on assets, scenes and sweeps.
+// Builds the page's sections on assets, scenes and sweeps.
 
 const extent = (asset) => asset.size.join(' × ');
 const totalBytes = (asset) => asset.files.length === 0
@@ -21,7 +21,7 @@ function percent(share) {
 }
 
 function overview(preview) {
-    // Of a recipe nothing is written.
+    // A preview of a recipe writes no files.
     const anyFile = preview.assets.some((asset) => totalBytes(asset) !== null);
     const columns = [{title: 'Asset'}, {title: 'Kind'}, {title: 'Size'}, {title: 'Channels'},
         {title: 'Sky error, median', number: true}, {title: 'max', number: true},

@@ -7,7 +7,7 @@
     sign.setAttribute('role', 'status');
     document.body.append(sign);
 
-    // What has changed lies in another script beside the page. A live page without WebGL is written anew.
+    // Loads the change, which lies in another script beside the page. A live page without WebGL is written anew.
     function renew() {
         const live = window.skybakeLive;
         if (live && live.failed) {

@@ -40,7 +40,7 @@ class PictureLight {
     Intermediates own_;
     Intermediates& intermediates_;
     AssetMemo memo_;
-    // What a sky of another camera or sun would be made from: of the preset, and of the last recipe.
+    // The needs of a sky with another camera or sun: those of the preset, and of the last recipe.
     std::array<Intermediates::Expected, 2> expected_;
 };
 

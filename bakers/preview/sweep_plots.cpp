@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -21,24 +22,41 @@ struct PlottedFigure {
     std::string_view figure;  // empty: the time of the bake
     const char* title;
     double factor;  // from the index's unit to the title's
+    bool has_light = true;
 };
 
 constexpr PlottedFigure sky_error_axis = {"sky_median", "sky error, median (%)", 100};
 constexpr PlottedFigure lookup_error_axis = {"lookup_rms", "lookup error, RMS", 1};
 constexpr PlottedFigure bytes_axis = {"bytes", "files (KiB)", 1.0 / 1024};
 constexpr PlottedFigure time_axis = {"", "time of the bake (s)", 1};
+constexpr PlottedFigure own_time_axis = {"", "time without shared light (s)", 1, false};
 
 // Returns the time of an asset's bake, without those of certificate and files, or nothing if it is
 // not known.
-std::optional<double> bake_seconds(const SweepVariant& variant, const std::string& asset) {
+std::optional<double> bake_seconds(const SweepVariant& variant, const std::string& asset,
+                                   bool has_light) {
     const auto figures = variant.figures.find(asset);
     if (figures == variant.figures.end()) return std::nullopt;
     std::optional<double> seconds;
     for (const auto& [name, value] : figures->second) {
         if (!name.ends_with("_s") || name == "certificate_s" || name == "write_s") continue;
+        if (name == "light_s" && !has_light) continue;
         seconds = seconds.value_or(0) + value;
     }
     return seconds;
+}
+
+// Whether some variants took the light that others made, which alone have its time.
+bool shares_light(const PreviewSweep& sweep, const std::string& asset) {
+    constexpr double nothing_s = 1e-3;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (const SweepVariant& variant : sweep.variants) {
+        const double seconds = figure_of(variant, asset, "light_s").value_or(0);
+        least = std::min(least, seconds);
+        most = std::max(most, seconds);
+    }
+    return least < nothing_s && most >= nothing_s;
 }
 
 bool is_measured(const PreviewSweep& sweep, const std::string& asset, std::string_view figure) {
@@ -55,7 +73,7 @@ std::vector<ChartPoint> points_of(const PreviewSweep& sweep, const std::string& 
     const bool has_families = sweep.axes.size() > 1;
     std::vector<ChartPoint> points;
     for (const SweepVariant& variant : sweep.variants) {
-        const auto x = cost.figure.empty() ? bake_seconds(variant, asset)
+        const auto x = cost.figure.empty() ? bake_seconds(variant, asset, cost.has_light)
                                            : figure_of(variant, asset, cost.figure);
         const auto y = figure_of(variant, asset, error.figure);
         if (!x || !y) continue;
@@ -78,7 +96,8 @@ void mark_points(std::vector<ChartPoint>& points, double noise) {
     std::set<std::pair<double, double>> labelled;
     for (std::size_t i = 0; i < points.size(); ++i) {
         points[i].on_front = front[i];
-        if (!front[i] || !labelled.emplace(points[i].x, points[i].y).second) points[i].label.clear();
+        if (!front[i] || !labelled.emplace(points[i].x, points[i].y).second)
+            points[i].label.clear();
     }
 }
 
@@ -95,7 +114,8 @@ std::optional<PreviewPicture> plot_of(const PreviewSweep& sweep, const std::stri
     Figure figure;
     figure.title = asset + ": what accuracy costs";
     figure.front_name = "Pareto front";
-    for (const PlottedFigure& cost : {bytes_axis, time_axis}) {
+    const PlottedFigure& time = shares_light(sweep, asset) ? own_time_axis : time_axis;
+    for (const PlottedFigure& cost : {bytes_axis, time}) {
         auto points = points_of(sweep, asset, cost, error, figure.families);
         if (!differ_in_place(points)) continue;
         mark_points(points, cost.figure.empty() ? kTimingNoise : 0);
@@ -103,11 +123,11 @@ std::optional<PreviewPicture> plot_of(const PreviewSweep& sweep, const std::stri
     }
     if (figure.charts.empty()) return std::nullopt;
     figure.subtitles = {fmt::format("variants of {}", fmt::join(sweep.names, ", "))};
-    return as_plot({asset + "_variants", figure.title,
-                    "A variant on the front is beaten by no other in both error and cost. Times are "
-                    "wall times of the bakes; light that several variants share is in the time of "
-                    "the first that needed it.",
-                    painted(drawing_of(figure))});
+    return as_plot(
+        {asset + "_variants", figure.title,
+         "A variant on the front is beaten by no other in both error and cost. Times are "
+         "wall times of the bakes. Where variants share light, it is in none of them.",
+         painted(drawing_of(figure))});
 }
 
 }  // namespace

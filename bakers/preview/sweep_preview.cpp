@@ -74,7 +74,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     view.projection = SkyProjection::panorama;
     view.width = size_of(options)[0];
     view.height = size_of(options)[1];
-    // As many degrees per pixel along the horizon as upwards.
+    // A pixel is as many degrees wide as it is high.
     view.azimuth_span_degrees =
         std::min(360.0, (view.highest_degrees - view.lowest_degrees) * view.width / view.height);
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;

@@ -47,7 +47,7 @@ bool is_the_same_everywhere(const PreviewSweep& sweep, const std::string& asset)
 }  // namespace
 
 SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
-    // What differs is to be seen without scrolling.
+    // Figures that differ are to be seen without scrolling.
     std::vector<std::string> assets = sweep.assets;
     std::stable_partition(assets.begin(), assets.end(), [&](const std::string& asset) {
         return !is_the_same_everywhere(sweep, asset);

@@ -29,7 +29,7 @@ class CloudAir {
     CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, const SunDirection& sun,
              const Range& range, int threads);
 
-    // What the air does along a direction, given by its elevation and azimuth in degrees.
+    // The air's effects along a direction, given by its elevation and azimuth in degrees.
     struct Along {
         Spectrum sky{};            // radiance of the sky behind the cloud, or of the ground
         Spectrum ground{};         // the part of it that the ground sends

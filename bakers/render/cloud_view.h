@@ -86,7 +86,7 @@ GroundIrradiance ground_irradiance(const Atmosphere& atmosphere, const SunDirect
 struct CloudView {
     Image2<float> radiance;
     FetchCounts fetches;
-    int refined_pixels = 0;  // that have four samples
+    int refined_pixels = 0;  // pixels with four samples
 };
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
                        const CloudViewSettings& settings, int threads,

@@ -21,7 +21,7 @@ constexpr std::array<Offset, kSamples> kOffsets = {
 
 // The noise of a pixel is (q + n) / 4, with n the gradient noise and q a number that differs among each
 // two by two pixels. The samples of a pixel are a quarter apart, so together they are (0 + n) / 4 to
-// (3 + n) / 4: what is left of the noise in their mean is the fine pattern of n. Of gradient noise
+// (3 + n) / 4: what is left of the noise in their mean is the fine pattern of n. With gradient noise
 // alone it would be that of the fraction of 4 n, whose waves are three pixels long and show as hatching.
 float jitter_of(const PixelSample& sample, int pattern) {
     static_assert(kSamples == 4);

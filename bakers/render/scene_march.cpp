@@ -66,7 +66,7 @@ std::vector<PixelSample> all_pixels(const Image2<float>& image) {
     return pixels;
 }
 
-// What the need for more samples follows from: the transmittance, and the light of the sun, whose grain
+// The need for more samples follows from these: the transmittance, and the light of the sun, whose grain
 // shows where a cloud is dense.
 struct PixelState {
     float transmittance = 1;

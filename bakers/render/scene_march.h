@@ -33,10 +33,10 @@ struct SceneLayer {
 // The share of the reach from which on a layer fades.
 inline constexpr double kFadeFrom = 0.67;
 
-// Which pixels have kSamples samples and not one: those where clouds are thin or end, or all.
+// The pixels that have kSamples samples and not one: those where clouds are thin or end, or all.
 enum class Refinement { none, thin, all };
 
-// What a picture shows, and how carefully.
+// The view that a picture shows, and the care that is taken with it.
 struct SceneFrame {
     int width = 0;
     int height = 0;

@@ -49,15 +49,15 @@ struct ExposureRule {
     double least_median = 0;  // the exposure brings the median to at least this share of white
 };
 
-// Of tables and other pictures without a sky: nothing but the brightest hundredth is lost.
+// For tables and other pictures without a sky: only the brightest 1 % clips.
 inline constexpr ExposureRule kWholePicture = {0.99, 0.85, 1, false};
 
-// Of pictures with clouds: sunlit cloud is the brightest part, and lies just below white, at 235 to 245 of
+// For pictures with clouds: sunlit cloud is the brightest part, and lies just below white, at 235 to 245 of
 // 255 by the default curve, where photographers put it. Against the light, the glow of thin cloud around the
 // sun is far brighter than all else, and burns out before the rest is darker than a clear sky is shown.
 inline constexpr ExposureRule kCloudPicture = {0.99, 0.9, 1, false, 0, 0, 0.25};
 
-// Of clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
+// For clear skies: the median is half a stop above middle grey, as a photographer exposes a sky. A low sun
 // is so much brighter than its sky that this would burn out the light around it; so no more than a
 // twentieth of the picture is brighter than 0.9 of white.
 inline constexpr ExposureRule kSkyPicture = {0.5, 0.25, 1, true, 0.95, 0.9};

@@ -52,7 +52,7 @@ struct VolumeFacts {
     int write_repetitions = 0;  // each write time is the median of this many
 };
 
-// What one way of skipping empty cells costs and saves.
+// The cost and savings of one way of skipping empty cells.
 struct SkippingRow {
     std::string structure;            // "no skipping", "exact, Chebyshev leaps"
     double occupied_share = 0;        // of the cells

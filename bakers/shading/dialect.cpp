@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::size_t kLanguages = shading_languages.size();
 
-// By language in the order of ShadingLanguage.
+// A type's names in all languages, in the order of ShadingLanguage.
 struct TypeRow {
     std::array<std::string_view, kLanguages> words;
     std::string_view scalar;
@@ -117,7 +117,7 @@ const TypeRow* type_row(std::string_view type) {
 
 }  // namespace
 
-std::string_view spelt_type(std::string_view type, ShadingLanguage language) {
+std::string_view translated_type(std::string_view type, ShadingLanguage language) {
     const TypeRow* const row = type_row(type);
     return row != nullptr ? row->words[static_cast<std::size_t>(language)] : std::string_view{};
 }
@@ -137,7 +137,7 @@ std::string vector_of(std::string_view scalar, int components) {
     return (scalar == "int" ? "ivec" : "vec") + std::to_string(components);
 }
 
-DialectFunction spelt_function(std::string_view name, ShadingLanguage language) {
+DialectFunction translated_function(std::string_view name, ShadingLanguage language) {
     const auto* const row =
         std::find_if(kFunctions.begin(), kFunctions.end(),
                      [&](const FunctionRow& one) { return one.words[0] == name; });
@@ -145,8 +145,8 @@ DialectFunction spelt_function(std::string_view name, ShadingLanguage language) 
     return {row->words[static_cast<std::size_t>(language)], row->result};
 }
 
-TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
-                                       ShadingLanguage language) {
+TextureFunction translated_texture_function(std::string_view name, std::string_view type,
+                                            ShadingLanguage language) {
     const auto* const row =
         std::find_if(kTextureFunctions.begin(), kTextureFunctions.end(),
                      [&](const TextureRow& one) { return one.name == name && one.type == type; });

@@ -8,10 +8,10 @@
 
 namespace skybake {
 
-// A type of GLSL: "float", "vec3", "ivec2", "bool", "sampler3D". An empty text if it is none.
-std::string_view spelt_type(std::string_view type, ShadingLanguage language);
+// Returns the name of a type of GLSL, such as "vec3" or "sampler3D"; empty if it is none.
+std::string_view translated_type(std::string_view type, ShadingLanguage language);
 
-// Of a number or a vector of them: "vec3" has 3 components of "float".
+// Types are numbers or vectors of them: "vec3" has 3 components of "float".
 int components_of(std::string_view type);
 std::string_view scalar_of(std::string_view type);
 std::string vector_of(std::string_view scalar, int components);
@@ -26,18 +26,18 @@ struct DialectFunction {
     std::string_view word;                         // its name in that language
     FunctionResult result = FunctionResult::none;  // `none` of a function that is not in the table
 };
-DialectFunction spelt_function(std::string_view name, ShadingLanguage language);
+DialectFunction translated_function(std::string_view name, ShadingLanguage language);
 
 struct TextureFunction {
     // With {0} for the texture, {1} for its sampler, {2} and {3} for the other arguments.
     std::string_view form;
     std::string_view result;
 };
-// Of a texture of that type. The form is empty if it is none.
-TextureFunction spelt_texture_function(std::string_view name, std::string_view type,
-                                       ShadingLanguage language);
+// How the language looks up such a texture; `form` is empty for other types.
+TextureFunction translated_texture_function(std::string_view name, std::string_view type,
+                                            ShadingLanguage language);
 
-// A name that the language does not keep for itself.
+// A name that is not reserved in the language.
 std::string allowed_name(std::string_view name, ShadingLanguage language);
 
 }  // namespace skybake

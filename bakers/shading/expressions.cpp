@@ -45,10 +45,10 @@ void ExpressionTranslator::refuse(const std::string& what) const {
 // --- Names --------------------------------------------------------------------------------------
 
 bool ExpressionTranslator::is_type(std::string_view word) const {
-    return !spelt_type(word, to_).empty() || structures_.contains(std::string(word));
+    return !translated_type(word, to_).empty() || structures_.contains(std::string(word));
 }
-std::string ExpressionTranslator::spelt(std::string_view type) const {
-    const std::string_view word = spelt_type(type, to_);
+std::string ExpressionTranslator::type_name(std::string_view type) const {
+    const std::string_view word = translated_type(type, to_);
     return std::string(word.empty() ? type : word);
 }
 bool ExpressionTranslator::has_samplers_apart() const {
@@ -171,7 +171,7 @@ Value ExpressionTranslator::primary() {
 
 // --- Calls ----------------------------------------------------------------------------------
 
-// Of what stands in `callee.text`.
+// Translates a call of what stands in `callee.text`.
 Value ExpressionTranslator::call(Value callee) {
     std::vector<Value> arguments;
     take("(");
@@ -192,7 +192,7 @@ Value ExpressionTranslator::call(Value callee) {
 Value ExpressionTranslator::converted(const Value& value, const std::string& type) const {
     if (value.type == type) return value;
     const bool is_cast = to_ == Language::hlsl && components_of(type) > 1;
-    const std::string word = is_cast ? "(" + spelt(type) + ")" : spelt(type);
+    const std::string word = is_cast ? "(" + type_name(type) + ")" : type_name(type);
     return {value.before, fmt::format("{}({})", word, value.text), type, !is_cast};
 }
 
@@ -216,7 +216,7 @@ Value ExpressionTranslator::constructed(Value callee, std::vector<Value> argumen
     const bool fits = count == components_of(type) || (arguments.size() == 1 && count == 1);
     if (!fits || count == 0) refuse(fmt::format("{} components in `{}`", count, type));
     if (arguments.size() > 1)
-        return {callee.before, spelt(type) + "(" + joined(arguments) + ")", type};
+        return {callee.before, type_name(type) + "(" + joined(arguments) + ")", type};
     Value only = converted(arguments[0], type);
     only.before = callee.before;
     return only;
@@ -225,7 +225,7 @@ Value ExpressionTranslator::constructed(Value callee, std::vector<Value> argumen
 Value ExpressionTranslator::texture_call(Value callee, std::span<const Value> arguments) {
     const TextureFunction function =
         arguments.size() < 2 ? TextureFunction{}
-                             : spelt_texture_function(callee.text, arguments[0].type, to_);
+                             : translated_texture_function(callee.text, arguments[0].type, to_);
     if (function.form.empty()) refuse(fmt::format("the function `{}`", callee.text));
     const std::string& table = arguments[0].text;
     if (callee.text == "texture") note_that_it_is_sampled(table);
@@ -256,7 +256,7 @@ Value ExpressionTranslator::own_call(Value callee, const Function& function,
 
 // Numbers beside vectors become vectors: not every language has mix(vec3, vec3, float).
 Value ExpressionTranslator::builtin_call(Value callee, std::vector<Value> arguments) const {
-    const DialectFunction function = spelt_function(callee.text, to_);
+    const DialectFunction function = translated_function(callee.text, to_);
     if (function.result == FunctionResult::none || arguments.empty()) {
         refuse(fmt::format("the function `{}`", callee.text));
     }

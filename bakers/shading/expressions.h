@@ -52,7 +52,7 @@ class ExpressionTranslator {
     [[noreturn]] void refuse(const std::string& what) const;
 
     bool is_type(std::string_view word) const;
-    std::string spelt(std::string_view type) const;
+    std::string type_name(std::string_view type) const;
     std::string named(std::string_view name) const { return allowed_name(name, to_); }
     bool has_samplers_apart() const;
     static std::string sampler_of(const std::string& texture) { return texture + "_sampler"; }

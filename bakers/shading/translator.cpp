@@ -70,13 +70,13 @@ class Translator : private ExpressionTranslator {
         const std::string between =
             line != std::string_view::npos ? std::string(first.before.substr(line)) : " ";
         std::string text(first.before);
-        if (to_ != Language::wgsl) text += (is_constant ? "const " : "") + spelt(type);
+        if (to_ != Language::wgsl) text += (is_constant ? "const " : "") + type_name(type);
         for (bool is_first = true; is_first || next_is(","); is_first = false) {
             if (!is_first)
                 text += to_ == Language::wgsl ? (take(), ";" + between) : as_it_is(take());
             const Token& name = take_word();
             if (to_ == Language::wgsl) {
-                text += fmt::format("{} {}: {}", keyword, named(name.text), spelt(type));
+                text += fmt::format("{} {}: {}", keyword, named(name.text), type_name(type));
             } else {
                 text += std::string(name.before) + named(name.text);
             }
@@ -136,17 +136,18 @@ class Translator : private ExpressionTranslator {
             if (!list.empty()) list += ",";
             list += one.before;
             if (to_ != Language::wgsl) {
-                list += spelt(one.type) + one.before_name + own;
+                list += type_name(one.type) + one.before_name + own;
             } else if (one.is_assigned) {
-                list += fmt::format("{}_given: {}", own, spelt(one.type));
+                list += fmt::format("{}_given: {}", own, type_name(one.type));
                 inside.insert(inside.find('{') + 1, fmt::format(" var {0} = {0}_given;", own));
             } else {
-                list += fmt::format("{}: {}", own, spelt(one.type));
+                list += fmt::format("{}: {}", own, type_name(one.type));
             }
             if (one.is_sampled) list += sampler_argument(one.name);
         }
-        if (to_ == Language::wgsl) return fmt::format("fn {}({}) -> {}", name, list, spelt(result));
-        return fmt::format("{}{} {}({})", to_ == Language::msl ? "inline " : "", spelt(result),
+        if (to_ == Language::wgsl)
+            return fmt::format("fn {}({}) -> {}", name, list, type_name(result));
+        return fmt::format("{}{} {}({})", to_ == Language::msl ? "inline " : "", type_name(result),
                            name, list);
     }
 
@@ -167,8 +168,8 @@ class Translator : private ExpressionTranslator {
             const Token& member = take_word();
             members[std::string(member.text)] = std::string(type.text);
             text += std::string(type.before);
-            text += to_ == Language::wgsl ? fmt::format("{}: {}", member.text, spelt(type.text))
-                                          : spelt(type.text) + as_it_is(member);
+            text += to_ == Language::wgsl ? fmt::format("{}: {}", member.text, type_name(type.text))
+                                          : type_name(type.text) + as_it_is(member);
             const Token& end = take(";");
             text += to_ == Language::wgsl ? std::string(end.before) + "," : as_it_is(end);
         }
@@ -177,7 +178,7 @@ class Translator : private ExpressionTranslator {
         return to_ == Language::wgsl ? text : text + as_it_is(end);
     }
 
-    // What stands before the functions, also where several lookups stand in one file.
+    // Returns the lines before the functions, for files with several lookups too.
     std::string prelude() const {
         if (to_ == Language::msl) return "#include <metal_stdlib>\nusing namespace metal;\n\n";
         if (to_ != Language::hlsl || !uses_size_of_) return "";

@@ -95,7 +95,7 @@ class FolderMaker {
   private:
     bool stop(std::vector<Diagnostic> diagnostics) {
         for (Diagnostic& diagnostic : diagnostics) {
-            // What assets share is said once.
+            // Diagnostics of what assets share are reported once.
             const bool is_said =
                 std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& said) {
                     return said.code == diagnostic.code && said.message == diagnostic.message;

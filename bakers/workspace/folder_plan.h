@@ -62,7 +62,7 @@ struct FolderBake {
     std::optional<double> memory_limit_mib = {};  // stop before starting if more may be needed
     // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
     std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
-    Intermediates* intermediates = nullptr;  // that several bakes share; null: the bake has its own
+    Intermediates* intermediates = nullptr;  // shared by several bakes; null: the bake has its own
     std::vector<AssetSource*> sources = {};  // asked in this order; each is offered new assets
 };
 
@@ -90,7 +90,7 @@ struct FolderPlan {
     OutputFolder folder;
     std::vector<PlannedAsset> assets;  // in the order of FolderBake::bakes
     std::vector<RetiredFile> retired;  // from earlier recipes, and still there
-    std::vector<RetiredFile> pruned;   // those of `retired` that FolderBake::prune removes
+    std::vector<RetiredFile> pruned;   // the files of `retired` that prune removes
 
     std::size_t stale_count() const;
     // In the order in which they are first needed.

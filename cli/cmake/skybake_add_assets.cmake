@@ -19,7 +19,7 @@
 # stamp alone, so that nothing made from those is made again. A folder holds one recipe's files.
 
 cmake_policy(PUSH)
-# What follows must mean the same whatever policies the caller has.
+# The code below must mean the same whatever policies the caller has.
 cmake_policy(VERSION 3.21)
 
 # Two recipes in one folder would treat each other's files as foreign.

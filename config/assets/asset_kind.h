@@ -33,7 +33,7 @@ struct RecipeSoFar {
 // it.
 using ResolveAsset = void (*)(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& decoder);
 
-// What an asset does with the wavelengths of a recipe.
+// How an asset uses the wavelengths of a recipe.
 enum class UseOfLight {
     none,
     factors,   // one channel or number for each, by which a runtime multiplies light

@@ -44,8 +44,7 @@ constexpr Choice contents_choices[] = {
     {CloudLightContents::sky_visibility, "sky_visibility",
      "transmittance to the sky, and 0 below the horizon, as harmonics of the direction"},
     {CloudLightContents::sun_radiance, "sun_radiance",
-     "sunlight that the cloud scatters for the second time or more often, as harmonics of "
-     "the direction in which it goes on"},
+     "sunlight that the cloud scatters at least twice, as harmonics of its direction of travel"},
     {CloudLightContents::sky_radiance, "sky_radiance",
      "light of a uniform sky that the cloud scatters, of all orders, as such harmonics"},
     {CloudLightContents::clear_sky_radiance, "clear_sky_radiance",

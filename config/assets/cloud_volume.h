@@ -19,7 +19,7 @@ namespace skybake::config {
 struct CloudVolumeBake : VolumeFrames {
     std::string cloud;               // NAME of a [clouds.NAME]
     std::array<int, 3> size{};       // voxels along x, y and height
-    std::array<Length, 3> extent{};  // that the voxels span along x, y and z; 0: the cloud's
+    std::array<Length, 3> extent{};  // edges of the voxels' box; 0: the cloud's
     std::optional<double> cover;     // the share of columns with cloud; none: as coverage gives it
 };
 

@@ -13,13 +13,13 @@
 
 namespace skybake::config {
 
-// Which direction a texel shows. A cube is a strip of six faces below each other.
+// The direction that a texel shows. A cube is a strip of six faces below each other.
 enum class EnvironmentMapping { longitude_latitude, cube, octahedral };
 
 // Whether texels hold the light of the sun's disc.
 enum class SunInMap { none, disc };
 
-// What the levels of detail beyond the first hold.
+// The content of the levels of detail beyond the first.
 enum class LevelContent { mean, ggx };
 
 struct EnvironmentBake : LightFiles {

@@ -10,7 +10,7 @@
 
 namespace skybake::config {
 
-// What DDS and KTX2 files hold the frames as: the slices of a 3-D texture, or the layers of an array of
+// How DDS and KTX2 files hold the frames: as the slices of a 3-D texture, or the layers of an array of
 // 2-D textures.
 enum class FlipbookMapping { frames, layers };
 

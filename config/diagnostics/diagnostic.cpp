@@ -53,6 +53,12 @@ void DiagnosticList::warning(std::string code, const Place& place, std::string m
 }
 
 void DiagnosticList::add(Item item) {
+    // A value that two sections take is wrong once.
+    const bool is_said =
+        item.place.line > 0 && std::any_of(items_.begin(), items_.end(), [&](const Item& said) {
+            return said.code == item.code && reading_order(said.place) == reading_order(item.place);
+        });
+    if (is_said) return;
     if (items_.size() < most_diagnostics) {
         items_.push_back(std::move(item));
     } else {

@@ -151,7 +151,7 @@ struct SectionReader {
         std::string label;
         if (as_table(entry.value)) {
             label = did_you_mean(entry.key, subtables(section.path));
-            // What the table would have told is not reported as missing.
+            // Keys of a misspelt table are not reported as missing.
             if (!label.empty()) decoder.complete = false;
         }
         // A letter too few, too many or exchanged is a slip of the pen, whatever other sections have.

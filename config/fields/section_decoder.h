@@ -87,11 +87,11 @@ struct Row {
     void (*assign_to)(S& target, char S::*member, const Field& field,
                       const FieldValue& value) = nullptr;
 
-    Row(const Field& of, std::nullptr_t) : field(of) {}
+    Row(const Field& key_field, std::nullptr_t) : field(key_field) {}
 
     template <class T, class Base>
-    requires std::is_base_of_v<Base, S> Row(const Field& of, T Base::*of_base)
-        : field(of),
+    requires std::is_base_of_v<Base, S> Row(const Field& key_field, T Base::*of_base)
+        : field(key_field),
           member(reinterpret_cast<char S::*>(static_cast<T S::*>(of_base))),
           assign_to([](S& target, char S::*any, const Field& of, const FieldValue& value) {
               assign(of, value, target.*reinterpret_cast<T S::*>(any));

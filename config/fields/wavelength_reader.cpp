@@ -28,8 +28,8 @@ namespace {
 // earth_clear_mountain, earth with ozone of 150 DU, and earth with haze of optical depth 0.4, Angstrom
 // exponent 1 and single-scattering albedo 0.9 over a ground of albedo 0.3, in which the sun counts at 5
 // degrees alone. It went down by steps of 8, 4, 2 and 1 nm in each wavelength, from random beginnings
-// around the best one so far. Those of 3, 8 and 16 came of earlier searches of this kind, on air that
-// falls off exponentially.
+// around the best one so far. The sets of 3, 8 and 16 come from earlier searches of the same kind, on air
+// that falls off exponentially.
 constexpr std::array best_3 = {451.0, 541.0, 618.0};
 constexpr std::array best_4 = {446.0, 524.0, 577.0, 642.0};
 constexpr std::array best_8 = {427.0, 467.0, 520.0, 532.0, 565.0, 580.0, 616.0, 665.0};

@@ -21,7 +21,7 @@ using HumidRadii = std::array<double, kHumidityCount>;  // um, at those humiditi
 
 constexpr HumidRadii same_when_humid(double um) { return {um, um, um, um, um, um, um, um}; }
 
-// Which substance a component is made of.
+// The substance that a component is made of.
 enum class Substance { insoluble, water_soluble, soot, sea_salt, mineral, sulfate };
 
 struct ComponentFacts {

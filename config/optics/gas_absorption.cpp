@@ -1,4 +1,4 @@
-// What ozone, nitrogen dioxide, oxygen and water vapour absorb. Numbers below are facts of the
+// Absorption by ozone, nitrogen dioxide, oxygen and water vapour. Numbers below are facts of the
 // publications that each table names.
 #include <algorithm>
 #include <array>

@@ -51,7 +51,7 @@ struct WavelengthRange {
 // Returns the wavelengths at which the gas is known. All of them include 380 to 780 nm.
 WavelengthRange range_of(Gas gas);
 
-// What one molecule does, and how what it scatters is spread.
+// The cross sections of one molecule, and how the light that it scatters is spread.
 struct GasOptics {
     double scattering_m2 = 0;
     double absorption_m2 = 0;

@@ -1,4 +1,4 @@
-// What measured grounds reflect at each wavelength: the share of the light that leaves a level
+// Reflectances of measured grounds at each wavelength: the share of the light that leaves a level
 // surface in all directions (its albedo), in [0, 1].
 //
 // ground_spectra.cpp names the source of each.

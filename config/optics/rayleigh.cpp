@@ -38,7 +38,7 @@ namespace {
 // F = (6 + 3 rho) / (6 - 7 rho), solved for rho.
 double depolarization_of(double king) { return 6 * (king - 1) / (3 + 7 * king); }
 
-// Of a gas whose refractive index at 15 C and 1013.25 hPa is 1 + refractivity:
+// Returns the optics of a gas whose refractive index at 15 C and 1013.25 hPa is 1 + refractivity:
 //
 //   sigma = 24 pi^3 nu^4 / N^2 ((n^2 - 1) / (n^2 + 2))^2 F
 GasOptics optics_of(double per_cm, double refractivity, double king) {

@@ -140,7 +140,7 @@ class Loader {
     }
 
   private:
-    // Parses an included file. Of a file that is no recipe no line is shown, because it may hold secrets:
+    // Parses an included file. For a file that is no recipe, no line is shown, because it may hold secrets:
     // whoever asked for it may not be who reads the diagnostics.
     std::optional<Table> parse_include(Source& source) {
         DiagnosticList faults;

@@ -187,7 +187,7 @@ bool is_of_particles(const DecodedSection& layer) {
     return choice_of<Phase>(phase) == Phase::mie;
 }
 
-// What a layer's coefficients follow from: its numbers, [particles.NAME], kinds
+// The source of a layer's coefficients: its numbers, [particles.NAME], kinds
 // of spheres, a gas, or an amount of haze.
 enum class Matter { numbers, particles, spheres, gas, aerosol };
 
@@ -237,7 +237,7 @@ void leave_coefficients_to(Matter matter, DecodedSection& layer, Decoder& decode
     if (matter == Matter::gas) {
         leave_out({"scattering", "extinction", "absorption", "single_scattering_albedo",
                    "optical_depth", "visibility", "angstrom_exponent"},
-                  "a gas", "`gas` knows it at each wavelength; leave it out", layer, decoder);
+                  "a gas", "`gas` sets it at every wavelength; remove this key", layer, decoder);
     } else if (matter == Matter::aerosol) {
         leave_out({"scattering", "extinction", "absorption"}, "an aerosol",
                   "it follows from the optical depth or the visibility; leave it out", layer,
@@ -283,7 +283,7 @@ constexpr double usual_angstrom_exponent = 1.3;
 constexpr double depolarization_of_air = 0.0279;
 constexpr double usual_humidity = 0.8;
 
-// Of the gas that a layer has.
+// Returns the depolarisation of a layer's gas.
 double depolarization_of(const Layer& layer) {
     if (!layer.gas || !scatters(layer.gas->gas)) return 0;
     if (layer.gas->gas == Gas::air) return depolarization_of_air;

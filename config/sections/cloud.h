@@ -47,7 +47,7 @@ struct CloudMap {
     bool operator==(const CloudMap&) const = default;
 };
 
-// What a tower adds to the height profile: a Gaussian over the ground plan, in units of tiles, or a
+// The shape that a tower adds to the height profile: a Gaussian over the ground plan, in units of tiles, or a
 // dome, a solid in metres.
 enum class TowerShape { gaussian, dome };
 

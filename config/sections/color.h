@@ -18,7 +18,7 @@ enum class Observer { cie_1931 };
 // The sunlight that the wavelengths of a spectrum are weighted by.
 enum class SunSpectrum { measured, flat };
 
-// What is white, (1, 1, 1): light with the spectrum of the sun outside the air, or the white of the
+// The light that is white, (1, 1, 1): light with the spectrum of the sun outside the air, or the white of the
 // colour space.
 enum class WhitePoint { sun, space };
 

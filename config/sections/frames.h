@@ -34,7 +34,7 @@ std::string sequence_name(const std::string& first_frame);
 // and each frame after it a frame later. Frame 0 changes nothing.
 Parameters at_frame(const Parameters& parameters, int frame);
 
-// What an asset is made of, and the frames of its loop.
+// The noise or cloud that an asset is made of, and the frames of its loop.
 struct Motion {
     std::string name;  // "noise `base`"
     int period = 0;    // 0: it stands still

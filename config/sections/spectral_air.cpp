@@ -26,7 +26,7 @@ struct Extinction {
     double extinction = 0;
 };
 
-// Of a gas or an aerosol, per metre where the density is 1.
+// Extinction and scattering of a gas or aerosol, per metre, at density 1.
 Extinction extinction_of(const Layer& layer, double column_m, Length wavelength) {
     if (layer.gas) {
         const GasOptics optics = gas_optics(layer.gas->gas, wavelength);

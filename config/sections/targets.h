@@ -26,13 +26,13 @@ struct TargetKey {
 // How a program loads some of the assets.
 struct TargetUse {
     std::vector<std::string_view> assets;
-    std::vector<FileFormat> formats;              // that it loads
-    PixelTypes pixel_types;                       // that it loads
+    std::vector<FileFormat> formats;              // the formats that it loads
+    PixelTypes pixel_types;                       // the types that it loads
     std::optional<PixelType> pixel_type = {};     // by default; none: that of the asset
     std::vector<std::string_view> sidecars = {};  // "*.three.js" is NAME.three.js
     std::size_t written = 1;  // how many of the formats, the first ones, are written by default
     std::vector<TargetKey> keys = {};
-    std::size_t light_channels = 0;  // that light has in each file; 0: any number
+    std::size_t light_channels = 0;  // channels of light in each file; 0: any number
     // The mappings that the assets may have, the one to choose first; empty: any.
     std::vector<std::string_view> mappings = {};
 };

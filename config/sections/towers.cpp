@@ -106,7 +106,7 @@ void check_life(const DecodedSection& section, const TowerLife& tower, const Clo
     if (cloud.period == 0 || (is_whole(cloud.drift[0]) && is_whole(cloud.drift[1]))) return;
     decoder.diagnostics.error(
         "E0182", section.place,
-        fmt::format("[{}] stands, and a drift of [{:g}, {:g}] tiles does not lead back to it",
+        fmt::format("the tower [{}] does not return to its start: `drift` is [{:g}, {:g}] tiles",
                     section.path, cloud.drift[0], cloud.drift[1]),
         "give whole tiles as `drift` of the cloud, or give the tower a `life`");
 }

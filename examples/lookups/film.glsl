@@ -18,14 +18,14 @@ vec3 in_gamut(vec3 light) {
                                      within_border(apart.z, 0.880, 1.312)), vec3(0.0));
 }
 
-// What the curve shows of grey light: a toe, a straight part from 0.22 to 0.532, and a shoulder.
+// Returns grey light as the curve shows it: a toe, a straight part from 0.22 to 0.532, and a shoulder.
 float film_of_grey(float light) {
     if (light >= 0.532) return 1.0 - 0.468 * exp((0.532 - light) / 0.468);
     float place = min(light / 0.22, 1.0);
     return mix(0.22 * pow(place, 1.33), light, place * place * (3.0 - 2.0 * place));
 }
-// Of light within the gamut. The greatest channel has the curve, and the others keep their ratios to it, for
-// the most part.
+// Returns light within the gamut. The greatest channel has the curve, and the others keep their ratios to
+// it, for the most part.
 vec3 film(vec3 light) {
     float greatest = max(max(light.x, light.y), light.z);
     if (greatest <= 0.0) return vec3(0.0);

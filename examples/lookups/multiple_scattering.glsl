@@ -14,7 +14,7 @@ vec3 multiple_scattering(sampler2D table, float D, float h, float sun_mu, bool t
     return texture(table, multiple_scattering_place(size, D, h, sun_mu, twilight, crop)).rgb;
 }
 
-// The same of a table of four wavelengths.
+// The same for a table of four wavelengths.
 vec4 multiple_scattering_of_4(sampler2D table, float D, float h, float sun_mu, bool twilight,
                               vec2 crop) {
     vec2 size = vec2(textureSize(table, 0));

@@ -3,7 +3,7 @@
 // Phase functions of droplets have peaks of a tenth of a degree, where cosines of floats have no digits
 // left: the angle comes as sine and cosine of its half.
 
-// Of the scattering angle: `a` and `b` are unit vectors, the view ray and the direction to the sun.
+// Sine and cosine of half the angle between the unit vectors `a`, the view ray, and `b`, towards the sun.
 vec2 half_angle(vec3 a, vec3 b) { return 0.5 * vec2(length(a - b), length(a + b)); }
 
 // The place in the table from 0 to 1 of t = half_angle(a, b), by the table's spacing, which is `mapping`
@@ -23,7 +23,7 @@ vec4 phase_function_of_4(sampler2D table, float x) {                            
 vec3 phase_function(sampler2D table, float x) { return vec3(phase_function_of_4(table, x)); }
 
 // content = "inverse_cumulative": for x uniform in [0, 1], 1 - cos(angle) of angles that are distributed
-// as the phase function. Of such a v, sin(angle) is sqrt(v * (2.0 - v)) and loses no digits.
+// as the phase function. For such a v, sin(angle) is sqrt(v * (2.0 - v)) and loses no digits.
 vec4 sampled_angle_of_4(sampler2D table, float x) {                                 // of four wavelengths
     float size = float(textureSize(table, 0).x);
     return texture(table, vec2((0.5 + x * (size - 1.0)) / size, 0.5));

@@ -25,7 +25,7 @@ vec3 transmittance_to_top_ue(sampler2D table, float R, float D, float h, float m
     return texture(table, transmittance_place(R, D, h, mu)).rgb;
 }
 
-// The same of tables of four wavelengths.
+// The same for tables of four wavelengths.
 vec4 transmittance_to_top_of_4(sampler2D table, float R, float D, float h, float mu) {
     vec2 size = vec2(textureSize(table, 0)), x = transmittance_place(R, D, h, mu);
     return texture(table, (0.5 + x * (size - 1.0)) / size);

@@ -1,4 +1,4 @@
-// What the pages show: a view, the block of uniforms that the shaders take of it, and sliders that change it.
+// The view that pages show, the block of uniforms that the shaders take of it, and sliders that change it.
 // Azimuths and headings turn from +x towards +y.
 
 export const first_view = {position: [0, 0, 200], heading: 63, pitch: 15, fov: 70, sun_elevation: 20, sun_azimuth: 175,

@@ -102,7 +102,7 @@ TEST(TransmittanceHardCase, Case03CancellationAtPlanetRadius) {
                     const Quad exact =
                         sqrt(r * r + Quad(x) * (Quad(x) + 2 * Quad(s))) - Quad(ground);
                     const double altitude = altitude_along_km(shell, h, s, x);
-                    // Of the altitude or, going down, of the drop.
+                    // Errors are relative to the altitude or, going down, to the drop.
                     const double scale = std::max(h, std::fabs(static_cast<double>(exact)));
                     worst = std::max(
                         worst, std::fabs(static_cast<double>(Quad(altitude) - exact)) / scale);

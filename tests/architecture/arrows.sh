@@ -145,14 +145,14 @@ forbid 'bakers/io/' bakers/assets \
 # --- The C library's functions ----------------------------------------------------------------------
 
 # Its exponentials, sines and lengths have other last bits on other processors and in other versions.
-# What is baked, and what a manifest says of it, takes config/optics/elementary.h and
+# Code of baked values, and of facts in manifests, takes config/optics/elementary.h and
 # bakers/math/transcendental.h in place of them. The first exception only refuses towers that are too
 # narrow for their voxels; the second times a published method whose table nobody keeps.
 functions='exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|erfc|[tl]gamma|a?(sin|cos|tan)h?|atan2|sincos'
 called=$(grep -rlE "\b($functions)[fl]?\(" --include='*.h' --include='*.cpp' config $makers bakers/io |
     grep -vE '^(config/sections/towers|bakers/assets/transmittance/transmittance_table)\.cpp$' |
     while IFS= read -r source; do
-        # What is left without comments, strings and lines of GLSL.
+        # Drops comments, strings and lines of GLSL.
         sed -E 's@//.*@@; s/"([^"\\]|\\.)*"//g' "$source" |
             grep -nE "(^|[^A-Za-z_.>])((std|glm)?::)?($functions)[fl]?\(" | sed "s@^@$source:@"
     done || true)

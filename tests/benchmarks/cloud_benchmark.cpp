@@ -1,4 +1,4 @@
-// What a cloud costs beside its noise, and what is saved where there is none: in one run, thread
+// The cost of a cloud beside its noise, and the saving where there is none: in one run, thread
 // CPU time. tests/benchmarks/README.md keeps the figures reached.
 //
 // Run with --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true

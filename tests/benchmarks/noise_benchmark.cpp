@@ -129,7 +129,7 @@ void worley_pointwise(benchmark::State& state, int size, int frequency) {
     count_octaves(state, size, 1);
 }
 
-// What no kernel can undercut: the voxels' memory written once.
+// No kernel can undercut this: the voxels' memory is written once.
 void stores(benchmark::State& state, int size, int channels) {
     Cube cube(size, channels);
     for (auto _ : state) {
@@ -172,7 +172,7 @@ void register_all() {
         milliseconds(RegisterBenchmark(name.c_str(), fill, worley_plan(128, frequency), 128, 1));
     }
     milliseconds(RegisterBenchmark("worley_f1_128_cells4_pointwise", worley_pointwise, 128, 4));
-    // Of 128³ voxels and one octave each.
+    // Noises of 128³ voxels with one octave each.
     const std::string warp = "warp_strength = 0.1\n";
     const std::string moving = "period = 48\ntime = 5\n";
     for (const auto& [name, plan] : {

@@ -54,7 +54,7 @@ void ranges(benchmark::State& state, OccupancyFilter filter, int size, int cell)
                             static_cast<std::int64_t>(voxels.size() * sizeof(float)));
 }
 
-// What clouds are like: all of them in the lower eighth.
+// Ranges of cells like those of clouds, all of which are in the lower eighth.
 void ranges_of_layer(benchmark::State& state, int size) {
     AlignedFloats voxels = noise_volume(size);
     std::fill(voxels.begin() + static_cast<std::ptrdiff_t>(voxels.size() / 8), voxels.end(), 0.0F);
@@ -74,7 +74,7 @@ void ranges_on(benchmark::State& state, std::int64_t target, int size) {
     hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-// What reading alone takes.
+// The time of reading alone.
 void reads(benchmark::State& state, int size) {
     const AlignedFloats& voxels = noise_volume(size);
     const auto* words = reinterpret_cast<const unsigned char*>(voxels.data());

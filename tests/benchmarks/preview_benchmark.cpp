@@ -103,7 +103,7 @@ int main(int argc, char** argv) {
                 ->UseRealTime();
         }
     }
-    // Of the targets that the compiler made.
+    // Adds a benchmark for each of the targets that the compiler made.
     for (std::int64_t left = hwy::SupportedTargets() & HWY_TARGETS; left != 0; left &= left - 1) {
         const std::int64_t target = left & -left;
         const std::string name = std::string("sky/dome_512_one_thread/") + hwy::TargetName(target);

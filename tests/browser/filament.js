@@ -11,8 +11,8 @@ const path = require('node:path');
 const [, , program, folder] = process.argv;
 const cmgen = '/usr/bin/cmgen';
 
-// Of a place in the picture. Filament's y points up, and the middle of the picture is at its +z; from within, u grows to
-// the right, towards -x.
+// Returns the direction of a place in the picture. Filament's y points up, and the middle of the picture is at its
+// +z; from within, u grows to the right, towards -x.
 function direction_of([u, v]) {
     const azimuth = (2 * u - 1) * Math.PI, elevation = (0.5 - v) * Math.PI;
     return [-Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation), Math.cos(azimuth) * Math.cos(elevation)];

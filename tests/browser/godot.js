@@ -1,5 +1,5 @@
 'use strict';
-// What the target godot writes, in Godot 4.6 itself, whose program for the web runs in Chromium without a GPU: shaders
+// Tests the files of the target godot in Godot 4.6, whose program for the web runs in Chromium without a GPU: shaders
 // read the probes' values from the DDS textures, most by the includes and cubes by direction alone, the fog stands where
 // the cloud is, and cameras see the skies of the environments. The textures come without an import: no file .import is
 // there, and they have the format and the levels of the files.
@@ -44,7 +44,8 @@ function places_of(asset) {
     return lookups.map(([u, v, w]) => [u, v, w ?? 0.5]);
 }
 
-// What cameras look at: every third probe, and its direction in Godot, ahead being -z. The zenith has no azimuth.
+// Returns the views of cameras: every third probe, and its direction in Godot, ahead being -z. The zenith has no
+// azimuth.
 function views_of(asset) {
     const probes = probes_of(asset).filter(({at}, i) => i % 3 === 0 && Math.abs(at.elevation_deg) < 89);
     return probes.map((probe) => {
@@ -53,7 +54,7 @@ function views_of(asset) {
     });
 }
 
-// What the project is asked for an asset of the manifest.
+// Returns the question to the project about an asset of the manifest.
 function question(asset) {
     const named = (end) => asset.files.map((file) => file.path).find((name) => name.endsWith(end));
     const id = asset.name.replaceAll('-', '_');
@@ -92,7 +93,7 @@ function faults_of_fog(asset, fog) {
         ? [] : [`${asset.name}: the fog is ${JSON.stringify(fog)}`];
 }
 
-// What a camera shows of a radiance, from 0 to 255: the renderer takes what the shader returns, which is the curve of
+// Returns a radiance as a camera shows it, from 0 to 255: the renderer takes the shader's result, which is the curve of
 // sRGB, back by a polynomial, and gives it the curve again by a power that is 0 where it is dark.
 //
 // Source: Godot 4.6, drivers/gles3/shaders/tonemap_inc.glsl.

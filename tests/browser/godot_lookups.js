@@ -1,5 +1,5 @@
 'use strict';
-// What `skybake info --lookup --language godot` prints, compiled and run by Godot 4.6 itself, whose program for the web
+// Tests functions of `skybake info --lookup --language godot`, compiled and run by Godot 4.6, whose program for the web
 // runs in Chromium without a GPU, and held to the probes of the baked files; and to the same files the wrong way round,
 // which must not pass.
 //   node godot_lookups.js PROGRAM FOLDER PRINTED_LOOKUP_TESTS PRINTED_FOLDER

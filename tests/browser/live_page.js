@@ -1,7 +1,7 @@
 'use strict';
-// What `skybake preview --live` draws, in Chromium without a GPU, beside the pictures of the CPU's renderer of the same
-// bake from the same camera; that it is another picture if a table is upside down or empty; and what a reader does
-// with the page's controls.
+// Compares the pictures of `skybake preview --live`, in Chromium without a GPU, with those of the CPU's renderer of
+// the same bake from the same camera; tests that it is another picture if a table is upside down or empty, and what a
+// reader does with the page's controls.
 //   node live_page.js PROGRAM FOLDER [WORDS OF A TEST'S NAME]
 const {launched, software_gl} = require('./chromium.js');
 const {common, comparison, live, open, patience, program, run, size, spoil, work, write} = require('./live_views.js');

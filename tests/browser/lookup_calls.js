@@ -7,7 +7,7 @@ const path = require('node:path');
 
 // --- Calls --------------------------------------------------------------------------------------
 
-// By function: {file, function, textures, types, channels, calls}.
+// Returns for each function {file, function, textures, types, channels, calls}.
 function noted_functions(printed_tests, work) {
     execFileSync(printed_tests, ['--gtest_brief=1'], {env: {...process.env, SKYBAKE_CALLS: work}});
     const functions = new Map();
@@ -63,7 +63,7 @@ const typed = (type, texel) => (casts[type] ?? ((x) => x))(`${texel}.${swizzles[
 const widened = (value, channels, vec4) =>
     `${vec4}(${[value, ...['0.0', '0.0', '1.0'].slice(channels - 1)].join(', ')})`;
 
-// Of each texture, whether it is '2D', '3D' or '2DArray'.
+// Returns for each texture whether it is '2D', '3D' or '2DArray'.
 function texture_kinds(signature) {
     return signature.filter((one) => /[Tt]exture|sampler[23]D/.test(one)).map(
         (one) => (/2DArray|2d_array/.test(one) ? '2DArray' : /2D|2d/.test(one) ? '2D' : '3D'));

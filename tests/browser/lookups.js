@@ -1,5 +1,5 @@
 'use strict';
-// What `skybake info --lookup --language` prints, run by Chromium without a GPU and held to the probes of the
+// Tests functions of `skybake info --lookup --language`, run by Chromium without a GPU and held to the probes of the
 // baked files: GLSL and Godot's language in WebGL 2, HLSL there too (by way of glslang, SPIR-V and
 // SPIRV-Cross), WGSL in WebGPU. Metal's language, which nothing here can compile, runs as C++ in tests/lookups.
 //   node lookups.js PROGRAM FOLDER LANGUAGE PRINTED_LOOKUP_TESTS PRINTED_FOLDER
@@ -86,7 +86,7 @@ const languages = {
 
 // --- Tests --------------------------------------------------------------------------------------
 
-// Of each function, what it returns from the files and from the same files the wrong way round.
+// Returns the results of each function from the files, and from the same files the wrong way round.
 async function results_of(page, {shader, run}, functions) {
     const found = [], reversed = [];
     for (const one of functions) {

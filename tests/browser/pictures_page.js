@@ -9,7 +9,7 @@ function bytes_of(source, width, height) {
     return context.getImageData(0, 0, width, height).data;
 }
 
-// Of the given size, or else of its own.
+// Returns the bytes of a picture at the given size, or else at its own.
 window.picture = async (url, width, height) => {
     const image = new Image();
     image.src = url;

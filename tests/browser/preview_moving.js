@@ -1,5 +1,5 @@
 'use strict';
-// What moves on pages of `skybake preview`: turntables, and the pictures of a recipe that is watched.
+// Tests the moving parts of pages of `skybake preview`: turntables, and the pictures of a recipe that is watched.
 //   node preview_moving.js PROGRAM FOLDER
 const {launched} = require('./chromium.js');
 const {open, patience, program, recipe, run, until, work, write} = require('./preview_tools.js');
@@ -139,7 +139,7 @@ const tests = {
             });
             const finished = () => page.waitForSelector('.watch:has-text("full quality, rendered in")');
             await finished();
-            // What a reader has chosen, and the page itself, which is never loaded again.
+            // The page keeps a reader's choices, and is never loaded again itself.
             const first = page.locator('section:has(h2:text-is("transmittance"))');
             await first.locator('[role=tab]').nth(1).click();
             await first.locator('summary').last().focus();

@@ -1,5 +1,5 @@
 'use strict';
-// What a reader does with the pages of `skybake preview`, in a real browser from file://.
+// Uses the pages of `skybake preview` as a reader does, in a real browser from file://.
 //   node preview_page.js PROGRAM FOLDER
 const {launched} = require('./chromium.js');
 const {open, patience, program, recipe, run, work, write} = require('./preview_tools.js');
@@ -60,7 +60,7 @@ const tests = {
         const box = await page.locator('figure').first().boundingBox();
         assert.ok(box.width > 1000 && box.y < 200, JSON.stringify(box));
         assert.ok((await page.$$('img.plot')).length >= 5);
-        // Of a recipe no file is written: no column for them.
+        // A preview of a recipe writes no file: there is no column for them.
         assert.equal((await page.$$('[aria-label="All assets"] th:text-is("Files")')).length, 0);
     },
 
@@ -159,7 +159,7 @@ const tests = {
         const percents = (await column(page, 4)).filter((text) => /^[\d.e-]+ %$/.test(text));
         assert.equal(percents.length, withSky.length);
 
-        // By keyboard; assets without a figure stay last both ways.
+        // Sorts by keyboard; assets without a figure stay last both ways.
         for (const sign of [1, -1]) {
             await page.focus('[aria-label="All assets"] th button:text-is("Lookup error, max")');
             await page.keyboard.press('Enter');
@@ -196,7 +196,7 @@ const tests = {
         await page.keyboard.press('Escape');
         assert.ok(!(await dialog.isVisible()));
         assert.ok(await first.evaluate((button) => button === document.activeElement));
-        // By keyboard, and closed by its button.
+        // Opens it by keyboard, and closes it by its button.
         await page.keyboard.press('Enter');
         assert.ok(await dialog.isVisible());
         await page.click('dialog [aria-label="Close"]');

@@ -1,7 +1,7 @@
 'use strict';
-// What an example of examples/runtimes draws, in Chromium without a GPU, beside what `skybake preview` shows of the
-// same bake from the same camera; and that it is another picture if one of the files is upside down. The shaders for
-// Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that.
+// Compares the picture of an example of examples/runtimes, in Chromium without a GPU, with that of `skybake preview`
+// of the same bake from the same camera; it must be another picture if one of the files is upside down. The shaders
+// for Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that.
 //   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl
 const assert = require('node:assert/strict');
 const {execFileSync} = require('node:child_process');

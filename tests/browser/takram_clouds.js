@@ -25,7 +25,7 @@ const imports = {
 };
 for (const name of Object.keys(imports)) imports[name] = `/modules/${imports[name]}`;
 
-// What the package's textures are, by what its loaders and its own files say.
+// The package's textures, as its loaders and its own files describe them.
 const expected = {
     local_weather: {path: 'local_weather.png', size: [512, 512], channels: 4},
     shape: {path: 'shape.bin', size: [128, 128, 128], channels: 1},
@@ -47,7 +47,7 @@ function faults_of(asset, found) {
     }));
 }
 
-// What is wrong with the files by themselves.
+// Returns the faults of the files by themselves.
 function faults_of_files(asset) {
     const wanted = expected[asset.name];
     const file = asset.files.find((one) => one.format !== 'sidecar');
@@ -57,7 +57,7 @@ function faults_of_files(asset) {
 }
 
 const size = [48, 32];
-const own = '/modules/@takram/three-clouds/assets/';  // which has all but stbn
+const own = '/modules/@takram/three-clouds/assets/';  // has all but stbn
 const names = ['local_weather', 'shape', 'shape_detail', 'turbulence', 'stbn'];
 const wrong = [['local_weather', 'nothing'], ...names.flatMap((name) => [[name, 'zeros'], [name, 'reversed']]), ['stbn', 'nothing']];
 
@@ -78,7 +78,7 @@ function difference_of(one, other) {
     return mean_of(one.map((value, i) => Math.abs(value - other[i])), 3);
 }
 
-// What is wrong with the pictures: nothing stands for a texture that was loaded once more.
+// Returns the faults of the pictures: nothing stands for a texture that was loaded once more.
 function faults_of_pictures([right, ...pictures]) {
     return pictures.flatMap((picture, i) => {
         const [name, change] = wrong[i];

@@ -68,7 +68,7 @@ window.look_up = async (name, url, places, upside_down) => {
     return Array.from(values);
 };
 
-// What may be wrong with a texture: nothing, all numbers 0, or all in the opposite order.
+// Changes of a texture: nothing, all numbers 0, or all in the opposite order.
 const changes = {
     nothing: (data) => data,
     zeros: (data) => data.fill(0),
@@ -125,7 +125,7 @@ window.draw_clouds = async ({folders, atmosphere, size, wrong}) => {
     composer.addPass(new RenderPass(new THREE.Scene(), camera));
     composer.addPass(new EffectPass(camera, effect));
     const drawn = () => {
-        effect.frame = 0;  // which chooses the slice of stbn
+        effect.frame = 0;  // chooses the slice of stbn
         composer.render(0);
         return copied(renderer, effect.cloudsPass.currentRenderTarget.texture, size);  // before frames are blended
     };

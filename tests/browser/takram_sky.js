@@ -28,7 +28,7 @@ const ground_views = [60, 20, 5].map(
 const planet_views = [50, 10, 0].map(
     (sun_elevation) => ({...camera, altitude_km: 8, sun_elevation, pitch: 0}));
 
-// Largest errors; about twice what is measured. Of combined tables the package makes green and blue
+// Largest errors; about twice what is measured. In combined tables the package makes green and blue
 // of Mie scattering from its red and all light's colours: near the horizon and at dusk that is wrong by
 // up to 100 %, with its own tables as with these, so that only red has a bound for all pixels.
 const bounds = {

@@ -25,8 +25,8 @@ const dip = (ground_km, altitude_km) => Math.acos(ground_km / (ground_km + altit
 const meets_ground = (view, ground_km, pixel) =>
     Math.asin(ray_of(view, pixel).mu) < -dip(ground_km, view.altitude_km);
 
-// What a ray through each pixel gathers up to a distance beyond the air; without the ground that it
-// may meet.
+// Returns a section that gathers the light on a ray through each pixel up to a distance beyond the air, without the
+// ground that it may meet.
 const gathered_section = (name, view) => `
 [bake.${name}]
 asset = "aerial_perspective"

@@ -1,5 +1,5 @@
 'use strict';
-// What a web target writes, loaded by its own modules in Chromium without a GPU: every texture has, at the places
+// Loads the files of a web target by its own modules in Chromium without a GPU: every texture has, at the places
 // of the probes, the values that the manifest says. Cubes are read by direction alone.
 //   node targets.js PROGRAM FOLDER TARGET
 const {browser_with_a_page} = require('./page_of.js');
@@ -26,7 +26,7 @@ function places_of(asset) {
     return lookups.flatMap(([u, v, w]) => [u, runs_up ? 1 - v : v, w ?? 0.5, 0]);
 }
 
-// What is wrong with the values that were found at those places.
+// Returns the faults of the values that were found at those places.
 function faults_of(asset, values) {
     let next = 0;
     const found_there = () => values.slice(4 * next, 4 * ++next);
@@ -41,7 +41,7 @@ function faults_of(asset, values) {
     });
 }
 
-// What is wrong with a cube: with its values by direction, and with the sky that the program draws of it. The module of
+// Returns the faults of a cube: of its values by direction, and of the sky that the program draws of it. The module of
 // Babylon.js loads the first level.
 async function faults_of_cube(page, asset, url) {
     const probes = cube_probes(asset, target === 'three' ? asset.mips.length + 1 : 1);

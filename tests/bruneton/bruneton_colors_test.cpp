@@ -157,7 +157,7 @@ TEST_F(BrunetonColors, TakramsParametersAreThoseOfSunlight) {
     const glm::dvec3 sun = numbers("solarIrradiance");
     for (int c = 0; c < 3; ++c) EXPECT_NEAR(sun[c], 1, 0.03);
     EXPECT_EQ(numbers("mieScattering"), numbers("mieExtinction"));
-    // What Rayleigh's law makes of the sun's light in very little air. In red little is left of it:
+    // Rayleigh's law is applied to the sun's light in very little air. In red little is left of it:
     // the light is bluer than any that screens show.
     std::vector<double> nm;
     std::vector<double> scattering;
@@ -211,7 +211,7 @@ constexpr const char* kCleanEarth =
     "[atmosphere.layers.aerosol]\noptical_depth = 0.064\nsingle_scattering_albedo = 0.972\n"
     "g = 0.709\n";
 
-// What a runtime does with colours where only products of wavelengths are right: it divides the
+// Does as a runtime does with colours where only products of wavelengths are right: it divides the
 // transmittances of two points to the top of the air by each other, and subtracts the light of the
 // farther point times that from the light of the nearer one. The page of the asset has the errors.
 class ProductsOfColors {

@@ -14,7 +14,7 @@
 
 namespace skybake::test {
 
-// What a certificate claims, what a dense measurement finds, and what points spread evenly claim.
+// The claim of a certificate, the result of a dense measurement, and the claim of points spread evenly.
 struct Claim {
     ErrorFigures claimed;
     ErrorFigures dense;
@@ -35,7 +35,7 @@ Claim claim_of_single_mie(RandomCase& random);
 Claim claim_of_aerial_perspective(RandomCase& random);
 Claim claim_of_optical_depth(RandomCase& random);
 
-// What both kinds share.
+// Shared by both kinds.
 inline constexpr BakeOptions kClaimOptions{.threads = 2, .certification = Certification::quick};
 
 inline Baked empty_table() {

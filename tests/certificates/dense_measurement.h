@@ -1,4 +1,4 @@
-// What dense measurements of tables and of volumes have in common.
+// Shared by dense measurements of tables and of volumes.
 #pragma once
 
 #include <algorithm>

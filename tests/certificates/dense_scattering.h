@@ -50,7 +50,7 @@ class DenseScattering {
         double nu = 0;
     };
 
-    // Of suns of one view.
+    // Returns the mean square of the errors under suns of one view.
     double mean_square(const ScatteringView& view) {
         constexpr int kSuns = 256;
         constexpr double kGoldenSection = 0.6180339887498949;

@@ -193,7 +193,7 @@ class DenseTable {
     LargestErrors<Place> largest_;
 };
 
-// What `rows` x `per_row` points spread evenly would claim against the same values.
+// Returns the claim of `rows` x `per_row` points spread evenly against the same values.
 inline ErrorFigures claimed_by_even_points(TableModel model, const Image2<float>& image,
                                            const ValueRow& row, PointCounts counts) {
     model.reference = row;

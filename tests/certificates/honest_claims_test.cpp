@@ -15,7 +15,7 @@
 namespace skybake::test {
 namespace {
 
-// Of one asset: the ratios of each case, ascending.
+// The ratios of one asset's cases, ascending.
 class Ratios {
   public:
     void add(double dense, double claimed) {
@@ -37,7 +37,7 @@ class Ratios {
     std::vector<double> all_;
 };
 
-// Of claims and of points that are spread evenly.
+// The ratios of claims, and those of points that are spread evenly.
 struct AssetRatios {
     Ratios max, rms, even_max, even_rms;
 };

@@ -93,7 +93,7 @@ class HeldVoxels : public VoxelSource {
     std::vector<std::vector<float>> values_;
 };
 
-// What damage makes of the value at a voxel: it reads values of the right file.
+// Returns the damaged value at a voxel. It reads values of the right file.
 using Damage = std::function<float(const std::function<float(int x, int y, int z)>& right,
                                    const std::array<int, 3>& size, int x, int y, int z)>;
 

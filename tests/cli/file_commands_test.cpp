@@ -207,8 +207,8 @@ TEST(VerifyCommand, CountsWhatPassed) {
     EXPECT_TRUE(contains(result.out, " checks, all passed\n"));
 }
 
-// What `verify --json` found, but for places of probes: the parameters of the samples are no
-// recipe.
+// Returns the failures of `verify --json`, but for places of probes: the parameters of the samples are
+// no recipe.
 std::vector<json> failures_of_samples(const std::string& folder) {
     const json document = json::parse(run_words({"verify", folder, "--json"}).out);
     EXPECT_EQ(document["passed"], false);
@@ -250,7 +250,7 @@ TEST(VerifyCommand, TellsAnEditedManifestOnce) {
                          "been changed since the bake wrote it"))
         << result.out;
     const std::vector<json> failures = failures_of_samples(folder.path().string());
-    // What the manifest says of the units stands in the file too.
+    // The units in the manifest stand in the file too.
     ASSERT_EQ(failures.size(), 2u) << json(failures);
     EXPECT_EQ(failures[0]["check"], "hash");
     EXPECT_EQ(failures[1]["check"], "metadata");

@@ -39,7 +39,7 @@ TEST(Program, SuggestsAndDumpsNothingElse) {
     EXPECT_LE(testing::count_lines(result.error), 2);
 }
 
-// What a start of the program costs, counted by glibc's loader.
+// The cost of a start of the program, counted by glibc's loader.
 struct Loaded {
     int libraries = 0;
     long relocations = 0;  // names that were looked up

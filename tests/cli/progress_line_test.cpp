@@ -19,7 +19,7 @@ using std::chrono::milliseconds;
 using testing::contains;
 using testing::count_lines;
 
-// What a console has written to stderr, for any thread.
+// Keeps what a console has written to stderr, for any thread.
 class Screen {
   public:
     Sink sink(bool terminal) {
@@ -173,7 +173,7 @@ TEST(StepClock, SaysHowLongAStepMayStillTake) {
     ASSERT_TRUE(clock.advance(0.25, 110));
     EXPECT_DOUBLE_EQ(clock.seconds_left(110), 30);
     EXPECT_DOUBLE_EQ(clock.seconds_left(114), 26);  // it runs on between two pieces of news
-    // What takes longer than that is not about to end, as far as anybody knows.
+    // A step that takes longer than that is not about to end, as far as anybody knows.
     EXPECT_LT(clock.seconds_left(140), 0);
     EXPECT_LT(clock.seconds_left(999), 0);
     ASSERT_TRUE(clock.advance(1, 1000));

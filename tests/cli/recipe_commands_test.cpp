@@ -355,7 +355,7 @@ TEST(ShowNoise, NamesThePresetAndLeavesOutTheSky) {
               "frequencies = [4, 8, 16]   # derived\n");
 }
 
-// What show prints is TOML again.
+// Parses the text that `show` prints: it is TOML again.
 TEST_F(ShowCommand, PrintsToml) {
     const Result result = show({"atmosphere.layers.mie"});
     const auto outcome = config::parse_recipe(

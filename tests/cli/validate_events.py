@@ -58,7 +58,7 @@ with tempfile.TemporaryDirectory() as folder:
     names, done = events("bake", "less.toml", "-o", "other", "--prune")
     assert done["pruned"] == ["plain.exr", "plain.bin", "plain.vdb"] and not done["retired"], done
 
-    # What is said of files.
+    # Events about files.
     names, last = events("info", "out")
     jsonschema.validate(last["manifest"], manifest_schema)
     assert names == ["folder"] and last["missing"] == [], last

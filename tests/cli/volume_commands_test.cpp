@@ -142,7 +142,7 @@ TEST_F(VolumeBake, InfoPrintsTheLookupOfAFile) {
         EXPECT_EQ(result.code, 0) << result.error;
         EXPECT_TRUE(contains(result.out, function)) << result.out;
         EXPECT_TRUE(contains(result.out, "// Sampler: linear along u, which repeats;"));
-        // Of the published file it has what the file needs.
+        // The published file's functions are printed only where the file needs them.
         EXPECT_TRUE(contains(result.out, "\nvec4 noise_volume("));
         EXPECT_FALSE(contains(result.out, "noise_volume_at_corners"));
     }

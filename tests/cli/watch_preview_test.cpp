@@ -95,7 +95,7 @@ TEST(WatchPreview, FollowsTheRecipeAndItsIncludesUntilInterrupted) {
     EXPECT_TRUE(contains(read_bytes(folder / "error"), "index.html: a draft in "));
     const std::string picture = read_bytes(watcher.out() + "/volume_slices.png");
 
-    // As editors save: a new file is renamed over the old one.
+    // Saves as editors do: a new file is renamed over the old one.
     write_bytes(folder / "new", recipe_of("2"));
     fs::rename(folder / "new", recipe);
     ASSERT_TRUE(watcher.reaches(4, 0));
@@ -143,7 +143,7 @@ TEST(WatchPreview, ARecipeThatWasNeverRightGetsAPageToo) {
     EXPECT_EQ(watcher.stop(SIGTERM), 130);
 }
 
-// What would take an hour at full quality is given up once its recipe is saved anew, and at Ctrl-C.
+// Work that would take an hour at full quality is given up once its recipe is saved anew, and at Ctrl-C.
 TEST(WatchPreview, ASaveEndsTheWorkOnWhatWasBefore) {
     const TemporaryFolder folder;
     const std::string recipe = (folder / "recipe.toml").string();

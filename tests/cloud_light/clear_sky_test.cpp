@@ -115,7 +115,7 @@ Harmonics coefficients(const std::vector<double>& radiances,
     return sums;
 }
 
-// What the solver's 32 directions make of a sky: its light up to degree 3, as shares of coefficient 0.
+// Compares the light of a sky by the solver's 32 directions up to degree 3, as shares of coefficient 0.
 TEST(ClearSky, OfOrdinatesHasNearlyItsCoefficients) {
     const LayerCells cells{CellFields({1, 1, 1}, 1), {1, 1, 1}};
     const std::vector<SkyDirection> ordinates = RadianceSweep(cells, 3, {}).sky_ordinates();
@@ -170,7 +170,7 @@ Baked baked(const std::string& text, int threads) {
     return *outcome.value;
 }
 
-// Of all wavelengths and with colours; certificates measure against paths under the same sky.
+// Bakes all wavelengths, and colours; certificates measure against paths under the same sky.
 TEST(ClearSky, IsBakedAndCertified) {
     for (const char* elevation : {"10 deg", "60 deg"}) {
         const Baked light = baked(recipe_text(kEarth, elevation, "cell = 1\n"), 2);
@@ -198,7 +198,7 @@ TEST(ClearSky, IsToldFromItsFlip) {
     };
     const auto flipped = radiance_values(layer, places, bake, on(2), details);
     constexpr std::size_t kAlongX = 3;
-    constexpr int kPlaces = 40;  // that differ in the noise of their paths alone
+    constexpr int kPlaces = 40;  // differ in the noise of their paths alone
     double wanted = 0;
     for (int i = 0; i < kPlaces; ++i) {
         wanted += reference({(i + 0.5) / kPlaces, 0.6, 14.5 / 16})[kAlongX] / kPlaces;

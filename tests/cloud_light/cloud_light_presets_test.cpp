@@ -12,7 +12,7 @@
 namespace skybake {
 namespace {
 
-// Of the range of depths, over cells with cloud.
+// The RMS error as a share of the range of depths, over cells with cloud.
 constexpr double kMostRms = 0.02;
 
 TEST(SlowCloudLightPresets, OpticalDepthsToTheSunAreWithinTwoPercent) {

@@ -69,7 +69,7 @@ std::vector<std::vector<float>> texels_of(const Baked& volume) {
 // With an optical depth of 0.2 a layer, 8 voxels of 8 m high.
 CloudLayer slab() { return test::layer_of({8, 8, 8}, 1, 0.2 / 64); }
 
-// Of the first channel.
+// Returns the texels of the first channel.
 std::vector<float> first_of(const Baked& volume) { return texels_of(volume).front(); }
 
 TEST(CloudLight, OfASlabFallsWithTheDepthBelowItsTop) {

@@ -39,7 +39,7 @@ constexpr int kDegree = 3;
 constexpr int kColumns = 8;  // of a picture
 constexpr int kRows = 6;
 constexpr int kPathsOfPixel = 1024;
-// Of pixels that are few and nearly without noise.
+// Paths and number of the pixels that are few and nearly without noise.
 constexpr int kManyPaths = 20000;
 constexpr std::size_t kFewPixels = 48;
 constexpr int kThreads = 2;
@@ -108,7 +108,7 @@ std::vector<float> texels_of(const std::vector<float>& values, const std::array<
     return texels;
 }
 
-// As the baker makes them, from one solution for all parts.
+// Returns the textures as the baker makes them, from one solution for all parts.
 test::LightTextures textures_of(const CloudLayer& layer, double elevation) {
     config::CloudLightBake bake;
     bake.sun_elevations = {{elevation}};

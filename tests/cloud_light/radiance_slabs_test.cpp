@@ -95,7 +95,7 @@ double scattered_once(double depth, double albedo, double phase, double sun, dou
     return up ? light : light * std::exp(-depth / cosine);
 }
 
-// What a march with exact coefficients up to a degree would see of a slab: doubling of the scaled slab,
+// Returns the slab as a march with exact coefficients up to a degree sees it: doubling of the scaled slab,
 // in which light that is scattered once has the true phase function. Nothing of it is the solver's.
 double seen_of_degree(int degree, const test::Slab& slab, std::size_t view, bool up) {
     constexpr double kG = 0.75;

@@ -130,7 +130,7 @@ TEST(ScaledScattering, HasTheMomentsOfTheWholeBelowItsPeak) {
     EXPECT_NEAR(moments[0], 1, 1e-12);
     const ScaledScattering rest = scaled(droplets, 3);
     for (std::size_t l = 0; l < 4; ++l) {
-        // What is scattered into the peak goes on: s (1 - w' chi'_l) = 1 - w chi_l.
+        // Light that is scattered into the peak goes on: s (1 - w' chi'_l) = 1 - w chi_l.
         EXPECT_NEAR(rest.extinction_share * (1 - rest.returned[l]), 1 - 0.9 * moments[l], 1e-12);
     }
 }

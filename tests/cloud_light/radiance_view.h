@@ -28,7 +28,7 @@ struct LightTextures {
     std::vector<float> forward;  // factors of forward_scattering, if there are any
 };
 
-// As asset = "forward_scattering" is made by default.
+// The default of asset = "forward_scattering".
 inline constexpr std::array<int, 3> kForwardSize = {128, 64, 1};
 inline std::vector<float> forward_texels(const cloud_light::CloudScattering& scattering,
                                          int degree) {

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-// Those of the solver.
+// Returns the ordinates of the solver.
 std::vector<SkyDirection> ordinates() {
     const LayerCells cells{CellFields({1, 1, 1}, 1), {1, 1, 1}};
     return RadianceSweep(cells, 3, {}).sky_ordinates();

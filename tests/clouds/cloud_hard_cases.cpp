@@ -86,7 +86,7 @@ std::vector<float> whole(const CloudCase& any) {
     return test::filled(field, {{}, any.size}, field.plan().channels)[0];
 }
 
-// Of voxels, those that are not what they should be.
+// Returns the share of voxels that are not what they should be.
 template <class Wanted>
 double share_wrong(const CloudCase& any, const Wanted& wanted) {
     const CloudField field(any.plan());

@@ -22,10 +22,10 @@ namespace {
 // A lidar sees no less than this.
 constexpr double cloudy = 0.3;
 
-// Of vertical optical depths. ISCCP (Rossow and Schiffer 1999, "Advances in understanding clouds from
-// ISCCP") calls less than 3.6 cumulus, altocumulus or cirrus by its altitude, up to 23 stratocumulus,
-// and more than that stratus or deep convection; it knows nothing above 379. Its pixels of 5 km mix
-// cumuli with clear sky, so that single cumuli have more.
+// Ranges of vertical optical depths. ISCCP (Rossow and Schiffer 1999, "Advances in understanding clouds
+// from ISCCP") calls less than 3.6 cumulus, altocumulus or cirrus by its altitude, up to 23
+// stratocumulus, and more than that stratus or deep convection; it knows nothing above 379. Its pixels
+// of 5 km mix cumuli with clear sky, so that single cumuli have more.
 struct NaturalRange {
     const char* preset;
     std::array<double, 2> largest;

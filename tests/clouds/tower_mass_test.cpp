@@ -122,7 +122,7 @@ TEST(TowerMass, OfANewbornIsNone) {
     }
 }
 
-// Of 200 towers 50 are born in each quarter of the loop, so that the whole changes little.
+// Among 200 towers, 50 are born in each quarter of the loop, so that the whole changes little.
 TEST(ScatteredTowers, AreBornAllOverTheLoop) {
     Cloud cloud = looping_cloud(20);
     cloud.scatter.count = 200;

@@ -127,7 +127,7 @@ TEST(CloudDecoder, ScaledFrequenciesHaveARange) {
     EXPECT_EQ(valid(more).parameters.clouds.size(), 1u);
 }
 
-// As includes are: beside the file that names them.
+// Maps are looked for as includes are: beside the file that names them.
 TEST(CloudDecoder, MapsLieBesideTheirRecipe) {
     const testing::TemporaryFolder folder;
     folder.write("parts/map.toml", "clouds.c.coverage_map.file = '../maps/a.png'\n");

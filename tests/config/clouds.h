@@ -1,4 +1,4 @@
-// What the tests of clouds share: recipes of one cloud, and a spelling that tells clouds apart.
+// Shared by the tests of clouds: recipes of one cloud, and a spelling that tells clouds apart.
 #pragma once
 
 #include <fmt/format.h>

@@ -21,7 +21,7 @@ TEST(DiagnosticList, SortsByPlace) {
     EXPECT_EQ(diagnostics[2].code, "E3");
 }
 
-// What a person has to mend is the last on the screen, however many warnings there are.
+// Errors, which a person has to mend, are the last on the screen, however many warnings there are.
 TEST(DiagnosticList, ErrorsComeLast) {
     const Source source{Source::Kind::file, 0, "a.toml", "one\ntwo\nthree\n"};
     DiagnosticList list;

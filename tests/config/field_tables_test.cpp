@@ -59,7 +59,7 @@ TEST(FieldTables, SelectorsStandBeforeTheirKeysAndHaveTheirValues) {
                 std::find_if(section.fields.begin(), field,
                              [&](const Field& other) { return other.key == field->needs; });
             EXPECT_EQ(needed == field, field->needs.empty()) << field->key;
-            // What is needed may be missing.
+            // A key that others need may be missing.
             EXPECT_TRUE(needed == field || needed->kind == Kind::text || needed->fallback.empty())
                 << field->key;
             if (field->selector.empty()) continue;

@@ -1,4 +1,4 @@
-// What fuzzing demands of every recipe holds for the recipes that fuzzing begins with, and for the
+// The demands of fuzzing on every recipe hold for the recipes that fuzzing begins with, and for the
 // examples. A property that a new kind of value breaks is found here, before any fuzzer runs.
 #include <gtest/gtest.h>
 

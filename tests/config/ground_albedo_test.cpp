@@ -1,4 +1,4 @@
-// What the ground reflects: numbers, spectra and measured grounds, at the recipe's wavelengths and at
+// The ground's reflectance: numbers, spectra and measured grounds, at the recipe's wavelengths and at
 // others.
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What a [bake.NAME] takes from the cloud or the noise of its name.
+// Tests what a [bake.NAME] takes from the cloud or the noise of its name.
 #include "config/recipe/named_bakes.h"
 
 #include <gtest/gtest.h>

@@ -117,7 +117,7 @@ TEST(NoisePresets, TheExampleIsWithoutFault) {
     EXPECT_EQ(testing::to_string(detail), "detail [32, 32, 32] 1 0 0 1 1 2 0");
 }
 
-// Those that copy a source which aliases say so in their keys, not in a warning.
+// Presets that copy a source which aliases say so in their keys, not in a warning.
 TEST(NoisePresets, BakeAtTheirSize) {
     for (const Preset& entry : noise_presets()) {
         const auto outcome = testing::parse("[noise.n]\npreset = '" + std::string(entry.name) +

@@ -1,4 +1,4 @@
-// What the tests of noises share: recipes of one noise, and a spelling that tells noises apart.
+// Shared by the tests of noises: recipes of one noise, and a spelling that tells noises apart.
 #pragma once
 
 #include <fmt/format.h>

@@ -36,7 +36,7 @@ TEST(Presets, AreThoseOfTheIssue) {
     EXPECT_EQ(find_preset("moon"), nullptr);
 }
 
-// What a newcomer bakes first is the best that there is; who must match a runtime asks for it.
+// A newcomer's first bake is the best that there is; whoever must match a runtime asks for it.
 TEST(Presets, TheEarthHasItsLightSolved) {
     const auto second_order = [](const char* preset) {
         const Recipe recipe = valid(std::string(find_preset(preset)->text));

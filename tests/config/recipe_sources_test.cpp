@@ -175,7 +175,7 @@ TEST(RecipeSources, LinesOfIncludesThatAreNoRecipesAreNotShown) {
             EXPECT_EQ(shown.find("s3cret"), std::string::npos) << shown;
         }
     }
-    // Of a recipe, it is shown what is wrong.
+    // If the file is a recipe, the message shows what is wrong.
     folder.write("secrets", "[atmosphere]\nground_radius = '1 km'\n[typo]\n");
     const auto recipe = load_recipe(path);
     const bool is_shown =

@@ -17,8 +17,7 @@ using testing::parse;
 using testing::TemporaryFolder;
 using testing::valid;
 
-// What `explain` says of a code about noises and clouds is a recipe that earns it, and one that
-// does not.
+// `explain` shows for a code about noises and clouds a recipe that earns it, and one that does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",
                              "E0150", "E0171", "E0174", "E0175", "E0176", "E0177", "E0189", "W0203", "W0204",

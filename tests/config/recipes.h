@@ -1,4 +1,4 @@
-// What the tests of config/ share: a folder that vanishes, recipes from text, diagnostics by code.
+// Shared by the tests of config/: a folder that vanishes, recipes from text, diagnostics by code.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ TEST(SliceSheet, AStackIsOneColumn) {
     EXPECT_EQ(sheet.rows, 32);
 }
 
-// What Unreal, Unity and Godot want.
+// Tests the sheets that Unreal, Unity and Godot want.
 TEST(SliceSheet, PowersOfTwoMakeSheetsOfPowersOfTwo) {
     EXPECT_EQ(atlas_of({128, 128, 128}), (std::array{16, 8}));
     EXPECT_EQ(atlas_of({32, 32, 32}), (std::array{8, 4}));
@@ -40,7 +40,7 @@ TEST(SliceSheet, HasTheColumnsThatWereAskedFor) {
     EXPECT_EQ(atlas_of({16, 8, 10}, 25), (std::array{25, 1}));
 }
 
-// By trying all columns, whether they divide or not.
+// Tries all columns, whether they divide or not.
 TEST(SliceSheet, NoFullSheetIsNearerToASquare) {
     EXPECT_TRUE(rc::check([] {
         Size size;

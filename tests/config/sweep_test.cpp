@@ -274,7 +274,7 @@ TEST(Sweep, MalformedOptionsAreRefused) {
               "--vary `clouds.c.base_altitude=1 km:2 deg:3`");
 }
 
-// What varies is no part of what is baked, and `bake` of such a recipe bakes its own values.
+// A sweep's values are no part of the parameters: `bake` of such a recipe bakes its own values.
 TEST(Sweep, IsNoParameterOfTheRecipe) {
     const Recipe with = valid(clouds + "[sweep]\n'clouds.c.coverage' = [0.25]\n");
     EXPECT_EQ(testing::all_parameters(with), testing::all_parameters(valid(clouds)));

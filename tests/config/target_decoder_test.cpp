@@ -133,7 +133,7 @@ TEST(Targets, YieldToGivenKeysThatTheyLoad) {
     EXPECT_EQ(files_of(bevy.parameters.bakes[1]).ktx2_compression, Ktx2Compression::zstd);
 }
 
-// What is beside the files follows from the asset, whatever its mapping.
+// The files beside an asset's follow from the asset, whatever its mapping.
 TEST(Targets, HaveTheSameSidecarsInAllUsesOfAnAsset) {
     for (const TargetFacts& target : targets()) {
         for (const TargetUse& use : target.uses) {

@@ -59,7 +59,7 @@ TEST(TowerList, SettingsReachOneTower) {
               "0:8");
 }
 
-// As arrays do, and as tables do.
+// Lists are replaced as arrays are, and names merge as tables do.
 TEST(TowerList, AListReplacesEarlierTowersAndNamesMerge) {
     const TemporaryFolder folder;
     folder.write("base.toml", cloud_recipe(tower(listed, 1) + tower(listed, 2)));

@@ -110,7 +110,7 @@ TEST(Packets, HaveTheAirOfTheirOwnWavelengths) {
     EXPECT_NEAR(own.atmosphere.layers[0].scattering[1].per_meter, 6e-3, 1e-15);
 }
 
-// What a file carries is a recipe of its packet alone.
+// A file carries a recipe of its packet alone.
 TEST(Packets, AreAskedForByTheirNumber) {
     const auto bakes = [](const std::string& keys) {
         return "wavelengths = 'best 16'\n" + grey_air + keys;

@@ -161,8 +161,8 @@ TEST(EnvironmentClouds, TexelsAreMeansOfTheirSolidAngle) {
     EXPECT_NEAR(transmitted / expected, 1, 5e-3);
 }
 
-// Of a slab's upper hemisphere the mean of exp(-t / sin) over the solid angle is the exponential integral E2(t),
-// 0.326643862 at t = 0.5 (Abramowitz & Stegun 1964, table 5.4).
+// Over a slab's upper hemisphere the mean of exp(-t / sin) over the solid angle is the exponential
+// integral E2(t), 0.326643862 at t = 0.5 (Abramowitz & Stegun 1964, table 5.4).
 TEST(EnvironmentClouds, TexelsWeighRaysByTheirSolidAngle) {
     const CloudMedium slab = layer_of({4, 4, 32}, 5e-4, [](double, double, double) { return 1; });
     EnvironmentBake bake = bake_of({2, 2}, 35);

@@ -148,7 +148,7 @@ TEST(EnvironmentLight, IsTheSumOfItsPartsOfTwoLayers) {
     expect_parts({2500, {24, 10}, {{3000, 6}, {1000, 3}}});
 }
 
-// The sun is below the horizontal, but above the horizon of the base, 1.76 degrees deep. Of two layers it
+// The sun is below the horizontal, but above the horizon of the base, 1.76 degrees deep. With two layers it
 // shines on the high one alone.
 TEST(EnvironmentLight, IsTheSumOfItsPartsAtSunset) {
     expect_parts({5000, {16, 10}, {{3000, 20}}, -1.6});

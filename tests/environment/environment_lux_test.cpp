@@ -61,7 +61,7 @@ TEST_F(EnvironmentLux, IsThatOfTheMeanClearSky) {
     }
 }
 
-// Of clear evenings the American Meteorological Society's Glossary of Meteorology has 410 to 585 lx at
+// For clear evenings the American Meteorological Society's Glossary of Meteorology has 410 to 585 lx at
 // sunset, when the centre is at -50', and 2 to 3.5 lx at -6 degrees ("civil twilight"). Kishida 1989,
 // "Changes in light intensity at twilight and estimation of the biological photoperiod" (Japan
 // Agricultural Research Quarterly 22), states 430 to 670 lx at sunset of fine days.

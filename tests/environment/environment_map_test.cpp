@@ -405,7 +405,7 @@ TEST(EnvironmentMap, CertifiesPartsOfACube) {
     }
 }
 
-// Of an evenly bright disc of radius R the mean square distance from the middle is R^2 / 2. All of it is
+// In an evenly bright disc of radius R the mean square distance from the middle is R^2 / 2. All of it is
 // in the texel in whose middle the sun stands.
 TEST(EnvironmentMap, TheDiscIsEvenAndInItsTexel) {
     EnvironmentBake bake = bake_of(EnvironmentMapping::longitude_latitude, {36, 18}, 45);

@@ -1,4 +1,4 @@
-// What tests of environments share: maps of any function, and lookups of them.
+// Shared by tests of environments: maps of any function, and lookups of them.
 #pragma once
 
 #include <array>

@@ -129,7 +129,7 @@ TEST(ChooseProbes, CanBeInterruptedAtAnyStep) {
     EXPECT_GE(asked, 4);
 }
 
-// Of several tables one below the other each has its share.
+// Each of several tables one below the other has its share.
 TEST(ChooseProbes, TakesSomeOfEachSpace) {
     Image2<float> image(8, 8, 1);
     for (std::size_t i = 0; i < image.texels.size(); ++i) {

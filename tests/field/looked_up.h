@@ -1,4 +1,4 @@
-// What a lookup between voxels is, for tests of the bakers' own.
+// Looks up between voxels, for tests of the bakers' own lookups.
 #pragma once
 
 #include <algorithm>

@@ -141,7 +141,7 @@ TEST(VolumeProbes, OfNearestVoxelsTellLinearLookups) {
     EXPECT_TRUE(catches(level, "shift_w"));
 }
 
-// What changes no lookup cannot be caught, and is not said to be.
+// A fault that changes no lookup cannot be caught, and is not said to be.
 TEST(VolumeProbes, LeaveOutFaultsThatChangeNothing) {
     const Level constant =
         probed({8, 8, 8}, 1, PixelType::half, [](int, int, int, int) { return 0.5F; });

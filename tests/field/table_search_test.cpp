@@ -39,7 +39,7 @@ double wall(double x, double) { return std::tanh(2000 * (x - kWall)); }
 
 TEST(TableSearch, FindsTheErrorOfAParabola) {
     const TableModel model = model_of([](double x, double y) { return x * x + y; });
-    // Of one row, all of the mean square is that row's.
+    // With one row, all of the mean square is that row's.
     constexpr SearchCounts kOneRow = {1, 512, 0, 8, 0};
     for (const SearchCounts& counts : {kWithEstimate, kReferenceAlone, kOneRow}) {
         const FoundErrors found = search(model, {9, 5}, counts);

@@ -112,7 +112,7 @@ TEST(ValueKernel, AddsAndCountsAsFromValueToValue) {
     }
     values[5] = 0.75f;
     values[6] = -0.25f;
-    values[kCount - 1] = 0.75f;  // which no whole vector holds
+    values[kCount - 1] = 0.75f;  // no whole vector holds it
     std::array<double, LaneSummary::kLanes> sums{};
     for (std::size_t i = 0; i < kCount; ++i) sums[i % LaneSummary::kLanes] += double{values[i]};
     test::on_every_target([&](const char*) {

@@ -1,4 +1,4 @@
-// What must hold of the bakes of every recipe that parses.
+// Checks what must hold of the bakes of every recipe that parses.
 #pragma once
 
 #include <array>
@@ -28,7 +28,7 @@
 
 namespace skybake::config::fuzzing {
 
-// Of volumes of this size.
+// Checks the files of a volume of this size.
 inline void check_files(const AssetFiles& files, const std::array<int, 3>& size) {
     double voxels = 1;
     for (const int edge : size) {

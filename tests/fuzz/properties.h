@@ -1,4 +1,4 @@
-// What must hold of every recipe that parses, checked for the fuzzers.
+// Checks what must hold of every recipe that parses, for the fuzzers.
 #pragma once
 
 #include <string>

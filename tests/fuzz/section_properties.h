@@ -1,4 +1,4 @@
-// What must hold of the layers, noises and clouds of every recipe that parses.
+// Checks what must hold of the layers, noises and clouds of every recipe that parses.
 #pragma once
 
 #include <array>

@@ -38,7 +38,7 @@ namespace fs = std::filesystem;
 const fs::path kFolder = SKYBAKE_GOLDEN_FOLDER;
 const fs::path kHashes = kFolder / "hashes.toml";
 
-// What is known of an asset's bytes.
+// The facts that are kept of an asset's bytes.
 struct GoldenAsset {
     int version = 0;                           // of its baker
     std::string content;                       // ManifestAsset::content_hash
@@ -204,7 +204,7 @@ std::string fault(const GoldenAsset& golden, const GoldenAsset& now) {
     return golden.files.size() == now.files.size() ? "" : "more files";
 }
 
-// Those of one recipe.
+// Returns the golden assets of one recipe.
 GoldenAssets golden_of(const std::string& recipe) {
     GoldenAssets assets = read_golden();
     std::erase_if(assets,
@@ -245,7 +245,7 @@ TEST_P(GoldenHashes, AreThoseOfEqualParameters) {
 INSTANTIATE_TEST_SUITE_P(Recipes, GoldenHashes, ::testing::ValuesIn(recipe_names()),
                          [](const auto& parameter) { return parameter.param; });
 
-// What the recipes must have baked: every asset, and every format of files.
+// The recipes must have baked every asset, and every format of files.
 TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
     std::set<std::string_view> assets;
     std::set<std::string> formats;

@@ -105,7 +105,7 @@ std::string text_with_key_twice(Json json, const Pointer& at) {
     return text.replace(text.find("@twin"), 5, at.back());
 }
 
-// What `verify` reads: a diagnostic that names a place, or a failed hash of the right entry.
+// Expects `verify` to tell of it: by a diagnostic that names a place, or a failed hash of the right entry.
 void expect_told(const Json& json, const Pointer& at, const char* what) {
     const auto manifest = parse_manifest(json.dump(), "manifest.json");
     if (!manifest.value) {

@@ -84,7 +84,7 @@ TEST_F(Cache, ManyAtOnceEndWithWholeEntries) {
 
 TEST_F(Cache, AnotherProcessMayHaveThisOnesNumber) {
     cache_.offer(asset(1));
-    std::vector<FileDescriptor> others;  // that are alive, and so hold their locks
+    std::vector<FileDescriptor> others;  // alive, and so holding their locks
     for (int i = 0; i < 64; ++i) {
         const auto taken = fmt::format("cache/pending/{}-{}", ::getpid(), i);
         fs::create_directory(folder_ / taken);
@@ -113,7 +113,7 @@ TEST_F(Cache, VerifyRemovesDamage) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
-// Of equal recipes.
+// The recipes are equal.
 TEST_F(Cache, WhatAnotherReleaseOrVersionMadeIsNeverRead) {
     const AssetIdentity now =
         *asset_identity(bake_.recipe, bake_.recipe.parameters.bakes.at(0), Certification::quick)

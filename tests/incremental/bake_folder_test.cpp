@@ -131,7 +131,7 @@ TEST(BakeFolder, LinksAreReplacedAndNotFollowed) {
     copied_there.bake.sources = {&cache};
     EXPECT_EQ(copied_there.states(), (States{copied, copied, copied}));
     for (const auto& [name, bytes] : before) {
-        if (name == "manifest.json") continue;  // which holds times
+        if (name == "manifest.json") continue;  // it holds times
         EXPECT_EQ(read_bytes(folder / "further" / name), bytes) << name;
         EXPECT_TRUE(fs::is_regular_file(fs::symlink_status(folder / "second" / name))) << name;
     }
@@ -260,7 +260,7 @@ TEST(BakeFolder, AFailureLeavesOutItsAssetAlone) {
     ASSERT_EQ(outcome.value->assets.size(), 2U);
     EXPECT_EQ(outcome.value->assets[0].state, AssetState::up_to_date);
     EXPECT_EQ(outcome.value->assets[1].state, AssetState::baked);
-    // What the folder held of the asset stays, and so does its entry.
+    // The folder's files of the asset stay, and so does its entry.
     const auto after = time_stamps(folder / "out");
     for (const char* file : {"shape.exr", "shape.bin", "transmittance.exr"}) {
         EXPECT_EQ(after.at(file), before.at(file)) << file;
@@ -519,7 +519,7 @@ TEST(BakeFolder, RefusesWhatNeedsMoreMemoryThanAllowed) {
     EXPECT_FALSE(fs::exists(folder / "out"));
     bake.bake.memory_limit_mib = 1e6;
     ASSERT_TRUE(bake.run().value.has_value());
-    // What is up to date needs none.
+    // Assets that are up to date need none.
     bake.bake.memory_limit_mib = 0;
     EXPECT_TRUE(bake.run().value.has_value());
 }

@@ -1,4 +1,4 @@
-// What the tests of incremental baking share: small recipes, and an observer that remembers.
+// Shared by the tests of incremental baking: small recipes, and an observer that remembers.
 #pragma once
 
 #include <gtest/gtest.h>

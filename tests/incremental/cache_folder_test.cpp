@@ -1,4 +1,4 @@
-// What a cache leaves alone: folders that are none of its own, wherever they stand.
+// A cache leaves folders alone that are none of its own, wherever they stand.
 #include "bakers/workspace/cache_folder.h"
 
 #include <gtest/gtest.h>

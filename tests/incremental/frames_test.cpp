@@ -105,7 +105,7 @@ TEST(Frames, ShareOneManifest) {
               9);
 }
 
-// What is made of a frame is made of that frame's voxels.
+// An asset that is made of a frame is made of that frame's voxels.
 TEST(Frames, HaveGridsOfTheirOwn) {
     const std::string grids =
         "[bake.o]\nasset = \"occupancy\"\nof = \"c\"\ncell = 2\ncontents = [\"maximum\"]\n"

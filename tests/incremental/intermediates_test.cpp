@@ -1,4 +1,4 @@
-// What assets share: made once, freed after the last, and without a trace in the bytes.
+// Tests what assets share: made once, freed after the last, and without a trace in the bytes.
 #include "bakers/math/intermediates.h"
 
 #include <fmt/format.h>
@@ -171,7 +171,7 @@ TEST(Intermediates, LeaveNoTraceInTheBytesOfAssets) {
     }
 }
 
-// As the variants of a sweep are: one after the other, or side by side.
+// Bakes as the variants of a sweep are baked: one after the other, or side by side.
 TEST(Intermediates, AreMadeOnceForSeveralFolders) {
     const testing::TemporaryFolder folder;
     std::vector<config::Recipe> recipes;

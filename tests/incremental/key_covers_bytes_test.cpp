@@ -117,7 +117,7 @@ std::vector<Settings> groups_over_tables(const KeptChanges& changes) {
 class ChangedRecipe {
   public:
     explicit ChangedRecipe(std::string text)
-        : text_(std::move(text)), recipe_(recipe_of(text_, kMaps)), spelt_(spelt(recipe_)) {
+        : text_(std::move(text)), recipe_(recipe_of(text_, kMaps)), values_(values_of(recipe_)) {
         for (const config::Bake& bake : recipe_.parameters.bakes) {
             known_[bake.name] = {key_of(recipe_, bake), content_of(recipe_, bake)};
         }
@@ -152,7 +152,7 @@ class ChangedRecipe {
     bool change(const std::string& path, const std::string& value) {
         const std::string setting = fmt::format("{}={}", path_in_text(path), value);
         const std::optional<Recipe> recipe = with({setting});
-        if (!recipe || spelt(*recipe) == spelt_) return false;
+        if (!recipe || values_of(*recipe) == values_) return false;
         for (const config::Bake& bake : recipe->parameters.bakes) {
             if (!uses(*recipe, bake, path)) continue;
             if (key_of(*recipe, bake) != known_.at(bake.name).key) continue;
@@ -167,7 +167,7 @@ class ChangedRecipe {
         return std::regex_replace(path, frame, "$1.");
     }
 
-    static std::string spelt(const Recipe& recipe) {
+    static std::string values_of(const Recipe& recipe) {
         std::string all;
         for (const ResolvedValue& value : recipe.values) {
             all += fmt::format("{} = {}\n", value.path, value.canonical);
@@ -209,7 +209,7 @@ class ChangedRecipe {
 
     std::string text_;
     Recipe recipe_;
-    std::string spelt_;
+    std::string values_;
     std::map<std::string, KeyedContent> known_;
     std::map<std::string, KeptChanges> kept_;  // by asset
 };

@@ -328,7 +328,7 @@ cloud = "of_pictures"
 size = [6, 5, 4]
 )";
 
-// What those before leave out: other kinds of layers, channels and profiles, and maps.
+// Choices that those before leave out: other kinds of layers, channels and profiles, and maps.
 inline constexpr const char* kOthers = R"(
 preset = "earth_hillaire"
 [atmosphere.layers.dust]

@@ -46,7 +46,7 @@ cloud = "c"
 size = [16, 8, 4]
 )";
 
-// What only targets of skies load.
+// Assets that only targets of skies load.
 const std::string skies = assets + R"(
 [bake.layer]
 asset = "phase"

@@ -104,7 +104,7 @@ TEST(AtomicFile, ReplacesSymbolicLinksAndNeverTheirTargets) {
     EXPECT_FALSE(fs::exists(folder / "far/absent"));
 }
 
-// What a writer makes is compared with the old file: not with what a link points to.
+// The bytes of a writer are compared with the old file: not with what a link points to.
 TEST(AtomicFile, ALinkToTheSameBytesIsReplacedToo) {
     const TemporaryFolder folder;
     write_bytes(folder / "file", "same");
@@ -398,8 +398,8 @@ TEST(AtomicFile, KilledInTheMiddleLeavesTheOldOrTheNewFile) {
 
 TEST(AtomicFile, RemovesLeftOversOfTheDeadOnly) {
     const TemporaryFolder folder;
-    // What nobody holds the lock of, though process 1 is alive; what somebody does, though there is
-    // no such process; and names that only look alike.
+    // A file whose lock nobody holds, though process 1 is alive; one whose lock somebody holds, though
+    // there is no such process; and names that only look alike.
     const std::string dead = ".a.skybake-1-0.tmp";
     const std::string locked = ".a.skybake-2147483646-0.tmp";
     const Names kept = {locked, ".a.skybake-x-0.tmp", ".a.skybake-5.tmp", ".b.skybake-1-0.tmp"};

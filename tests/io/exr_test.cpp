@@ -202,7 +202,7 @@ long peak_kib() {
     return -1;
 }
 
-// By how many KiB reading the bytes, whole and row by row, raises the peak: in a child process,
+// Returns by how many KiB reading the bytes, whole and row by row, raises the peak: in a child process,
 // which begins with no peak above what it has. -1 where the file is not refused as damaged.
 long cost_kib(const std::string& bytes, const std::filesystem::path& path) {
     testing::write_bytes(path, bytes);

@@ -1,4 +1,4 @@
-// What the tests of files share: a folder that vanishes, a table with all that a table can have.
+// Shared by the tests of files: a folder that vanishes, a table with all that a table can have.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -131,7 +131,7 @@ inline std::vector<Probe> sample_volume_probes(const Level& level, std::size_t c
         probe.at = {{"x_tile", probe.uvw[0]}, {"y_tile", probe.uvw[1]}, {"z_tile", probe.uvw[2]}};
         probe.value.assign(channels, 0.0);
         probe.tolerance.assign(channels, 1e-9);
-        // As of two sub-images.
+        // One probe blends two lookups, as of two sub-images.
         if (i == 3) probe.blend = BlendedLookup{probe.uvw, 0.25};
         for (const VoxelTap& tap : trilinear_taps(level.size, probe.uvw)) {
             std::vector<float> voxel(channels);
@@ -254,7 +254,7 @@ inline SheetGrid grid_of(const std::array<int, 3>& size, config::SheetLayout lay
     return sheet_grid(size, files);
 }
 
-// What a reader must know of a file of the asset.
+// Returns the facts that a reader must know of a file of the asset.
 inline FileShape shape_of(const Baked& baked) {
     const std::array<int, 3>& size = baked.levels[0].size;
     return {size,

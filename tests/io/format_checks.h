@@ -1,4 +1,4 @@
-// What the tests of several formats ask of a file: every voxel in its place, and no damaged file
+// Checks of a file that the tests of several formats share: every voxel in its place, and no damaged file
 // taken for a whole one.
 #pragma once
 

@@ -141,7 +141,7 @@ TEST(Ktx2, ReadsBackAndDoesNotDependOnThreads) {
     }
 }
 
-// Of zeros and of noise, which zstd cannot shorten.
+// Compares frames of zeros, and of noise, which zstd cannot shorten.
 TEST(Ktx2, ZstdFramesAreThoseOfTheLibrary) {
     const TemporaryFolder folder;
     for (const bool is_noise : {false, true}) {
@@ -233,7 +233,7 @@ TEST(Ktx2, RefusesDamagedFiles) {
     }
 }
 
-// What follows a complete frame, or a frame of other texels, is no level.
+// Bytes after a complete frame, or a frame of other texels, are no level.
 TEST(Ktx2, RefusesFramesOfAnotherLength) {
     const TemporaryFolder folder;
     const Baked volume = volume_of({9, 7, 3}, 1, PixelType::unorm8, Ktx2Compression::zstd);

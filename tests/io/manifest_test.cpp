@@ -149,7 +149,7 @@ TEST(Manifest, ConventionsAndAxesReadBack) {
     EXPECT_EQ(asset.axes[1].end_points, TexelConvention::end_points_on_edges);
 }
 
-// Of the text with one piece replaced, which can still be read.
+// Returns the alterations of the text with one piece replaced, which can still be read.
 std::vector<std::string> alterations_with(const std::string& piece, const std::string& other) {
     std::string text = sample_text();
     const std::size_t at = text.find(piece);

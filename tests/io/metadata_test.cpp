@@ -88,7 +88,7 @@ TEST(Metadata, TheContentHashIsOfTheTexelsAlone) {
     EXPECT_NE(describe(table).content_hash, hash);
 }
 
-// What a file carries reads back as what the manifest says, in every format that carries it.
+// The metadata of a file reads back as what the manifest says, in every format that carries it.
 TEST(Metadata, FileAndManifestAgree) {
     const testing::TemporaryFolder folder;
     Baked table = testing::sample_table();

@@ -1,4 +1,4 @@
-// What writing files asks of the system: in which order, and what happens when a signal interrupts it.
+// Tests how files are written: the order of system calls, and what happens when a signal interrupts one.
 // This program's own open, rename, fsync, fdatasync, fchmod and flock stand before those of the C library.
 #include <fcntl.h>
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-// What goes wrong: full disks, interruptions, values and files that are not what they should be.
+// Tests faults: full disks, interruptions, values and files that are not what they should be.
 #include <gtest/gtest.h>
 #include <openvdb/io/File.h>
 #include <openvdb/openvdb.h>

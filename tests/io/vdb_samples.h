@@ -1,4 +1,4 @@
-// What the tests of VDB files share.
+// Shared by the tests of VDB files.
 #pragma once
 
 #include <array>
@@ -37,7 +37,7 @@ inline config::Outcome<bool> write_sample(const Baked& volume, const std::filesy
     return write_vdb(volume, 0, attributes, threads, nullptr, path);
 }
 
-// What the file is to hold.
+// Returns the value that the file is to hold.
 inline float stored_voxel(const Baked& volume, int x, int y, int z, int channel) {
     return round_to_pixel_type(double{voxel_with_zeros(x, y, z, channel)}, volume.pixel_type);
 }

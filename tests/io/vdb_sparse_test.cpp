@@ -35,7 +35,7 @@ Baked sparse_sample(const Size& size, int channels, Function function,
     return volume;
 }
 
-// What the file is to hold of a channel: x fastest, then y, then z.
+// Returns the values that the file is to hold of a channel: x fastest, then y, then z.
 std::vector<float> stored_values(const Baked& volume, int channel) {
     const VoxelBox box = {{}, volume.levels[0].size};
     std::vector<float> values(static_cast<std::size_t>(box.count()));
@@ -95,7 +95,7 @@ std::vector<std::string> grid_names(const Baked& volume) {
     return volume.channel_names;
 }
 
-// What is wrong with a file that write_vdb made of the volume, as OpenVDB reads it.
+// Returns the faults of a file that write_vdb made of the volume, as OpenVDB reads it.
 std::string wrong_for_openvdb(const Baked& volume, const std::filesystem::path& path) {
     openvdb::initialize();
     const Size& size = volume.levels[0].size;
@@ -126,7 +126,7 @@ std::string wrong_for_openvdb(const Baked& volume, const std::filesystem::path& 
     return "";
 }
 
-// What is wrong with it as read_vdb_voxels reads it.
+// Returns the faults of the file as read_vdb_voxels reads it.
 std::string wrong_for_us(const Baked& volume, const std::filesystem::path& path) {
     std::vector<std::vector<float>> wanted;
     for (std::size_t channel = 0; channel < volume.channel_names.size(); ++channel) {
@@ -248,7 +248,7 @@ TEST(VdbSparseCases, ChannelsHaveVoxelsOfTheirOwn) {
     EXPECT_EQ(wrong_with(named), "");
 }
 
-// As dense volumes: the same places, the same values.
+// Compares with dense volumes: the same places, the same values.
 TEST(VdbSparseCases, VoxelsNeedNotBeCubes) {
     const TemporaryFolder folder;
     Baked volume = sparse_sample({20, 20, 20}, 1, speckle);
@@ -302,7 +302,7 @@ Written write_balls(int threads, std::size_t most_kept_bytes) {
 
 TEST(VdbSparseBytes, DependOnNeitherThreadsNorWhatIsKept) {
     const Written first = write_balls(1, vdb_most_kept_bytes);
-    // Of three nodes one is not empty; of its strips three have voxels of each channel.
+    // One of three nodes is not empty; three of its strips have voxels of each channel.
     EXPECT_EQ(first.fills, 2 * 3);
     for (const std::size_t kept : {std::size_t{0}, first.bytes.size() / 2, first.bytes.size()}) {
         for (const int threads : {1, 2, 7}) {

@@ -160,7 +160,7 @@ TEST_P(VdbVolume, GridsSayWhatTheyAre) {
         EXPECT_EQ(bounds.max(), Coord(size[0] - 1, size[1] - 1, size[2] - 1));
         const std::int64_t count = VoxelBox{{}, size}.count();
         EXPECT_EQ(grid->activeVoxelCount(), static_cast<openvdb::Index64>(count));
-        // What readers take instead of counting.
+        // Readers take these instead of counting.
         EXPECT_EQ(grid->metaValue<openvdb::Int64>("file_voxel_count"), count);
         EXPECT_EQ(grid->metaValue<openvdb::Vec3i>("file_bbox_max"), bounds.max().asVec3i());
         EXPECT_EQ(grid->metaValue<openvdb::Vec3i>("file_bbox_min"), openvdb::Vec3i(0));

@@ -18,7 +18,7 @@
 namespace skybake {
 namespace {
 
-// What three channels have, and the places of the wavelengths for which it is.
+// The places of wavelengths among three channels.
 struct ChannelOrder {
     std::array<std::size_t, 3> places{};
 

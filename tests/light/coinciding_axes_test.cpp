@@ -39,8 +39,8 @@ void expect_alike(const std::vector<float>& exact, const std::vector<float>& nea
     }
 }
 
-// What each asset with directions shows of a sun at this elevation, at odd sizes, which have a texel
-// on the axis.
+// Returns bakes of each asset with directions under a sun at this elevation, at odd sizes, which have a
+// texel on the axis.
 std::string assets(const std::string& elevation) {
     std::string text;
     for (const char* altitude : {"0 m", "20 km", "150 km"}) {

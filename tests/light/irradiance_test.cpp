@@ -13,7 +13,7 @@
 namespace skybake {
 namespace {
 
-// What a baker is given of a table before it makes one.
+// Returns the table that a baker is given before it makes one.
 Baked colours() {
     Baked table;
     table.channel_names = {"R", "G", "B"};
@@ -70,7 +70,7 @@ TEST(SkyIrradiance, PartsAddUp) {
     }
 }
 
-// What surfaces at one altitude share changes nothing.
+// Sharing between surfaces at one altitude changes nothing.
 TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
     for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
@@ -143,7 +143,7 @@ TEST(SkyIrradiance, HasAzimuthsForTheDegreeOfLightScatteredBefore) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(with[c] / without[c], 1, 0.01);
 }
 
-// What comes from the peaks around the sun is either the sky's or the sun's: their sum is that of air
+// Light from the peaks around the sun is either the sky's or the sun's: their sum is that of air
 // in which peaks count as not scattered, by the same directions.
 TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
     const config::Atmosphere fog =
@@ -171,7 +171,7 @@ TEST(SkyIrradiance, PeaksBelongToTheSkyOrToTheSun) {
     }
 }
 
-// Of closed forms the peak is what moments up to a degree leave out: which degree that is, is no
+// For closed forms the peak is what moments up to a degree leave out: which degree that is, is no
 // matter of the light on the ground. Thin haze scatters hardly any light twice.
 TEST(SkyIrradiance, IsTheSameWhateverCountsAsPeak) {
     const SkyMedium haze = make_sky_medium(

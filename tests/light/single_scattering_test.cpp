@@ -52,7 +52,8 @@ struct Errors {
     double largest = 0;
 };
 
-// Of a view's texels, relative to the light but at least to a thousandth of its table's brightest.
+// Returns the errors of a view's texels, relative to the light but at least to a thousandth of its
+// table's brightest.
 Errors errors_of(const config::Recipe& recipe, const test::PlainLayer& fog) {
     const config::Bake& bake = recipe.parameters.bakes.front();
     const auto& asset = bake.as<config::SkyViewBake>();
@@ -149,7 +150,7 @@ TEST(SingleScattering, KnowsNoForwardPeaks) {
     }
 }
 
-// What is scattered once and what is scattered more often is all light, in tables and around cameras.
+// Light scattered once and light scattered more often add up to all light, in tables and around cameras.
 TEST(SingleScattering, AddsUpWithTheRest) {
     std::string bakes;
     const auto sections = [](const char* orders) {

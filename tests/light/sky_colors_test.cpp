@@ -37,7 +37,7 @@ SkyColors colors(const config::Parameters& parameters) {
                       {.threads = 2});
 }
 
-// Of weights, of which all of one channel add up to about 1, and of errors of colours.
+// Bounds weights, of which all of one channel add up to about 1, and errors of colours.
 constexpr double kRowsAgainstRays = 1e-5;
 
 struct Bar {
@@ -45,7 +45,7 @@ struct Bar {
     double median, ninth_decile, disc;
 };
 
-// Those of the mountain's air, whose spectra are solved for once: its gases are known at any wavelength.
+// Returns the mountain's colours. Its spectra are solved for once: its gases are known at any wavelength.
 SkyColors mountain_colors(const std::string& wavelengths) {
     const config::Parameters wanted = mountain(wavelengths);
     static const ColorSkies skies(wanted.atmosphere, wanted.wavelengths, {.threads = 2});
@@ -169,7 +169,8 @@ struct LookedAt {
     double sun_deg, above_deg, azimuth_deg;
 };
 
-// Of each view the chromaticity of the preset's wavelengths, and that of a spectrum at every fifth nm.
+// Returns for each view the chromaticity of the preset's wavelengths, and that of a spectrum at every
+// fifth nm.
 std::vector<std::array<glm::dvec2, 2>> chromaticities(const std::string& preset,
                                                       const std::vector<LookedAt>& looks) {
     const config::Parameters parameters =

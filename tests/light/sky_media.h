@@ -1,4 +1,4 @@
-// What the tests of the sky share: atmospheres, random ones among them, and light scattered before.
+// Shared by the tests of the sky: atmospheres, random ones among them, and light scattered before.
 #pragma once
 
 #include <rapidcheck.h>

@@ -86,7 +86,7 @@ TEST(SkyRow, IsWhatItsRaysAre) {
     }
 }
 
-// What tables of sky views read in place of exact sunlight.
+// Tests what tables of sky views read in place of exact sunlight.
 TEST(SkyLight, SunlightIsReadAsItIs) {
     for (const char* preset : {"earth_hillaire", "mars_rgb", "tiny_planet", "dense_earth"}) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::single);

@@ -162,7 +162,7 @@ TEST(SkyViewTable, SaysWhatHalfLoses) {
     EXPECT_EQ(baked.diagnostics[0].code, "W0201");
 }
 
-// As a recipe asks for it: one layer's single scattering, with its probes in place.
+// Bakes a table as a recipe asks for it: one layer's single scattering, with its probes in place.
 TEST(SkyViewTable, IsBakedByARecipe) {
     const config::Recipe recipe = test::recipe_of(
         "preset = 'earth_hillaire'\n[bake.haze]\nasset = 'sky_view'\nsize = [16, 12]\norders = "

@@ -116,7 +116,7 @@ TEST(BrunetonLookup, FloatLosesLittle) {
                        trial.baked.asset().certificate);
 }
 
-// Of wavelengths, and of colours made of four.
+// Tests tables of wavelengths, and of colours made of four.
 class BrunetonProbes : public ::testing::TestWithParam<const char*> {};
 
 TEST_P(BrunetonProbes, AreHeldByTheLookup) {

@@ -65,7 +65,7 @@ TEST(NoiseLookup, FloatLosesLittle) {
     }
 }
 
-// What the functions make of four channels is what pack stores.
+// The functions make of four channels what pack stores.
 TEST(NoiseLookup, ChannelsArePackedAsTheBakerPacksThem) {
     const std::string detail = "[noise.detail]\npreset = 'nubis_detail'\nseed = 11\n";
     const std::string bakes =
@@ -138,7 +138,7 @@ struct CloudTrial {
         return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, kUnormLeap, ray.from, ray.ray,
                                                tile, ray.stride, ray.count);
     }
-    // What the texels of distances span along z: 19 voxels have 10 texels.
+    // Returns the box that the texels of distances span. Along z, 19 voxels have 10 texels.
     vec3 box() const {
         const auto voxels = static_cast<float>(2 * distances.size[2]);
         return {tile.x, tile.y, tile.z * voxels / static_cast<float>(cloud.size[2])};
@@ -267,7 +267,7 @@ int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
     return tile * voxels + 4 * (face - tile * cells);
 }
 
-// What the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
+// Compares what the lookup makes of a probe's cell: how far a ray goes on, along each axis and against it.
 void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap) {
     const glm::dvec3 place = trial.place_of(probe);
     for (int direction = 0; direction < 6; ++direction) {

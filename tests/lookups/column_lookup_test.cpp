@@ -57,7 +57,7 @@ struct ColumnTrial {
         }
     }
 
-    // Of the transmittance: of each kind alone and of all together.
+    // Adds the errors of the transmittance of each kind alone and of all together.
     void add_errors(const gpu::vec4& found, const std::array<double, 4>& wanted,
                     test::Loss& loss) const {
         for (std::size_t c = 0; c < 3; ++c) {
@@ -103,7 +103,7 @@ struct ColumnTrial {
     gpu::column_lookups::ColumnShell air;
 };
 
-// Of 256x128 texels the RMS is a hundredth of the table's own, but the maximum a sixth: for rays
+// At 256x128 texels the RMS is a hundredth of the table's own, but the maximum a sixth: for rays
 // that graze fog within millimetres of the ground, as r mu in float is off by as much.
 TEST(ColumnLookup, FloatLosesLittleToTheTop) {
     const ColumnTrial trial("size = [128, 64, 1]\n");

@@ -23,7 +23,7 @@ test::BakedLookup bake_book() {
 
 const Baked& book_of(const test::BakedLookup& baked) { return baked.assets.back(); }
 
-// What an empty cell holds here. A lookup in float takes 2e-6 of the texel beside its own.
+// The value of an empty cell here. A lookup in float takes 2e-6 of the texel beside its own.
 constexpr float kEmpty = 5;
 
 // Cell k of a sheet stands at column k mod columns of row k / columns from the top left.
@@ -112,7 +112,7 @@ TEST(FlipbookLookup, OfLayersIsThatOfTheTexture) {
     EXPECT_GT(difference_of_layers(book, layers, 0, -1), 0.2) << "mirrored";
 }
 
-// Of a full sheet, and of one whose last cell is empty and would show.
+// Tests a full sheet, and one whose last cell is empty and would show.
 TEST(FlipbookLookup, OfASheetIsThatOfTheTexture) {
     const test::BakedLookup baked = bake_book();
     const Texture book = texture_of(book_of(baked));

@@ -98,7 +98,7 @@ inline float atan(float y, float x) {
 inline float length(const vec3& v) { return gpu::sqrt(dot(v, v)); }
 inline float length(const vec2& v) { return gpu::sqrt(dot(v, v)); }
 
-// What a lookup returns.
+// The result of a lookup.
 struct Texel : vec4 {
     explicit Texel(const vec4& value) : vec4(value), rgb(value.x, value.y, value.z) {}
     vec3 rgb;

@@ -1,7 +1,7 @@
 // Published lookups on trial: run in float at many places, held to the bakers' own mapping in
 // double over the same texels.
 //
-// What a lookup may lose to float is a tenth of what the table is wrong anyway: its maximum and its
+// A lookup may lose to float a tenth of what the table is wrong anyway: its maximum and its
 // RMS over all places, each at most a tenth of the lookup error that the manifest says, on the
 // scale that the manifest says. At probes a lookup has to hold the probe's tolerance, as in a
 // runtime.
@@ -33,7 +33,7 @@ constexpr int kPlaces = 100000;
 class Loss {
   public:
     void add(double difference) {
-        // Of not-a-number, too.
+        // Not-a-number becomes the largest, too.
         if (!(std::fabs(difference) <= max_)) max_ = std::fabs(difference);
         sum_ += difference * difference;
         ++count_;
@@ -68,7 +68,7 @@ class Dice {
     // In [0, 1).
     double uniform() { return static_cast<double>(engine_() >> 11U) * 0x1p-53; }
     double uniform(double from, double to) { return from + (to - from) * uniform(); }
-    // By decades: as many numbers from 1e-3 to 1e-2 as from 1e-2 to 1e-1.
+    // Returns a number even in decades: as many from 1e-3 to 1e-2 as from 1e-2 to 1e-1.
     double decades(double from, double to) { return from * std::pow(to / from, uniform()); }
     bool one_in(int count) { return uniform() * count < 1; }
 

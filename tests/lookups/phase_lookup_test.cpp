@@ -7,7 +7,7 @@ namespace gpu::phase_lookups {
 #include "config/assets/phase.h"
 #include "lookups/phase.glsl.h"
 }  // namespace gpu::phase_lookups
-// By 1 - cos and 1 + cos of a cosine, which the manifest once said.
+// Lookups by 1 - cos and 1 + cos of a cosine, which the manifest once said.
 namespace gpu::phase_by_cosines {
 inline float phase_by_peaks(vec3 a, vec3 b) {
     const float cosine = dot(a, b);

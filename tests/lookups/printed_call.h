@@ -43,7 +43,7 @@ class CallNotes {
                  {"arguments", std::move(arguments)},
                  {"channels", channels}};
     }
-    // Of the last call. One without bounds is not noted.
+    // Sets the bounds of the last call, and notes it. A call without bounds is not noted.
     void bound(const std::vector<double>& low, const std::vector<double>& high) {
         if (!is_wanted()) return;
         last_["low"] = low;
@@ -135,7 +135,7 @@ Result call(Result (*function)(Parameters...), const Given&... given) {
                                                 static_cast<std::tuple<Parameters...>*>(nullptr)));
 }
 
-// Of a value with fewer channels.
+// Returns a value with fewer channels as one of four.
 inline gpu::vec4 widened(float value) { return {value, 0, 0, 1}; }
 inline gpu::vec4 widened(const gpu::vec2& value) { return {value, 0, 1}; }
 inline gpu::vec4 widened(const gpu::vec3& value) { return {value, 1}; }
@@ -164,7 +164,7 @@ Result called(const char* file, const char* name, Result (*glsl)(Of...), Other (
     return value;
 }
 
-// Of the last call: a probe, or a number that another language may miss by so much.
+// Compares the last call with a probe, or with a number that another language may miss by so much.
 inline void expect_probe_of_call(const gpu::vec4& found, const Probe& probe) {
     expect_probe(found, probe.value, probe.tolerance, ::testing::PrintToString(probe.at));
     std::vector<double> low = probe.value;

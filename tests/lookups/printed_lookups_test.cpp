@@ -1,4 +1,4 @@
-// What `skybake info --lookup` prints of a file, held to the probes of that file:
+// Holds the functions that `skybake info --lookup` prints of a file to its probes:
 // print_lookups.cmake has baked printed.toml and made C++ of what was printed.
 #include <cmath>
 #include <map>

@@ -39,7 +39,7 @@ struct SunTable {
         return {static_cast<float>(columns.first),
                 static_cast<float>(columns.last - columns.first)};
     }
-    // Of table `part` of so many below each other.
+    // Looks up table `part` of `parts` that lie below each other.
     std::array<double, 4> in_double(double x, double y, int part = 0, int parts = 1) const {
         const double u = texture_coordinate(kCentres, std::clamp(x, 0.0, 1.0), texture.size[0]);
         const double v =

@@ -29,7 +29,7 @@ struct Texture {
     }
 };
 
-// As GL has it: absent colours are 0, absent alpha is 1.
+// Fetches as GL does: absent colours are 0, absent alpha is 1.
 inline std::array<double, 4> fetched(const Texture& texture, const std::array<int, 3>& at) {
     ++texture.lookups;
     std::array<double, 4> value{0, 0, 0, 1};
@@ -52,7 +52,7 @@ inline std::array<double, 4> filtered(const Texture& texture, const std::array<d
     return value;
 }
 
-// Of level 0, rounded as a file stores it.
+// Returns level 0 as a texture, rounded as a file stores it.
 inline Texture texture_of(const Baked& baked) {
     const Level& level = baked.levels.front();
     const auto count = static_cast<std::size_t>(VoxelBox{{}, level.size}.count());

@@ -60,7 +60,7 @@ inline std::vector<std::array<int, 3>> holes_between(const std::vector<noise::Ce
     return holes;
 }
 
-// Of the voxels of boxes about holes.
+// Counts of the voxels of boxes about holes.
 struct HoleCount {
     std::int64_t unsure = 0;      // F1 > 1 + m in the 27 cells: more must be asked
     std::int64_t wrong = 0;       // the nearest point of the 27 cells is not the nearest

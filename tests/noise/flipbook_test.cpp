@@ -167,7 +167,7 @@ std::vector<float> halved(const std::vector<float>& finer, std::array<int, 3> si
 }
 
 // Each level is the mean of the one before, layer by layer, down to one texel; no frame is mixed with
-// another. Of levels of a volume the frames would be.
+// another. In levels of a volume they would be.
 TEST(Flipbook, HasLevelsThatKeepFramesApart) {
     for (const std::string& frames : {volume, map, cloud}) {
         const config::Recipe recipe =
@@ -244,7 +244,7 @@ TEST(Flipbook, HasProbesWithinLayersThatAreNoLoop) {
     EXPECT_GT(loop[1], 5);
 }
 
-// Of a smooth motion the middle of two frames is off by the square of the time between them.
+// In a smooth motion the middle of two frames is off by the square of the time between them.
 TEST(Flipbook, StatesTheErrorOfBlending) {
     std::array<double, 2> rms{};
     for (const std::size_t i : {0u, 1u}) {

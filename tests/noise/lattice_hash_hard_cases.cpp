@@ -17,13 +17,13 @@ namespace {
 
 using test::hold;
 
-// Of some thousand normal deviates the largest is about 4; one in 10^5 such sets reaches 6.
+// The largest of some thousand normal deviates is about 4; one in 10^5 such sets reaches 6.
 constexpr double kLargestOfThousands = 6;
 constexpr double kLargestOfAFew = 5;
 
 // --- Avalanche ----------------------------------------------------------------------------------
 
-// What a lattice point's hash is made of.
+// The numbers that a lattice point's hash is made of.
 struct Input {
     std::uint64_t noise_seed = 0;
     std::uint64_t channel_seed = 0;
@@ -136,7 +136,7 @@ constexpr std::array<const char*, 4> kStepNames = {"alone", "with x + 1", "with 
 TEST(NoiseHardCase, HashBits) {
     const std::uint64_t key = key_of(Purpose::gradient);
     for (std::size_t step = 0; step < 4; ++step) {
-        // Of each pair of bits, of a point and of its neighbour, the four combinations.
+        // Counts the four combinations of each pair of bits of a point and of its neighbour.
         std::vector<std::vector<std::int64_t>> counts(32 * 32, std::vector<std::int64_t>(4, 0));
         for_each_point([&](std::uint32_t x, std::uint32_t y, std::uint32_t z) {
             const auto& [dx, dy, dz] = kSteps[step];

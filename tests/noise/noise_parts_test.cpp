@@ -109,7 +109,7 @@ TEST(NoisePlan, SharesEqualCellularOctavesAmongChannels) {
     const auto fields = [](const std::vector<config::NoiseChannel>& channels) {
         return make_noise_plan(test::noise_of(channels), {32, 32, 32}).fields.size();
     };
-    // As shapes of clouds do: each channel's octaves are the next one's, one up.
+    // Octaves of shapes of clouds: each channel's octaves are the next one's, one up.
     EXPECT_EQ(fields({worley({{4, 4, 4}, {8, 8, 8}, {16, 16, 16}}),
                       worley({{8, 8, 8}, {16, 16, 16}}), worley({{16, 16, 16}})}),
               3u);

@@ -46,7 +46,7 @@ double grad(int hash, double x, double y, double z) {
     return ((h & 1) == 0 ? u : -u) + ((h & 2) == 0 ? v : -v);
 }
 
-// That of grad's sixteen which is this lattice point's gradient.
+// Returns which of grad's sixteen directions is this lattice point's gradient.
 int direction_of(const Gradient& gradient) {
     for (int h = 0; h < 12; ++h) {
         if (grad(h, 1, 0, 0) == gradient.x && grad(h, 0, 1, 0) == gradient.y &&

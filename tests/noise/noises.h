@@ -125,11 +125,11 @@ inline Planes specified(const noise::NoisePlan& plan, const VoxelBox& box) {
     return planes;
 }
 
-// What a box must not be written beyond its end.
+// The value beyond a box's end, which must not be overwritten.
 inline constexpr float kCanary = -12345.0f;
 inline constexpr std::size_t kCanaries = 64;
 
-// As the kernels make it. The last kCanaries of each channel lie beyond the box.
+// Fills as the kernels do. The last kCanaries of each channel lie beyond the box.
 inline Planes filled_with_canaries(const VoxelSource& source, const VoxelBox& box, int channels) {
     const std::size_t count = static_cast<std::size_t>(box.count()) + kCanaries;
     Planes planes(static_cast<std::size_t>(channels), std::vector<float>(count, kCanary));

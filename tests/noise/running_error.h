@@ -40,7 +40,7 @@ inline Uncertain operator*(Uncertain a, Uncertain b) {
                                             std::fabs(b.value) * a.error + a.error * b.error}
         .rounded();
 }
-// Of unbounded error where the divisor may be 0.
+// The quotient has an unbounded error where the divisor may be 0.
 inline Uncertain operator/(Uncertain a, Uncertain b) {
     const double room = std::fabs(b.value) - b.error;
     const double quotient = a.value / b.value;

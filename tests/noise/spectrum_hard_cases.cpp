@@ -1,4 +1,4 @@
-// What one octave of gradient noise is as a signal: its root mean square, and how its spectrum
+// Tests one octave of gradient noise as a signal: its root mean square, and how its spectrum
 // depends on direction.
 #include <fmt/format.h>
 #include <gtest/gtest.h>

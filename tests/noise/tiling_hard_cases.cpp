@@ -171,8 +171,8 @@ TEST(NoiseHardCase, NoiseFrequenciesAtTheLimit) {
         EXPECT_EQ(mismatches.count, 0) << name << ' ' << mismatches.first;
         hold(fmt::format("noise frequency at {}, 64 voxels", name),
              fmt::format("double reference; {} bits unlike", mismatches.count), error, 1e-5);
-        // What the definition says of a gradient octave at cells of two voxels and of one, whose
-        // lower corners are lattice points: an eighth of voxels, and all, are 0.
+        // By its definition, a gradient octave is 0 at lattice points, which are the lower corners of
+        // cells of two voxels and of one: at an eighth of voxels, and at all.
         config::Noise octave = test::noise_of(
             {test::perlin({{frequency, frequency, frequency}}, NoiseFractal::billow)});
         octave.sampling = config::NoiseSampling::corners;

@@ -39,7 +39,7 @@ TEST(DistanceFaults, AreFound) {
         }
     };
     const std::array<int, 3> size = field().volume.grid.size();
-    // As if it were rounded up to the diagonal of a texel that was taken off.
+    // The distance is rounded up to the diagonal of a texel that was taken off.
     const double diagonal = 2 * std::sqrt(25.0 * 25 + 20 * 20 + 30 * 30);
     expect_found("rounded up", [&](Trial& trial) { metres(trial, diagonal); });
     expect_found("x and z exchanged", [&](Trial& trial) {

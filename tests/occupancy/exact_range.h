@@ -38,8 +38,8 @@ struct ExactRange {
     Wide most = 0;
 };
 
-// Of cell (i, j, k) for the trilinear filter: over eight times the means of the two voxels about
-// each node along each axis.
+// Returns the range of cell (i, j, k) for the trilinear filter: over eight times the means of the two
+// voxels about each node along each axis.
 inline ExactRange exact_range(const Volume& volume, const std::array<int, 3>& cell, int unit) {
     std::array<std::vector<std::array<int, 2>>, 3> nodes;
     for (std::size_t a = 0; a < 3; ++a) {

@@ -21,7 +21,7 @@ OccupiedCells cells_of(const std::array<int, 3>& size, const std::vector<std::si
     return cells;
 }
 
-// As a rule few are occupied, so that distances are long.
+// Few cells are occupied as a rule, so that distances are long.
 OccupiedCells any_cells() {
     const int longest = *rc::gen::element(4, 13, 24);
     std::array<int, 3> size{};

@@ -133,7 +133,7 @@ TEST(Marcher, SkipsNothingThatARaySees) {
     EXPECT_GT(skipped, 1000);
 }
 
-// By the lookup of bakers/field, in texture coordinates.
+// Compares with the lookup of bakers/field, in texture coordinates.
 TEST(Marcher, SumsWhatLookupsReturn) {
     int compared = 0;
     int elsewhere = 0;

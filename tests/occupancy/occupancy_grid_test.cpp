@@ -255,7 +255,7 @@ TEST(StoredOutwards, IsTheNearestOnTheRightSide) {
                   round_to_pixel_type((double{up} + double{down}) / 2, PixelType::half) == down);
         const auto share = static_cast<float>(test::any_number(0, 1));
         for (const PixelType type : {PixelType::unorm8, PixelType::unorm16}) {
-            // As the steps they are stored as, not as the floats nearest to those.
+            // Compares the steps that are stored, not the floats nearest to those.
             const double steps = type == PixelType::unorm8 ? 255 : 65535;
             RC_ASSERT(std::round(stored_up(share, type) * steps) >= double{share} * steps);
             RC_ASSERT(std::round(stored_down(share, type) * steps) <= double{share} * steps);

@@ -50,7 +50,7 @@ double unlike_referee(const Volume& volume, float threshold, int unit = 84) {
     return static_cast<double>(unlike);
 }
 
-// Of lookups that are above the threshold: how many are in empty cells.
+// Returns the share of the lookups above the threshold that are in empty cells.
 double share_lost(const Volume& volume, const OccupiedCells& cells, float threshold, int points) {
     std::int64_t above = 0;
     std::int64_t lost = 0;

@@ -1,4 +1,4 @@
-// What a texture of distances promises: no lookup of it is farther from 0 than the distance to the
+// Tests the promise of a texture of distances: no lookup of it is farther from 0 than the distance to the
 // cloud of the filtered volume.
 #include "bakers/occupancy/stored_distance.h"
 

@@ -44,7 +44,7 @@ inline std::uint32_t mixed(std::uint32_t x) {
 // In [0, 1), a multiple of 2^-24.
 inline float share_of(std::uint32_t bits) { return static_cast<float>(bits >> 8) * 0x1p-24F; }
 
-// What kinds of values a volume may hold.
+// Kinds of values that a volume may hold.
 enum class Values {
     uniform,    // [0, 1)
     sparse,     // one in sixteen of them, else 0
@@ -85,7 +85,7 @@ inline Volume any_volume(int largest_size, Values values, bool half = false) {
     for (std::size_t i = 0; i < volume.voxels.size(); ++i) {
         volume.voxels[i] = value_of(values, mixed(seed + static_cast<std::uint32_t>(i)));
     }
-    if (half && values != Values::wide) {  // which halves cannot hold
+    if (half && values != Values::wide) {  // halves cannot hold those
         round_values(volume.voxels.data(), volume.voxels.size(), config::PixelType::half);
     }
     return volume;

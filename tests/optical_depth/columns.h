@@ -1,4 +1,4 @@
-// What the tests of columns share: the Earth with its presets of layers, and random atmospheres.
+// Shared by the tests of columns: the Earth with its presets of layers, and random atmospheres.
 #pragma once
 
 #include <rapidcheck.h>

@@ -30,7 +30,7 @@ TEST(ShellSampling, TheMeanScaleHeightIsWeightedWithExtinction) {
     EXPECT_NEAR(mean_scale_height_km(kinds), (0.145 * 2 + 3.912 * 0.1) / (0.145 + 3.912), 1e-12);
 }
 
-// Of a vertical path that goes on beyond the last shell, where nothing is sampled.
+// Sums along a vertical path that goes on beyond the last shell, where nothing is sampled.
 TEST(ShellSampling, CountsTheDensityAtTheMiddleOfEachShell) {
     config::Atmosphere atmosphere = earth_with_presets();
     const auto kinds = make_column_kinds(atmosphere, {"dust"});

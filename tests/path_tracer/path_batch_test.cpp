@@ -14,7 +14,7 @@
 namespace skybake {
 namespace {
 
-// What all paths of a batch have in common.
+// Shared by all paths of a batch.
 struct Scene {
     std::string name;
     SkyMedium medium;

@@ -93,7 +93,7 @@ TEST(PathTracer, SunlightThatComesInGoesOut) {
     }
 }
 
-// What absorbs is darker than the furnace, and darker the more it absorbs.
+// Matter that absorbs is darker than the furnace, and darker the more it absorbs.
 TEST(PathTracer, AbsorptionDarkensTheFurnace) {
     double before = 1;
     for (const char* albedo : {"0.9", "0.5", "0"}) {

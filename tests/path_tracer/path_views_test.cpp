@@ -1,4 +1,4 @@
-// What the path tracer sees: part of a ray, the air from space, and a level surface.
+// Tests the path tracer's views: part of a ray, the air from space, and a level surface.
 #include <gtest/gtest.h>
 
 #include <cmath>

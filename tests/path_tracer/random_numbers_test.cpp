@@ -109,7 +109,7 @@ TEST(ScrambledPoints, AreUniformOverScramblings) {
     }
 }
 
-// What the points are for: a smooth mean over six dimensions is nearer than by random numbers.
+// The points serve this purpose: a smooth mean over six dimensions is nearer than by random numbers.
 TEST(ScrambledPoints, FindSmoothMeansBetterThanRandomNumbers) {
     constexpr std::uint32_t kCount = 256;
     const auto smooth = [](PathNumbers& numbers) {

@@ -79,7 +79,7 @@ TEST(LorenzMie, SpheresOfWiscombe) {
     EXPECT_NEAR(efficiencies_of({1.5, 1, 0.055}).extinction, 0.101491, 5e-7);
     EXPECT_NEAR(efficiencies_of({1.5, 1, 100}).extinction, 2.097502, 5e-7);
     EXPECT_NEAR(efficiencies_of({1.5, 1, 10000}).extinction, 2.004368, 5e-7);
-    // Of the older program, with four decimals.
+    // Values of the older program, with four decimals.
     EXPECT_NEAR(efficiencies_of({1.5, 0, 10}).scattering, 2.8820, 5e-5);
     EXPECT_NEAR(efficiencies_of({1.5, 0, 100}).scattering, 2.0944, 5e-5);
     EXPECT_NEAR(efficiencies_of({1.5, 0, 1000}).scattering, 2.0139, 5e-5);
@@ -234,7 +234,7 @@ TEST(LorenzMie, HugeSpheresKeepTheirDigits) {
 }
 
 TEST(LorenzMie, StrongAbsorptionKeepsFresnelsReflection) {
-    // What is not diffracted is the light reflected off an opaque sphere, straight back at normal
+    // Light that is not diffracted is reflected off an opaque sphere, straight back at normal
     // incidence.
     for (const std::complex<double> m : {std::complex<double>(1.5, 1), {10, 10}, {0.2, 30}}) {
         const double reflected = std::norm((m - 1.0) / (m + 1.0));

@@ -108,7 +108,7 @@ RC_GTEST_PROP(TabulatedPhase, MomentsAreThoseOfTheDefinition, ()) {
     RC_ASSERT(tabulated_mean_cosine(phase) == moments[1]);
 }
 
-// By quadrature of lookups that knows nothing of cells but where they end.
+// Sums by a quadrature of lookups that knows nothing of cells but where they end.
 double moment_by_lookups(const TabulatedPhase& phase, unsigned degree) {
     using One = std::array<double, 1>;
     const auto integrand = [&](double w) {

@@ -32,7 +32,7 @@ says second '5 assets (5 from the cache)'
 (($(requests right PUT) == 5 + 7)) || fail "files were put again"
 cmp <(sed 's/"hash": .*//' first/manifest.json) <(sed 's/"hash": .*//' second/manifest.json) ||
     fail "manifests differ"
-# What is up to date asks nobody.
+# A folder that is up to date asks nobody.
 before=$(requests right)
 bake a second --cache "$url/right/a"
 (($(requests right) == before)) || fail "an up-to-date folder asked the server"

@@ -131,7 +131,7 @@ TEST(LineChart, LeavesGapsWhereThereIsNoValue) {
     std::vector<double> x, y;
     for (int i = 0; i <= 100; ++i) {
         x.push_back(i);
-        y.push_back(i > 40 && i < 60 ? -1.0 : 1.0);  // which has no logarithm
+        y.push_back(i > 40 && i < 60 ? -1.0 : 1.0);  // -1 has no logarithm
     }
     const Picture chart = line_chart({{"", red, x, y}}, "", "", "", false, true);
     const PixelBox line = box_of(chart, red, chart.width);

@@ -27,7 +27,7 @@ Picture text(std::string_view words, int em = 14, FontWeight weight = FontWeight
     return painted(drawing);
 }
 
-// What is not paper.
+// Returns the box of all that is not paper.
 PixelBox ink(const Picture& picture) {
     return box_where(picture, [](Colour colour) { return colour[0] < 128; });
 }

@@ -1,4 +1,4 @@
-// What can be seen on a picture.
+// Finds what can be seen on a picture.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ PixelBox box_where(const Picture& picture, const Kind& kind) {
     return box_where(picture, 0, 0, picture.width, picture.height, kind);
 }
 
-// Of one colour, left of a column.
+// Returns the box of one colour, left of a column.
 inline PixelBox box_of(const Picture& picture, Colour colour, int x_end) {
     return box_where(picture, 0, 0, x_end, picture.height,
                      [&](Colour other) { return other == colour; });

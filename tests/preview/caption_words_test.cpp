@@ -7,7 +7,7 @@
 namespace skybake {
 namespace {
 
-// What the caption says in stops is what --exposure takes for the same picture.
+// A caption's number of stops is what --exposure takes for the same picture.
 TEST(CaptionWords, TellAnExposureInTheUnitOfTheOption) {
     EXPECT_EQ(exposure_text(5.13), "exposure 5.13 (+2.4 stops)");
     EXPECT_EQ(exposure_text(0.5), "exposure 0.5 (-1.0 stops)");

@@ -1,4 +1,4 @@
-// What all captions have in common.
+// Shared by tests of all captions.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -15,7 +15,7 @@ namespace skybake::test {
 
 class ClosureSky {
   public:
-    // `medium` must outlive it. Of the view, altitude and sun.
+    // `medium` must outlive it. The view's altitude and sun count alone.
     ClosureSky(const SkyMedium& medium, const SkyView& view, int threads);
     ClosureSky(const ClosureSky&) = delete;  // its parts refer to one another
     ClosureSky& operator=(const ClosureSky&) = delete;

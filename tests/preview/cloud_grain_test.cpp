@@ -110,7 +110,7 @@ Energy energy_of(const Image2<double>& picture) {
     return {std::sqrt(energy.all / pixels), std::sqrt(energy.grain / pixels)};
 }
 
-// What the march adds to the light of a cloud under a sun, as shares of the light.
+// Returns the error and grain that the march adds to a cloud's light under a sun, as shares of the light.
 Energy error_under(const SunDirection& sun) {
     const CloudMedium medium = draft_cloud();
     const CloudViewSettings settings = settings_under(medium, sun);

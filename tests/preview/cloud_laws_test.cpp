@@ -82,7 +82,7 @@ TEST(CloudView, ScattersSunlightAsTheClosedFormSays) {
     }
 }
 
-// What a slab sends back of the sun's light, by Gauss-like sums over directions.
+// Returns the share of the sun's light that a slab sends back, by Gauss-like sums over directions.
 double plane_albedo(double tau, double mu_sun) {
     const auto octaves = octave_phases();
     const double sun_level = std::sqrt(1 - mu_sun * mu_sun);

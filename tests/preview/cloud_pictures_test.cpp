@@ -159,7 +159,7 @@ TEST(CloudPictures, VaryTheCopiesOfATile) {
     EXPECT_FALSE(says(single, "repeats")) << single.caption;
 }
 
-// Of four squares of pixels one.
+// Returns the picture at half its size: each pixel is the mean of a square of four.
 Picture quartered(const Picture& picture) {
     Picture small(picture.width / 2, picture.height / 2);
     const auto width = static_cast<std::size_t>(picture.width);

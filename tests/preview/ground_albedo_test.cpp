@@ -62,7 +62,7 @@ TEST(GroundAlbedo, FadesToItsMeanWithTheFootprint) {
     EXPECT_EQ(energy_of(mottles(3000)), 0);
 }
 
-// What a pixel shows is nearly what its neighbour shows: nothing is finer than pixels. Values that have
+// A pixel shows nearly what its neighbour shows: nothing is finer than pixels. Values that have
 // nothing in common differ by twice their energy.
 TEST(GroundAlbedo, IsNotFinerThanFootprints) {
     for (const double footprint_m : {7.0, 33.0, 150.0, 700.0}) {

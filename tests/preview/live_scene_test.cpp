@@ -227,7 +227,7 @@ TEST(LiveTextures, HoldBytesWhereTheVolumeHasThem) {
     const PackedVolume bytes = packed_volume(volume_of({0, 1.0F / 255, 128.0F / 255, 1}, 1));
     EXPECT_STREQ(bytes.type, "unorm8");
     EXPECT_EQ(bytes.texels, std::string("\x00\x01\x80\xff", 4));
-    EXPECT_LT(bytes.greatest_error, 0x1p-24);  // that of the float 128 / 255
+    EXPECT_LT(bytes.greatest_error, 0x1p-24);  // the error of the float 128 / 255
 }
 
 TEST(LiveTextures, HoldTheFirstChannelAsHalves) {

@@ -1,4 +1,4 @@
-// What an interrupted preview has finished is not made again.
+// Assets that an interrupted preview has finished are not made again.
 #include <gtest/gtest.h>
 
 #include <string>

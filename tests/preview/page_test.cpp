@@ -23,7 +23,7 @@ std::size_t count(const std::string& text, const std::string& piece) {
     return found;
 }
 
-// What stands between the first `begin` and the next `end`.
+// Returns the text between the first `begin` and the next `end`.
 std::string between(const std::string& text, const std::string& begin, const std::string& end) {
     const std::size_t first = text.find(begin);
     if (first == std::string::npos) return "";

@@ -126,7 +126,7 @@ config::Recipe evening(const std::string& coverage, const std::string& ground_al
         "size = [16, 16, 8]\n[preview]\nsize = [32, 18]\n");
 }
 
-// What `preview --watch` keeps from one save to the next.
+// Keeps what `preview --watch` keeps from one save to the next.
 class Saves {
   public:
     // Makes a page, and returns how many intermediates were made for it, such as solved light.
@@ -165,7 +165,7 @@ config::Recipe alone(config::Recipe recipe) {
     return recipe;
 }
 
-// What the cloud itself is made from.
+// Returns the number of intermediates that the cloud itself is made from.
 int made_for_cloud(const config::Recipe& recipe) {
     Intermediates shared(std::int64_t{1} << 30);
     const BakeOptions options{

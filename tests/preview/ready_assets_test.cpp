@@ -80,7 +80,7 @@ TEST_F(BakedBefore, WhatHasChangedIsBaked) {
     expect_equal(found.assets, shown(changed, {}).assets);
 }
 
-// What was measured less than a preview measures does not serve it; what was measured more does.
+// An asset that was measured less than a preview measures does not serve it; one measured more does.
 TEST_F(BakedBefore, ABetterCertificateServes) {
     bake(Certification::full);
     EXPECT_EQ(shown(recipe_, {folder_ / "out"}).ready.size(), 3U);

@@ -111,14 +111,14 @@ struct Slab {
     }
 };
 
-// What a camera sees of slabs, which are listed from the highest down.
+// A camera's view of slabs, which are listed from the highest down.
 struct LitScene {
     std::vector<Slab> slabs;
     CloudCamera camera;
     SunDirection sun = {25, 205};
 
     glm::dvec3 to_sun() const { return direction_of(sun.elevation_degrees, sun.azimuth_degrees); }
-    // What lights a slab, times what its march finds.
+    // Returns the light on a slab times what its march finds.
     Spectrum cloud(std::size_t slab, const ReferenceLayer& seen) const {
         double above = 1;
         double all = 1;

@@ -1,4 +1,4 @@
-// Which pixels of a picture have more samples than one.
+// Tests which pixels of a picture have more samples than one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +60,7 @@ TEST(SceneRefinement, RemovesGrain) {
     EXPECT_GT(one, 1e-3);
 }
 
-// What one sample in each pixel shows of one layer: channels as in MarchedScene.
+// One layer as one sample in each pixel shows it: channels as in MarchedScene.
 struct OneSample {
     const Image2<float>& seen;
 

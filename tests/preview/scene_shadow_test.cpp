@@ -1,4 +1,4 @@
-// What clouds leave of the sky and of the light on the ground, and how far they are seen.
+// Tests the light of the sky and on the ground that clouds leave, and how far clouds are seen.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -15,7 +15,8 @@ namespace {
 
 using namespace test;
 
-// What has no extinction is not seen, and casts no shadow. The ground's albedo varies from place to place.
+// A layer without extinction is not seen, and casts no shadow. The ground's albedo varies from place to
+// place.
 TEST(SceneView, TransparentLayersGiveTheClearSky) {
     const CloudMedium low =
         medium_of({1000, 1000, 500}, 800, {4, 4, 4}, std::vector<float>(64, 1.0F), 0);

@@ -95,7 +95,7 @@ TEST(SceneView, CopiesOfTilesDiffer) {
     }
 }
 
-// What a recipe places is there: between its margins, the first copy is the volume.
+// The volume is where a recipe places it: between its margins, the first copy is the volume.
 TEST(SceneView, TheFirstCopyIsTheVolume) {
     const ThreeLayers plain;
     const ThreeLayers varied(true);

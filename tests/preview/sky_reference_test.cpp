@@ -32,8 +32,7 @@ test::Sky example_sky(std::vector<std::string> settings) {
     return sky;
 }
 
-// What B2 of the panel's readers met: the better sky looked worse, since the reference was the
-// other one's closure.
+// Tests a case in which the better sky looked worse, since the reference was the other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
     const test::Sky better = example_sky({});
     const test::Sky worse = example_sky({"bake.multiple_scattering.method=\"converged\"",

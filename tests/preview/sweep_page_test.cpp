@@ -1,4 +1,4 @@
-// What a page shows of a sweep: its index and times, the sheets of its pictures, the plots.
+// Tests the page of a sweep: its index and times, the sheets of its pictures, the plots.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -102,7 +102,7 @@ TEST(ToneMapped, OfTheEndsIsBlackAndWhite) {
         << "one channel is grey: 1 - exp(-1/2) = 0.393";
 }
 
-// What the curves' authors say of middle grey: the Academy's transform shows 0.18 as a tenth of white,
+// Compares with the curves' authors on middle grey: the Academy's transform shows 0.18 as a tenth of white,
 // AgX as half of a screen's range with a gamma of 2.2. Both are fits of a few per cent. Uchimura's straight
 // part shows grey as it is.
 TEST(ToneMapped, ShowsMiddleGreyAsPublished) {

@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What a manifest's probe says, of tables and volumes alike.
+// A probe of a manifest, of tables and volumes alike.
 struct ProbeOfFile {
     std::vector<std::pair<Uvw, double>> lookups;  // with their shares
     std::vector<double> value;
@@ -127,7 +127,7 @@ int failed_by_swap(const BakedFile& file, std::size_t a, std::size_t b) {
     });
 }
 
-// By fault: how many probes fail.
+// Returns for each fault how many probes fail.
 std::map<std::string, int> failed_by_fault(const BakedFile& file) {
     std::map<std::string, int> failed = {{"zeros", failed_probes(file, zeros(file.texels))}};
     const auto axes = static_cast<std::size_t>(file.dimensions);

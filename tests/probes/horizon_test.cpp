@@ -31,7 +31,7 @@ double coordinate(const std::vector<std::pair<std::string, double>>& at, const s
     return 0;
 }
 
-// Of a ray, from the altitude and the cosine that a probe names.
+// Returns a ray's angle above the horizon, from the altitude and the cosine that a probe names.
 double degrees_above_horizon(const std::vector<std::pair<std::string, double>>& at) {
     const double altitude = coordinate(at, "altitude_km");
     const double elevation = std::asin(coordinate(at, "cos_zenith"));

@@ -123,7 +123,7 @@ TEST(SlowPlaneParallel, SolverAsItIsUsedInThickAir) {
     for (const char* name : {"1e", "2c", "2d"}) expect_solver_as_used(slab_named(name));
 }
 
-// What is left at the default settings falls with the altitudes at which light is solved for, with
+// The error that is left at the default settings falls with the altitudes at which light is solved for, with
 // the columns of sunlight, with the degree of moments for peaked phase functions, and with the pieces
 // in which rays to the eye are cut, since light rises steeply behind the slab's surfaces: a grazing
 // ray that leaves thick air at its bottom sees little more than the space between two altitudes.

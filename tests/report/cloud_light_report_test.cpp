@@ -1,4 +1,4 @@
-// What the size of texels of light costs, and what fitting them gains.
+// Tests the costs of the size of texels of light, and the gain by fitting them.
 #include <gtest/gtest.h>
 
 #include <map>

@@ -1,4 +1,4 @@
-// What colours cost, and the ladder of errors from a recipe's tables to the sky that people see.
+// Tests the costs of colours, and the ladder of errors from a recipe's tables to the sky that people see.
 #include "bakers/report/color/color_report.h"
 
 #include <gtest/gtest.h>

@@ -52,7 +52,7 @@ const ReportRow& row_of(const AssetReport& report, const std::string& family,
     return found == report.rows.end() ? none : *found;
 }
 
-// What all tests look at and no one changes.
+// Returns the report that all tests look at and no one changes.
 const AssetReport& sample() {
     static const AssetReport report = report_of(std::string(kNoise) + kBake);
     return report;
@@ -172,7 +172,7 @@ TEST(NoiseVolumeReport, BytesFrontHasNoFileThatIsLargerForNothing) {
     EXPECT_FALSE(on_front("float"));
 }
 
-// Those of the bake: nothing is estimated.
+// The report's figures are those of the bake: nothing is estimated.
 TEST(NoiseVolumeReport, FiguresOfTheRecipeAreThoseThatBakeFinds) {
     const config::Recipe recipe = recipe_of(std::string(kNoise) + kBake);
     const auto baked = bake_asset(recipe, recipe.parameters.bakes.at(0), {.threads = 1});

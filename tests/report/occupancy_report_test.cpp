@@ -1,4 +1,4 @@
-// What skipping saves on the volume of Olajos 2016, over all rays.
+// Tests the savings by skipping on the volume of Olajos 2016, over all rays.
 #include <gtest/gtest.h>
 
 #include "bakers/report/report.h"

@@ -44,7 +44,7 @@ std::vector<SkyTruthDirection> few_directions() {
             {0.5, 94, 0, 0}, {0.5, 94, 85, 0}, {0.5, 94, 85, 180}};
 }
 
-// What single scattering gives, times a factor, as if it were true.
+// Returns single scattering, times a factor, as if it were true.
 std::vector<SkyTruth> single_scattering_truth(const SkyMedium& medium, double factor) {
     std::vector<SkyTruth> truth;
     for (const SkyTruthDirection& direction : few_directions()) {

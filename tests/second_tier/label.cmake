@@ -1,11 +1,14 @@
 set_tests_properties(
+    HonestClaims.HoldOnTwelveAtmospheres
+    TablesOfColors.OfFourWavelengthsLookLikeThoseOfEight
     bytes.compilers
     bytes.targets
-    HonestClaims.HoldOnTwelveAtmospheres
+    bytes.threads
     incremental.KeyCoversBytes.WhateverChangesOfClouds
     incremental.KeyCoversBytes.WhateverChangesOfTheSky
     incremental.KeyCoversBytes.WhateverElseChanges
     install.package_archive
+    io.BinVolume.ReadsBackAndDoesNotDependOnThreads
     lookups.compile_printed_glsl
     pipelines.cache
     pipelines.http_cache
@@ -13,5 +16,9 @@ set_tests_properties(
     pipelines.killed_frames
     pipelines.killed_sweep
     pipelines.several_processes
+    preview.LiveScene.HoldsSeveralCloudsWithTheirCopies
+    report.ColorReport.EndsWhenItIsInterrupted
+    report.ColorReport.ListsOfTheRecipeAreCompared
+    report.ColorReport.RowOfTheRecipeHasTheErrorOfItsBake
     report.program
     PROPERTIES LABELS more)

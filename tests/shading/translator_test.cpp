@@ -192,7 +192,7 @@ TEST(Translation, OfDeclarations) {
            "struct Shell {\n    R: f32,  // km\n}\nfn f(s: Shell) -> f32 { return s.R; }\n");
 }
 
-// What it does not know it refuses, with the line.
+// The translator refuses what it does not know, with the line.
 TEST(Translation, RefusesTheRestOfGlsl) {
     const std::vector<std::pair<const char*, const char*>> cases = {
         {"float f(float x) {\n    return fract(x);\n}", "line 2 of GLSL: the function `fract`"},
@@ -294,8 +294,9 @@ TEST(Translation, UsesNoReservedWordAsAName) {
             const bool is_word = tokens[i].kind == TokenKind::word;
             const std::string_view before = tokens[i - 1].text;
             const bool is_after_type = before == "," || before == "ColumnShell" ||
-                                       !spelt_type(before, Language::glsl).empty();
-            if (is_word && is_after_type && spelt_type(tokens[i].text, Language::glsl).empty()) {
+                                       !translated_type(before, Language::glsl).empty();
+            if (is_word && is_after_type &&
+                translated_type(tokens[i].text, Language::glsl).empty()) {
                 names.insert(std::string(tokens[i].text));
             }
         }

@@ -127,7 +127,7 @@ TEST(ForwardPeak, SkiesOfDropsAreThoseOfPaths) {
     }
 }
 
-// What the layers scatter apart adds up to all that is scattered once.
+// The light that the layers scatter apart adds up to all that is scattered once.
 TEST(ForwardPeak, LayersAddUp) {
     const config::Atmosphere atmosphere = foggy_atmosphere();
     const SunZenith sun{0.5, std::sqrt(0.75)};

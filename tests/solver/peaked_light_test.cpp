@@ -127,7 +127,7 @@ TEST(PeakedLight, ScalingKeepsMomentsAndAbsorption) {
                             after.extinction_per_km[c] - after.scattering_per_km[c], 1e-15);
                 EXPECT_NEAR(after.scattering_per_km[c] * rest[9][c], 0, 1e-15);
                 for (std::size_t l = 0; l < 9; ++l) {
-                    // What goes on counts as forward scattering in both.
+                    // Light that goes on counts as forward scattering in both.
                     EXPECT_NEAR(
                         before.extinction_per_km[c] - before.scattering_per_km[c] * chi[l][c],
                         after.extinction_per_km[c] - after.scattering_per_km[c] * rest[l][c],

@@ -188,7 +188,7 @@ TEST(ScatteringHardCase, Case15CamerasAtTheEnds) {
 }
 
 TEST(ScatteringHardCase, Case18And19OrdersAndGround) {
-    // What is left out is as little as it says.
+    // The solver leaves out as little as it says.
     const SkyMedium medium = rayleigh_times(10);
     SolverSettings settings;
     settings.degree = 2;

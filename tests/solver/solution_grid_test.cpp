@@ -233,8 +233,8 @@ RC_GTEST_PROP(SunAxis, SteepStencilsAreExactForExponentialsOfCubics, ()) {
     RC_ASSERT(std::fabs(sum / light(place) - 1) < 1e-10);
 }
 
-// Of a stencil whose means do not fall: between the two columns around, up to the first and the last;
-// beyond them the nearest one.
+// A stencil whose means do not fall is linear between the two columns around, up to the first and the
+// last; beyond them it takes the nearest one.
 RC_GTEST_PROP(SunAxis, LinearStencilsAreExactForLinesUpToTheEnds, ()) {
     const SunAxis axis = make_sun_axis({6360, 100}, 24);
     const double cosine =

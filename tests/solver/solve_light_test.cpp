@@ -1,4 +1,4 @@
-// What must hold of light, whatever the atmosphere.
+// Tests what must hold of light, whatever the atmosphere.
 #include "bakers/light/solver/solve_light.h"
 
 #include <gtest/gtest.h>
@@ -85,6 +85,59 @@ TEST(SolvedLight, IsLightByNightBelowThickLayers) {
                 // Where the mean was negative the light of the first solution stays.
                 EXPECT_GT(light.light.at(level, sun)[c], 0) << level << ' ' << sun << ' ' << c;
             }
+        }
+    }
+}
+
+// Found by the property above, among one in a hundred random airs: estimates that were far too dark under
+// suns below the horizon, by whose falls each order made more light of what there was.
+constexpr const char* kThinAir = R"(
+[atmosphere]
+ground_radius = "47168598 m"
+top_radius = "47224417 m"
+ground_albedo = [0.48, 0.55, 0.39]
+[atmosphere.layers.air]
+profile = "exponential"
+scale_height = "2130.6 m"
+scattering = ["4.672e-4 /m", "2.857e-5 /m", "8.112e-5 /m"]
+extinction = ["4.796e-4 /m", "8.825e-5 /m", "2.435e-4 /m"]
+phase = "isotropic"
+)";
+constexpr const char* kThreeHighLayers = R"(
+[atmosphere]
+ground_radius = "42507220 m"
+top_radius = "42555107 m"
+ground_albedo = [0.22, 0.52, 0.32]
+[atmosphere.layers.a]
+profile = "exponential"
+scale_height = "5922.5 m"
+scattering = ["7.147e-6 /m", "1.605e-7 /m", "6.28e-5 /m"]
+extinction = ["1.482e-5 /m", "1.527e-6 /m", "1.841e-4 /m"]
+phase = "isotropic"
+[atmosphere.layers.b]
+profile = "exponential"
+scale_height = "6628.9 m"
+scattering = ["1.39e-4 /m", "6.022e-4 /m", "2.535e-5 /m"]
+extinction = ["1.019e-3 /m", "6.112e-4 /m", "5.403e-5 /m"]
+phase = "isotropic"
+[atmosphere.layers.c]
+profile = "exponential"
+scale_height = "1551 m"
+scattering = ["1.252e-6 /m", "2.009e-3 /m", "2.069e-6 /m"]
+extinction = ["2.026e-6 /m", "2.746e-3 /m", "2.272e-6 /m"]
+phase = "rayleigh"
+)";
+
+TEST(SolvedLight, ConvergesWhereTheFirstEstimateIsFarTooDark) {
+    for (const char* air : {kThinAir, kThreeHighLayers}) {
+        const config::Recipe recipe =
+            test::recipe_of(air, {"wavelengths=[\"680 nm\", \"550 nm\", \"440 nm\"]"});
+        const SkyMedium medium = make_sky_medium(recipe.parameters.atmosphere);
+        for (const SolverSettings& settings : {coarse(), SolverSettings()}) {
+            const SolvedLight light = solve_light(medium, settings, 1);
+            EXPECT_LE(light.left_out, 1e-2);
+            EXPECT_LE(light.applications, 30);
+            for (const double value : light.light.moments) ASSERT_TRUE(std::isfinite(value));
         }
     }
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kLevels = 3;
-// What rounding leaves, as a share of the largest moment.
+// The error by rounding, as a share of the largest moment.
 template <class Number>
 constexpr double kRounding = 1e-5;
 template <>
@@ -34,7 +34,7 @@ class Dice {
     std::mt19937 engine_;
 };
 
-// What a level's transport works on: light without any order from sun to sun, and rays to it.
+// The input of a level's transport: light without any order from sun to sun, and rays to it.
 struct TransportCase {
     SunAxis suns;
     LightField light;

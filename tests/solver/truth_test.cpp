@@ -79,8 +79,8 @@ Errors sky_errors(const SkyMedium& medium, const HigherOrders& orders,
     return {errors[errors.size() / 2], errors[errors.size() * 9 / 10]};
 }
 
-// Of these paths' own standard error a perfect sky would have 0.1 and 1.3 %, and 0.1 and 0.2 % up
-// to the sun at the horizon.
+// With these paths' own standard error a perfect sky would have 0.1 and 1.3 %, and 0.1 and 0.2 % up to
+// the sun at the horizon.
 TEST(SolvedLightTruth, Sky) {
     const SkyMedium medium = black_earth();
     const auto truth = rows_of("truth_sky_setH0_h0.5.csv");

@@ -6,7 +6,7 @@
 
 namespace skybake::occupancy {
 
-// By a lookup at every node of every cell (trilinear), or a look at every voxel of its footprint.
+// Looks up every node of every cell (trilinear), or looks at every voxel of its footprint.
 // Sums are in double: exact, like cell_ranges, where the magnitudes of voxels that are not 0 are
 // within a factor of 2^26 of each other, else to a unit in the last place.
 CellRanges cell_ranges_reference(const float* voxels, const CellGrid& grid,

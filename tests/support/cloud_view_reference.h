@@ -7,7 +7,7 @@
 
 namespace skybake {
 
-// As RayResults.
+// The same members as those of RayResults.
 struct ReferenceRay {
     double sun_at_base = 0;
     double sun_at_top = 0;

@@ -76,7 +76,7 @@ Outcome<std::string> refused(std::string code, std::string message) {
     return {{}, {file_error(std::move(code), "", std::move(message))}};
 }
 
-// What would make a file that this profile does not know, as a mistake of the program.
+// Returns what would make a file that this profile does not know, as a mistake of the program.
 std::optional<std::string> contradiction(const ExrImage& image) {
     const Image2<float>& pixels = image.pixels;
     if (pixels.width < 1 || pixels.height < 1 || pixels.channels < 1)

@@ -49,7 +49,7 @@ TEST(SweepCommand, BakesAndWritesItsIndex) {
         folder.sweep({"--vary", "clouds.c.coverage=0.5:0.9:3", "--vary", "noise.n.seed=1,2"});
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_TRUE(contains(result.error, "6 variants; 6 share n (baked 2 times)\n")) << result.error;
-    // Of each variant the files of both assets and the manifest, and the four files of the index.
+    // Lists the files of both assets and the manifest of each variant, and the four files of the index.
     EXPECT_EQ(count_lines(result.out), 6 * 3 + 4);
     std::istringstream paths(result.out);
     for (std::string path; std::getline(paths, path);) EXPECT_TRUE(fs::exists(path)) << path;
@@ -160,7 +160,7 @@ TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
     EXPECT_TRUE(fs::exists(folder.out() + "/0001_coverage=1.5/error.json"));
 }
 
-// What is wrong with all of them is wrong with the recipe, and said once.
+// A fault of all variants is a fault of the recipe, and said once.
 TEST(SweepCommand, AFaultOfTheRecipeIsNoFailureOfItsVariants) {
     const Folder folder(small_recipe + "nonsense = 1\n");
     const Result result = folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"});
@@ -317,7 +317,7 @@ TEST(SweepScripts, KubernetesLeavesDollarsAlone) {
     const auto job = nlohmann::json::parse(script.out);
     const nlohmann::json& container = job["spec"]["template"]["spec"]["containers"][0];
     std::string command = container["command"][2];
-    // As Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
+    // Expands as Kubernetes does (k8s.io, "Define a Command"): $$ is $, and an unknown name stays.
     std::string expanded;
     for (std::size_t i = 0; i < command.size(); ++i) {
         EXPECT_FALSE(command.substr(i).starts_with("$(HOME)") && (i == 0 || command[i - 1] != '$'));
@@ -565,7 +565,7 @@ TEST(SweepCommand, GoesOnAfterAKill) {
     const auto last =
         nlohmann::json::parse(rest.out.substr(rest.out.rfind("{\"event\":\"swept\"")));
     EXPECT_EQ(last["done"], 40);
-    // What had its manifest was complete, but for those that were at work when it was killed.
+    // Variants with a manifest were complete, but for those that were at work when it was killed.
     EXPECT_LE(last["made"], 40 - there + 2 * static_cast<int>(std::thread::hardware_concurrency()));
     Strings fresh = {"sweep", folder.recipe, "-o", folder.out("fresh"), "-q"};
     fresh.insert(fresh.end(), vary.begin(), vary.end());

@@ -1,4 +1,4 @@
-// What the tests of sweeps share: a recipe that bakes in milliseconds, and folders compared.
+// Shared by the tests of sweeps: a recipe that bakes in milliseconds, and folders compared.
 #pragma once
 
 #include <atomic>

@@ -33,7 +33,7 @@ FloatGrid::Ptr ball(float radius, float voxel, float width = half_width) {
     return grid;
 }
 
-// What OpenVDB makes of a level set.
+// Returns the fog that OpenVDB makes of a level set.
 FloatGrid::Ptr fog_of(const FloatGrid& grid) {
     const FloatGrid::Ptr fog = grid.deepCopy();
     openvdb::tools::sdfToFogVolume(*fog);

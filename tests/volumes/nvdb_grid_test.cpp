@@ -76,7 +76,7 @@ std::string problem_of(const std::filesystem::path& path, const std::string& gri
     if (voxels.value) return "";
     EXPECT_EQ(voxels.diagnostics.at(0).code, "E0304");
     const std::string& message = voxels.diagnostics.at(0).message;
-    const std::string words = "that skybake reads: ";
+    const std::string words = " as a NanoVDB file: ";
     return message.substr(message.find(words) + words.size());
 }
 
@@ -195,7 +195,7 @@ TEST(NvdbGrid, IsFoundByItsName) {
     }
 }
 
-// What a bake writes comes back as a volume.
+// The files of a bake can be read as volumes.
 TEST(NvdbGrid, IsWhatABakeWrites) {
     const TemporaryFolder folder;
     for (const auto type :

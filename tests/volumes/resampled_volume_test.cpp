@@ -65,7 +65,7 @@ TEST(AxisTaps, SumToOneAndStayAtTheSource) {
     }
 }
 
-// By hand: two voxels become four, which lie at -1/4, 1/4, 3/4 and 5/4 of their centres.
+// Counts by hand: two voxels become four, which lie at -1/4, 1/4, 3/4 and 5/4 of their centres.
 TEST(AxisTaps, AreTheOnesOfAHandCount) {
     const std::vector<AxisTaps> finer = axis_taps(2, 4);
     EXPECT_EQ(finer[0].first, -1);

@@ -36,7 +36,7 @@ constexpr std::size_t kGridName = 65;
 constexpr std::size_t kEndOfGrid = kGridName + (4 + 7) + (4 + 16) + 4 + 2 * 8;
 constexpr std::size_t kNodeMask = 4096;  // bytes of a mask of an upper node
 
-// Of any text that stands once.
+// Returns the place of any text that stands once.
 std::size_t place_of(const std::string& bytes, const std::string& text) {
     const std::size_t at = bytes.find(text);
     EXPECT_NE(at, std::string::npos) << text;

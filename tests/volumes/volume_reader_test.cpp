@@ -28,7 +28,7 @@ using testing::TemporaryFolder;
 
 using Size = std::array<int, 3>;
 
-// What voxel (x, y, z) of a file holds: its index in decimal digits, over 255 in bytes.
+// Returns the number in voxel (x, y, z) of a file: its index in decimal digits, over 255 in bytes.
 int number_at(const Size& at) { return at[0] + 10 * at[1] + 100 * at[2]; }
 
 std::string bytes_of(int number, PixelType type, ByteOrder order) {

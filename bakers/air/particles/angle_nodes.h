@@ -57,19 +57,19 @@ class AngleNodes {
     int last_cell() const { return static_cast<int>(missed_.size()) - 1; }
     // The largest that was missed in cells `from` to `to` of the last halving.
     double most_missed(int from, int to) const;
-    // What the nodes of the last halving missed about a cell of the next one.
+    // Returns the largest error of the last halving's nodes about a cell of the next one.
     double missed_about(int cell, int reach) const {
         return most_missed(std::max(cell / 2 - reach, 0), std::min(cell / 2 + reach, last_cell()));
     }
     void fill();
 
     int cells_;
-    // Of the nodes that were summed, level by level.
+    // Values at the nodes that were summed, level by level.
     std::vector<double> places_, offsets_;
     MieIntensities sums_;
     double scattering_ = 1;
     PhaseHalves phase_;
-    // By the middle of each cell of the last halving; 0 where it was not summed.
+    // The error at the middle of each cell of the last halving; 0 where it was not summed.
     std::vector<double> missed_;
     double left_ = 0;  // the largest of what was missed about cells whose middle was not summed
 };

@@ -16,7 +16,7 @@ namespace skybake {
 
 namespace {
 
-// Of the phase function, far below what tables of the sky hold.
+// The accuracy of the phase function, far below the errors of the sky's tables.
 constexpr double kAccuracy = 3e-3;
 
 std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticles& layer,
@@ -83,7 +83,7 @@ config::Layer with_coefficients(config::Layer layer) {
 
 namespace {
 
-// As of the key `extinction`.
+// The upper limit of the key `extinction`.
 constexpr double kMostExtinctionPerMeter = 1e6;
 
 config::Diagnostic problem(std::string message, std::string label) {

@@ -6,7 +6,7 @@
 // absorbs, and its resonances are narrower than any spacing of nodes. 2,000 radii give a cloud's
 // phase function within 1 %, 20,000 within 0.1 %.
 //
-// Of large spheres (drizzle, rain) nodes are many wavelengths apart, and the error is that of chance:
+// For large spheres (drizzle, rain) nodes are many wavelengths apart, and the error is that of chance:
 // light that takes two ways through a sphere interferes, with a phase of x times the difference of
 // their optical lengths. So each node becomes four radii whose size parameters lie 1.5 apart, over
 // which most of these phases cancel: reflected and once refracted light differ by 0.7 to 3 radii

@@ -137,7 +137,7 @@ RadiusDistribution::LogRange RadiusDistribution::scattering_range(config::Length
 
 namespace {
 
-// Of the series kept in memory at once: 100 MB.
+// Terms of the series that are kept in memory at once: 100 MB.
 constexpr double kTermsAtOnce = 3e6;
 // A multiple of the longest vector's doubles.
 constexpr std::size_t kSeriesAtOnce = 8;

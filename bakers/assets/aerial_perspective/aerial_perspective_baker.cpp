@@ -27,7 +27,7 @@ namespace {
 
 using config::AerialPerspectiveBake;
 
-// What must be solved for.
+// Returns the orders that must be solved for.
 config::SkyOrders solved_orders(const AerialPerspectiveBake& asset) {
     const bool has_light = asset.content != config::AerialContent::transmittance;
     return has_light ? asset.orders : config::SkyOrders::single;
@@ -75,7 +75,7 @@ AssetPlaces places(const Parameters& parameters, const AerialPerspectiveBake& as
         });
 }
 
-// What finds the part of the view ray that slices divide.
+// Returns the line of GLSL that finds the part of the view ray that slices divide.
 std::string glsl_way(const AerialPerspectiveBake& asset, const AerialCamera& camera) {
     return fmt::format("    vec2 way = aerial_way(picture, vec2({}, {}), {}, {}, {}, {}, {});\n",
                        glsl_number(cosine_of(asset.pitch.radians)),

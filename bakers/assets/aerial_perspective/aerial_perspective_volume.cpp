@@ -24,7 +24,7 @@ using config::AerialPerspectiveBake;
 
 namespace {
 
-// What voxels hold of the light of all wavelengths.
+// Makes the channels of voxels from the light of all wavelengths.
 class FroxelChannels {
   public:
     FroxelChannels(const SkyLights& lights, const AerialCamera& camera, AerialContent content)
@@ -74,7 +74,7 @@ class FroxelChannels {
     void append_voxel(std::span<double> pair, std::vector<double>& values) const {
         const std::span<double> in_scatter = pair.first(white_.size());
         const std::span<double> transmittance = pair.last(white_.size());
-        // Of light that has the sun's spectrum, which need not be (1, 1, 1).
+        // Transmittance is that of light with the sun's spectrum, which need not be (1, 1, 1).
         for (std::size_t c = 0; c < white_.size(); ++c) transmittance[c] /= white_[c];
         if (content_ == AerialContent::transmittance) {
             values.insert(values.end(), transmittance.begin(), transmittance.end());

@@ -1,4 +1,4 @@
-// What is measured of a mask of blue noise: how even its values are, what remains of them in means
+// Measures a mask of blue noise: how even its values are, what remains of them in means
 // over pixels, and how much power it has at low frequencies.
 #pragma once
 

@@ -41,7 +41,7 @@ std::optional<SolverSettings> light_settings(const SkyMedium& medium,
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their
 // units: radii in metres, coefficients per km, profiles over altitude in km, vectors as arrays. The
-// atmosphere must have no problem (config/assets/takram_layers.h). Of colours, coefficients are those
+// atmosphere must have no problem (config/assets/takram_layers.h). For colours, coefficients are those
 // of sunlight through very little air, and the irradiance is the sun's colour.
 std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake);
 

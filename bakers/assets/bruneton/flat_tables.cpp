@@ -31,7 +31,7 @@ constexpr const char* kConventionText = "end points on texel centres; clamps";
 // of texels below 1e-3 on Earth, and of its reference.
 constexpr IrradianceNodes kFlatNodes = {8};
 constexpr IrradianceNodes kReferenceNodes = {28, 12, 6};
-// Of a sun axis that is made for its ends alone.
+// Columns of a sun axis of which only the ends are used.
 constexpr int kFewestColumns = 8;
 
 // x of a texture coordinate: lookups beyond the outer texels' centres are clamped.

@@ -150,7 +150,7 @@ class Iteration {
         return value;
     }
 
-    // What a km of air at a texel's point scatters towards its beginning.
+    // Returns the light that a km of air at a texel's point scatters towards its beginning.
     Grid scattering_density(int order) const {
         Grid density(texels_);
         for_each_row("density", [&](int v, int w) {
@@ -217,7 +217,7 @@ class Iteration {
 
     using Irradiance = std::array<Spectrum, kIrradianceSize>;
 
-    // By the order before `order`, at the ground.
+    // Returns the irradiance of the ground by the order before `order`.
     Irradiance indirect_irradiance(int order) const {
         Irradiance result{};
         for_each_tile(kIrradianceSize, options_, "irradiance", [&](int i) {

@@ -12,7 +12,7 @@ using config::BrunetonTable;
 
 namespace {
 
-// What light that a layer scatters for the first time is times.
+// Returns the factor of light that a layer scatters for the first time.
 Spectrum phase_at(const SkyLayer& layer, double nu) {
     return first_phase_values(layer, 1 - nu, 1 + nu);
 }

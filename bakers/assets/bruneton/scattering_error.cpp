@@ -65,10 +65,10 @@ class ScatteringErrors {
         return result;
     }
 
-    // Of each channel.
+    // Returns the lookup's error in a direction, by channel.
     std::vector<double> lookup(const Direction& at) const { return errors(found(at), at); }
 
-    // Of lookups of one view against a row's values.
+    // Writes the errors of lookups of one view against a row's values.
     void lookups(const TexelRow& row, const std::vector<Direction>& at, PointError* result) const {
         std::vector<double> suns;
         std::vector<double> nu;
@@ -83,8 +83,8 @@ class ScatteringErrors {
         }
     }
 
-    // What the texels around a direction let expect of lookups: the error of a value that is off by
-    // an eighth of the second differences along all axes.
+    // Returns the error of lookups that the texels around a direction let expect: that of a value that
+    // is off by an eighth of the second differences along all axes.
     double expected(const Direction& at) const {
         const ScatteringCoordinates x = mapping_.coordinates(at.view, at.sun_cos_zenith, at.nu);
         const std::array<int, 4> sizes = {mapping_.nu_size(), mapping_.sun_size(),
@@ -113,7 +113,7 @@ class ScatteringErrors {
         return most;
     }
 
-    // Of the texel next to it; none where its nu is not feasible.
+    // Returns the errors of the texel next to the direction; none where the texel's nu is not feasible.
     std::vector<double> texel(const Direction& near) const {
         const ScatteringCoordinates x =
             mapping_.coordinates(near.view, near.sun_cos_zenith, near.nu);
@@ -240,7 +240,7 @@ namespace {
 constexpr SearchCounts kQuickSearch = {448, 56, 24, 6, 96};
 constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
 
-// Of an axis whose end points are texel centres.
+// Returns the edges of the cells of an axis whose end points are texel centres.
 std::vector<double> edges_between(int texels) { return even_edges(std::max(texels - 1, 1)); }
 
 // The cells of both halves of the view's axis, that of the ground, which runs backwards, first.

@@ -48,7 +48,7 @@ std::string content_text(const BrunetonBake& bake, const TableContent& content) 
         light);
 }
 
-// What follows from the sun's axis: D(1), D(0), and the largest share A that is on it.
+// Adds the constants of the sun's axis: D(1), D(0), and the largest share A that is on it.
 void describe_axes(const ScatteringMapping& mapping, Baked& volume) {
     const Shell& shell = mapping.shell();
     for (AxisMapping& axis : volume.axes) axis.constants = shell_constants(shell);

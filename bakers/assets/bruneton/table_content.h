@@ -1,4 +1,4 @@
-// What a table of scattering holds of all wavelengths of a recipe: the wavelengths of one packet as
+// A table of scattering holds, of all wavelengths of a recipe, the wavelengths of one packet as
 // they are, or the colours made of the light of all packets.
 //
 // A colour is a sum over wavelengths i of weight_i times light (light/sky_colors.h). It is taken

@@ -49,13 +49,13 @@ class Check {
         return outside > 0 ? outside : -nearest_.to_hole(place);
     }
 
-    // By how much a distance is farther from 0 than the exact one.
+    // Returns by how much a distance is farther from 0 than the exact one.
     double excess(double found, double exact) const {
         if (found > code_.rounding_m()) return found - std::max(exact, 0.0);
         return found < zero_m_ ? std::min(exact, 0.0) + zero_m_ - found : 0;
     }
 
-    // By how much the distance of a texel is nearer to 0 than it need be.
+    // Returns by how much the distance of a texel is nearer to 0 than it need be.
     double loss(double found, double exact, const std::array<double, 2>& range) const {
         const double wanted = std::fabs(std::clamp(exact, range[0], range[1]));
         return wanted - code_.most_lost() - std::fabs(found);
@@ -100,7 +100,7 @@ class Check {
     double zero_m_;  // the least that is looked up for 0
 };
 
-// What is found at one point.
+// The finding at one point.
 struct Finding {
     Point place{};
     Point texel{};

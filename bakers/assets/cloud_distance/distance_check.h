@@ -31,7 +31,7 @@ struct DistanceCheckResult {
     ErrorFigures lookup;
     std::array<double, 3> farthest_off{};  // the place of the largest error of a lookup
     std::int64_t steps = 0;                // of `rays` rays that are traced in spheres
-    std::int64_t lost_steps = 0;           // those that end in the cloud
+    std::int64_t lost_steps = 0;           // steps that end in the cloud
     int rays = 0;
 
     bool failed() const { return too_far + too_near > 0 || lost_steps > 0; }

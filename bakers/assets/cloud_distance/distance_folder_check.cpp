@@ -32,7 +32,7 @@ using occupancy::VoxelBits;
 constexpr int kPoints = 65536;
 constexpr int kRays = 10000;
 
-// What the parameters in an asset's entry say.
+// The parameters in an asset's entry.
 struct Distances {
     CloudDistanceBake bake;
     std::array<int, 3> voxels{};
@@ -90,7 +90,7 @@ std::optional<VoxelBits> stored_bits(const std::filesystem::path& folder,
     return read.value ? std::optional(std::move(bits)) : std::nullopt;
 }
 
-// What is wrong with the distances to `volume`, in words; empty: nothing.
+// Returns the fault of the distances to `volume`, in words; empty: none.
 std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& asset,
                      const ManifestAsset& volume, const Distances& wanted) {
     const ManifestFile* file = first_file(asset);

@@ -1,4 +1,4 @@
-// What lookups of a cloud_light volume are measured against.
+// The light that lookups of a cloud_light volume are measured against.
 #pragma once
 
 #include <string>

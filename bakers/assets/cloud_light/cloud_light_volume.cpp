@@ -73,7 +73,7 @@ std::string content_of(const CloudLightBake& bake) {
                        first + static_cast<int>(config::channels_of(bake)) - 1, bake.degree);
 }
 
-// Those of the cloud's volume: both span the same box.
+// Returns the axes of the cloud volume, which covers the same box.
 std::vector<AxisMapping> axes_of(const Baked& of, const CloudLightBake& bake) {
     std::vector<AxisMapping> axes = of.axes;
     if (bake.contents == CloudLightContents::shadow) {

@@ -19,7 +19,7 @@
 
 namespace skybake::cloud_light {
 
-// Which places of an axis of `voxels` voxels have their light computed: place i is at
+// The places of an axis of `voxels` voxels whose light is computed: place i is at
 // (i + 1/2) * voxels / count.
 struct PlaceGrid {
     std::array<int, 3> voxels{};
@@ -80,7 +80,7 @@ class DepthSweep {
     std::size_t row_of(int y, int z) const;
     const float* values_at(std::size_t row, const SweepRays::Along& at, int first) const;
     bool is_empty(int first_x, int width, int y, int z) const;
-    // Of the places first ... first + width - 1 of row y, at most a block.
+    // Write the sums of `width` places of row y, from `first` on; at most one block.
     void sum_voxels(const SweepRays& rays, int first, int width, int y, float* sums) const;
     void sum_points(const SweepRays& rays, int first, int width, int y, float* sums) const;
 

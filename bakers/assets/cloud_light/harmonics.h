@@ -32,7 +32,7 @@ struct SkyDirection {
 };
 std::vector<SkyDirection> sky_directions(int zenith, int around);
 
-// What a value at each direction adds to each coefficient.
+// The weight of a value at each direction in each coefficient.
 using CoefficientWeights = std::vector<Harmonics>;
 
 // Coefficients of the function that is 0 below the horizon: its integrals times each harmonic.

@@ -19,7 +19,7 @@
 
 namespace skybake::cloud_light {
 
-// What the sky of an asset is made from: nothing, unless its contents are clear_sky_radiance.
+// Returns the needs of an asset's sky: nothing, unless its contents are clear_sky_radiance.
 std::vector<Need> sky_needs(const config::Parameters& parameters,
                             const config::CloudLightBake& bake);
 

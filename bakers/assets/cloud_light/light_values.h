@@ -1,4 +1,4 @@
-// What the channels of a cloud_light volume hold: values of optical depths towards given directions.
+// The channels of a cloud_light volume: values of optical depths towards given directions.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ struct DirectionCounts {
     int zenith = 6;
     int around = 12;
 };
-// Those of the reference, which share no direction with the others.
+// The directions of the reference, which shares none with the others.
 inline constexpr DirectionCounts kReferenceDirections = {8, 16};
 
 // The unit vectors towards the suns of a recipe.

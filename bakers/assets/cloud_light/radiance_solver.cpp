@@ -194,7 +194,7 @@ class AndersonGuesses {
     std::deque<std::deque<double>> products_;
 };
 
-// Of all that the light in the cells, J and J_1, is scattered once more.
+// Returns the radiance that J and J_1 emit together, scattered once more in the cells.
 CellFields scattered_again(const CellFields& light, const CellFields& first,
                            const RadianceSweep& sweep, const ScaledScattering& scattering,
                            const EnteringLight& entering, const BakeOptions& options) {

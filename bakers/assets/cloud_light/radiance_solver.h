@@ -1,6 +1,6 @@
 // The light that a layer scatters, all orders of it, in the cells of a grid: the fixed point of
 //
-//   J = w' sum_lm chi'_l a_lm Y_lm,   a_lm: the coefficients of the radiance that J and J_1 send out
+//   J = w' sum_lm chi'_l a_lm Y_lm,   a_lm: the coefficients of the radiance that J and J_1 emit
 //
 // J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h).
 // Orders of scattering are a slowly converging series where the cloud is thick; Anderson's method

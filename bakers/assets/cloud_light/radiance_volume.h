@@ -1,4 +1,4 @@
-// What the channels of a cloud_light volume of radiance hold, and what they are measured against.
+// The channels of a cloud_light volume of radiance, and the light that they are measured against.
 #pragma once
 
 #include <array>

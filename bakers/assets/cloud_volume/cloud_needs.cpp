@@ -1,4 +1,4 @@
-// What the bakes of a cloud's volume, and of assets that are made of it, share in a run.
+// Intermediates that bakes of a cloud's volume, and of assets that are made of it, share in a run.
 #include <optional>
 #include <string>
 #include <vector>

@@ -67,7 +67,7 @@ std::string content_of(const Cloud& cloud) {
         cloud.threshold, cloud.threshold + cloud.edge_softness, extinction);
 }
 
-// What a runtime needs to know beyond the axes.
+// Adds what a runtime needs to know beyond the axes.
 void add_details(const Cloud& cloud, const cloud::CloudPlan& plan, Baked& volume) {
     const auto add = [&](const char* key, FactValue value) {
         volume.details.emplace_back(key, std::move(value));

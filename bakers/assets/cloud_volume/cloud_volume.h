@@ -25,7 +25,7 @@ struct CloudInputs {
     std::optional<cloud::CloudVolume> volume;  // of `file`
     const config::Noise* detail = nullptr;     // null if the cloud names none
     cloud::CloudMaps maps;
-    std::optional<double> coverage;  // that gives the cloud its cover
+    std::optional<double> coverage;  // the one that gives the cloud its cover
 };
 
 // All that the voxels of a volume depend on, and all that the coverage of one with `cover` does.

@@ -50,7 +50,7 @@ Spectrum mean_of_hemisphere(const SkyLight& light, double altitude_m, const SunZ
     return sum / double{kSlices};
 }
 
-// Of a tenth of a degree each.
+// Elevations of the air's depths, a tenth of a degree apart.
 constexpr int kElevations = 2048;
 
 AirDepths depths_of(const SkyLight& light, double altitude_km, double reach_m) {

@@ -37,7 +37,7 @@ class CloudySky {
     static bool is_sunlit(const SkyLight& light, const CloudMedium& medium, const SunZenith& sun);
 
   private:
-    // What lights a layer: irradiances that face the sun, and mean radiances.
+    // The light on a layer: irradiances that face the sun, and mean radiances.
     struct LayerLight {
         Spectrum sun_at_base{};
         Spectrum sun_at_top{};

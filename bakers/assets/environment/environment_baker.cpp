@@ -147,7 +147,7 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
     return {"environment", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
-// Paths of light meet no clouds and end before the sun's disc.
+// The path tracer knows neither clouds nor the sun's disc, so these have no sky error.
 std::optional<TracedLight> traced(const Parameters& parameters, const EnvironmentBake& asset) {
     if (asset.orders == config::SkyOrders::single || asset.has_clouds() ||
         asset.sun == config::SunInMap::disc) {

@@ -1,6 +1,6 @@
 // Clouds in front of the sky around a camera, marched as previews of clouds are (march/).
 //
-// What a march finds does not depend on colours, so all wavelengths share it. A texel's coefficients
+// The results of a march do not depend on colours, so all wavelengths share it. A texel's coefficients
 // are means over its solid angle, of rays through the middles of samples x samples equal parts of it.
 // The layers' x axes point straight ahead, their y axes to the left. Layers may overlap in altitude.
 // Each shades the others, and what lies behind a layer is dimmed by it.
@@ -32,7 +32,7 @@ inline glm::dvec3 in_layer(const glm::dvec3& direction) {
     return {direction.z, -direction.x, direction.y};
 }
 
-// What a texel shows of a layer: coefficients of light sources as in RayResults.
+// A layer as a texel shows it: coefficients of light sources as in RayResults.
 struct SeenLayer {
     double sun_at_base = 0;
     double sun_at_top = 0;
@@ -42,7 +42,7 @@ struct SeenLayer {
     double distance_m = 0;  // times the opacity
 };
 
-// What a texel shows of all layers, from the highest down.
+// All layers as a texel shows them, from the highest down.
 struct SeenClouds {
     std::vector<SeenLayer> layers;
     double transmittance = 1;

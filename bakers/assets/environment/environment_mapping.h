@@ -1,4 +1,4 @@
-// Which direction each texel of an environment shows, and the solid angle that it covers.
+// The direction that each texel of an environment shows, and the solid angle that it covers.
 //
 // Directions are unit vectors (right, up, ahead) of somebody who stands at the camera, as cube maps
 // of GPUs have them. An image consists of one part, or of the six faces of a cube below each other;

@@ -109,7 +109,7 @@ void add_sun_points(const std::vector<SunPoint>& points, const EnvironmentLayout
 }
 
 std::vector<SunPoint> merged(const std::vector<SunPoint>& points) {
-    constexpr int kRings = 8;  // that become one
+    constexpr int kRings = 8;  // so many become one
     constexpr int kSpokes = 4;
     constexpr int kInRing = kSunSpokes / kSpokes;
     std::vector<SunPoint> sums(points.size() / (kRings * kSpokes));

@@ -125,7 +125,7 @@ Image2<double> in_double(const Image2<float>& image) {
     return result;
 }
 
-// What is made of the texels once they are known: the lights, the sun's disc and rough levels.
+// Makes what follows from the texels once they are known: the lights, the sun's disc and rough levels.
 class EnvironmentFinish {
   public:
     EnvironmentFinish(const SkyLights& lights, const EnvironmentBake& bake,

@@ -31,7 +31,7 @@ namespace skybake::forward_scattering {
 
 class SmallAngles {
   public:
-    // Of droplets, degree >= 0.
+    // Takes the scattering of droplets and the solver's degree, >= 0.
     SmallAngles(cloud_light::CloudScattering scattering, int degree);
 
     // Writes the factors at some angles for one depth >= 0.

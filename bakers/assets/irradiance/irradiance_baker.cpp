@@ -75,7 +75,7 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
     return {"irradiance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
-// What comes straight from the sun onto a level surface.
+// Returns the light that comes straight from the sun onto a level surface.
 Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
     if (!(at.sun.cosine > 0)) return {};
     const AirShells& shells = air.tracer().walker().air();

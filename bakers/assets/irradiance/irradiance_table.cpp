@@ -24,7 +24,7 @@ using config::IrradianceContent;
 
 namespace {
 
-// Of each level, and of the reference. Skies of spheres with forward peaks, like those of Mars, have
+// Nodes of each level, and of the reference. Skies of spheres with forward peaks, like those of Mars, have
 // one level more and a finer reference, for which others need not pay.
 constexpr std::array<IrradianceNodes, 6> kNodes = {
     {{6, 6, 3}, {8, 8, 4}, {12, 12, 5}, {16, 16, 6}, {22, 22, 8}, {30, 30, 11}}};

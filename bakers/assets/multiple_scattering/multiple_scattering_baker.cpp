@@ -88,7 +88,7 @@ AssetPlaces places(const Parameters& parameters, const MultipleScatteringBake& a
     });
 }
 
-// What the published lookups take between the table and the place in it, and behind.
+// The arguments of the published lookups between the table and the place in it, and behind that.
 struct SunArguments {
     std::string thickness_km;
     std::string axis;  // the mapping and the crop
@@ -131,7 +131,7 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
                     suffix, tables);
     scattered.suffix = "_scattered";
     AssetLookup lookup = {"moments", {with_wavelengths(stored.channels, std::move(moment))}};
-    // Of a higher degree it would leave moments out.
+    // At a higher degree this function would leave moments out.
     if (asset.degree == 2) {
         lookup.functions.push_back(with_wavelengths(stored.channels, std::move(scattered)));
     }
@@ -194,8 +194,8 @@ std::string better_than(const MultipleScatteringBake& asset, const SkyMedium& me
     }
     if (!is_solved(asset)) return "method = \"solved\" has a smaller error, with the same lookup";
     if (tables_of(asset) > 1) return "";
-    return "content = \"moments\" has about half of the sky's error, for six lookups in place of "
-           "one";
+    return "content = \"moments\" has a third to two thirds of the sky's error, for six lookups in "
+           "place of one";
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters,

@@ -25,7 +25,7 @@ using config::MultipleScatteringMethod;
 
 namespace {
 
-// What the reference integrates with: more and other nodes than any level of the baker.
+// Nodes of the reference: more than, and other ones than, any level of the baker has.
 constexpr QuadratureLevel kReferenceLevel = {44, 1e-4, 5e-6};
 constexpr TransmittanceField::Size kReferenceField = {512, 192};
 

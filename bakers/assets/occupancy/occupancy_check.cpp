@@ -23,7 +23,7 @@ namespace skybake::occupancy {
 
 namespace {
 
-// As many as the widest filter uses.
+// The widest filter uses as many planes.
 constexpr int kPlanes = 4;
 
 }  // namespace
@@ -127,7 +127,7 @@ using config::Outcome;
 using occupancy::CellGrid;
 using occupancy::OccupancyCheck;
 
-// What the parameters in an occupancy grid's entry say.
+// The parameters in an occupancy grid's entry.
 struct Grid {
     OccupancyBake bake;
     float threshold = 0;
@@ -144,7 +144,7 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
 }
 
-// Which channel tells empty cells from others, the plainest first.
+// The channel that tells empty cells from others: the plainest one.
 struct Teller {
     std::size_t channel = 0;
     OccupancyContent content = OccupancyContent::occupied;
@@ -184,7 +184,7 @@ Outcome<std::vector<std::uint8_t>> occupied_cells(const std::filesystem::path& f
     return {std::move(occupied), {}};
 }
 
-// What is lost of `volume`, in words; empty: nothing. A file that cannot be read fails elsewhere.
+// Returns the loss of `volume`, in words; empty: none. A file that cannot be read fails elsewhere.
 std::string loss_of(const std::filesystem::path& folder, const ManifestAsset& asset,
                     const ManifestAsset& volume, const Grid& grid) {
     const ManifestFile* cells_file = first_file(asset);

@@ -146,7 +146,8 @@ double end_altitude_km(const Shell& shell, const ColumnPath& path) {
                       shell.thickness_km);
 }
 
-// Of a path that stays above the ground and ends where it climbs, the end keeps its altitude.
+// Moves a path off the horizon. If it stays above the ground and climbs at its end, the end keeps its
+// altitude.
 ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {
     const double lowest_s = lowest_s_of_sky_km(shell, path.altitude_km);
     if (path.s_km >= lowest_s) return path;

@@ -72,7 +72,7 @@ std::vector<double> as_channels(std::vector<double> values) {
     return values;
 }
 
-// What one table is: its texels, and how they are measured.
+// One table: its texels, and how they are measured.
 struct Contents {
     ChannelValue value;
     VolumeFinish finish;
@@ -149,7 +149,7 @@ double unit_coordinate(double u, int size) { return size == 1 ? 0 : (u * size - 
 // One axis, along u.
 using AlongAxis = std::function<double(std::size_t kind, double x)>;
 
-// What a coordinate of the axis stands for, under its name.
+// Returns the name of an axis's quantity, and its value at a coordinate.
 using AxisPlace = std::function<std::pair<std::string, double>(double x)>;
 
 Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace place) {

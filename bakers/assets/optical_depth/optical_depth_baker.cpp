@@ -85,7 +85,7 @@ AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
     });
 }
 
-// Of a table over paths.
+// Returns the lookup of a table over paths.
 GlslFunction column_function(const ColumnTable& table) {
     GlslFunction function;
     function.comment = "Returns the column of each kind, its density summed over the path in km";

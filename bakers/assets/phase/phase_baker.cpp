@@ -28,7 +28,7 @@ Estimate estimate(const Parameters&, const config::PhaseBake& asset) {
     return estimate_texels(asset, {asset.max_error ? 0 : asset.size, 1}, 1e-6, 1);
 }
 
-// By the spacing that suited the table best, which its file names.
+// Returns the place in a table by the spacing that suited it best, which its file names.
 double share_of_table(const std::string& spacing, double at) {
     const double half_sine = cosine_of_pi(0.5 - at / 360);
     const double half_cosine = cosine_of_pi(at / 360);

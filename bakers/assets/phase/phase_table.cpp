@@ -83,7 +83,7 @@ PhaseSpacing best_spacing(const PhaseSource& source, const PhaseBake& bake,
         if (bake.max_error) {
             const TableSearch search =
                 smallest_table(model, *bake.max_error, bake.pixel_type, points, options);
-            // Those that do not get there are told apart by how far they come.
+            // Spacings that do not get there are told apart by how far they come.
             cost = search.found ? search.found->size[0] : 1e6 * (1 + search.best.max_error);
         } else {
             RangeCounts range;
@@ -145,7 +145,7 @@ void add_fit(const PhaseFit& fit, const std::string& channel, Facts& details) {
     details.emplace_back(name + "_largest_ratio", to_digits(fit.largest_ratio, 4));
 }
 
-// What a runtime needs that computes in place of looking up.
+// Adds the facts for a runtime that computes in place of looking up.
 void add_facts(const PhaseBake& bake, const PhaseSource& source, Baked& table) {
     table.details.insert(table.details.end(), source.facts.begin(), source.facts.end());
     std::vector<PhaseFit> fits;

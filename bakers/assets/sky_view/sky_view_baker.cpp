@@ -129,7 +129,7 @@ std::optional<TracedLight> traced(const Parameters& parameters, const SkyViewBak
     for (const config::Angle& elevation : asset.sun_elevations) {
         elevations_deg.push_back(elevation.radians * kDegreesPerRadian);
     }
-    // Of two suns all directions, of more a part of them.
+    // Traces every direction for one or two suns, and every n-th for more.
     const auto stride = static_cast<int>((elevations_deg.size() + 1) / 2);
     const std::vector<SkySample> samples = sky_samples(
         shell_of(parameters.atmosphere), {asset.altitude.kilometers()}, elevations_deg, stride);

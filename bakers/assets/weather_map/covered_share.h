@@ -1,7 +1,7 @@
 // The ramp that turns a channel of noise into how much there is of something, so that exact shares
 // of its texels are above 0 and are 1.
 //
-// Of N texels in falling order n_1 >= n_2 ... the first K = round(covered N) are above 0 and the
+// Among N texels in falling order n_1 >= n_2 ... the first K = round(covered N) are above 0 and the
 // first J = round(full N) are 1. The ramp goes from low, in the middle between n_K and n_(K+1), to
 // high, in the middle between n_J and n_(J+1); if K is N, from n_N, and if J is 0, to n_1:
 //

@@ -1,4 +1,4 @@
-// What the program can do with the files of each format. The table in format.cpp has one row per
+// The program's abilities with the files of each format. The table in format.cpp has one row per
 // format.
 #pragma once
 
@@ -32,12 +32,12 @@ struct FileContent {
     Progress* progress = nullptr;
 };
 
-// What an asset is to a texture. The faces of a cube lie below each other in an image, in the order
-// +x, -x, +y, -y, +z, -z and the orientation that GPUs have. The layers of an array of 2-D textures are
-// the slices of a volume.
+// The texture that an asset's slices make together. The faces of a cube lie below each other in an
+// image, in the order +x, -x, +y, -y, +z, -z and the orientation that GPUs have. The layers of an array
+// of 2-D textures are the slices of a volume.
 enum class TextureParts { none, cube, layers };
 
-// What the manifest says about a file that is to be read.
+// The manifest's facts about a file that is to be read.
 struct FileShape {
     std::array<int, 3> size{};  // of level 0
     std::size_t channels = 0;
@@ -47,7 +47,7 @@ struct FileShape {
     TextureParts parts = TextureParts::none;
 };
 
-// What a file says of itself. A member is empty if files of the format do not say it.
+// The facts that a file states. A member is empty if files of the format do not say it.
 struct FileFacts {
     std::optional<config::PixelType> pixel_type;
     std::vector<std::string> names;  // of channels, or of the grid of each

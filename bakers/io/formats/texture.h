@@ -1,4 +1,4 @@
-// What the formats of GPU textures, DDS and KTX2, have in common: the texels of a level, which are
+// Code that the formats of GPU textures, DDS and KTX2, share: the texels of a level, which are
 // numbers or blocks of 4 x 4 texels of a slice (bakers/field/block_voxels.h).
 #pragma once
 

@@ -79,7 +79,7 @@ struct ManifestAsset {
     std::string content_hash;  // of level 0
     std::string release;       // the release that baked it
 
-    // What the asset was made from (bakers/workspace/folder_plan.h). These are empty in manifests
+    // The inputs of the asset (bakers/workspace/folder_plan.h). These are empty in manifests
     // of releases that did not bake incrementally.
     std::string key;
     std::string certification;  // "quick", "full", "off"

@@ -25,7 +25,7 @@ ManifestAsset describe(const Baked& baked);
 // hash are unknown. E0300 if the file cannot be read, E0304 if it carries no entry.
 config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path);
 
-// What an entry says about a file, for people: names and texts. The last texts have several lines.
+// An entry's facts about a file, for people: names and texts. The last texts have several lines.
 using FactLines = std::vector<std::pair<std::string, std::string>>;
 FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file);
 

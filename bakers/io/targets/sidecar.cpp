@@ -54,7 +54,7 @@ void add_lookup(const Baked& baked, Values& values) {
     values["FILTER"] = baked.levels.front().nearest ? "nearest" : "linear";
 }
 
-// What Bruneton's tables say of the sun. An asset without it has 0 and no numbers.
+// Adds the facts about the sun of Bruneton's tables. An asset without it has 0 and no numbers.
 void add_sun(const Baked& baked, Values& values) {
     const auto number = [&](const std::string& name) {
         return number_named(baked.details, name).value_or(0);

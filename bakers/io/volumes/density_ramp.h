@@ -1,4 +1,4 @@
-// What the numbers of a grid mean as densities.
+// Converts the numbers of a grid to densities.
 //
 // The numbers of a fog volume are densities. Those of a level set are signed distances to a surface,
 // negative inside of it, which are only known within a narrow band; deeper inside they are all minus

@@ -1,4 +1,4 @@
-// Which grid of a file a recipe means.
+// Finds the grid of a file that a recipe means.
 #pragma once
 
 #include <optional>

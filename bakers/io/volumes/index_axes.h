@@ -14,7 +14,7 @@
 namespace skybake {
 
 struct IndexAxes {
-    // Of each axis of space: the axis of indices along it, and whether indices fall as it rises.
+    // For each axis of space: the axis of indices along it, and whether indices fall as it rises.
     std::array<std::size_t, 3> index{0, 1, 2};
     std::array<bool, 3> falls{};
 

@@ -127,7 +127,7 @@ class RawVoxels : public VoxelSource {
     }
 
   private:
-    // Of a voxel in the file's order.
+    // Returns the indices of a voxel, given its number in the file's order.
     std::array<std::int64_t, 3> index_at(std::int64_t number) const {
         std::array<std::int64_t, 3> index{};
         for (const std::size_t axis : axes_) {

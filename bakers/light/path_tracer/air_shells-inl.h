@@ -28,7 +28,7 @@ constexpr double kShellPlaces[kShellNodes] = {0.069431844202973712, 0.3300094782
 constexpr double kShellWeights[kShellNodes] = {0.17392742256872693, 0.32607257743127307,
                                                0.32607257743127307, 0.17392742256872693};
 
-// Of a length found from its depth, as a share of it: leaves less than 6e-8.
+// The change of a length found from its depth at which the search ends: leaves less than 6e-8 of it.
 constexpr double kLastChange = 4e-3;
 constexpr int kMostLengthSteps = 64;
 
@@ -180,7 +180,7 @@ struct ExtinctionInShell {
         const Real* c = coefficients;
         return ((((c[5] * t + c[4]) * t + c[3]) * t + c[2]) * t + c[1]) * t + c[0];
     }
-    // What it grows by with y.
+    // Returns the derivative of `at` with respect to y.
     HWY_INLINE Real growth(Real y, Real s_top) const {
         const Real t = position(y, s_top);
         const Real* c = coefficients;

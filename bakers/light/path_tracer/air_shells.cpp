@@ -66,7 +66,7 @@ Samples interpolating_polynomial(const Samples& nodes, Samples values) {
     return result;
 }
 
-// What each channel's extinction is at least, somewhere within; off the ends, where other layers
+// Returns the least extinction of each channel at three altitudes within; off the ends, where other layers
 // may begin.
 Spectrum least_extinction(const Medium& air, double bottom_km, double top_km) {
     Spectrum least = extinction_at(air, 0.5 * (bottom_km + top_km));

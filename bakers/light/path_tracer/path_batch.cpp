@@ -40,7 +40,7 @@ class Walk : public PathFlights {
     }
 
   private:
-    // What the layers scatter where the paths are.
+    // Finds the layers' densities and scattering where the paths are.
     void look_around() {
         const auto& scatterers = walker_.scatterers();
         for (std::size_t i = 0; i < count_; ++i) {

@@ -24,10 +24,10 @@ struct PathBatch {
     BatchNumbers numbers;
     std::array<std::size_t, kPaths> heroes{};
     std::array<PathStart, kPaths> starts;
-    // Of all paths, if they have one start; otherwise no start has a limit of its length.
+    // The first flight, if all paths share their start; else null, and starts have no length limit.
     const PathWalker::Flight* first = nullptr;
 
-    // What walk_batch finds.
+    // The results of walk_batch.
     std::array<PathLight, kPaths> light;
     std::array<Spectrum, kPaths> second_flight{};  // the weight with which each path begins it
 };

@@ -83,7 +83,7 @@ constexpr std::uint32_t reversed(std::uint32_t x) {
     return ((x & 0x55555555) << 1) | ((x & 0xaaaaaaaa) >> 1);
 }
 
-// What the vectors above do, one number at a time.
+// Scrambles as the vectors above do, one number at a time.
 std::uint32_t scrambled(std::uint32_t bits, std::uint32_t seed) {
     std::uint32_t x = reversed(bits);
     x ^= x * 0x3d20adea;

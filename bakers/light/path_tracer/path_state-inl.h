@@ -1,4 +1,4 @@
-// What a batch of paths keeps: columns of numbers, which are loaded for a vector of paths at a time, and
+// The state of a batch of paths: columns of numbers, which are loaded for a vector of paths at a time, and
 // packets of wavelengths, one for each path. Paths that have ended are removed.
 #if defined(SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STATE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_LIGHT_PATH_TRACER_PATH_STATE_INL_H_
@@ -57,7 +57,7 @@ struct DirectionColumns {
     }
 };
 
-// What must be kept of a path from one flight to the next. Flags are 0 or 1.
+// The state of a path that is kept from one flight to the next. Flags are 0 or 1.
 struct PathColumns {
     DirectionColumns up, direction;
     Column altitude_km, shell;
@@ -149,7 +149,7 @@ class PathState {
     PathColumns columns_{};
     PathPackets packets_{};
 
-    // What stages hand to the next ones.
+    // Results that stages hand to the next ones.
     Packets through_{};
     Column lowest_altitude_km_{}, lowest_s_km_{};
     Column scattered_share_{}, from_of_hero_{}, lowest_of_hero_{};

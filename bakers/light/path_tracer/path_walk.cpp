@@ -164,7 +164,7 @@ Spectrum PathWalker::move(const Flight& flight, double depth, State& state) cons
     return way;
 }
 
-// What the layers scatter where the path is.
+// Finds the layers' densities and scattering where the path is.
 PathWalker::Here PathWalker::look_around(const State& state) const {
     Here here;
     for (const Scatterer& scatterer : scatterers_) {

@@ -37,27 +37,23 @@ void drop_less_than_nothing(LightField& light) {
 
 }  // namespace
 
-OrderSum sum_of_orders(const LightField& first, LightField start, const NextOrder& next,
+OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
                        const CorrectResidual& correct, const SumSettings& settings,
                        Progress* progress) {
-    OrderSum sum;
-    sum.light = std::move(start);
-    LightField residual = residual_of(first, next, sum.light);
-    sum.applications = 1;
     while (!is_cancelled(progress)) {
         const LightScale scale = light_scale(sum.light);
         const ResidualSearch search = {settings.tolerance,
                                        settings.most_applications - sum.applications};
         sum.applications +=
-            search_residual(next, correct, scale, search, progress, residual, sum.light);
-        const LightField missing = correct(residual, scale);
+            search_residual(next, correct, scale, search, progress, sum.residual, sum.light);
+        const LightField missing = correct(sum.residual, scale);
         add(missing, sum.light);
         const LightScale found = light_scale(sum.light);
         sum.left_out = largest_share(missing, found);
         const bool is_small = mean_share(missing, found) <= settings.tolerance &&
                               sum.left_out <= kLargestOverMean * settings.tolerance;
         if (is_small || sum.applications >= settings.most_applications) break;
-        residual = residual_of(first, next, sum.light);
+        sum.residual = residual_of(first, next, sum.light);
         ++sum.applications;
     }
     drop_less_than_nothing(sum.light);

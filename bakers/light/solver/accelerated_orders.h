@@ -17,6 +17,7 @@ namespace skybake {
 
 struct OrderSum {
     LightField light;
+    LightField residual;   // first + K light - light, where it is known
     int applications = 0;  // of K
     // Truncation error, as an estimated share of the light at any point (light_scale).
     double left_out = 0;
@@ -28,8 +29,8 @@ struct SumSettings {
 };
 
 // Sums orders until the truncation error is within the tolerance or the applications are used up.
-// `start` is an estimate of the sum.
-OrderSum sum_of_orders(const LightField& first, LightField start, const NextOrder& next,
+// `sum` is an estimate with its residual.
+OrderSum sum_of_orders(const LightField& first, OrderSum sum, const NextOrder& next,
                        const CorrectResidual& correct, const SumSettings& settings,
                        Progress* progress);
 

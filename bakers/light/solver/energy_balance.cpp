@@ -32,7 +32,7 @@ void for_suns(double from, double to, const Visit& visit) {
     }
 }
 
-// As for_suns, over all that have light.
+// Does as for_suns does, over all suns that have light.
 template <class Visit>
 void for_all_suns(const SunAxis& axis, const Visit& visit) {
     for_suns(axis.centre, 1, visit);
@@ -112,7 +112,7 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light) 
 
 namespace {
 
-// What goes in and what comes out may differ by this share: ten times what Earth's do.
+// The light that goes in and out may differ by this share: ten times as much as Earth's does.
 constexpr double kEnergyTolerance = 0.03;
 constexpr double kMostLeftOut = 0.01;
 

@@ -93,7 +93,7 @@ HWY_INLINE Lanes exponential_share(Lanes first, Lanes last) {
            (s4 + d2 * (Lanes(225.0) * d2 - Lanes(1050.0) * s2));
 }
 
-// What gather_first_light works with for one level.
+// The state of gather_first_light for one level.
 class FirstLightPass {
   public:
     FirstLightPass(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
@@ -132,7 +132,7 @@ class FirstLightPass {
     // Gathers the light of the columns from `first` to before `last`, whole vectors of them.
     void gather_columns(const RayFan& fan, std::size_t first, std::size_t last);
     void write(double* out, double* sky_irradiance) const;
-    // What light from the sun's direction stands for (is_taken_from_sun).
+    // Finds the light that light from the sun's direction stands for (is_taken_from_sun).
     void set_from_sun(double altitude_km);
     const double* from_sun(std::size_t layer, std::size_t channel) const {
         return from_sun_.data() + (layer * kMaxChannels + channel) * suns_;

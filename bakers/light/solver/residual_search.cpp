@@ -143,7 +143,7 @@ double root_of_points(const LightScale& scale) {
 
 }  // namespace
 
-LightScale light_scale(const LightField& light) {
+LightScale resolved_light(const LightField& light) {
     const std::size_t size = light.sun_size();
     LightScale scale;
     for (std::size_t i = 0; i < light.moments.size(); i += size) {
@@ -161,9 +161,15 @@ LightScale light_scale(const LightField& light) {
             least = std::max(least, kDeepest * scale[k]);
         }
         for (std::size_t k = i; k < scale.size(); k += suns) {
-            scale[k] = std::max(scale[k], least > 0 ? least : 1.0);
+            scale[k] = std::max(scale[k], least);
         }
     }
+    return scale;
+}
+
+LightScale light_scale(const LightField& light) {
+    LightScale scale = resolved_light(light);
+    std::replace(scale.begin(), scale.end(), 0.0, 1.0);
     return scale;
 }
 
@@ -208,7 +214,7 @@ int search_residual(const NextOrder& next, const CorrectResidual& correct, const
            static_cast<int>(corrected.size()) < search.most_applications &&
            !is_cancelled(progress)) {
         corrected.push_back(correct ? correct(directions.back(), scale) : directions.back());
-        // What a residual like the last direction, of length 1, means for the light.
+        // The change of light by a residual like the last direction, of length 1.
         const PerChannel growth = norm(corrected.back(), scale);
         next(corrected.back(), image);
         LightField candidate = corrected.back();

@@ -17,12 +17,16 @@ namespace skybake {
 // Applies K: computes the light of the next order.
 using NextOrder = std::function<void(const LightField& light, LightField& next)>;
 
-// What errors are shares of: for each level and sun the mean light, then for each sun the sky's
+// Errors are shares of these values: for each level and sun the mean light, then for each sun the sky's
 // irradiance; kChannelSlots values each, all above 0.
 using LightScale = std::vector<double>;
 
-// Returns the scale of a light. Where that is darker than 1e-12 of a channel's brightest, or darker
-// than 1e-3 of the brightest level under the same sun, the scale is that.
+// Returns the light that the search tells apart, in the order of a scale: where light is darker than
+// 1e-12 of a channel's brightest, or than 1e-3 of the brightest level under the same sun, that. It is 0
+// in channels without light.
+LightScale resolved_light(const LightField& light);
+
+// Returns the same as a scale, which is 1 in channels without light.
 LightScale light_scale(const LightField& light);
 
 // Returns approximately (1 - K)^-1 residual.

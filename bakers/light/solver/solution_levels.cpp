@@ -99,8 +99,8 @@ std::vector<double> block_edges_km(const Medium& medium) {
     return edges;
 }
 
-// What a run of pieces asks for at an altitude within it. A table asks for what an exponential layer
-// with the piece's scale height would, with levels that thin out with the root of the density.
+// Returns the levels for a run of pieces at an altitude within it. Tables have as many as exponential layers
+// with the piece's scale height, with levels that thin out with the root of the density.
 double levels_per_km_of_run(const PiecewiseLayer& layer, const PieceRun& run, double altitude_km) {
     if (run.last == run.first + 1) {
         const LinearPiece& piece = layer.pieces[run.first];
@@ -114,7 +114,7 @@ double levels_per_km_of_run(const PiecewiseLayer& layer, const PieceRun& run, do
     return kPerScaleHeight * std::fabs(piece->density_per_km) / std::sqrt(middle * densest(layer));
 }
 
-// What the steepest of the pieces there asks for.
+// Returns the levels for the steepest of the pieces there.
 double levels_per_km_of_pieces(const Medium& medium, double altitude_km) {
     double most = 0;
     for (const PiecewiseLayer& layer : medium.piecewise_layers) {

@@ -63,6 +63,23 @@ namespace {
 constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
+// Light between suns is read by the falls of an estimate. Where that is too dark, each order would make
+// more light of it than there is, so the estimate takes further orders until none lifts it this much.
+constexpr double kMostLift = 2;
+constexpr int kMostLifts = 40;
+
+// Returns how much brighter a residual makes the mean light anywhere, as a ratio.
+double lift_by(const LightField& residual, LightField light) {
+    const LightScale before = resolved_light(light);
+    add(residual, light);
+    const LightScale after = resolved_light(light);
+    double most = 0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] > 0) most = std::max(most, after[i] / before[i]);
+    }
+    return most;
+}
+
 // Moments of a low degree depend on those of a higher one, up to so many times it.
 constexpr int kFinerDegree = 4;
 
@@ -107,17 +124,24 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
     };
-    LightField start = correct(first, light_scale(first));
-    coarse.follow(start);
-    steep.follow(reading.read_light(start));
+    OrderSum sum;
+    sum.light = correct(first, light_scale(first));
+    while (!is_cancelled(progress)) {
+        coarse.follow(sum.light);
+        steep.follow(reading.read_light(sum.light));
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
+        add(sum.residual, sum.light);
+    }
     if (settings.orders > 0) {
-        OrderSum sum = sum_of_first_orders(first, next, settings.orders, progress);
+        sum = sum_of_first_orders(first, next, settings.orders, progress);
         solved.light = std::move(sum.light);
         solved.applications = sum.applications;
         return solved;
     }
-    OrderSum sum = sum_of_orders(first, std::move(start), next, correct,
-                                 {settings.tolerance, settings.most_applications}, progress);
+    sum = sum_of_orders(first, std::move(sum), next, correct,
+                        {settings.tolerance, settings.most_applications}, progress);
     solved.light = std::move(sum.light);
     solved.applications = sum.applications;
     solved.left_out = sum.left_out;

@@ -10,10 +10,10 @@ namespace skybake {
 
 namespace {
 
-// `factor(m)` is what the sectoral function of order m has more of the sine than that of order m - 1.
+// `factor(m)` is the ratio of the sectoral functions of orders m and m - 1, without their norms.
 template <class Factor>
 void harmonics(int degree, double mu, const Factor& factor, double* values) {
-    // Of the associated Legendre functions' recursions those that are stable for rising l, with
+    // Uses the associated Legendre functions' recursions that are stable for increasing l, with
     // norms (2 - delta_m0) (2 l + 1) / 4pi (l - m)! / (l + m)!.
     double sectoral = std::sqrt(0.25 / std::numbers::pi);  // l = m, normed as for m = 0
     for (int m = 0; m <= degree; ++m) {

@@ -79,7 +79,7 @@ class AzimuthRecursion {
     HWY_INLINE AzimuthRecursion(Reals along, Reals squared_sine, std::size_t orders)
         : twice_(along + along), squared_sine_(squared_sine), twice_cosine_(0.0) {
         if (orders <= kLargestSinePower + 1) return;
-        // Of twice the azimuth. A sun at the zenith has none, and no light of these orders.
+        // Twice the cosine of twice the azimuth. A sun at the zenith has none, and no light of these orders.
         const Reals squared = along * along;
         const Reals whole = maximum(maximum(squared_sine, squared), Reals(1e-30F));
         twice_cosine_ = Reals(4.0) * squared / whole - Reals(2.0);

@@ -13,7 +13,7 @@ namespace skybake {
 
 namespace {
 
-// Of the sine of the top's dip: about 6 degrees on Earth.
+// The axis's width as a share of the sine of the top's dip: about 6 degrees on Earth.
 constexpr double kWidthShare = 0.57;
 // Over flat planets light changes with the cosine itself, most where it is small.
 constexpr double kWidthOfFlatPlanets = 0.1;
@@ -100,7 +100,7 @@ void steep_weights(double place, const double* means, double* weights) {
     const double fall = fall_between(means[low], means[low + 1]);
     double cubic[4];
     cubic_weights(x - 1, cubic);
-    // What the cubic of the logarithm has more than the line, by gaps instead of columns.
+    // The difference of the logarithm's cubic from the line, by gaps instead of columns.
     double bend = 0;
     double sum = 0;
     for (int k = 0; k < 3; ++k) {

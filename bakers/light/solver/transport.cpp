@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 
 #include "bakers/air/quadrature_rules.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/air/view_ray.h"
+#include "bakers/light/solver/residual_search.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"
@@ -102,8 +104,8 @@ void integrate_layers(const SkyMedium& medium, const ViewRay& view, FanRay& ray)
 
 constexpr int kLimbNodesOfFlatPlanets = 2;
 
-// Of the largest scale height: how much higher or lower the rays of a low sun may pass at a cell's
-// end than at its beginning. Their transmittance changes over a scale height.
+// The largest change of a ray's altitude over a cell under a low sun, as a share of the largest scale
+// height. The rays' transmittance changes over a scale height.
 constexpr double kTwilightStep = 0.7;
 
 // Returns the thickness that a table's column would have at its largest density, its scale height if
@@ -216,7 +218,7 @@ namespace {
 // Points that contribute less than this share of the light from all directions make no nodes.
 constexpr double kLeastShare = 1e-6;
 
-// What the points of a ray scatter to its beginning: [point * layers + layer]. A point below
+// Returns the light that points of a ray scatter to its beginning: [point * layers + layer]. A point below
 // kLeastShare is 0 and its share moved to the point before it, since light that is lost at each of
 // the thousands of scatterings in thick fog would add up to a percent.
 std::vector<Spectrum> shares_of_points(const FanRay& ray, std::size_t layers) {
@@ -327,14 +329,14 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
 
 namespace {
 
-// Of the columns at `values`, `stride` numbers each, the first of which are the channels'.
-void add_falls(const double* values, int columns, std::size_t stride, std::vector<double>& falls) {
-    double before = 0;
-    for (int column = 0; column < columns; ++column, values += stride) {
-        double mean = 0;
-        for (std::size_t c = 0; c < kMaxChannels; ++c) mean += values[c];
-        if (column > 0) falls.push_back(fall_between(before, mean));
-        before = mean;
+// Adds the falls between columns of light to `falls`, and 0 for the last.
+void add_falls(const double* light, int columns, std::vector<double>& falls) {
+    const auto mean = [light](int column) {
+        const double* channels = light + static_cast<std::size_t>(column) * kChannelSlots;
+        return std::accumulate(channels, channels + kMaxChannels, 0.0);
+    };
+    for (int column = 0; column + 1 < columns; ++column) {
+        falls.push_back(fall_between(mean(column), mean(column + 1)));
     }
     falls.push_back(0);
 }
@@ -343,12 +345,14 @@ void add_falls(const double* values, int columns, std::size_t stride, std::vecto
 
 void SteepSuns::follow(const LightField& estimate) {
     if (*std::max_element(stencils.begin(), stencils.end()) == 0) return;
+    const LightScale light = resolved_light(estimate);
     falls.clear();
     ground_falls.clear();
-    for (int level = 0; level < estimate.levels; ++level) {
-        add_falls(estimate.at(level, 0), estimate.suns, estimate.sun_size(), falls);
+    const double* columns = light.data();
+    for (int level = 0; level <= estimate.levels; ++level) {
+        add_falls(columns, estimate.suns, level < estimate.levels ? falls : ground_falls);
+        columns += static_cast<std::size_t>(estimate.suns) * kChannelSlots;
     }
-    add_falls(estimate.sky_irradiance.data(), estimate.suns, kChannelSlots, ground_falls);
 }
 
 template <class Number>

@@ -139,7 +139,7 @@ HWY_INLINE FloatLanes power_of_e(FloatLanes x) {
 // Suns are taken in whole vectors of any width up to this; behind the last sun there is room.
 constexpr std::size_t kMostLanes = 16;
 
-// What a level's transport works with. Number is float or double.
+// The state of a level's transport. Number is float or double.
 template <class Number>
 class LevelPass {
     using Blocks = Block<Number>;
@@ -153,7 +153,7 @@ class LevelPass {
     void apply(const LevelTransport<Number>& transport, double* out, double* sky_irradiance);
 
   private:
-    // Those that make_level_transport chooses among.
+    // Returns the numbers of azimuths that make_level_transport chooses among.
     std::size_t azimuths_of(std::size_t set) const {
         return std::max<std::size_t>(4, orders_) << set;
     }

@@ -1,5 +1,5 @@
 'use strict';
-// What marches through the clouds of a scene need besides their textures: steps, reaches, and the diffuse light of all
+// Prepares marches through the clouds of a scene, besides their textures: steps, reaches, and the diffuse light of all
 // layers in one table (clouds.glsl and light.glsl).
 
 class LiveClouds {
@@ -65,7 +65,7 @@ class LiveClouds {
         return Math.max(reach, Math.min(height / end_slope, farthest_reach));
     }
 
-    // What layers leave of diffuse light and of the sun's. A tile alone covers no share of the sky.
+    // Returns the shares of diffuse light and of the sun's that layers leave. A tile alone covers no share of the sky.
     shares(view) {
         const sky = [];
         let through = 1;

@@ -1,4 +1,4 @@
-// What a live page renders: the baked tables and volumes as textures, the numbers of the recipe as
+// The data that a live page renders: the baked tables and volumes as textures, the numbers of the recipe as
 // GLSL, and where the camera and the sun stand at first.
 //
 // Tables are embedded as floats, which the page stores as halves where a browser cannot filter

@@ -76,7 +76,7 @@ Air air_along(float h, vec3 ray) {
     return air;
 }
 
-// What the air lets through from `reach` km away, by Simpson's rule.
+// Returns the share of light that the air lets through from `reach` km away, by Simpson's rule.
 Light through_air(float h, vec3 ray, float reach) {
     float r = R + h, s = r * ray.z, width = reach / float(CLOUD_AIR_STEPS);
     Light depth = Light(0.0);
@@ -102,7 +102,7 @@ Light sun_disc(vec3 ray, Light seen, float wide) {
     return seen * disc;
 }
 
-// What a lens scatters of sunlight, in 1/sr.
+// Returns the sunlight that a lens scatters, in 1/sr.
 float lens_veil(vec3 ray) {
     float cosine = max(dot(ray, sun), 0.0), sine = length(cross(ray, sun));
     return 0.01 / (PI * log(1.0 + 1.0 / (SUN * SUN))) * cosine / (sine * sine + SUN * SUN);

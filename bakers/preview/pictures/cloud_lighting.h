@@ -1,4 +1,4 @@
-// What lit pictures of clouds share: the light, the medium with its leaps, and words of captions.
+// Shared by lit pictures of clouds: the light, the medium with its leaps, and words of captions.
 #pragma once
 
 #include <memory>
@@ -29,7 +29,7 @@ std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighti
                                     const CloudCamera& camera, const SunDirection& sun,
                                     int threads);
 
-// What captions say of the sky behind clouds.
+// Returns the words of captions about the sky behind clouds.
 std::string sky_text(const std::optional<SolvedSky>& solved);
 
 // Returns whether the asset holds as many voxels as it says.
@@ -38,7 +38,7 @@ bool holds_voxels(const PreviewAsset& asset);
 // Returns the cloud with the extent of its volume.
 std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input);
 
-// What captions say of copies of tiles that vary.
+// The words of captions about copies of tiles that vary.
 inline constexpr const char* kCopiesText =
     "Each copy of a tile but the first begins at another voxel, and neighbours overlap by an "
     "eighth of "

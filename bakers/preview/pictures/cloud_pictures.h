@@ -66,7 +66,7 @@ struct CloudPreviewInput {
     int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;      // of lit pictures
     int height = 540;
-    std::shared_ptr<PictureLight> light;  // that pictures share; null: made for these
+    std::shared_ptr<PictureLight> light;  // shared by pictures; null: made for these
     bool draft = false;                   // half that size, only the most important pictures
     Progress* progress = nullptr;         // reports lit pictures
 };

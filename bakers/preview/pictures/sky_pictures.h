@@ -27,7 +27,7 @@ struct SkyPreviewOptions {
     int solved_pixels = 128;     // of the solved dome; 0: no solved sky and no difference
     int panorama_pixels = 1080;  // width of the panorama; 0: none
     Progress* progress = nullptr;
-    Intermediates* intermediates = nullptr;  // that have the solved light, if somebody made it
+    Intermediates* intermediates = nullptr;  // have the solved light, if somebody made it
 };
 
 // Returns the solved light with which the pictures compare the tables.

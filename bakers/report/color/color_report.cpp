@@ -27,7 +27,7 @@ using config::Length;
 namespace {
 
 constexpr int kRepetitions = 3;
-// Those of most papers, and of the presets that have their air.
+// The wavelengths of most papers, and of the presets that have their air.
 constexpr std::array kPlain_nm = {680.0, 550.0, 440.0};
 
 struct WavelengthSet {

@@ -50,7 +50,7 @@ LadderStep color_step(const Parameters& parameters, const BakeOptions& options) 
 
 // --- Air ----------------------------------------------------------------------------------------
 
-// What the table of ozone and Bucholtz's formula leave (examples/colors.md).
+// The errors that the table of ozone and Bucholtz's formula leave (examples/colors.md).
 constexpr LadderSize kMeasuredAir = {0.001, 0.001};
 
 bool is_of_earth(const config::Atmosphere& atmosphere) {
@@ -124,7 +124,7 @@ config::Atmosphere with_standard_profiles(config::Atmosphere atmosphere) {
     return atmosphere;
 }
 
-// What the sky sends to level ground, scattered once: by sun, then by channel.
+// Returns the light of the sky on level ground, scattered once: by sun, then by channel.
 std::vector<double> light_of_dusk(const config::Atmosphere& atmosphere,
                                   const BakeOptions& options) {
     std::vector<double> light;
@@ -162,7 +162,7 @@ LadderStep profile_step(const Parameters& parameters, const BakeOptions& options
 
 // --- Polarisation -------------------------------------------------------------------------------
 
-// What light taken as unpolarised is off by in the median of the dome, in air without particles over
+// Errors of light that is taken as unpolarised, in the median of the dome, in air without particles over
 // black ground: from the best sun to the worst, by the zenith optical depth of the air at 680, 550
 // and 440 nm.
 struct PolarisationRow {
@@ -244,7 +244,7 @@ LadderStep table_step(const Parameters& parameters, const MethodErrors& methods)
         const std::pair<std::string, LadderSize>* found = nullptr;
         for (const auto& method : methods) {
             if (!method.first.starts_with(like)) continue;
-            // Of several, the one with the same mapping; of moments, the highest degree.
+            // Among several, takes the one with the same mapping; among moments, the highest degree.
             const bool fits = is_twilight == method.first.ends_with("twilight");
             if (!found || fits || like == "moments") found = &method;
         }

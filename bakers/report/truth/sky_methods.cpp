@@ -158,7 +158,7 @@ std::vector<SkyMethod> sky_methods(const SkyMedium& medium, bool quick) {
                            [&medium, combined] { return bruneton_sky(medium, {}, combined); }});
     }
     std::vector<int> degrees = {2, 4, 8};
-    // Of haze and fog, assets of the sky have moments of a higher degree.
+    // In haze and fog, assets of the sky have moments of a higher degree.
     if (const int most = sky_degree(medium); most > degrees.back()) degrees.push_back(most);
     for (const int degree : degrees) {
         methods.push_back(

@@ -99,7 +99,7 @@ class VariantObserver : public BakeObserver {
     std::mutex& mutex_;
 };
 
-// What variants share is kept in memory that none of them needs.
+// Returns the memory for what variants share: that which none of them needs.
 std::int64_t most_kept_bytes(const SweepJob& job, const std::vector<PlannedVariant>& plan) {
     double largest_mib = 0;
     for (const PlannedVariant& variant : plan) {
@@ -367,7 +367,7 @@ std::vector<VariantResult> results_of(std::vector<PlannedVariant> plan) {
 std::vector<VariantResult> run_sweep(const SweepJob& job, std::vector<PlannedVariant> plan,
                                      SweepObserver& observer) {
     SweepRunner(job, plan, observer).run();
-    remove_stale_temporaries_in(job.folder);  // those of an index
+    remove_stale_temporaries_in(job.folder);  // temporaries of the index
     return results_of(std::move(plan));
 }
 

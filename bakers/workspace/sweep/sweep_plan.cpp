@@ -125,7 +125,7 @@ void load_modules(const SweepJob& job) {
     const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, 0);
     if (!recipe.value) return;
     for (const config::Bake& bake : recipe.value->parameters.bakes) {
-        static_cast<void>(missing_module(bake, job.folder));  // which its variant will say
+        static_cast<void>(missing_module(bake, job.folder));  // its variant will say so
     }
 }
 

@@ -61,7 +61,7 @@ Air air_along(float h, vec3 ray, vec3 sun, float reach, int steps) {
     return air;
 }
 
-// What the camera sees where there is no cloud.
+// Returns the light that the camera sees where there is no cloud.
 vec3 sky(float h, vec3 ray, vec3 sun) {
     float s = (R + h) * ray.z, rho2 = h * (2.0 * R + h);
     Air air = air_along(h, ray, sun, 1e9, SKY_STEPS);

@@ -62,7 +62,7 @@ Air air_along(float h, float3 ray, float3 sun, float reach, int steps) {
     return air;
 }
 
-// What the camera sees where there is no cloud.
+// Returns the light that the camera sees where there is no cloud.
 float3 sky(float h, float3 ray, float3 sun) {
     float s = (R + h) * ray.z, rho2 = h * (2.0 * R + h);
     Air air = air_along(h, ray, sun, 1e9, SKY_STEPS);

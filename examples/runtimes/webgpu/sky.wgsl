@@ -79,7 +79,7 @@ fn air_along(h: f32, ray: vec3f, sun: vec3f, reach: f32, steps: i32) -> Air {
     return air;
 }
 
-// What the camera sees where there is no cloud.
+// Returns the light that the camera sees where there is no cloud.
 fn sky(h: f32, ray: vec3f, sun: vec3f) -> vec3f {
     let s = (R + h) * ray.z;
     let rho2 = h * (2.0 * R + h);

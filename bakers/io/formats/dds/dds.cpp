@@ -209,7 +209,7 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
 config::Diagnostic damaged_dds_file(const fs::path& path, const std::string& reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no DDS file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a DDS file: {}", path.string(), reason));
 }
 
 // Returns what a header contains that skybake does not write, in words, or nothing.

@@ -1,4 +1,4 @@
-// What OpenEXR files of any kind say of themselves: parts, tiles, deep samples, windows, subsampled
+// Reads the heads of OpenEXR files of any kind: parts, tiles, deep samples, windows, subsampled
 // channels, any codec. Pixels are not read.
 #pragma once
 

@@ -15,7 +15,7 @@
 
 namespace skybake {
 
-// What a file says of itself besides its pixels.
+// The facts that a file states, besides its pixels.
 struct ExrFacts {
     int width = 0;
     int height = 0;

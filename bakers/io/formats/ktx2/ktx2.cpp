@@ -119,7 +119,7 @@ Outcome<bool> write_ktx2_file(const FileContent& content, const fs::path& path) 
 config::Diagnostic damaged_ktx2_file(const fs::path& path, const std::string& reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no KTX2 file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a KTX2 file: {}", path.string(), reason));
 }
 
 // A file that has been opened, with its header and its index of levels.

@@ -27,13 +27,13 @@ void append_number(std::string& bytes, const auto& value) {
     bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-// What the data format descriptor says of a part of a texel or a block.
+// A part of a texel or a block, as the data format descriptor has it.
 struct Sample {
     std::size_t first_bit = 0;
     std::size_t bits = 0;
     std::uint8_t channel = 0;  // with qualifiers
-    std::uint32_t lower = 0;   // what stands for 0, or -1
-    std::uint32_t upper = 0;   // what stands for 1
+    std::uint32_t lower = 0;   // the code of 0, or of -1
+    std::uint32_t upper = 0;   // the code of 1
 };
 
 constexpr std::uint8_t is_signed = 0x40;

@@ -103,7 +103,7 @@ config::Outcome<T> with_nvdb_file(const std::filesystem::path& path, const Work&
         const std::string name = path.string();
         return {{},
                 {file_error("E0304", name,
-                            fmt::format("`{}` is no NanoVDB file that skybake reads: {}", name,
+                            fmt::format("skybake cannot read `{}` as a NanoVDB file: {}", name,
                                         damage.reason))}};
     }
 }

@@ -11,7 +11,7 @@
 
 namespace skybake {
 
-// What a grid of any program says of itself.
+// The facts that a grid of any program states.
 struct NvdbGridFacts {
     std::string name;
     std::string type;        // "float", "vec3f", "points"
@@ -29,10 +29,10 @@ struct NvdbFacts {
 // E0300 if the file cannot be read, E0304 if it is damaged or of another major version.
 config::Outcome<NvdbFacts> read_nvdb_facts(const std::filesystem::path& path);
 
-// As Format::inspect. Files of float grids do not say whether their values were halves.
+// Like Format::inspect. Files of float grids do not say whether their values were halves.
 config::Outcome<FileFacts> inspect_nvdb(const std::filesystem::path& path);
 
-// As Format::read. Voxels without a leaf or tile are 0. The grid does not state the size of the
+// Like Format::read. Voxels without a leaf or tile are 0. The grid does not state the size of the
 // volume, so that a file of a smaller one is told by its content alone. Memory use is eight slices of
 // the volume and 24 bytes per leaf.
 config::Outcome<bool> read_nvdb(const std::filesystem::path& path, const FileShape& shape,

@@ -87,7 +87,7 @@ class NvdbVoxels : public VoxelSource {
     }
 
   private:
-    // What is not finite is the background.
+    // Values that are not finite are taken for the background.
     float density_of(float value) const {
         return density_(std::isfinite(value) ? value : tree_.background());
     }

@@ -25,7 +25,7 @@ class NvdbTree {
     NvdbTree(NvdbInput& file, const NvdbGrid& grid);
 
     float background() const { return background_; }
-    // Of values beside voxels, background included.
+    // The smallest and largest value of tiles and background.
     float least_tile() const { return least_tile_; }
     float largest_tile() const { return largest_tile_; }
     bool has_finite_tiles() const { return finite_tiles_; }

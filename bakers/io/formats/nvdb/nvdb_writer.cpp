@@ -348,7 +348,7 @@ class NvdbGridWriter {
     std::uint64_t lowers_at_ = 0;
     std::uint64_t leaves_ = 0;
     std::vector<NvdbLowerNode> lower_;  // all of `nodes_`
-    std::vector<std::size_t> made_;     // those of them that have leaves
+    std::vector<std::size_t> made_;     // the nodes that have leaves
     std::vector<NvdbUpperNode> uppers_;
     std::vector<std::uint32_t> checksums_;  // of upper nodes, then of lower ones, then of leaves
     std::vector<std::uint32_t> leaf_checksums_;

@@ -206,7 +206,7 @@ class Reader {
 config::Diagnostic damaged_png_file(const fs::path& path, const char* reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no PNG file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a PNG file: {}", path.string(), reason));
 }
 
 Outcome<FileFacts> inspect_png(const fs::path& path) {

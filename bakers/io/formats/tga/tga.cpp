@@ -114,7 +114,7 @@ Outcome<bool> write_tga_file(const FileContent& content, const fs::path& path) {
 config::Diagnostic damaged_tga_file(const fs::path& path, const char* reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no TGA file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a TGA file: {}", path.string(), reason));
 }
 
 // Returns bytes of the file, or nothing if it does not have them.

@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t tif_head_size = 8;
 constexpr std::size_t tif_entry_size = 12;
-constexpr std::size_t tif_short_entries = 9;  // those of a directory that are no offsets or texts
+constexpr std::size_t tif_short_entries = 9;  // entries that are no offsets or texts
 
 enum class TifType : std::uint16_t { text = 2, short_number = 3, long_number = 4 };
 
-// What the directories of a file say.
+// The directories of a file.
 struct TifPages {
     std::uint32_t width = 0;
     std::uint32_t height = 0;
@@ -152,7 +152,7 @@ Outcome<bool> write_tif_file(const FileContent& content, const fs::path& path) {
 config::Diagnostic damaged_tif_file(const fs::path& path, const std::string& reason) {
     return file_error(
         "E0304", path.string(),
-        fmt::format("`{}` is no TIFF file that skybake reads: {}", path.string(), reason));
+        fmt::format("skybake cannot read `{}` as a TIFF file: {}", path.string(), reason));
 }
 
 // Reads a part of a file that is in it.

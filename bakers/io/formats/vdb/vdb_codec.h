@@ -34,7 +34,7 @@ struct VdbEncoding {
 // The name under which a grid's metadata holds the size of a sparse volume.
 inline constexpr const char* vdb_size_name = "skybake/size";
 
-// What a grid says of itself.
+// The facts that a grid states.
 struct VdbGridDescription {
     std::string name;
     VdbActiveVoxels active;  // with bounds even if no voxel is active

@@ -92,7 +92,7 @@ struct IndexBounds {
 struct GridTree {
     float background = 0;  // as the file has it, rounded to float
     alignas(8) std::array<char, 8> stored_background{};  // in the type of the grid
-    // Of finite numbers beside voxels, background included.
+    // The smallest and largest finite value of tiles and background.
     float least_tile = 0;
     float largest_tile = 0;
     ValueFaults faults;  // of tiles; those that are not finite are the background
@@ -104,7 +104,7 @@ struct GridTree {
     std::vector<LeafRecord> leaves;
     IndexBounds active;
 
-    // What holds an index: a leaf, or a tile of one value.
+    // Where an index lies: in a leaf, or in a tile of one value.
     struct Place {
         const LeafRecord* leaf = nullptr;  // null: a tile
         float value = 0;                   // density of the tile

@@ -88,7 +88,7 @@ class GridVoxels : public VoxelSource {
     }
 
   private:
-    // What is not finite is the background.
+    // Values that are not finite are taken for the background.
     void to_densities(LeafValues& values) const {
         for (float& value : values) {
             value = tree_.density(std::isfinite(value) ? value : tree_.background);

@@ -1,4 +1,4 @@
-// What the source files of the module skybake_vdb share: OpenVDB's types, and the functions of
+// Shared by the source files of the module skybake_vdb: OpenVDB's types, and the functions of
 // VdbCodec. Only these files include it.
 #pragma once
 

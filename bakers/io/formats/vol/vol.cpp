@@ -65,7 +65,7 @@ Outcome<bool> write_vol_file(const FileContent& content, const fs::path& path) {
 
 config::Diagnostic damaged_vol_file(const fs::path& path, const std::string& reason) {
     return file_error("E0304", path.string(),
-                      fmt::format("`{}` is no grid volume of Mitsuba that skybake reads: {}",
+                      fmt::format("skybake cannot read `{}` as a grid volume of Mitsuba: {}",
                                   path.string(), reason));
 }
 
