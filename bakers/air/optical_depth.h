@@ -31,6 +31,11 @@ Spectrum optical_depth_to_top(const Medium& medium, double altitude_km, double s
 Spectrum optical_depth_along(const Medium& medium, double altitude_km, double cos_zenith,
                              double distance_km);
 
+// Computes the same for several distances, in vectors: channel c of distance i is written to
+// optical_depth[c * count + i].
+void optical_depth_along(const Medium& medium, double altitude_km, double cos_zenith,
+                         std::span<const double> distances_km, double* optical_depth);
+
 // --- Reference -----------------------------------------------------------------------------------
 
 // Optical depth by adaptive quadrature of the definition: extinction integrated over distance. It

@@ -119,7 +119,7 @@ class NearbySuns {
           at_(at),
           factors_(std::move(factors)),
           known_(static_cast<std::size_t>(light.suns.count())),
-          values_(known_.size() * orders()) {}
+          values_(std::make_unique_for_overwrite<Spectrum[]>(known_.size() * orders())) {}
 
     Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) {
         const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
@@ -127,10 +127,11 @@ class NearbySuns {
         for (std::size_t column = first; column < first + 4; ++column) {
             if (known_[column]) continue;
             known_[column] = true;
-            add_column(light_, at_, static_cast<int>(column), degree_, factors_,
-                       values_.data() + column * orders());
+            Spectrum* values = values_.get() + column * orders();
+            std::fill_n(values, orders(), Spectrum(0.0));
+            add_column(light_, at_, static_cast<int>(column), degree_, factors_, values);
         }
-        return between_columns(stencil, values_.data() + first * orders(), orders(), sun_cos_zenith,
+        return between_columns(stencil, values_.get() + first * orders(), orders(), sun_cos_zenith,
                                azimuth_cosine);
     }
 
@@ -142,7 +143,7 @@ class NearbySuns {
     LevelPlace at_;
     std::vector<Spectrum> factors_;
     std::vector<bool> known_;
-    std::vector<Spectrum> values_;  // [column * orders + m]
+    std::unique_ptr<Spectrum[]> values_;  // [column * orders + m], of known columns
 };
 
 }  // namespace

@@ -41,6 +41,23 @@ Spectrum SkyIntegrator::depth_between(const SkyRay& ray, double from_km, double 
     return optical_depth_along(medium_.air, altitude, (ray.s_km + from_km) / r, to_km - from_km);
 }
 
+std::array<Spectrum, ray_pieces::kNodes> SkyIntegrator::depths_between(
+    const SkyRay& ray, double from_km, NodeValues distances_km) const {
+    const double altitude = altitude_on(ray, from_km);
+    const double r = shell_.ground_radius_km + altitude;
+    for (double& distance : distances_km) distance -= from_km;
+    std::array<double, kMaxChannels * ray_pieces::kNodes> depths;
+    optical_depth_along(medium_.air, altitude, (ray.s_km + from_km) / r, distances_km,
+                        depths.data());
+    std::array<Spectrum, ray_pieces::kNodes> of_nodes{};
+    for (std::size_t i = 0; i < of_nodes.size(); ++i) {
+        for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
+            of_nodes[i][c] = depths[c * of_nodes.size() + i];
+        }
+    }
+    return of_nodes;
+}
+
 double SkyIntegrator::altitude_on(const SkyRay& ray, double distance_km) const {
     return std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, distance_km), 0.0,
                       shell_.thickness_km);  // rounding
@@ -137,10 +154,11 @@ void SkyIntegrator::add_piece(const SkyRay& ray, const std::vector<Spectrum>& ph
         sun_s[i] = ray.sun_s_km + distances[i] * ray.cosine_to_sun;
     }
     const std::array<Spectrum, ray_pieces::kNodes> sun = sunlight(altitudes, sun_s);
+    const std::array<Spectrum, ray_pieces::kNodes> depths =
+        depths_between(ray, piece.from_km, distances);
     for (std::size_t i = 0; i < distances.size(); ++i) {
         const double altitude = altitudes[i];
-        const Spectrum depth_here =
-            piece.depth_from + depth_between(ray, piece.from_km, distances[i]);
+        const Spectrum depth_here = piece.depth_from + depths[i];
         Spectrum towards_eye{};
         std::vector<Spectrum> scattering(medium_.layers.size());
         for (std::size_t k = 0; k < medium_.layers.size(); ++k) {

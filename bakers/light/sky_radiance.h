@@ -76,6 +76,8 @@ class SkyIntegrator {
     Spectrum depth_between(const SkyRay& ray, double from_km, double to_km) const;
     double altitude_on(const SkyRay& ray, double distance_km) const;
     using NodeValues = std::array<double, ray_pieces::kNodes>;
+    std::array<Spectrum, ray_pieces::kNodes> depths_between(const SkyRay& ray, double from_km,
+                                                            NodeValues distances_km) const;
     std::array<Spectrum, ray_pieces::kNodes> sunlight(const NodeValues& altitudes_km,
                                                       const NodeValues& s_km) const;
     std::vector<Spectrum> phases(const SkyRay& ray) const;

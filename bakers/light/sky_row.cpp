@@ -242,7 +242,7 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
 
 std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
     std::vector<Spectrum> sums(rays.size());
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    for (std::size_t n = 0; n < higher_orders_at_.size(); ++n) {
         const Node& node = nodes_[n];
         const HigherOrders::OfSun& of_sun = higher_orders_at_[n];
         for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -285,20 +285,28 @@ Spectrum SkyRow::ground_of(const SkyRay& ray) const {
            transmittance_;
 }
 
-std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
-                                          const std::vector<double>& azimuth_cosines) const {
-    std::vector<SkyRay> rays;
-    for (const double cosine : azimuth_cosines) rays.push_back(ray_at(cosine));
+std::vector<SkyRadiance> SkyRow::with_multiple(const std::vector<SkyRay>& rays,
+                                               const std::vector<Spectrum>& higher) const {
     std::vector<SkyRadiance> sums(rays.size());
     SumsOfLayers once(medium_, rays, sums);
     add_single(rays, once);
-    const std::vector<Spectrum> higher = multiple(ray_at, azimuth_cosines);
     for (std::size_t i = 0; i < rays.size(); ++i) {
         sums[i].multiple = higher[i];
         sums[i].ground = ground_of(rays[i]);
         sums[i].transmittance = transmittance_;
     }
     return sums;
+}
+
+std::vector<SkyRadiance> SkyRow::radiance(const std::vector<SkyRay>& rays) const {
+    return with_multiple(rays, multiple(rays));
+}
+
+std::vector<SkyRadiance> SkyRow::radiance(const RayOfAzimuth& ray_at,
+                                          const std::vector<double>& azimuth_cosines) const {
+    std::vector<SkyRay> rays;
+    for (const double cosine : azimuth_cosines) rays.push_back(ray_at(cosine));
+    return with_multiple(rays, multiple(ray_at, azimuth_cosines));
 }
 
 std::vector<SplitSunlight> SkyRow::split(const RayOfAzimuth& ray_at,

@@ -46,6 +46,8 @@ class SkyRow {
     // One thread at a time: higher orders keep what several suns share.
     std::vector<SkyRadiance> radiance(const RayOfAzimuth& ray_at,
                                       const std::vector<double>& azimuth_cosines) const;
+    // Returns the radiance of any rays of the row, under any suns, without interpolation.
+    std::vector<SkyRadiance> radiance(const std::vector<SkyRay>& rays) const;
 
     // Returns the same in parts, without higher orders.
     std::vector<SplitSunlight> split(const RayOfAzimuth& ray_at,
@@ -89,6 +91,8 @@ class SkyRow {
     int azimuth_nodes() const;
     double view_cosine(const Node& node) const;
     std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;
+    std::vector<SkyRadiance> with_multiple(const std::vector<SkyRay>& rays,
+                                           const std::vector<Spectrum>& higher) const;
 
     const SkyIntegrator& integrator_;
     const SkyMedium& medium_;

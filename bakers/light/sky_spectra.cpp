@@ -87,10 +87,12 @@ class PacketLight {
         for (const auto& [height_deg, row] : heights_deg) {
             const SkyRow way(integrator_, medium_, &orders_, ray_of(views[row.front()], 1),
                              &sunlight);
+            std::vector<SkyRay> rays;
             for (const std::size_t i : row) {
-                const auto ray_at = [&](double cosine) { return ray_of(views[i], cosine); };
-                light[i] = way.radiance(ray_at, {azimuth_cosine(views[i])}).front().total();
+                rays.push_back(ray_of(views[i], azimuth_cosine(views[i])));
             }
+            const std::vector<SkyRadiance> of_row = way.radiance(rays);
+            for (std::size_t k = 0; k < row.size(); ++k) light[row[k]] = of_row[k].total();
         }
         return light;
     }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/march/voxel_blocks.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
@@ -15,41 +16,8 @@ namespace {
 
 using Plane = std::vector<double>;
 
-// The grid of blocks. Block k of an axis has the voxels
-// floor(k N / n) ... floor((k + 1) N / n) - 1.
-struct Blocks {
-    std::array<int, 3> voxels{};
-    std::array<int, 3> size{};
-
-    Blocks(const std::array<int, 3>& voxels_, int block) : voxels(voxels_) {
-        for (std::size_t a = 0; a < 3; ++a) size[a] = (voxels[a] + block - 1) / block;
-    }
-    int first(std::size_t axis, int k) const {
-        return static_cast<int>(std::int64_t{k} * voxels[axis] / size[axis]);
-    }
-    std::size_t plane_count() const {
-        return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
-    }
-};
-
-double mean_density(const CloudMedium& medium, const Blocks& blocks, int i, int j, int k) {
-    double sum = 0;
-    int count = 0;
-    for (int z = blocks.first(2, k); z < blocks.first(2, k + 1); ++z) {
-        for (int y = blocks.first(1, j); y < blocks.first(1, j + 1); ++y) {
-            const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
-                               (y + 1) * medium.volume.row() + 1;
-            for (int x = blocks.first(0, i); x < blocks.first(0, i + 1); ++x) {
-                sum += density(medium.optics, double{row[x]});
-                ++count;
-            }
-        }
-    }
-    return sum / count;
-}
-
 // Returns (1 - g) sigma h / 2 for each block, plane by plane.
-std::vector<Plane> diffuse_depths(const CloudMedium& medium, const Blocks& blocks, int threads) {
+std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& blocks, int threads) {
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
     const double height_m = medium.extent_m[2] / blocks.size[2];
     std::vector<Plane> planes(static_cast<std::size_t>(blocks.size[2]),
@@ -68,7 +36,7 @@ std::vector<Plane> diffuse_depths(const CloudMedium& medium, const Blocks& block
 }
 
 // Smooths a repeating plane along one axis with the weights s, 1 - 2 s, s.
-Plane smoothed(const Plane& plane, const Blocks& blocks, bool along_x, double s) {
+Plane smoothed(const Plane& plane, const VoxelBlocks& blocks, bool along_x, double s) {
     Plane out(plane.size());
     const int nx = blocks.size[0];
     const int ny = blocks.size[1];
@@ -88,7 +56,7 @@ Plane smoothed(const Plane& plane, const Blocks& blocks, bool along_x, double s)
 
 // Returns the s that gives a variance of 2 s d^2 = h^2 / 2 with blocks of width d. It is at most
 // 1/4, which removes a checkerboard completely.
-double smoothing(const CloudMedium& medium, const Blocks& blocks, std::size_t axis) {
+double smoothing(const CloudMedium& medium, const VoxelBlocks& blocks, std::size_t axis) {
     const double h = medium.extent_m[2] / blocks.size[2];
     const double d = medium.extent_m[axis] / blocks.size[axis];
     return std::min(0.25, h * h / (4 * d * d));
@@ -96,7 +64,7 @@ double smoothing(const CloudMedium& medium, const Blocks& blocks, std::size_t ax
 
 // Carries V through the planes, downwards or upwards. Writes the values at the blocks' centres to
 // `shares`, one per block, and returns the mean of V beyond the last plane.
-double carry(const CloudMedium& medium, const Blocks& blocks, const std::vector<Plane>& depths,
+double carry(const CloudMedium& medium, const VoxelBlocks& blocks, const std::vector<Plane>& depths,
              bool downwards, std::vector<float>& shares) {
     Plane share(blocks.plane_count(), 1.0);
     for (int step = 0; step < blocks.size[2]; ++step) {
@@ -142,7 +110,7 @@ double sun_scattering(const std::array<OctavePhase, kOctaves>& octaves, double o
 }
 
 DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
-    const Blocks blocks(medium.volume.size, block);
+    const VoxelBlocks blocks(medium.volume.size, {block, block, block});
     const std::vector<Plane> depths = diffuse_depths(medium, blocks, threads);
     std::vector<float> shares(occupancy::count_of(blocks.size));
     DiffuseShare result;
@@ -152,8 +120,6 @@ DiffuseShare diffuse_share(const CloudMedium& medium, int block, int threads) {
     result.from_ground = padded_volume(shares.data(), blocks.size, 0, 1, threads);
     return result;
 }
-
-namespace {}  // namespace
 
 DropletPhase droplet_phase(double diameter_um) {
     const double d = diameter_um;

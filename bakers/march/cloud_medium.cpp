@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <random>
 
+#include "bakers/march/voxel_blocks.h"
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
@@ -99,6 +100,52 @@ CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
     const std::vector<float> all_occupied(occupancy::count_of(CellGrid{size, 16}.size()), 0.0F);
     medium.leaps = leap_grid(size, 16, all_occupied);
     return medium;
+}
+
+double mean_density(const CloudMedium& medium, const VoxelBlocks& blocks, int i, int j, int k) {
+    double sum = 0;
+    int count = 0;
+    for (int z = blocks.first(2, k); z < blocks.first(2, k + 1); ++z) {
+        for (int y = blocks.first(1, j); y < blocks.first(1, j + 1); ++y) {
+            const float* row = medium.volume.values.data() + (z + 1) * medium.volume.plane() +
+                               (y + 1) * medium.volume.row() + 1;
+            for (int x = blocks.first(0, i); x < blocks.first(0, i + 1); ++x) {
+                sum += density(medium.optics, double{row[x]});
+                ++count;
+            }
+        }
+    }
+    return sum / count;
+}
+
+CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& block,
+                          int threads) {
+    const VoxelBlocks blocks(medium.volume.size, block);
+    std::vector<float> means(occupancy::count_of(blocks.size));
+    parallel_for(blocks.size[2], threads, [&](int z) {
+        for (int y = 0; y < blocks.size[1]; ++y) {
+            for (int x = 0; x < blocks.size[0]; ++x) {
+                means[occupancy::index_of(blocks.size, x, y, z)] =
+                    static_cast<float>(mean_density(medium, blocks, x, y, z));
+            }
+        }
+    });
+    CloudMedium coarse;
+    coarse.extent_m = medium.extent_m;
+    coarse.base_m = medium.base_m;
+    coarse.repeats = medium.repeats;
+    coarse.optics.extinction_per_m = medium.optics.extinction_per_m;
+    coarse.volume = padded_volume(means.data(), blocks.size, 0, 1, threads, medium.repeats);
+    coarse.variation = medium.variation;
+    const auto scaled = [&](std::size_t axis, float& voxels) {
+        voxels *= static_cast<float>(blocks.size[axis]) / static_cast<float>(blocks.voxels[axis]);
+    };
+    for (float& shift : coarse.variation.shift_x) scaled(0, shift);
+    for (float& shift : coarse.variation.shift_y) scaled(1, shift);
+    scaled(0, coarse.variation.margin_x);
+    scaled(1, coarse.variation.margin_y);
+    coarse.variation.greatest = *std::max_element(means.begin(), means.end());
+    return coarse;
 }
 
 TileVariation varied_tiles(const CloudMedium& medium) {

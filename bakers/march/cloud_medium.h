@@ -87,6 +87,10 @@ CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
                          const std::array<int, 3>& size, int channels, int threads,
                          bool repeats = true);
 
+// Returns the medium of the mean densities of blocks of at most so many voxels along x, y and z, which divide the
+// volume evenly. It has no edge and no leaps.
+CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& block, int threads);
+
 // Returns a variation of the medium's tiles. The same size of the volume gives the same shifts.
 TileVariation varied_tiles(const CloudMedium& medium);
 

@@ -139,6 +139,22 @@ void march_packet(std::span<const CloudMarch> layers, std::span<const RayBlock> 
     }
 }
 
+// The march towards the sun through a layer from points outside of it.
+const CloudMarch& from_elsewhere(const CloudMarch& layer) {
+    return layer.far_light.empty() ? layer : layer.far_light.front();
+}
+
+// Marches towards the sun from points of the same layer.
+void march_own_layer(const CloudMarch& layer, LightPoints& points, FetchCounts& counts) {
+    SunMarches(layer, own_frame(layer), points, counts).run();
+    for (const CloudMarch& far : layer.far_light) {
+        PointFrame frame = frame_of(*layer.medium, far);
+        frame.begin_m = far.own_begin_m;
+        frame.samples = far.own_samples;
+        SunMarches(far, frame, points, counts).run();
+    }
+}
+
 }  // namespace
 
 void march_all(std::span<const CloudMarch> layers, std::span<const RayBlock> rays,
@@ -157,9 +173,12 @@ void march_all(std::span<const CloudMarch> layers, std::span<const RayBlock> ray
         place_points(layers[l], rays[l], points[l]);
         points[l].tau.assign(points[l].size(), 0.0F);
         for (std::size_t m = 0; m < layers.size(); ++m) {
-            const PointFrame frame =
-                m == l ? own_frame(layers[l]) : frame_of(*layers[l].medium, *layers[m].medium);
-            SunMarches(layers[m], frame, points[l], counts).run();
+            if (m == l) {
+                march_own_layer(layers[l], points[l], counts);
+                continue;
+            }
+            const CloudMarch& march = from_elsewhere(layers[m]);
+            SunMarches(march, frame_of(*layers[l].medium, march), points[l], counts).run();
         }
         Lighting(layers[l], rays[l]).add(points[l], results[l]);
     }
@@ -178,7 +197,7 @@ void depths_of_all(std::span<const CloudMarch> layers, std::span<const SunlitPoi
     light.tile_y.assign(points.size(), 0.0F);
     light.tau.assign(points.size(), 0.0F);
     for (const CloudMarch& layer : layers) {
-        SunMarches(layer, frame_of_meters(*layer.medium), light, counts).run();
+        SunMarches(layer, frame_from({1, 1, 1}, 0, layer), light, counts).run();
     }
     depths = std::move(light.tau);
 }

@@ -93,6 +93,13 @@ struct CloudMarch {
     float fade_from_m = 0;
     float fade_to_m = 0;
     bool leaping = true;
+    // Marches towards the sun from points of the same layer begin so far from them, and have so many samples of
+    // the above; 0: all.
+    float own_begin_m = 0;
+    float own_samples = 0;
+    // These marches go on where the one above ends, in longer steps through means of the medium (coarse_medium).
+    // Points of other layers have the whole march of the first of them, if there is one.
+    std::vector<CloudMarch> far_light;
 };
 
 // Marches a block of rays through layers and adds its lookups to `counts`. `rays` and `results` have

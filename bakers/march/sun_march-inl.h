@@ -28,6 +28,8 @@ namespace HWY_NAMESPACE {
 struct PointFrame {
     std::array<float, 3> scale = {1, 1, 1};
     float offset_z = 0;
+    float begin_m = 0;     // from the points to where marches begin
+    float samples = 0;     // the most for each march
     bool enters = true;    // points may be outside of the layer
     bool in_tile = false;  // x and y alone count, because all tiles are alike
 };
@@ -35,27 +37,27 @@ struct PointFrame {
 // Returns the frame of the layer's own points.
 inline PointFrame own_frame(const CloudMarch& march) {
     PointFrame frame;
+    frame.samples = march.own_samples > 0 ? march.own_samples : march.light_samples;
     frame.enters = false;
     frame.in_tile = !march.medium->variation.varies();
     return frame;
 }
-// Returns the frame of points of another layer.
-inline PointFrame frame_of(const CloudMedium& from, const CloudMedium& to) {
+// Returns the frame of points that may be outside of the layer, by the edges of their unit in metres and the
+// altitude of their z = 0.
+inline PointFrame frame_from(const std::array<double, 3>& unit_m, double base_m,
+                             const CloudMarch& march) {
+    const CloudMedium& to = *march.medium;
     PointFrame frame;
+    frame.samples = march.light_samples;
     for (std::size_t a = 0; a < 3; ++a) {
-        frame.scale[a] = static_cast<float>(from.meters_per_voxel(a) / to.meters_per_voxel(a));
+        frame.scale[a] = static_cast<float>(unit_m[a] / to.meters_per_voxel(a));
     }
-    frame.offset_z = static_cast<float>((from.base_m - to.base_m) / to.meters_per_voxel(2));
+    frame.offset_z = static_cast<float>((base_m - to.base_m) / to.meters_per_voxel(2));
     return frame;
 }
-// Returns the frame of points in metres.
-inline PointFrame frame_of_meters(const CloudMedium& to) {
-    PointFrame frame;
-    for (std::size_t a = 0; a < 3; ++a) {
-        frame.scale[a] = static_cast<float>(1 / to.meters_per_voxel(a));
-    }
-    frame.offset_z = static_cast<float>(-to.base_m / to.meters_per_voxel(2));
-    return frame;
+inline PointFrame frame_of(const CloudMedium& from, const CloudMarch& march) {
+    return frame_from({from.meters_per_voxel(0), from.meters_per_voxel(1), from.meters_per_voxel(2)},
+                      from.base_m, march);
 }
 
 // Marches towards the sun, one in each lane; a lane that has ended takes the next point. The optical
@@ -104,16 +106,18 @@ class SunMarches {
     void begin(std::size_t lane, std::size_t point) {
         const float tile_x = frame_.in_tile ? 0.0F : points_.tile_x[point];
         const float tile_y = frame_.in_tile ? 0.0F : points_.tile_y[point];
-        lanes_.x[lane] = (tile_x + points_.x[point]) * frame_.scale[0];
-        lanes_.y[lane] = (tile_y + points_.y[point]) * frame_.scale[1];
-        lanes_.z[lane] = points_.z[point] * frame_.scale[2] + frame_.offset_z;
+        const auto& climb = march_.light_direction;
+        lanes_.x[lane] = (tile_x + points_.x[point]) * frame_.scale[0] + frame_.begin_m * climb[0];
+        lanes_.y[lane] = (tile_y + points_.y[point]) * frame_.scale[1] + frame_.begin_m * climb[1];
+        lanes_.z[lane] =
+            points_.z[point] * frame_.scale[2] + frame_.offset_z + frame_.begin_m * climb[2];
         lanes_.jitter[lane] = points_.jitter[point];
         const float first = frame_.enters ? first_within(lane) : 0.0F;
         if (first < 0) return;
         lanes_.point[lane] = point;
         lanes_.tau[lane] = frame_.enters ? 0 : depth_before_first(lane, points_.extinction[point]);
         lanes_.k[lane] = first;
-        lanes_.end[lane] = first + march_.light_samples;
+        lanes_.end[lane] = first + frame_.samples;
         lanes_.was_empty[lane] = frame_.enters ? 1.0F : 0.0F;
     }
 

@@ -181,7 +181,7 @@ FramedScene framed_scene(const std::vector<const CloudMedium*>& media, const Sun
         const double to_horizon =
             std::min(height_m / sine_of_degrees(kEndElevation), farthest_reach_m(*medium));
         scene.layers.push_back({medium, settings.step_m, settings.light_step_m,
-                                std::max(settings.reach_m, to_horizon), true});
+                                std::max(settings.reach_m, to_horizon), true, kLightGrowth});
         if (lowest != nullptr && lowest->base_m <= medium->base_m) continue;
         lowest = medium;
         scene.camera = settings.camera;

@@ -82,20 +82,21 @@ PixelState state_of(const float* texel, int channels) {
 }
 
 // Light that rises or falls evenly from pixel to pixel is right with one sample. So a pixel is compared
-// with the mean of the two beside it, from which it differs by half of a step's height.
+// with the mean of the two beside it, from which it differs by half of a step's height. Jitters of neighbours
+// differ by half a step, so thin cloud whose steps are too long stands out, too.
 bool stands_out(const PixelState& before, const PixelState& here, const PixelState& after) {
     constexpr float kEdge = 1.0F / 16;   // of transmittance
-    constexpr float kGrain = 1.0F / 16;  // of sunlight
-    const float mean = 0.5F * (before.sunlight + after.sunlight);
+    constexpr float kGrain = 1.0F / 32;  // of transmittance and of sunlight
+    const float sunlight = 0.5F * (before.sunlight + after.sunlight);
+    const float through = 0.5F * (before.transmittance + after.transmittance);
     return std::fabs(here.transmittance - before.transmittance) > kEdge ||
            std::fabs(here.transmittance - after.transmittance) > kEdge ||
-           std::fabs(here.sunlight - mean) > 0.5F * kGrain * std::max(here.sunlight, mean);
+           std::fabs(here.transmittance - through) > 0.5F * kGrain ||
+           std::fabs(here.sunlight - sunlight) > kGrain * std::max(here.sunlight, sunlight);
 }
 
-// Returns the pixels in which clouds are thin or end: light of the sky comes through, or the pixel
-// stands out from its neighbours.
-std::vector<PixelSample> thin_pixels(const Image2<float>& image) {
-    constexpr float kThin = 1.0F / 64;
+// Returns the pixels that stand out from their neighbours.
+std::vector<PixelSample> grainy_pixels(const Image2<float>& image) {
     const auto state = [&](int x, int y) {
         return state_of(
             image.texel(std::clamp(x, 0, image.width - 1), std::clamp(y, 0, image.height - 1)),
@@ -105,9 +106,7 @@ std::vector<PixelSample> thin_pixels(const Image2<float>& image) {
     for (int y = 0; y < image.height; ++y) {
         for (int x = 0; x < image.width; ++x) {
             const PixelState here = state(x, y);
-            const float through = here.transmittance;
-            if ((through > kThin && through < 1 - kThin) ||
-                stands_out(state(x - 1, y), here, state(x + 1, y)) ||
+            if (stands_out(state(x - 1, y), here, state(x + 1, y)) ||
                 stands_out(state(x, y - 1), here, state(x, y + 1))) {
                 pixels.push_back({x, y, 0});
             }
@@ -132,7 +131,7 @@ constexpr double kFirstShare = 0.35;
 void refine(const FrameMarch& march, Refinement refinement, int threads, Progress* progress,
             MarchedScene& scene) {
     const std::vector<PixelSample> pixels =
-        refinement == Refinement::all ? all_pixels(scene.results) : thin_pixels(scene.results);
+        refinement == Refinement::all ? all_pixels(scene.results) : grainy_pixels(scene.results);
     constexpr std::size_t others = kSamples - 1;
     constexpr std::size_t in_block = RayBlock::kCount / others;
     constexpr float weight = 1.0F / kSamples;
@@ -168,8 +167,46 @@ SceneMarch::SceneMarch(const std::vector<SceneLayer>& layers, const SunDirection
     for (const SceneLayer& layer : layers_) {
         diffuse_.push_back(diffuse_share(*layer.medium, 4, threads));
         marches_.push_back(march_of(layer, diffuse_.back(), sun, sunlit, leaping, threads));
+        if (sunlit && layer.light_growth > 1) {
+            add_far_light(layer, sun_march_length_m(*layer.medium, sun), threads, marches_.back());
+        }
     }
     for (std::size_t l = 0; l < layers_.size(); ++l) direct_.push_back(mean_direct(l));
+}
+
+void SceneMarch::add_far_light(const SceneLayer& layer, double length_m, int threads,
+                               CloudMarch& march) {
+    double begin_m = kNearLight * layer.light_step_m;
+    double step_m = layer.light_step_m;
+    if (begin_m >= length_m) return;
+    march.own_samples = kNearLight;
+    const CloudMedium* finer = layer.medium;
+    std::array<float, 3> direction = march.light_direction;
+    while (begin_m < length_m) {
+        step_m *= layer.light_growth;
+        std::array<int, 3> block{};
+        for (std::size_t a = 0; a < 3; ++a) {
+            const double voxels = step_m * std::fabs(double{direction[a]});
+            block[a] = std::clamp(static_cast<int>(voxels), 1, finer->volume.size[a]);
+        }
+        coarse_.push_back(coarse_medium(*finer, block, threads));
+        CloudMarch far;
+        far.medium = &coarse_.back();
+        for (std::size_t a = 0; a < 3; ++a) {
+            direction[a] = static_cast<float>(double{direction[a]} * finer->meters_per_voxel(a) /
+                                              far.medium->meters_per_voxel(a));
+        }
+        far.light_direction = direction;
+        finer = far.medium;
+        far.light_step_m = static_cast<float>(step_m);
+        far.light_samples = static_cast<float>(std::ceil(length_m / step_m));
+        far.own_begin_m = static_cast<float>(begin_m);
+        far.own_samples = static_cast<float>(
+            std::min(std::ceil((length_m - begin_m) / step_m), double{kNearLight}));
+        far.leaping = false;
+        begin_m += double{far.own_samples} * step_m;
+        march.far_light.push_back(std::move(far));
+    }
 }
 
 double SceneMarch::mean_direct(std::size_t layer) const {

@@ -5,11 +5,12 @@
 // of a ray are `step_m` apart in each layer, shifted for each pixel sample by interleaved gradient
 // noise (Jimenez, "Next Generation Post Processing in Call of Duty: Advanced Warfare", SIGGRAPH
 // 2014) in quarters (frame_march.cpp), which turns bands into fine grain. Samples towards the sun
-// are shifted by another noise. Where clouds are thin or end, the grain of one sample per pixel
+// are shifted by another noise. Where clouds have grain or edges, that of one sample per pixel
 // shows; there, a refined picture takes kSamples samples, whose shifts are evenly apart.
 #pragma once
 
 #include <array>
+#include <deque>
 #include <vector>
 
 #include "bakers/field/image.h"
@@ -28,12 +29,20 @@ struct SceneLayer {
     double reach_m = 1;                   // of rays from the camera
     // The layer fades to nothing from kFadeFrom of the reach on, and does not end at it.
     bool fades = false;
+    // Marches towards the sun from within the layer have kNearLight steps of light_step_m; then their steps are so
+    // many times longer, through means over boxes as long as the steps (coarse_medium), and after as many again so
+    // many times longer. 1: all steps are equal.
+    int light_growth = 1;
 };
+
+// Marches towards the sun of pictures for people.
+inline constexpr int kLightGrowth = 2;
+inline constexpr int kNearLight = 12;
 
 // The share of the reach from which on a layer fades.
 inline constexpr double kFadeFrom = 0.67;
 
-// The pixels that have kSamples samples and not one: those where clouds are thin or end, or all.
+// The pixels that have kSamples samples and not one: those with grain or edges of clouds, or all.
 enum class Refinement { none, thin, all };
 
 // The view that a picture shows, and the care that is taken with it.
@@ -83,11 +92,14 @@ class SceneMarch {
     double direct() const;
 
   private:
+    // Makes the parts of marches towards the sun, of which all together are `length_m` long, beyond the nearest.
+    void add_far_light(const SceneLayer& layer, double length_m, int threads, CloudMarch& march);
     double mean_direct(std::size_t layer) const;
 
     std::vector<SceneLayer> layers_;
     SunDirection sun_;
     std::vector<DiffuseShare> diffuse_;
+    std::deque<CloudMedium> coarse_;
     std::vector<CloudMarch> marches_;  // without origins
     std::vector<double> direct_;
 };

@@ -187,6 +187,26 @@ TEST(OpticalDepth, ZenithOfEarth) {
     for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(tau[c], expected[c], 1e-14);
 }
 
+// Rays that rise, that fall, and that turn at their lowest point between the distances.
+TEST(OpticalDepth, ManyDistancesHaveTheBitsOfEach) {
+    const Medium medium = test::preset_medium("earth_hillaire");
+    for (const double mu : {1.0, 0.2, 0.0, -0.02, -0.05}) {
+        const double length = distance_to_top_km(shell_of(medium), 20, 6380 * mu);
+        std::vector<double> distances;
+        for (const double share : {1e-8, 1e-3, 0.05, 0.2, 0.4, 0.7, 1.0}) {
+            distances.push_back(share * length);
+        }
+        std::vector<double> depths(distances.size() * 3);
+        optical_depth_along(medium, 20, mu, distances, depths.data());
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            const Spectrum wanted = optical_depth_along(medium, 20, mu, distances[i]);
+            for (std::size_t c = 0; c < 3; ++c) {
+                EXPECT_EQ(depths[c * distances.size() + i], wanted[c]) << mu << ' ' << distances[i];
+            }
+        }
+    }
+}
+
 TEST(OpticalDepth, SegmentsAddUp) {
     const Medium earth = test::preset_medium("earth_hillaire");
     for (const double mu : {1.0, 0.3, 0.0, -0.05, -0.1}) {

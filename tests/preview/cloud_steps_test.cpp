@@ -46,6 +46,29 @@ TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
     }
 }
 
+// Marches towards the sun whose steps grow add up the whole way through a homogeneous slab, as equal steps do.
+TEST(CloudSteps, GrowingStepsTowardsTheSunMissNothingOfASlab) {
+    const CloudMedium slab = medium_of({1000, 1000, 600}, 500, {20, 20, 12},
+                                       std::vector<float>(20 * 20 * 12, 1.0F), 2e-3);
+    const SceneFrame frame = frame_from({0, 0, 100}, 60, 16, 16);
+    for (const double elevation : {70.0, 40.0}) {
+        const auto light_with = [&](int growth) {
+            const Image2<float> seen =
+                SceneMarch({{&slab, 10, 10, 30000, false, growth}}, {elevation, 70}, true, true, 1)
+                    .march(frame, 1, nullptr)
+                    .results;
+            double sum = 0;
+            for (std::size_t i = 0; i < seen.texels.size(); i += 8) {
+                sum += double{seen.texels[i]} + seen.texels[i + 1];
+            }
+            return sum;
+        };
+        const double equal = light_with(1);
+        EXPECT_GT(equal, 0);
+        EXPECT_NEAR(light_with(kLightGrowth) / equal, 1, 0.02) << elevation;
+    }
+}
+
 // A field without edges, of cells of 1.2 km, in a layer 600 m high. Its voxels are as thin as those of altocumulus.
 CloudMedium rolling_layer() {
     constexpr std::array<int, 3> kSize = {64, 64, 16};
@@ -85,13 +108,14 @@ struct NamedPicture {
     std::int64_t fetches = 0;
 };
 // From below, under a sun at the side, of pixels as wide as those of 720 across 50 degrees.
-NamedPicture picture_with(const CloudMedium& layer, const MarchSteps& steps, double growth) {
+NamedPicture picture_with(const CloudMedium& layer, const MarchSteps& steps, double growth,
+                          int light_growth = 1) {
     SceneFrame frame = frame_from({300, 100, 200}, 9, 96, 64);
     frame.camera.horizontal_field_degrees = 6.7;
     frame.refinement = Refinement::all;
     frame.step_growth = growth;
     const SunDirection sun = {25, 150};
-    SceneRenderer renderer({{&layer, steps.step_m, steps.light_step_m, 40000, false}},
+    SceneRenderer renderer({{&layer, steps.step_m, steps.light_step_m, 40000, false, light_growth}},
                            {earth().medium, earth().tables}, sun, 1);
     const CloudView view = renderer.render(frame, 1);
     return {view.radiance, view.fetches.samples + view.fetches.light_samples};
@@ -119,12 +143,12 @@ TEST(CloudSteps, PicturesAreThoseOfShortEqualSteps) {
     const double exposure = 1.5 / brightest;
     const std::vector<double> wanted = shown(reference.radiance, exposure);
     const MarchSteps steps = picture_steps(layer, sun);
-    const NamedPicture made = picture_with(layer, steps, kStepGrowth);
+    const NamedPicture made = picture_with(layer, steps, kStepGrowth, kLightGrowth);
     EXPECT_LT(rms(shown(made.radiance, exposure), wanted), 1);
     EXPECT_LT(5 * made.fetches, reference.fetches);
     MarchSteps coarse = steps;
     coarse.step_m *= 6;
-    const NamedPicture too_coarse = picture_with(layer, coarse, kStepGrowth);
+    const NamedPicture too_coarse = picture_with(layer, coarse, kStepGrowth, kLightGrowth);
     EXPECT_GT(rms(shown(too_coarse.radiance, exposure), wanted), 1);
 }
 

@@ -70,20 +70,19 @@ struct OneSample {
     std::array<int, 2> within(int x, int y) const {
         return {std::clamp(x, 0, seen.width - 1), std::clamp(y, 0, seen.height - 1)};
     }
-    // Along a row or a column a neighbour's transmittance is a 16th away, or the sunlight a 32nd of the
-    // greater from the mean of both neighbours'.
+    // Along a row or a column a neighbour's transmittance is a 16th away, or the transmittance a 64th from the mean
+    // of both neighbours', or the sunlight a 32nd of the greater from theirs.
     bool stands_out(int x, int y, int dx, int dy) const {
         const auto [x0, y0] = within(x - dx, y - dy);
         const auto [x1, y1] = within(x + dx, y + dy);
         const double mean = (sunlight(x0, y0) + sunlight(x1, y1)) / 2;
         return std::fabs(through(x, y) - through(x0, y0)) > 1.0 / 16 ||
                std::fabs(through(x, y) - through(x1, y1)) > 1.0 / 16 ||
+               std::fabs(through(x, y) - (through(x0, y0) + through(x1, y1)) / 2) > 1.0 / 64 ||
                std::fabs(sunlight(x, y) - mean) > std::max(sunlight(x, y), mean) / 32;
     }
-    // A 64th of the light or more comes through and is held back, or the pixel stands out.
-    bool thin_or_ends(int x, int y) const {
-        return (through(x, y) > 1.0 / 64 && through(x, y) < 63.0 / 64) || stands_out(x, y, 1, 0) ||
-               stands_out(x, y, 0, 1);
+    bool stands_out(int x, int y) const {
+        return stands_out(x, y, 1, 0) || stands_out(x, y, 0, 1);
     }
 };
 
@@ -103,7 +102,7 @@ double refined_share(const CloudMedium& medium) {
     int differences = 0;
     for (int y = 0; y < one.height; ++y) {
         for (int x = 0; x < one.width; ++x) {
-            const bool needs = OneSample{one}.thin_or_ends(x, y);
+            const bool needs = OneSample{one}.stands_out(x, y);
             const float* wanted = (needs ? four : one).texel(x, y);
             EXPECT_TRUE(std::equal(wanted, wanted + one.channels, thin.results.texel(x, y)))
                 << x << " " << y;
@@ -116,12 +115,13 @@ double refined_share(const CloudMedium& medium) {
     return double(refined) / (one.width * one.height);
 }
 
-TEST(SceneRefinement, TakesFourSamplesWhereCloudsAreThinOrEnd) {
+TEST(SceneRefinement, TakesFourSamplesWhereOneShowsGrainOrEdges) {
     const double share = refined_share(clumps({1800, 1800, 500}, {18, 18, 5}, 0.35, 0.05));
     EXPECT_GT(share, 0.25);
     EXPECT_LT(share, 0.9);
-    // A veil without edges, through which nine tenths of the light come.
-    EXPECT_EQ(refined_share(clumps({1800, 1800, 500}, {1, 1, 1}, 1, 4e-4)), 1);
+    // A veil without edges, through which nine tenths of the light come, in steps that
+    // show hardly any grain.
+    EXPECT_LT(refined_share(clumps({1800, 1800, 500}, {1, 1, 1}, 1, 4e-4)), 0.2);
 }
 
 // The four samples of a pixel lie within it: their mean is between the least and the most that one sample

@@ -194,7 +194,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {.version = 12,
+    static const Baker<config::AerialPerspectiveBake> row = {.version = 13,
                                                              .bake = bake,
                                                              .estimate = estimate,
                                                              .needs = needs,

@@ -271,7 +271,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 12,
+    static const Baker<config::BrunetonBake> row = {.version = 13,
                                                     .bake = bake,
                                                     .estimate = estimate,
                                                     .needs = needs,

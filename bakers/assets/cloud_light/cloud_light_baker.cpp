@@ -180,7 +180,7 @@ void draft(CloudLightBake& asset, int) {
 }  // namespace
 
 const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
-    static const Baker<config::CloudLightBake> row = {.version = 6,
+    static const Baker<config::CloudLightBake> row = {.version = 7,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

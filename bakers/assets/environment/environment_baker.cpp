@@ -206,7 +206,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 13,
+    static const Baker<EnvironmentBake> row = {.version = 14,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,

@@ -113,7 +113,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 12,
+    static const Baker<config::IrradianceBake> row = {.version = 13,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

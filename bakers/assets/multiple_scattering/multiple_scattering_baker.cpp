@@ -228,7 +228,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 11,
+    static const Baker<config::MultipleScatteringBake> row = {.version = 12,
                                                               .bake = bake,
                                                               .estimate = estimate,
                                                               .needs = needs,

@@ -152,7 +152,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {.version = 13,
+    static const Baker<config::SkyViewBake> row = {.version = 14,
                                                    .bake = bake,
                                                    .estimate = estimate,
                                                    .needs = needs,

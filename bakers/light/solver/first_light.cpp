@@ -223,6 +223,7 @@ void FirstLightPass::add_cell(const Place& place, double edge_before_km, const S
             const Lanes height_before = Lanes::load(before + i);
             const LaneMask by_day =
                 (s >= Lanes(0.0)) & (height_before + Lanes(edge_before_km) >= Lanes(0.0));
+            const bool is_day = any(by_day);
             height.store(before + i);
             const LaneMask up_before = height_before >= Lanes(0.0);
             const bool cell = near && (any(up) || any(up_before));
@@ -248,7 +249,8 @@ void FirstLightPass::add_cell(const Place& place, double edge_before_km, const S
                     first = select(edge_inside, partial, first);
                     last = select(edge_inside, partial, last);
                 }
-                const Lanes bent = select(by_day, exponential_share(first, last), Lanes(1.0));
+                Lanes bent(1.0);
+                if (is_day) bent = select(by_day, exponential_share(first, last), bent);
                 for (std::size_t k = 0; k < layers_; ++k) {
                     if (!medium_.layers[k].scatters) continue;
                     double* sum = sums(j, k, c) + i;

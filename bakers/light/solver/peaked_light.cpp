@@ -85,10 +85,6 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     const ReadingLevels reading(medium.air, light.altitudes_km);
     LightField first(levels, settings.suns, settings.degree);
-    const auto fan_of = [&](int level, int nodes) {
-        return make_ray_fan(medium, reading.altitudes_km(), reading.index_of(level), nodes,
-                            settings.ray_tolerance);
-    };
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
     };
@@ -102,14 +98,20 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     });
     SteepSuns steep(light.steep);
     steep.follow(reading.read_light(light.light));
+    std::vector<RayFan> fans(static_cast<std::size_t>(levels));
+    parallel_for(levels, threads, [&](int level) {
+        if (is_cancelled(progress)) return;
+        fans[static_cast<std::size_t>(level)] = make_ray_fan(
+            medium, reading.altitudes_km(), reading.index_of(level),
+            zenith_nodes_of_last(settings.degree, settings.zenith_nodes), settings.ray_tolerance);
+    });
     LightField last = completed(light.light, first);
     for (int order = 0; order < kLastOrders; ++order) {
         LightField next(levels, settings.suns, settings.degree);
         const auto before = reading.blocks_of<float>(last, threads);
         parallel_for(levels, threads, [&](int level) {
             if (is_cancelled(progress)) return;
-            const RayFan fan =
-                fan_of(level, zenith_nodes_of_last(settings.degree, settings.zenith_nodes));
+            const RayFan& fan = fans[static_cast<std::size_t>(level)];
             apply_transport(make_level_transport<float>(medium, fan, settings.degree), light.suns,
                             steep, before, next.at(level, 0), irradiance_of(next, level));
         });

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,9 @@ namespace {
 constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
+// Each of so few orders is read by its own falls from sun to sun, for which no estimate is needed.
+constexpr int kFewOrders = 3;
+
 // Light between suns is read by the falls of an estimate. Where that is too dark, each order would make
 // more light of it than there is, so the estimate takes further orders until none lifts it this much.
 constexpr double kMostLift = 2;
@@ -78,6 +82,23 @@ double lift_by(const LightField& residual, LightField light) {
         if (before[i] > 0) most = std::max(most, after[i] / before[i]);
     }
     return most;
+}
+
+// Returns an estimate of the sum of all orders whose falls `next` may read light by, with its residual.
+// `follow` makes it read by those of an estimate.
+OrderSum estimated_sum(const LightField& first, LightField start, const NextOrder& next,
+                       const std::function<void(const LightField& estimate)>& follow,
+                       Progress* progress) {
+    OrderSum sum;
+    sum.light = std::move(start);
+    while (!is_cancelled(progress)) {
+        follow(sum.light);
+        sum.residual = residual_of(first, next, sum.light);
+        ++sum.applications;
+        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
+        add(sum.residual, sum.light);
+    }
+    return sum;
 }
 
 // Moments of a low degree depend on those of a higher one, up to so many times it.
@@ -120,32 +141,33 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
         apply_transports(transports, solved.suns, steep, reading.blocks_of<Number>(light, threads),
                          threads, image);
     };
+    const auto solved_by = [&](OrderSum sum) {
+        solved.light = std::move(sum.light);
+        solved.applications = sum.applications;
+        solved.left_out = sum.left_out;
+        return std::move(solved);
+    };
+    if (settings.orders > 0 && settings.orders <= kFewOrders) {
+        const auto by_own_falls = [&](const LightField& light, LightField& image) {
+            steep.follow(reading.read_light(light));
+            next(light, image);
+        };
+        return solved_by(sum_of_first_orders(first, by_own_falls, settings.orders, progress));
+    }
     CoarseOrders coarse(medium, solved, settings.zenith_nodes, settings.ray_tolerance, threads);
     const auto correct = [&](const LightField& residual, const LightScale& scale) {
         return coarse.sum_from(residual, scale, progress);
     };
-    OrderSum sum;
-    sum.light = correct(first, light_scale(first));
-    while (!is_cancelled(progress)) {
-        coarse.follow(sum.light);
-        steep.follow(reading.read_light(sum.light));
-        sum.residual = residual_of(first, next, sum.light);
-        ++sum.applications;
-        if (sum.applications == kMostLifts || lift_by(sum.residual, sum.light) < kMostLift) break;
-        add(sum.residual, sum.light);
-    }
+    const auto follow = [&](const LightField& estimate) {
+        coarse.follow(estimate);
+        steep.follow(reading.read_light(estimate));
+    };
+    OrderSum sum = estimated_sum(first, correct(first, light_scale(first)), next, follow, progress);
     if (settings.orders > 0) {
-        sum = sum_of_first_orders(first, next, settings.orders, progress);
-        solved.light = std::move(sum.light);
-        solved.applications = sum.applications;
-        return solved;
+        return solved_by(sum_of_first_orders(first, next, settings.orders, progress));
     }
-    sum = sum_of_orders(first, std::move(sum), next, correct,
-                        {settings.tolerance, settings.most_applications}, progress);
-    solved.light = std::move(sum.light);
-    solved.applications = sum.applications;
-    solved.left_out = sum.left_out;
-    return solved;
+    return solved_by(sum_of_orders(first, std::move(sum), next, correct,
+                                   {settings.tolerance, settings.most_applications}, progress));
 }
 
 SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings, int threads,

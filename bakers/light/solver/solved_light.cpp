@@ -1,6 +1,7 @@
 #include "bakers/light/solver/solved_light.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -10,24 +11,50 @@ namespace skybake {
 
 namespace {
 
+// Factors of the associated Legendre functions' recursions: by moment_index(l, m), of the function
+// before and of the one before that, and of the sectoral one of each order.
+struct RecursionFactors {
+    static constexpr int kDegree = 64;  // beyond that of any solution or of its reference
+    std::array<double, (kDegree + 1) * (kDegree + 2) / 2> last, before;
+    std::array<double, kDegree + 1> sectoral;
+};
+
+const RecursionFactors& recursion_factors() {
+    static const RecursionFactors factors = [] {
+        RecursionFactors made{};
+        for (int m = 0; m <= RecursionFactors::kDegree; ++m) {
+            made.sectoral[static_cast<std::size_t>(m)] =
+                m > 0 ? std::sqrt((2.0 * m + 1) / (2.0 * m)) : 1;
+            for (int l = m + 1; l <= RecursionFactors::kDegree; ++l) {
+                const auto lm = static_cast<std::size_t>(moment_index(l, m));
+                made.last[lm] = std::sqrt((4.0 * l * l - 1) / (1.0 * l * l - 1.0 * m * m));
+                made.before[lm] = std::sqrt(((l - 1.0) * (l - 1.0) - 1.0 * m * m) /
+                                            (4.0 * (l - 1.0) * (l - 1.0) - 1));
+            }
+        }
+        return made;
+    }();
+    return factors;
+}
+
 // `factor(m)` is the ratio of the sectoral functions of orders m and m - 1, without their norms.
 template <class Factor>
 void harmonics(int degree, double mu, const Factor& factor, double* values) {
     // Uses the associated Legendre functions' recursions that are stable for increasing l, with
     // norms (2 - delta_m0) (2 l + 1) / 4pi (l - m)! / (l + m)!.
+    assert(degree <= RecursionFactors::kDegree);
+    const RecursionFactors& factors = recursion_factors();
     double sectoral = std::sqrt(0.25 / std::numbers::pi);  // l = m, normed as for m = 0
     for (int m = 0; m <= degree; ++m) {
-        if (m > 0) sectoral *= factor(m) * std::sqrt((2.0 * m + 1) / (2.0 * m));
+        if (m > 0) sectoral *= factor(m) * factors.sectoral[static_cast<std::size_t>(m)];
         const double first = m > 0 ? std::numbers::sqrt2 * sectoral : sectoral;
         values[moment_index(m, m)] = first;
         double before = 0;
         double last = first;
         for (int l = m + 1; l <= degree; ++l) {
-            const double a = std::sqrt((4.0 * l * l - 1) / (1.0 * l * l - 1.0 * m * m));
-            const double b = std::sqrt(((l - 1.0) * (l - 1.0) - 1.0 * m * m) /
-                                       (4.0 * (l - 1.0) * (l - 1.0) - 1));
-            const double next = a * (mu * last - b * before);
-            values[moment_index(l, m)] = next;
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            const double next = factors.last[lm] * (mu * last - factors.before[lm] * before);
+            values[lm] = next;
             before = last;
             last = next;
         }

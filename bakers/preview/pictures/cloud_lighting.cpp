@@ -120,7 +120,7 @@ Refinement refinement_of(int width, int height) {
 std::string samples_text(const SceneFrame& frame, int refined_pixels) {
     if (frame.refinement == Refinement::all) return fmt::format("{} rays per pixel", kSamples);
     const double pixels = static_cast<double>(frame.width) * frame.height;
-    return fmt::format("one ray per pixel, and {} in the {:.0f} % of pixels with thin cloud",
+    return fmt::format("one ray per pixel, and {} in the {:.0f} % of pixels with grain or edges",
                        kSamples, 100 * refined_pixels / pixels);
 }
 

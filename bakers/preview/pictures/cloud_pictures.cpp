@@ -124,7 +124,7 @@ std::optional<double> known_exposure(const CloudPreviewInput& input, std::size_t
 
 // Returns the layer that is in all views.
 SceneLayer layer_of(const CloudMedium& medium, const std::vector<CloudViewSettings>& views) {
-    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0, false};
+    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0, false, kLightGrowth};
     for (const CloudViewSettings& view : views) {
         layer.reach_m = std::max(layer.reach_m, view.reach_m);
     }
