@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "config/fields/fields.h"
 #include "config/optics/aerosol_components.h"
@@ -12,20 +11,14 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
 using testing::find_layer;
 using testing::has_value;
-using testing::parse;
 using testing::valid;
-using Codes = std::vector<std::string>;
 
-// Seven lines, so that the first key below is on line 8.
 const std::string haze =
     "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n"
     "[atmosphere.layers.haze]\nprofile = 'exponential'\n"
     "scale_height = '2 km'\n";
-
-Codes faults(const std::string& text) { return codes_and_places(parse(haze + text).diagnostics); }
 
 Layer layer_of(const std::string& text) {
     const Recipe recipe = valid(haze + text);
@@ -65,8 +58,6 @@ TEST(AerosolDecoder, AmountsReplaceNumbers) {
     const Layer numbered = layer_of("aerosol = 'urban'\nnumber_density = '79000.75 /cm3'\n");
     EXPECT_FALSE(numbered.particles.extinction);
     EXPECT_NEAR(numbered.particles.kinds[0].number_density.per_cubic_meter, 14000e6, 1);
-    EXPECT_EQ(faults("aerosol = 'urban'\noptical_depth = 0.3\nvisibility = '9 km'\n"),
-              Codes{"E0109 10:1"});
 }
 
 TEST(AerosolDecoder, ComponentsAreOpacsOrTheRecipes) {
@@ -98,47 +89,10 @@ TEST(AerosolDecoder, TheirParametersAreARecipe) {
     }
 }
 
-TEST(AerosolDecoder, RefusesWhatCannotBe) {
-    EXPECT_EQ(faults("aerosol = 'continental_poluted'\n"), Codes{"E0104 8:11"});
-    EXPECT_EQ(faults("aerosol = 'urban'\nrelative_humidity = 1\n"), Codes{"E0110 9:21"});
-    EXPECT_EQ(faults("components = []\n"), Codes{"E0114 8:14"});
-    EXPECT_EQ(faults("components = [['soot', '0 /cm3']]\n"), Codes{"E0110 8:24"});
-    EXPECT_EQ(faults("components = [['soot', '-1 /cm3']]\n"), Codes{"E0110 8:24"});
-    EXPECT_EQ(faults("components = [['soot', '1 km']]\n"), Codes{"E0107 8:24"});
-    EXPECT_EQ(faults("components = [['soot']]\n"), Codes{"E0114 8:15"});
-    EXPECT_EQ(faults("components = [['soot', '1 /cm3'], ['soot', '2 /cm3']]\n"),
-              Codes{"E0114 8:35"});
-    EXPECT_EQ(faults("components = [['sout', '1 /cm3']]\n"), Codes{"E0140 8:16"});
-    EXPECT_EQ(faults("components = [['soot', '1 /cm3']]\naerosol = 'urban'\n"), Codes{"E0109 9:1"});
-    EXPECT_EQ(faults("aerosol = 'urban'\nscattering = '1e-5 /m'\n"), Codes{"E0139 9:14"});
-    EXPECT_EQ(faults("aerosol = 'urban'\nangstrom_exponent = 1\n"), Codes{"E0139 9:21"});
-    EXPECT_EQ(faults("aerosol = 'urban'\nphase = 'isotropic'\n"), Codes{"E0139 9:9"});
-    EXPECT_EQ(faults("relative_humidity = 0.5\n"), Codes{"E0139 8:21"});
-    EXPECT_EQ(faults("number_density = '1 /cm3'\n"), Codes{"E0139 8:18"});
-}
-
-TEST(AerosolDecoder, SpheresAreKnownAtSomeWavelengthsOnly) {
-    const auto outcome = parse("wavelengths = ['1 um']\n" + haze + "aerosol = 'urban'\n");
-    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 6:20"});
-    const std::string& message = outcome.diagnostics.front().message;
-    EXPECT_NE(message.find("from 350 nm to 900 nm"), std::string::npos) << message;
-    const std::string grit =
-        "phase = { mie = 'grit' }\nnumber_density = '1 /cm3'\n[particles.grit]\n"
-        "effective_radius = '1 um'\nmaterial = 'tabulated'\nindices = ";
-    EXPECT_EQ(faults(grit + "[['500 nm', 1.5, 0], ['700 nm', 1.5, 0]]\n"), Codes{"E0144 13:11"});
-    EXPECT_EQ(faults(grit + "[['700 nm', 1.5, 0], ['400 nm', 1.5, 0]]\n"), Codes{"E0114 13:32"});
-    EXPECT_EQ(faults(grit + "[['400 nm', 1.5], ['700 nm', 1.5, 0]]\n"), Codes{"E0114 13:12"});
-    EXPECT_EQ(faults(grit + "[['400 nm', 1.5, -0.1], ['700 nm', 1.5, 0]]\n"), Codes{"E0110 13:28"});
-    EXPECT_EQ(faults(grit + "[['400 nm', 1.5, 0.1], ['700 nm', 1.5, 0]]\n"
-                            "smallest_radius = '2 um'\nlargest_radius = '1 um'\n"),
-              Codes{"E0113 15:18"});
-}
-
 TEST(AerosolDecoder, ParticlesMayHaveAnOpticalDepth) {
     const std::string drops = "[particles.drops]\neffective_radius = '10 um'\n";
     const Layer layer = layer_of("phase = { mie = 'drops' }\noptical_depth = 0.4\n" + drops);
     EXPECT_NEAR(layer.particles.extinction->per_meter, 0.4 / 2000, 1e-15);
-    EXPECT_EQ(faults("phase = { mie = 'drops' }\n" + drops), Codes{"E0105 8:9"});
 }
 
 // A preset's haze made of a mixture instead: nothing of the preset's is left to contradict it, its

@@ -105,29 +105,5 @@ TEST(BakeDecoder, RefusesUnknownAssets) {
     EXPECT_EQ(diagnostics[2].code, "E0103");
 }
 
-TEST(BakeDecoder, NamesAreNamesOfFiles) {
-    for (const char* name : {"a/b", "..", "a b", "", "\u00b5"}) {
-        const auto diagnostics = parse(std::string("preset = 'vacuum'\n[bake.\"") + name +
-                                       "\"]\nasset = 'transmittance'\n")
-                                     .diagnostics;
-        ASSERT_EQ(diagnostics.size(), 1u) << name;
-        EXPECT_EQ(diagnostics[0].code, "E0117") << name;
-    }
-}
-
-TEST(BakeDecoder, ErrorBoundsHaveRanges) {
-    for (const char* text : {"max_error = 0", "max_error = '101 %'", "max_error = 1e-9"}) {
-        const auto diagnostics =
-            parse(std::string("preset = 'vacuum'\n[bake.transmittance]\n") + text).diagnostics;
-        ASSERT_EQ(diagnostics.size(), 1u) << text;
-        EXPECT_EQ(diagnostics[0].code, "E0110") << text;
-    }
-    EXPECT_EQ(parse("preset = 'vacuum'\n[bake.multiple_scattering]\nmethod = 'converged'\n"
-                    "max_texel_error = 0\n")
-                  .diagnostics[0]
-                  .code,
-              "E0110");
-}
-
 }  // namespace
 }  // namespace skybake::config

@@ -9,10 +9,7 @@ namespace {
 
 using testing::cloud_of;
 using testing::cloud_recipe;
-using testing::only_diagnostic;
 using testing::valid;
-
-Diagnostic fault(const std::string& keys) { return only_diagnostic(cloud_recipe(keys)); }
 
 using Pair = std::array<double, 2>;
 using Triple = std::array<int, 3>;
@@ -48,9 +45,6 @@ TEST(CloudDecoder, HasItsDefaults) {
 TEST(CloudDecoder, DensityIsFullWhereTheFileHoldsIt) {
     EXPECT_FALSE(cloud_of("").full_at);
     EXPECT_EQ(cloud_of("full_at = 0.2").full_at, 0.2);
-    EXPECT_EQ(only_diagnostic(cloud_recipe("full_at = 0")).code, "E0110");
-    EXPECT_EQ(only_diagnostic(cloud_recipe("full_at = 0.2\nthreshold_at = 'runtime'")).code,
-              "E0111");
 }
 
 TEST(CloudDecoder, ReadsEveryKey) {
@@ -81,65 +75,10 @@ TEST(CloudDecoder, ReadsEveryKey) {
     EXPECT_EQ(testing::to_string(scattered.scatter), "2 0 [0.02, 0.05] [1, 2] [0.2, 0.5]");
 }
 
-TEST(CloudDecoder, ValuesHaveRanges) {
-    for (const char* keys : {"noise_scale = 0",
-                             "noise_scale = [1, 1, 1025]",
-                             "detail = 'd'\nerosion = [0.96, 0.1]",
-                             "detail = 'd'\nerosion = [nan, 0.1]",
-                             "detail = 'd'\nwisp_height = 1.1",
-                             "base_altitude = '2e8 m'",
-                             "coverage = 1.01",
-                             "coverage = -0.1",
-                             "threshold = -1",
-                             "threshold = 2e6",
-                             "edge_softness = 1e-7",
-                             "edge_softness = -1",
-                             "edge_softness = inf",
-                             "extinction_scale = '-1 /m'",
-                             "extinction_scale = '2e6 /m'",
-                             "height_profile = { type = 'thesis', top_falloff = -1 }",
-                             "height_profile = { type = 'blended', cloud_type = 2 }",
-                             "height_profile = { type = 'tabulated', table = [[1.5, 1]] }",
-                             "height_profile = { type = 'tabulated', table = [[0.5, -2e6]] }",
-                             "scatter.count = -1",
-                             "scatter.count = 100001",
-                             "scatter.sigma = [0, 1]",
-                             "scatter.aspect = [0.5, 1]",
-                             "scatter.aspect = [1, 101]",
-                             "scatter.amplitude = [-1, 1]",
-                             "coverage_map = { file = '' }"}) {
-        EXPECT_EQ(fault(keys).code, "E0110") << keys;
-    }
-    EXPECT_EQ(only_diagnostic("[clouds.c]\nnoise = 'n'\nextent = ['0 m', '1 m', '1 m']\n"
-                              "[noise.n.channels.Y]\ntype = 'worley'\n")
-                  .code,
-              "E0110");
-    EXPECT_TRUE(
-        fault("edge_softness = 1e-7").label.starts_with("must be 0 or in [1e-06, 1000000]"));
-    EXPECT_EQ(fault("coverage_map = { file = '' }").message,
-              "`clouds.c.coverage_map.file` is empty");
-}
-
-TEST(CloudDecoder, TowersHaveRanges) {
-    const auto tower = [](const std::string& keys) {
-        return "[clouds.c.towers.big]\n" + keys + "\n";
-    };
-    const std::string whole = "center = [0, 0]\nsigma = [1, 1]\namplitude = 1\n";
-    EXPECT_EQ(cloud_of(tower(whole)).towers.at(0).name, "big");
-    EXPECT_EQ(fault(tower(whole + "correlation = 1")).code, "E0110");
-    EXPECT_EQ(fault(tower(whole + "correlation = -0.9999995")).code, "E0110");
-    EXPECT_EQ(fault(tower(whole + "rotation = 0.5")).code, "E0107");
-    EXPECT_EQ(fault(tower("center = [0, 16.1]\nsigma = [1, 1]\namplitude = 1")).code, "E0110");
-    EXPECT_EQ(fault(tower("center = [0, 0]\nsigma = [0, 1]\namplitude = 1")).code, "E0110");
-    EXPECT_EQ(fault(tower("center = [0, 0]\nsigma = [1, 17]\namplitude = 1")).code, "E0110");
-    EXPECT_EQ(fault(tower("center = [0, 0]\nsigma = [1, 1]\namplitude = -1")).code, "E0110");
-    EXPECT_EQ(fault(tower("center = [0]\nsigma = [1, 1]\namplitude = 1")).code, "E0108");
-    const Diagnostic missing = fault(tower("center = [0, 0]\nsigma = [1, 1]"));
-    EXPECT_EQ(missing.code, "E0105");
-    EXPECT_EQ(missing.message, "`clouds.c.towers.big.amplitude` is missing");
-    EXPECT_EQ(missing.where.line, 4);
-    EXPECT_EQ(fault("towers = [3]").message, "`clouds.c.towers.0` must be a table, not 3");
-    EXPECT_EQ(fault("towers = 3").code, "E0103");
+TEST(CloudDecoder, TowersHaveNames) {
+    const Cloud cloud =
+        cloud_of("[clouds.c.towers.big]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n");
+    EXPECT_EQ(cloud.towers.at(0).name, "big");
 }
 
 TEST(CloudDecoder, TowersMayBeDomes) {
@@ -157,97 +96,19 @@ TEST(CloudDecoder, TowersMayBeDomes) {
                           .towers.at(0);
     EXPECT_EQ(static_cast<const DomeShape&>(all), (DomeShape{0.5, {0.2, -1}, 7, {0.1, 0.2}}));
     EXPECT_EQ(all.seed, 9u);
-    EXPECT_EQ(fault(whole + "sigma = [0.1, 0.1]").code, "E0111");
-    EXPECT_EQ(fault(whole + "lean = [0, 11]").code, "E0110");
-    EXPECT_EQ(fault(whole + "widest = 1.1").code, "E0110");
-    EXPECT_EQ(fault(whole + "lobes = -1").code, "E0110");
-    EXPECT_EQ(fault("[[clouds.c.towers]]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n"
-                    "lobes = 3\n")
-                  .code,
-              "E0111");
-    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nsigma = [0.1, 0.2]\n").code, "E0111");
-    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['2 m', '1 m']\n").code, "E0113");
-    EXPECT_EQ(fault("[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['0 m', '0 m', '0 m']\n"
-                    "size = ['1e7 m', '1 km', '0.4 km']\namplitude = 1\n")
-                  .code,
-              "E0110");
-    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\nwidth = ['1 m', '1e7 m']\n").code,
-              "E0110");
-    EXPECT_EQ(fault("[clouds.c.scatter]\nshape = 'dome'\ncount = 100000\nlobes = 10\n").code,
-              "E0110");
     const TowerScatter scatter = cloud_of("scatter = { shape = 'dome', count = 2 }").scatter;
     EXPECT_EQ(scatter.width[1].meters, 900);
     EXPECT_EQ(scatter.slenderness, (Pair{0.6, 1}));
 }
 
-TEST(CloudDecoder, BoundsStandInOrder) {
-    const Diagnostic diagnostic = fault("scatter.sigma = [0.2, 0.1]");
-    EXPECT_EQ(diagnostic.code, "E0113");
-    EXPECT_EQ(diagnostic.where.line, 4);
+TEST(CloudDecoder, BoundsMayBeEqual) {
     EXPECT_EQ(cloud_of("scatter.sigma = [0.1, 0.1]").scatter.sigma, (Pair{0.1, 0.1}));
 }
 
-TEST(CloudDecoder, HeightTablesIncrease) {
-    const auto table = [](const std::string& rows) {
-        return fault("height_profile = { type = 'tabulated', table = " + rows + " }");
-    };
-    EXPECT_EQ(table("[]").code, "E0114");
-    EXPECT_EQ(table("[]").label, "give at least one [height, value] pair");
-    EXPECT_EQ(table("[[0.5, 1], [0.5, 2]]").code, "E0114");
-    EXPECT_EQ(table("[[0.5, 1], [0.5, 2]]").message,
-              "`clouds.c.height_profile.table` has heights that do not increase: 0.5 after 0.5");
-    EXPECT_EQ(table("[[0.5, 1], [0.6]]").code, "E0114");
-    EXPECT_EQ(table("3").code, "E0103");
-    EXPECT_EQ(cloud_of("height_profile = { type = 'tabulated', table = [[0.5, 1]] }")
-                  .height_profile.table.size(),
-              1u);
-    EXPECT_EQ(fault("height_profile = { type = 'tabulated' }").code, "E0105");
-}
-
-TEST(CloudDecoder, ItsNoisesAreThere) {
-    const Diagnostic slip = only_diagnostic(
-        "[clouds.c]\nnoise = 'wips'\nextent = ['1 m', '1 m', '1 m']\n"
-        "[noise.wisps.channels.Y]\ntype = 'worley'\n");
-    EXPECT_EQ(slip.code, "E0130");
-    EXPECT_EQ(slip.message, "`clouds.c.noise`: the recipe has no [noise.wips]");
-    EXPECT_EQ(slip.label, "did you mean `wisps`?");
-    EXPECT_EQ(slip.where.line, 2);
-    const Diagnostic detail = fault("detail = 'x'");
-    EXPECT_EQ(detail.code, "E0130");
-    EXPECT_EQ(detail.label, "this recipe has d, n");
-    const auto missing = testing::parse("[clouds.c]\n").diagnostics;
-    EXPECT_EQ(testing::codes_and_places(missing),
-              (std::vector<std::string>{"E0105 1:9", "E0105 1:9"}));
-}
-
-TEST(CloudDecoder, KeysOfErosionNeedADetail) {
-    for (const char* key : {"erosion = [0.1, 0.2]", "detail_scale = 2", "wisp_height = 0.2"}) {
-        const Diagnostic diagnostic = fault(key);
-        EXPECT_EQ(diagnostic.code, "E0111") << key;
-        EXPECT_EQ(diagnostic.where.line, 4);
-        EXPECT_EQ(fault(std::string("detail = ''\n") + key).code, "E0111") << key;
-    }
-    EXPECT_EQ(fault("erosion = [0.1, 0.2]").message,
-              "`clouds.c.erosion` belongs to clouds.c.detail, and there is none");
-    EXPECT_EQ(testing::parse(cloud_recipe("detail = 3\nerosion = [0.1, 0.2]")).diagnostics.size(),
-              1u)
-        << "a detail at fault passes for one";
+TEST(CloudDecoder, WithoutADetailNothingErodes) {
     EXPECT_EQ(cloud_of("detail = 'd'\nerosion = [0.1, 0.2]", {"clouds.c.detail=\"\""}).erosion,
               (Pair{0, 0}))
         << "to take the detail away takes its keys away";
-}
-
-TEST(CloudDecoder, AMapOfTypesNeedsABlend) {
-    const Diagnostic diagnostic =
-        fault("type_map = { file = 't.png' }\nheight_profile = { type = 'stratus' }");
-    EXPECT_EQ(diagnostic.code, "E0111");
-    EXPECT_EQ(diagnostic.where.line, 4);
-    EXPECT_EQ(diagnostic.label, "type = \"stratus\" comes from test.toml:5");
-    EXPECT_EQ(fault("type_map = { file = 't.png' }").label,
-              "type = \"cumulus\" comes from the default");
-    EXPECT_EQ(fault("coverage_map = {}").code, "E0105");
-    EXPECT_EQ(fault("coverage_map = 'a.png'").code, "E0103");
-    EXPECT_EQ(fault("height_profile = { cloud_type = 1 }").code, "E0111");
 }
 
 TEST(CloudDecoder, ScaledFrequenciesHaveARange) {
@@ -258,29 +119,12 @@ TEST(CloudDecoder, ScaledFrequenciesHaveARange) {
     EXPECT_EQ(valid(with_noise("noise_scale = [1, 1, 1024]", "frequency = 1024"))
                   .parameters.clouds.size(),
               1u);
-    const Diagnostic diagnostic =
-        only_diagnostic(with_noise("noise_scale = [1, 1, 1024]", "frequency = [1, 1, 1025]"));
-    EXPECT_EQ(diagnostic.code, "E0128");
-    EXPECT_EQ(diagnostic.where.line, 4);
-    EXPECT_EQ(diagnostic.message,
-              "`clouds.c.noise_scale` times frequency 1025 of noise `n` is 1049600");
     // Only the first channel goes into a density, all of them into channels = "noise".
     const std::string more =
         "[noise.n.channels.R]\ntype = 'worley'\nfrequency = 4\n[noise.n.channels.G]\n"
         "type = 'worley'\nfrequency = 4096\n[noise.n.channels.B]\ntype = 'worley'\n"
         "[clouds.c]\nnoise = 'n'\nnoise_scale = 1000\nextent = ['1 m', '1 m', '1 m']\n";
     EXPECT_EQ(valid(more).parameters.clouds.size(), 1u);
-    EXPECT_EQ(only_diagnostic(more + "channels = 'noise'\n").code, "E0128");
-}
-
-TEST(CloudDecoder, NamesAreBare) {
-    EXPECT_EQ(only_diagnostic("[clouds.'a b']\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n"
-                              "[noise.n.channels.Y]\ntype = 'worley'\n")
-                  .code,
-              "E0117");
-    EXPECT_EQ(only_diagnostic("clouds = 3\n[noise.n.channels.Y]\ntype = 'worley'\n").code, "E0103");
-    EXPECT_EQ(fault("nois_scale = 3").label, "did you mean `noise_scale`?");
-    EXPECT_EQ(fault("tower = 3").label, "did you mean `towers`?");
 }
 
 // Maps are looked for as includes are: beside the file that names them.

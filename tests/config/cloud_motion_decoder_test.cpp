@@ -11,8 +11,6 @@ namespace {
 
 using testing::cloud_of;
 using testing::cloud_recipe;
-using testing::only_diagnostic;
-using testing::parse;
 using testing::valid;
 
 const std::string tower = "[[clouds.c.towers]]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n";
@@ -34,25 +32,6 @@ TEST(TowerLife, IsNoneUnlessItIsGiven) {
     EXPECT_TRUE(towers_move(given));
 }
 
-TEST(TowerLife, FitsIntoTheLoop) {
-    const auto code = [](const std::string& cloud, const std::string& keys) {
-        return only_diagnostic(cloud_recipe(cloud + tower + keys)).code;
-    };
-    EXPECT_EQ(code("", "life = [0.4, 0.3, 0.3]\n"), "E0182") << "no loop";
-    EXPECT_EQ(code("period = 8\n", "life = [0.5, 0.3, 0.3]\n"), "E0182") << "longer than the loop";
-    EXPECT_EQ(code("period = 8\n", "life = [0, 0.3, 0.3]\n"), "E0182") << "appears at once";
-    EXPECT_EQ(code("period = 8\n", "life = [0.3, 0.3, 0]\n"), "E0182") << "vanishes at once";
-    EXPECT_EQ(code("period = 8\n", "life = [1.5, 0, 0.1]\n"), "E0110");
-    EXPECT_EQ(code("period = 8\n", "life = [nan, 0, 0.1]\n"), "E0110");
-    EXPECT_EQ(code("period = 8\n", "born = 0.5\n"), "E0111");
-    EXPECT_EQ(code("drift = [1, 0]\n", ""), "E0111");
-    EXPECT_EQ(code("period = 8\ndrift = [0.5, 0]\n", ""), "E0182") << "a standing tower";
-    EXPECT_TRUE(
-        parse(cloud_recipe("period = 8\ndrift = [0.5, 0]\n" + tower + "life = [0.1, 0.2, 0.7]\n"))
-            .diagnostics.empty())
-        << "0.1 + 0.2 + 0.7 is rounded";
-}
-
 // --- Frames -------------------------------------------------------------------------------------
 
 const std::string living = "period = 12\n" + tower + "life = [0.4, 0.3, 0.3]\n";
@@ -68,14 +47,6 @@ TEST(CloudFrames, MoveTheCloud) {
     EXPECT_EQ(at_frame(recipe.parameters, 1).clouds[0].time, 6);
     EXPECT_EQ(at_frame(recipe.parameters, 12).clouds[0].time, 17);
     EXPECT_EQ(at_frame(recipe.parameters, 0).clouds[0].time, 30);
-}
-
-TEST(CloudFrames, OfTowersThatStandAreAnError) {
-    EXPECT_EQ(only_diagnostic(frames_of(tower, "")).code, "E0174");
-    EXPECT_EQ(only_diagnostic(frames_of("period = 12\n" + tower, "")).code, "E0174");
-    const auto drifting = parse(frames_of("period = 5\ndrift = [1, 0]\n" + tower, ""));
-    ASSERT_EQ(drifting.diagnostics.size(), 1u);
-    EXPECT_EQ(drifting.diagnostics[0].code, "W0219") << "12 frames are no whole loops of 5";
 }
 
 // The middle of frame n and the next one is an odd frame of a loop of twice as many.
@@ -142,15 +113,6 @@ TEST(Flipbook, HoldsAllFrames) {
               (std::array<int, 3>{16, 32, 8}));
 }
 
-TEST(Flipbook, IsOfASequence) {
-    const auto code = [](const std::string& recipe) { return only_diagnostic(recipe).code; };
-    EXPECT_EQ(code(frames_of(living, "[bake.b]\nasset = 'flipbook'\nof = 'w'\n")), "E0133");
-    EXPECT_EQ(code(frames_of(living, "[bake.b]\nasset = 'flipbook'\nof = 'v_0001'\n")), "E0133");
-    EXPECT_EQ(code(frames_of(living, book + "slice = 8\n")), "E0110");
-    EXPECT_EQ(code(frames_of(living, book + "mips = 2\n")), "E0110");
-    EXPECT_EQ(code(frames_of(living, book + "length = 0\n")), "E0110");
-}
-
 // Levels of 16 x 32 texels: the number of frames adds none.
 TEST(Flipbook, HasLevelsOfLayers) {
     const auto of = [](const std::string& keys) {
@@ -163,11 +125,6 @@ TEST(Flipbook, HasLevelsOfLayers) {
     EXPECT_EQ(of("mips = 'all'\n").mips, 6);
     EXPECT_EQ(of("mips = 'all'\n").columns, 6) << "those of level 0, for the sheets of all levels";
     EXPECT_EQ(of("mips = 2\ncolumns = 4\n").columns, 4);
-    const auto code = [](const std::string& keys) {
-        return only_diagnostic(frames_of(living, book + keys)).code;
-    };
-    EXPECT_EQ(code("mapping = 'layers'\nmips = 7\n"), "E0110");
-    EXPECT_EQ(code("mapping = 'slices'\n"), "E0104");
 }
 
 }  // namespace

@@ -12,8 +12,7 @@
 
 namespace skybake::config::testing {
 
-// The cloud `c` of the noise `n` with these keys, which begin on line 4; noises `n`, of one
-// channel, and `d`, of three, stand below.
+// The cloud `c` of the noise `n` with these keys, and noises `n`, of one channel, and `d`, of three.
 inline std::string cloud_recipe(const std::string& keys) {
     return "[clouds.c]\nnoise = 'n'\nextent = ['1 km', '2 km', '500 m']\n" + keys +
            "\n[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 2\n"

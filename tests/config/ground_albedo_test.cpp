@@ -13,12 +13,9 @@
 namespace skybake::config {
 namespace {
 
-using testing::parse;
 using testing::valid;
 using testing::value_at;
-using Codes = std::vector<std::string>;
 
-// Four lines, the albedo on the fifth.
 std::string planet(const std::string& albedo, const std::string& wavelengths = "'best 4'") {
     return "wavelengths = " + wavelengths +
            "\n[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = " +
@@ -27,12 +24,6 @@ std::string planet(const std::string& albedo, const std::string& wavelengths = "
 
 Atmosphere air(const std::string& albedo, const std::string& wavelengths = "'best 4'") {
     return valid(planet(albedo, wavelengths)).parameters.atmosphere;
-}
-
-Diagnostic fault(const std::string& text) {
-    const auto diagnostics = parse(text).diagnostics;
-    EXPECT_EQ(diagnostics.size(), 1u);
-    return diagnostics.empty() ? Diagnostic{} : diagnostics.front();
 }
 
 constexpr Ground all_grounds[] = {Ground::vegetation, Ground::sand, Ground::snow, Ground::sea,
@@ -139,40 +130,6 @@ TEST(GroundAlbedo, ComesBackFromWhatFilesCarry) {
         EXPECT_EQ(air(value_at(recipe, "atmosphere.ground_albedo").canonical),
                   recipe.parameters.atmosphere);
     }
-}
-
-// A planet is not black unless its recipe says so.
-TEST(GroundAlbedo, MustBeGiven) {
-    const Diagnostic missing =
-        fault("[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\n");
-    EXPECT_EQ(missing.code, "E0105");
-    EXPECT_EQ(missing.message, "`atmosphere.ground_albedo` is missing");
-    EXPECT_NE(missing.label.find("the Earth's ground has 0.125"), std::string::npos)
-        << missing.label;
-}
-
-TEST(GroundAlbedo, SaysThatThreeIsMoreThanAllLight) {
-    const Diagnostic three = fault(planet("3"));
-    EXPECT_EQ(three.code, "E0110");
-    EXPECT_TRUE(
-        three.label.starts_with("3 is 300 %: write \"3 %\" for 3 per cent; must be in [0, 1]"))
-        << three.label;
-    EXPECT_TRUE(three.label.ends_with("1 is all light")) << three.label;
-}
-
-TEST(GroundAlbedo, FaultsAreTold) {
-    const Diagnostic unknown = fault(planet("'vegitation'"));
-    EXPECT_EQ(unknown.code, "E0104");
-    EXPECT_EQ(unknown.label, "did you mean `vegetation`?");
-    EXPECT_EQ(fault(planet("[['650 nm', 0.1], ['450 nm', 0.2]]")).code, "E0114");
-    EXPECT_EQ(fault(planet("[['650 nm', 0.1]]")).code, "E0114");
-    EXPECT_EQ(fault(planet("[['450 nm', 0.1, 0.2], ['650 nm', 0.1]]")).code, "E0114");
-    EXPECT_EQ(fault(planet("[['450 nm', 0.1], ['650 nm', 2]]")).code, "E0110");
-    EXPECT_EQ(fault(planet("[[450, 0.1], ['650 nm', 0.2]]")).code, "E0107");
-    EXPECT_EQ(fault(planet("['sand']")).code, "E0106");
-    EXPECT_EQ(fault(planet("''")).code, "E0106");
-    EXPECT_EQ(fault(planet("[]")).code, "E0108");
-    EXPECT_EQ(fault(planet("true")).code, "E0103");
 }
 
 }  // namespace

@@ -9,7 +9,6 @@ namespace {
 
 using testing::find_layer;
 using testing::has_value;
-using testing::parse;
 using testing::valid;
 using testing::value_at;
 
@@ -46,35 +45,6 @@ TEST(LayerDecoder, ShowsWhatExtinctionWasDerivedFrom) {
     EXPECT_FALSE(has_value(recipe, "atmosphere.layers.a.absorption"));
 }
 
-TEST(LayerDecoder, ExtinctionIsNeverBelowScattering) {
-    const auto diagnostics =
-        parse(head + "scattering = '3.996e-6 /m'\nextinction = ['4e-6 /m', '4e-7 /m', '4e-7 /m']")
-            .diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0112");
-    EXPECT_EQ(diagnostics[0].where.line, 8);
-    EXPECT_EQ(diagnostics[0].where.column, 26);
-    EXPECT_EQ(diagnostics[0].where.length, 9);
-    EXPECT_EQ(diagnostics[0].message,
-              "`atmosphere.layers.a.extinction` is below scattering in channel G: 4e-07 /m < "
-              "3.996e-06 /m");
-}
-
-TEST(LayerDecoder, DerivedExtinctionHasARangeToo) {
-    const auto diagnostics =
-        parse(head + "scattering = '1e6 /m'\nsingle_scattering_albedo = 1e-6").diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0110");
-}
-
-TEST(LayerDecoder, FaultyCoefficientsBringNoMoreErrors) {
-    EXPECT_EQ(parse(head + "scattering = '1 deg'\nextinction = '0 /m'").diagnostics.size(), 1u);
-    EXPECT_EQ(parse(head + "scattering = '1e-6 /m'\nabsorption = '1 deg'").diagnostics.size(), 1u);
-    EXPECT_EQ(parse(head + "scattering = ['1 /m', '2 /m']\nsingle_scattering_albedo = 0.5")
-                  .diagnostics.size(),
-              1u);
-}
-
 TEST(LayerDecoder, ReadsEveryProfile) {
     const Recipe recipe = valid(
         "preset = 'vacuum'\n"
@@ -103,39 +73,12 @@ TEST(LayerDecoder, ReadsEveryProfile) {
     EXPECT_EQ(table->g, -0.5);
 }
 
-TEST(LayerDecoder, SlabsHaveAThickness) {
-    const auto diagnostics = parse(
-                                 "preset = 'vacuum'\n[atmosphere.layers.s]\nprofile = 'slab'\n"
-                                 "bottom_altitude = '2 km'\ntop_altitude = '2 km'\n")
-                                 .diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0113");
-    EXPECT_EQ(diagnostics[0].where.line, 5);
-    EXPECT_EQ(diagnostics[0].label, "must be above 2000 m");
-}
-
 TEST(LayerDecoder, ASwitchedOffLayerIsDroppedButChecked) {
     const Recipe recipe =
         valid("preset = 'earth_hillaire'", {"atmosphere.layers.mie.enabled=false"});
     EXPECT_EQ(recipe.parameters.atmosphere.layers.size(), 2u);
     EXPECT_TRUE(has_value(recipe, "atmosphere.layers.mie.enabled"));
     EXPECT_FALSE(has_value(recipe, "atmosphere.layers.mie.g"));
-    // It needs no keys, but those it has are right.
-    EXPECT_TRUE(parse("preset = 'vacuum'\n[atmosphere.layers.x]\nenabled = false").value);
-    EXPECT_FALSE(parse("preset = 'vacuum'\n[atmosphere.layers.x]\nenabled = false\nq = 1").value);
-}
-
-TEST(LayerDecoder, WarnsOfAbsurdDepths) {
-    const Outcome<Recipe> outcome = parse(head + "scattering = ['1 /m', '0.1 /m', '1e-6 /m']");
-    EXPECT_TRUE(outcome.value);
-    ASSERT_EQ(outcome.diagnostics.size(), 1u);
-    EXPECT_EQ(outcome.diagnostics[0].code, "W0202");
-    EXPECT_EQ(outcome.diagnostics[0].severity, Severity::warning);
-    EXPECT_EQ(outcome.diagnostics[0].message,
-              "layer `atmosphere.layers.a` has a zenith optical depth of 1e+03 in channel R");
-    EXPECT_EQ(outcome.diagnostics[0].label, "is the unit right?");
-    EXPECT_EQ(outcome.diagnostics[0].where.line, 7);
-    EXPECT_EQ(outcome.diagnostics[0].where.column, 14);
 }
 
 TEST(LayerDecoder, NamesMayBeAnything) {

@@ -11,8 +11,6 @@ namespace {
 
 using testing::channel_of;
 using testing::channel_recipe;
-using testing::only_diagnostic;
-using testing::parse;
 using testing::valid;
 using testing::value_at;
 
@@ -55,16 +53,6 @@ TEST(NoiseDecoder, ReadsStepsAndClamps) {
     EXPECT_EQ(channel("clamp = [-0.5, 2]").clamp, (std::array<double, 2>{-0.5, 2}));
     EXPECT_EQ(channel("clamp = [1, 1]").clamp, (std::array<double, 2>{1, 1}));
     EXPECT_EQ(testing::to_string(channel("clamp = false")), testing::to_string(channel("")));
-    const auto code = [](const std::string& keys) {
-        return only_diagnostic(channel_recipe("type = 'worley'\n" + keys)).code;
-    };
-    EXPECT_EQ(code("smoothstep = [1.4, 0.8]"), "E0110");
-    EXPECT_EQ(code("smoothstep = [1, 1]"), "E0110");
-    EXPECT_EQ(code("smoothstep = [0, 1, 2]"), "E0108");
-    EXPECT_EQ(code("smoothstep = true"), "E0103");
-    EXPECT_EQ(code("clamp = [1, 0]"), "E0113");
-    EXPECT_EQ(code("clamp = [0, 1e7]"), "E0110");
-    EXPECT_EQ(code("clamp = 1"), "E0103");
 }
 
 TEST(NoiseDecoder, ReadsEveryKey) {
@@ -87,79 +75,6 @@ TEST(NoiseDecoder, ChannelsStandInTheOrderOfPictures) {
     for (const NoiseChannel& channel : recipe.parameters.noises.at(0).channels)
         names += channel.name;
     EXPECT_EQ(names, "RGBA");
-}
-
-TEST(NoiseDecoder, ChannelsMakeAPicture) {
-    for (const char* letters : {"Y", "R", "RGB", "RGBA"}) {
-        EXPECT_TRUE(parse(with_channels(letters)).value) << letters;
-    }
-    for (const char* letters : {"G", "B", "A", "RG", "RA", "RGA", "GBA", "YR", "RGBAY", "YA"}) {
-        const Diagnostic diagnostic = only_diagnostic(with_channels(letters));
-        EXPECT_EQ(diagnostic.code, "E0129") << letters;
-        EXPECT_GT(diagnostic.where.line, 2) << letters;
-    }
-    EXPECT_EQ(
-        only_diagnostic(with_channels("RG")).label,
-        "expected R, G, B; type = \"constant\" and value = 0 can stand in for the missing one");
-    EXPECT_EQ(only_diagnostic(with_channels("RG")).message, "[noise.n] has channels R, G");
-}
-
-TEST(NoiseDecoder, ANoiseHasChannels) {
-    for (const char* text : {"[noise.n]\nseed = 1\n", "[noise.n]\nchannels = {}\n"}) {
-        const Diagnostic diagnostic = only_diagnostic(text);
-        EXPECT_EQ(diagnostic.code, "E0129") << text;
-        EXPECT_EQ(diagnostic.message, "[noise.n] has no channels");
-        EXPECT_EQ(diagnostic.where.line, 1);
-    }
-}
-
-TEST(NoiseDecoder, UnknownNamesAreOneError) {
-    const Diagnostic channel = only_diagnostic("[noise.n.channels.r]\ntype = 'perlin'\n");
-    EXPECT_EQ(channel.code, "E0102");
-    EXPECT_EQ(channel.label, "a noise has the channels R, G, B and A, or Y alone");
-    const Diagnostic type =
-        only_diagnostic(channel_recipe("type = 'perlin_worly'\nfractal = 'fbm'"));
-    EXPECT_EQ(type.code, "E0104");
-    EXPECT_EQ(type.label, "did you mean `perlin_worley`?");
-    const Diagnostic key = only_diagnostic(channel_recipe("type = 'perlin'\noctave = 3"));
-    EXPECT_EQ(key.code, "E0102");
-    EXPECT_EQ(key.label, "did you mean `octaves`?");
-    EXPECT_EQ(only_diagnostic(channel_recipe("frequency = 3")).message,
-              "`noise.n.channels.Y.type` is missing");
-    EXPECT_EQ(
-        only_diagnostic("[noise.n]\nfrequency = 3\n[noise.n.channels.Y]\ntype = 'curl'\n").label,
-        "`frequency` belongs in [noise.*.channels.*]");
-}
-
-TEST(NoiseDecoder, KeysOfAnotherTypeAreRefused) {
-    for (const char* keys :
-         {"type = 'perlin'\nfeature = 'f1'", "type = 'worley'\nfractal = 'fbm'",
-          "type = 'worley'\nworley_gain = 1", "type = 'perlin'\ncomponent = 'x'",
-          "type = 'constant'\nvalue = 1\nfrequency = 3", "type = 'curl'\nvalue = 1"}) {
-        EXPECT_EQ(only_diagnostic(channel_recipe(keys)).code, "E0111") << keys;
-    }
-    EXPECT_EQ(only_diagnostic(channel_recipe("type = 'constant'")).code, "E0105");
-}
-
-TEST(NoiseDecoder, PackingsTakeTheirChannels) {
-    EXPECT_TRUE(parse(with_channels("RGBA", "pack = 'shape'")).value);
-    EXPECT_TRUE(parse(with_channels("RGB", "pack = 'detail'")).value);
-    EXPECT_EQ(only_diagnostic(with_channels("RGB", "pack = 'shape'")).code, "E0129");
-    const Diagnostic diagnostic = only_diagnostic(with_channels("RGBA", "pack = 'detail'"));
-    EXPECT_EQ(diagnostic.code, "E0129");
-    EXPECT_EQ(diagnostic.message,
-              "`noise.n.pack` packs channels R, G, B, but the noise has R, G, B, A");
-    EXPECT_EQ(diagnostic.where.line, 2);
-}
-
-TEST(NoiseDecoder, NamesAndTablesAreChecked) {
-    EXPECT_EQ(only_diagnostic("[noise.\"a b\".channels.Y]\ntype = 'perlin'\n").code, "E0117");
-    EXPECT_EQ(parse("noise = 3\npreset = 'vacuum'").diagnostics.at(0).code, "E0103");
-    EXPECT_EQ(only_diagnostic("[noise]\nn = 3\n").code, "E0103");
-    EXPECT_EQ(only_diagnostic("[noise.n]\nchannels = 3\n").code, "E0103");
-    EXPECT_EQ(only_diagnostic("[noise.n.channels]\nY = 3\n").code, "E0103");
-    EXPECT_EQ(only_diagnostic(with_channels("Y", "size = [0, 1, 1]")).code, "E0110");
-    EXPECT_EQ(only_diagnostic(with_channels("Y", "size = [1, 1]")).code, "E0108");
 }
 
 TEST(NoiseDecoder, ValuesKnowWhereTheyComeFrom) {

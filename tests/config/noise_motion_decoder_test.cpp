@@ -10,13 +10,9 @@ namespace skybake::config {
 namespace {
 
 using testing::channel_of;
-using testing::channel_recipe;
-using testing::only_diagnostic;
 using testing::parse;
 using testing::valid;
 using testing::volume_recipe;
-
-std::string code_of(const std::string& keys) { return only_diagnostic(channel_recipe(keys)).code; }
 
 TEST(NoiseWarp, IsNoneUnlessItHasAStrength) {
     const NoiseChannel plain = channel_of("type = 'alligator'");
@@ -40,13 +36,6 @@ TEST(NoiseWarp, OfCurlyAlligatorIsAQuarterOfACellByDefault) {
     EXPECT_EQ(channel_of("type = 'curly_alligator'\nwarp_strength = 0").warp_strength, 0);
 }
 
-TEST(NoiseWarp, KeysThatWouldHaveNoEffectAreErrors) {
-    EXPECT_EQ(code_of("type = 'worley'\nwarp_frequency = 3"), "E0111");
-    EXPECT_EQ(code_of("type = 'curl'\nwarp_strength = 1"), "E0111");
-    EXPECT_EQ(code_of("type = 'worley'\nwarp_strength = 17"), "E0110");
-    EXPECT_EQ(code_of("type = 'worley'\nwarp_strength = nan"), "E0110");
-}
-
 Noise noise_of(const std::string& keys) {
     return valid("[noise.n]\n" + keys + "\n[noise.n.channels.Y]\ntype = 'perlin'\n")
         .parameters.noises.at(0);
@@ -63,14 +52,6 @@ TEST(NoiseTime, IsNoneUnlessThereIsAPeriod) {
     EXPECT_EQ(given.time, -7);
     EXPECT_EQ(given.time_cells, 3);
     EXPECT_EQ(given.drift, (std::array<int, 3>{1, -2, 0}));
-    const auto code = [](const std::string& keys) {
-        return only_diagnostic("[noise.n]\n" + keys + "\n[noise.n.channels.Y]\ntype = 'perlin'\n")
-            .code;
-    };
-    EXPECT_EQ(code("time = 3"), "E0111");
-    EXPECT_EQ(code("drift = 1"), "E0111");
-    EXPECT_EQ(code("period = 0"), "E0110");
-    EXPECT_NE(code("period = 2.5"), "");
 }
 
 // --- Frames -------------------------------------------------------------------------------------
@@ -99,12 +80,6 @@ TEST(Frames, OfOneNumberAreOneAsset) {
     const Recipe recipe = valid(frames_recipe("frames = 12\nframe = 7", "period = 12"));
     ASSERT_EQ(recipe.parameters.bakes.size(), 1u);
     EXPECT_EQ(frame_of(recipe.parameters, recipe.parameters.bakes[0]), 7);
-}
-
-TEST(Frames, OfWhatStandsStillAreAnError) {
-    EXPECT_EQ(only_diagnostic(frames_recipe("frames = 12", "")).code, "E0174");
-    EXPECT_EQ(only_diagnostic(frames_recipe("frame = 1", "")).code, "E0174");
-    EXPECT_EQ(only_diagnostic(frames_recipe("frames = 0", "period = 4")).code, "E0110");
 }
 
 TEST(Frames, ThatAreNoWholeLoopsAreWarnedOf) {

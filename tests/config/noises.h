@@ -16,18 +16,10 @@ inline std::string channel_recipe(const std::string& keys) {
     return "[noise.n.channels.Y]\n" + keys + "\n";
 }
 
-// The same with a bake of these keys; the bake stands before the noise, so that line numbers of its
-// keys are those of `bake` plus 3.
+// The same with a bake of these keys.
 inline std::string volume_recipe(const std::string& bake, const std::string& channel) {
     return "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n" + bake + "\n" +
            channel_recipe(channel);
-}
-
-// The one diagnostic of a recipe; an empty one, and a failure, if there are none or several.
-inline Diagnostic only_diagnostic(const std::string& text) {
-    const auto diagnostics = parse(text).diagnostics;
-    EXPECT_EQ(diagnostics.size(), 1u) << text;
-    return diagnostics.empty() ? Diagnostic{} : diagnostics.front();
 }
 
 inline NoiseChannel channel_of(const std::string& keys) {

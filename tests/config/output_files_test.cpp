@@ -31,36 +31,12 @@ std::string environment(const std::string& name, const std::string& more) {
            "size = [16, 8]\nsun_elevation = '20 deg'\n" + more;
 }
 
-// Two files on one disk are one file on another.
-TEST(OutputFiles, DifferInMoreThanCapitals) {
-    EXPECT_EQ(told(table("Sun") + table("sun") + table("sUN")), (Told{"E0177 4", "E0177 6"}));
-    const auto outcome = parse("preset = 'earth_hillaire'\n" + table("Sun") + table("sun"));
-    EXPECT_EQ(outcome.diagnostics.at(0).message,
-              "[bake.sun] would write `sun.exr`, as [bake.Sun] does `Sun.exr`");
-    // Names of one word that give no file of one name are no mistake.
-    EXPECT_EQ(told(table("Sun") + table("sun", "formats = ['bin']\n")), Told());
-}
-
-// The lights of an environment are NAME.json.
-TEST(OutputFiles, LeaveTheManifestAlone) {
-    EXPECT_EQ(told(environment("manifest", "lights = true\n")), Told{"E0177 2"});
-    EXPECT_EQ(told(environment("Manifest", "lights = true\n")), Told{"E0177 2"});
-    EXPECT_EQ(told(environment("manifest", "")), Told());
-    EXPECT_EQ(told(environment("manifests", "lights = true\n")), Told());
-}
-
 std::string noise(const std::string& name, const std::string& more) {
     return "[bake." + name + "]\nasset = 'noise_volume'\nnoise = 'n'\nsize = [8, 8, 8]\n" + more;
 }
 
 const std::string a_noise =
     "[noise.n]\nperiod = 2\ndrift = [1, 0, 0]\n[noise.n.channels.Y]\ntype = 'worley'\nfrequency = 1\n";
-
-// Levels of detail and frames have names that follow from the asset's; a dot is in no asset's name.
-TEST(OutputFiles, OfFramesDifferFromThoseOfOtherAssets) {
-    EXPECT_EQ(told(a_noise + noise("c", "frames = 2\n") + noise("C_0002", "frame = 1\n")),
-              Told{"E0177 13"});
-}
 
 // 255 bytes are what file systems allow, whatever the files of an asset end with.
 TEST(OutputFiles, HaveAtMostTwoHundredAndFiftyFiveBytes) {
@@ -90,15 +66,6 @@ TEST(OutputFiles, OfTargetsAreCounted) {
     ASSERT_GT(ending, 4U) << "a target has files of its own";
     EXPECT_EQ(told(environment(std::string(255 - ending, 'n'), "target = 'three'\n")), Told());
     EXPECT_EQ(told(environment(std::string(256 - ending, 'n'), "target = 'three'\n")), Told{"E0178 2"});
-}
-
-TEST(OutputFiles, WarnOfDevicesOfWindows) {
-    for (const char* name : {"con", "CON", "prn", "aux", "Nul", "com1", "LPT9"}) {
-        EXPECT_EQ(told(table(name)), Told{"W0223 2"}) << name;
-    }
-    for (const char* name : {"cone", "com", "com0", "com10", "_con", "nul_"}) {
-        EXPECT_EQ(told(table(name)), Told()) << name;
-    }
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <vector>
 
 #include "config/assets/phase.h"
 #include "config/presets/presets.h"
@@ -13,20 +12,15 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
 using testing::find_layer;
 using testing::has_value;
-using testing::parse;
 using testing::valid;
 using testing::value_at;
-using Codes = std::vector<std::string>;
 
 const std::string fog =
     "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n[atmosphere.layers.fog]\n"
     "profile = 'slab'\nbottom_altitude = '0 m'\ntop_altitude = '200 m'\n"
     "number_density = '15 /cm3'\n";
-
-Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
 
 TEST(ParticleDecoder, EveryPresetIsParticles) {
     for (const Preset& preset : particle_presets()) {
@@ -59,12 +53,6 @@ TEST(ParticleDecoder, EachDistributionHasItsOwnKeys) {
             .parameters.particles.at(0);
     EXPECT_EQ(log_normal.radius.meters, 0.2e-6);
     EXPECT_EQ(log_normal.geometric_deviation, 2);
-    EXPECT_EQ(faults(vacuum), Codes{"E0105 2:12"});
-    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\nradius = '1 um'\n"), Codes{"E0111 4:1"});
-    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\neffective_variance = 0.5\n"),
-              Codes{"E0110 4:22"});
-    EXPECT_EQ(faults(vacuum + "effective_radius = '10 um'\nabsorption_index = 0.1\n"),
-              Codes{"E0111 4:1"});
 }
 
 TEST(ParticleDecoder, LayersOfParticlesAreNamedInTwoWays) {
@@ -111,14 +99,6 @@ TEST(ParticleDecoder, TheirParametersAreARecipe) {
     EXPECT_EQ(testing::all_parameters(valid(text)), text);
 }
 
-TEST(ParticleDecoder, RefusesWhatCannotBe) {
-    EXPECT_EQ(faults(fog + "phase = { mie = 'drips' }\n"), Codes{"E0140 9:17"});
-    EXPECT_EQ(faults(fog + "phase = { mie = 'drops', g = 0.8 }\n"), Codes{"E0103 9:9"});
-    EXPECT_EQ(faults(fog + "phase = 'rayleigh'\n"), Codes{"E0139 8:18"});
-    EXPECT_EQ(faults("wavelengths = '5 um'\npreset = 'vacuum'\n[particles.p]\npreset = 'fog'\n"),
-              Codes{"E0144 3:12"});
-}
-
 TEST(PhaseDecoder, NamesParticlesOrALayer) {
     const std::string bake = fog + "phase = 'mie'\nparticles = 'drops'\n[bake.phase]\n";
     const Recipe recipe = valid(bake + "particles = 'drops'\n");
@@ -126,11 +106,6 @@ TEST(PhaseDecoder, NamesParticlesOrALayer) {
     EXPECT_EQ(phase.particles, "drops");
     EXPECT_EQ(phase.size, 1024);
     EXPECT_EQ(phase.spacing, PhaseSpacing::best);
-    EXPECT_TRUE(parse(bake + "layer = 'mie'\n").value);
-    EXPECT_EQ(faults(bake + "layer = 'drops'\n"), Codes{"E0138 12:9"});
-    EXPECT_EQ(faults(bake + "layer = 'mie'\nparticles = 'drops'\n"), Codes{"E0109 13:1"});
-    EXPECT_EQ(faults(bake + "layer = 'mie'\ncontent = 'inverse_cumulative'\nspacing = 'angle'\n"),
-              Codes{"E0111 14:1"});
 }
 
 }  // namespace

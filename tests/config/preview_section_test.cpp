@@ -10,11 +10,8 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
-using testing::parse;
 using testing::valid;
 using testing::value_at;
-using Codes = std::vector<std::string>;
 
 constexpr double degree = std::numbers::pi / 180;
 
@@ -37,8 +34,6 @@ cloud = "c"
 size = [16, 16, 8]
 [preview]
 )";
-
-Codes faults(const std::string& text) { return codes_and_places(parse(base + text).diagnostics); }
 
 TEST(PreviewSection, IsRead) {
     const Recipe recipe = valid(base + R"(size = [1920, 1080]
@@ -88,37 +83,6 @@ TEST(PreviewSection, TakesATimeAtAPlace) {
     EXPECT_EQ(preview->at, "2026-06-21 18:30 +02:00");
     EXPECT_DOUBLE_EQ(preview->latitude.value(), 47.4 * degree);
     EXPECT_DOUBLE_EQ(preview->longitude.value(), 8.5 * degree);
-    EXPECT_EQ(faults("at = '2026-06-31 18:30'\nlatitude = '1 deg'\nlongitude = '1 deg'"),
-              Codes{"E0110 18:6"});
-    EXPECT_EQ(faults("at = 2026-06-21T18:30:00\nlatitude = '1 deg'\nlongitude = '1 deg'"),
-              Codes{"E0103 18:6"});
-    EXPECT_EQ(faults("at = '2026-06-21 18:30'\nlatitude = '1 deg'"),
-              (Codes{"E0105 18:6", "E0105 19:12"}));
-    EXPECT_EQ(faults("longitude = '1 deg'"), Codes{"E0105 18:13"});
-    EXPECT_TRUE(faults("latitude = '1 deg'\nlongitude = '1 deg'").empty());
-    EXPECT_EQ(faults("latitude = '91 deg'\nlongitude = '1 deg'"), Codes{"E0110 18:12"});
-    EXPECT_EQ(faults("at = '2026-06-21 18:30'\nlatitude = '1 deg'\nlongitude = '1 deg'\n"
-                     "sun_azimuth = '5 deg'")
-                  .size(),
-              1U);
-}
-
-TEST(PreviewSection, ReportsMistakesInTheirPlace) {
-    EXPECT_EQ(faults("sice = [64, 64]"), Codes{"E0102 18:1"});
-    EXPECT_EQ(faults("size = [8, 64]"), Codes{"E0110 18:9"});
-    EXPECT_EQ(faults("tone_curve = 'filmic'"), Codes{"E0104 18:14"});
-    EXPECT_EQ(faults("[preview.camera]\nposition = ['1 km', '1 km', '-1 m']"),
-              Codes{"E0110 19:12"});
-    EXPECT_EQ(faults("[preview.camera]\nheading = 120"), Codes{"E0107 19:11"});
-    EXPECT_EQ(faults("[preview.camera]\nroll = '1 deg'"), Codes{"E0102 19:1"});
-    EXPECT_EQ(faults("camera = 1"), Codes{"E0103 18:10"});
-}
-
-// Whoever comments out a section of a bake can still bake the others.
-TEST(PreviewSection, MayHaveKeysThatNoPictureUses) {
-    EXPECT_TRUE(parse("preset = 'earth_hillaire'\n[bake.transmittance]\n[preview]\nglare = 'none'\n"
-                      "[preview.camera]\n")
-                    .diagnostics.empty());
 }
 
 // A cloud's preset brings its camera and its suns, which the recipe overrides key by key; two clouds

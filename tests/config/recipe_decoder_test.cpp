@@ -39,33 +39,6 @@ TEST(RecipeDecoder, ListsForThreeWavelengthsAreRefusedWithTwoWithoutATail) {
     for (const Diagnostic& diagnostic : diagnostics) EXPECT_EQ(diagnostic.code, "E0108");
 }
 
-TEST(RecipeDecoder, TheTopLiesAboveTheGround) {
-    const auto diagnostics =
-        parse(
-            "[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\nground_albedo = 0\n")
-            .diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0113");
-    EXPECT_EQ(diagnostics[0].where.line, 3);
-    EXPECT_EQ(diagnostics[0].where.column, 14);
-    EXPECT_EQ(diagnostics[0].message,
-              "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
-    EXPECT_EQ(diagnostics[0].label, "must be above \"6460 km\"");
-    EXPECT_EQ(
-        parse("[atmosphere]\nground_radius = '1 km'\ntop_radius = '1 km'\nground_albedo = 0\n")
-            .diagnostics[0]
-            .code,
-        "E0113");
-}
-
-TEST(RecipeDecoder, ARecipeWithoutAtmosphereSaysSo) {
-    const auto diagnostics = parse("").diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0105");
-    EXPECT_EQ(diagnostics[0].message, "the recipe has no [atmosphere]");
-    EXPECT_EQ(diagnostics[0].where.source, "test.toml");
-}
-
 // Noises and clouds need no sky; bakes of a sky do.
 TEST(RecipeDecoder, NoisesAndCloudsNeedNoAtmosphere) {
     const std::string noise = "[noise.n.channels.Y]\ntype = 'worley'\n";
@@ -78,10 +51,6 @@ TEST(RecipeDecoder, NoisesAndCloudsNeedNoAtmosphere) {
     }
     const std::string cloud = "[clouds.c]\nnoise = 'n'\nextent = ['1 m', '1 m', '1 m']\n";
     EXPECT_EQ(valid(noise + cloud).parameters.clouds.size(), 1u);
-    const auto diagnostics = parse(noise + volume + "[bake.transmittance]\n").diagnostics;
-    ASSERT_EQ(diagnostics.size(), 1u);
-    EXPECT_EQ(diagnostics[0].code, "E0105");
-    EXPECT_EQ(diagnostics[0].message, "the recipe has no [atmosphere]");
 }
 
 }  // namespace

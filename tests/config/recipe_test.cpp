@@ -1,11 +1,10 @@
-// Whole recipes: every diagnostic, the list of bad input, and what a pipeline relies on.
+// Whole recipes: files that are none, and what a pipeline relies on. cases/ holds what is said of mistakes.
 #include "config/recipe/recipe.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <locale>
-#include <set>
 
 #include "config/diagnostics/diagnostic_codes.h"
 #include "tests/config/recipes.h"
@@ -14,186 +13,9 @@ namespace skybake::config {
 namespace {
 
 using testing::all_parameters;
-using testing::codes_and_places;
 using testing::parse;
 using testing::TemporaryFolder;
 using testing::valid;
-
-// A recipe with one fault, and what is said about it.
-const std::string fog = "preset = \"vacuum\"\n[particles.fog]\npreset = \"fog\"\n";
-
-struct Fault {
-    std::string code;
-    std::string text;
-    int line;
-    int column;
-    int length;
-    std::string label;
-};
-
-const std::string vacuum = "preset = \"vacuum\"\n";
-const std::string layer =
-    vacuum + "[atmosphere.layers.a]\nprofile = \"exponential\"\nscale_height = \"8 km\"\n";
-
-const std::string shape =
-    "[noise.shape]\npreset = \"nubis_shape\"\n[bake.shape]\nasset = \"noise_volume\"\n"
-    "noise = \"shape\"\n";
-const std::string perlin = "[noise.n.channels.Y]\ntype = \"perlin\"\n";
-const std::string cloud =
-    perlin + "[clouds.c]\nnoise = \"n\"\n" + "extent = [\"1 km\", \"1 km\", \"1 km\"]\n";
-
-const std::vector<Fault> faults = {
-    {"E0100", vacuum + "# \xff", 2, 3, 1, "a recipe is TOML text: save it as UTF-8 in your editor"},
-    {"E0101", vacuum + "[atmosphere]\nground_radius = 8 km", 3, 19, 1,
-     "write a quantity with a unit in quotes: \"8 km\""},
-    {"E0102", vacuum + "include_ = []", 2, 1, 8, "did you mean `include`?"},
-    {"E0103", layer + "enabled = \"no\"", 5, 11, 4, "expected true or false"},
-    {"E0104", layer + "phase = \"raleigh\"", 5, 9, 9, "did you mean `rayleigh`?"},
-    {"E0105", layer + "phase = \"henyey_greenstein\"", 5, 9, 19,
-     "give a number without a unit; typical haze has 0.76"},
-    {"E0106", layer + "scattering = \"1 /Km\"", 5, 14, 7, "units are case sensitive: write `/km`"},
-    {"E0107", vacuum + "[atmosphere]\nground_radius = \"40 deg\"", 3, 17, 8,
-     "expected a length with a unit, such as \"8 km\""},
-    {"E0108", vacuum + "[atmosphere]\nground_albedo = [0.1, 0.2]", 3, 17, 10,
-     "expected one value, or 3: one per wavelength"},
-    {"E0109", layer + "extinction = \"1e-6 /m\"\nabsorption = \"0 /m\"", 6, 1, 10,
-     "`extinction` is given already (line 5): keep one"},
-    {"E0110", layer + "phase = \"cornette_shanks\"\ng = 1.2", 6, 5, 3,
-     "must be in (-1, 1); typical haze has 0.76"},
-    {"E0111", layer + "half_width = \"1 km\"", 5, 1, 10,
-     "profile = \"exponential\" comes from test.toml:3"},
-    {"E0112", layer + "scattering = \"2e-6 /m\"\nextinction = \"1e-6 /m\"", 6, 14, 9,
-     "extinction is scattering plus absorption; if this is absorption, name it `absorption`"},
-    {"E0113", vacuum + "[atmosphere]\ntop_radius = \"6000 km\"", 3, 14, 9,
-     "must be above \"6360 km\""},
-    {"E0114",
-     vacuum +
-         "[atmosphere.layers.a]\nprofile = \"tabulated\"\ntable = [[\"0 km\", 1], [\"0 km\", 2]]",
-     4, 23, 11, "each altitude must be above the one before"},
-    {"E0115", "preset = \"vacum\"", 1, 10, 7, "did you mean `vacuum`?"},
-    {"E0117", vacuum + "[bake.\"a/b\"]\nasset = \"transmittance\"", 2, 7, 5,
-     "use only letters, digits, `_` and `-`"},
-    {"E0118", vacuum + "[bake.multiple_scatering]", 2, 7, 18,
-     "did you mean `multiple_scattering`?"},
-    {"E0119", vacuum + "format = 2", 2, 10, 1, "must be 1"},
-    {"E0126", shape + "size = [10000, 10000, 10000]", 6, 8, 21,
-     "at most 68719476736 (2^36) voxels are allowed"},
-    {"E0128", perlin + "lacunarity = 16\noctaves = 6", 4, 11, 1,
-     "at most 1048576 cells per tile are allowed: use fewer octaves or a lower lacunarity"},
-    {"E0129", perlin + "[noise.n.channels.R]\ntype = \"perlin\"", 3, 19, 1,
-     "expected Y alone, R alone, R, G, B, or R, G, B, A"},
-    {"E0130", perlin + "[bake.n]\nasset = \"noise_volume\"\nnoise = \"m\"", 5, 9, 3,
-     "this recipe has n"},
-    {"E0131", shape + "pixel_type = \"unorm8\"", 6, 14, 8, "bin, png, dds, ktx2, npy, tga hold it"},
-    {"E0132", cloud + "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"d\"\nsize = [16, 16, 16]", 8,
-     9, 3, "this recipe has c"},
-    {"E0133", cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"o\"", 8, 6, 3,
-     "the recipe has no [bake.NAME] with asset = \"cloud_volume\""},
-    {"E0134",
-     cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\nchannel = \"R\"\n"
-             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
-     9, 11, 3, "channel is Y"},
-    {"E0135", perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 4, count = 3 }", 4, 18, 31,
-     "choose a count that divides the range from 1 to 4 into whole steps, or list the values"},
-    {"E0136",
-     perlin + "[sweep]\n\"noise.n.seed\" = [1, 2]\nzip = [\"noise.n.seed\", \"noise.n.pack\"]", 5,
-     7, 32, "zip takes paths that vary, each once, with as many values as the others"},
-    {"E0137",
-     perlin + "[sweep]\n\"noise.n.seed\" = { from = 1, to = 99999, count = 99999 }\n"
-              "\"noise.n.size\" = [[8, 8, 8], [4, 4, 4]]",
-     5, 1, 14, "at most 100000 are allowed"},
-    {"E0138",
-     "preset = \"earth_hillaire\"\n[bake.sky_view]\nsun_elevations = [\"30 deg\"]\n"
-     "orders = \"single\"\nlayers = [\"mei\"]",
-     5, 10, 7, "did you mean `mie`?"},
-    {"E0139",
-     fog + "[atmosphere.layers.fog]\nprofile = \"exponential\"\nscale_height = \"0.2 km\"\n"
-           "phase = { mie = \"fog\" }\nnumber_density = \"15 /cm3\"\nabsorption = \"1e-6 /m\"",
-     9, 14, 9, "phase = \"mie\" computes it from their number and size; leave it out"},
-    {"E0140", fog + "[bake.phase]\nparticles = \"frog\"", 5, 13, 6, "did you mean `fog`?"},
-    {"E0141", fog + "[bake.phase]\nsize = 64", 4, 7, 5, "name `particles` or a `layer`"},
-    {"E0142", vacuum + "[bake.bruneton]\nsize = [256, 128, 32]\nnu_size = 7", 3, 8, 14,
-     "it needs at least two sub-images, each of at least two texels"},
-    {"E0144", fog + "material = \"constant\"\nrefractive_index = 1", 5, 20, 1,
-     "give a refractive_index other than 1, or an absorption_index above 0"},
-    {"E0150",
-     cloud + "[bake.o]\nasset = \"occupancy\"\nof = \"v\"\ncell = 8\n"
-             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
-     9, 8, 1, "give `v` a size that 8 divides, or a `cell` that divides the size"},
-    {"E0171",
-     cloud +
-         "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"sky_visibility\"\npart = 2\n"
-         "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
-     10, 8, 1, "use at most 1"},
-    {"E0156",
-     perlin + "[bake.m]\nasset = \"weather_map\"\nnoise = \"n\"\ncovered = 0.2\nfull = 0.3", 7, 8,
-     3, "`full` is at most `covered`"},
-    {"E0175",
-     cloud + "[bake.d]\nasset = \"cloud_distance\"\nof = \"v\"\nrange = [\"10 m\", \"4 km\"]\n"
-             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [20, 20, 20]",
-     9, 9, 16, "begin it at or below 0 m, and end it above 0 m"},
-    {"E0176",
-     cloud + "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"sun_radiance\"\n"
-             "sun_elevations = [\"60 deg\", \"30 deg\"]\n"
-             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
-     10, 18, 20, "give one elevation, and bake an asset for each sun"},
-    {"E0189",
-     cloud + "[bake.l]\nasset = \"cloud_light\"\nof = \"v\"\ncontents = \"clear_sky_radiance\"\n"
-             "sun_elevations = \"60 deg\"\n"
-             "[bake.v]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 16]",
-     9, 12, 20, "give the recipe an atmosphere, for instance preset = \"earth\""},
-    {"E0160", vacuum + "[bake.transmittance]\ntarget = \"pbrt\"", 3, 10, 6,
-     "it loads cloud_volume, noise_volume"},
-    {"E0170",
-     "[volumes.smoke]\nfile = \"smoke.vdb\"\n[clouds.c]\nvolume = \"smok\"\n"
-     "extent = [\"1 km\", \"1 km\", \"1 km\"]",
-     4, 10, 6, "did you mean `smoke`?"},
-    {"E0172", vacuum + "[bake.environment]\nsun_elevation = \"9 deg\"\nlevel_content = \"ggx\"", 4,
-     17, 5, "give `mips`, for instance 6"},
-    {"E0182",
-     "[noise.n.channels.Y]\ntype = \"perlin\"\n[clouds.c]\nnoise = \"n\"\n"
-     "extent = [\"1 km\", \"1 km\", \"1 km\"]\nperiod = 8\n[[clouds.c.towers]]\n"
-     "center = [0, 0]\nsigma = [1, 1]\namplitude = 1\nlife = [0.5, 0.5, 0.5]",
-     11, 8, 15, "they add up to 1.5, and the tower is born again after 1; [0.4, 0.3, 0.3] is one"},
-    {"E0121", vacuum + "a = " + std::string(40, '['), 2, 37, 1, "at most 32 levels"},
-};
-
-TEST(Recipe, EveryFaultIsReportedWithItsPlace) {
-    for (const Fault& fault : faults) {
-        SCOPED_TRACE(fault.code);
-        const Outcome<Recipe> outcome = parse(fault.text);
-        EXPECT_FALSE(outcome.value);
-        ASSERT_EQ(outcome.diagnostics.size(), 1u);
-        const Diagnostic& diagnostic = outcome.diagnostics[0];
-        EXPECT_EQ(diagnostic.code, fault.code);
-        EXPECT_EQ(diagnostic.severity, Severity::error);
-        EXPECT_EQ(diagnostic.where.source, "test.toml");
-        EXPECT_EQ(diagnostic.where.line, fault.line);
-        EXPECT_EQ(diagnostic.where.column, fault.column);
-        EXPECT_EQ(diagnostic.where.length, fault.length);
-        EXPECT_EQ(diagnostic.label, fault.label);
-        EXPECT_FALSE(diagnostic.message.empty());
-        EXPECT_EQ(exit_code(outcome.diagnostics), 2);
-    }
-}
-
-// Codes that need files, settings or a thousand errors have tests of their own.
-TEST(Recipe, EveryCodeOfTheRecipeHasATest) {
-    std::set<std::string> tested = {"E0116", "E0120", "E0122", "E0123", "E0125"};
-    for (const Fault& fault : faults) tested.insert(fault.code);
-    tested.insert("E0124");  // said by `bake`, which alone needs something to bake
-    tested.insert("E0143");  // said by the baker
-    tested.insert("E0145");  // in spectral_air_test.cpp
-    tested.insert("E0147");  // in wavelengths_test.cpp
-    tested.insert("E0174");  // in noise_motion_decoder_test.cpp
-    tested.insert("E0177");  // in output_files_test.cpp
-    tested.insert("E0178");
-    for (const DiagnosticCode& code : diagnostic_codes()) {
-        if (code.code.starts_with("E01")) {
-            EXPECT_TRUE(tested.contains(std::string(code.code))) << code.code;
-        }
-    }
-}
 
 // `explain` shows for a code about noises and clouds a recipe that earns it, and one that does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
@@ -209,47 +31,6 @@ TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
         EXPECT_TRUE(right.value) << name;
         EXPECT_TRUE(right.diagnostics.empty()) << name;
     }
-}
-
-TEST(Recipe, AnswersInTheUsersUnits) {
-    const auto radii = parse(
-        "preset = 'vacuum'\n[atmosphere]\nground_radius = '6460 km'\ntop_radius = '6360 km'\n");
-    ASSERT_EQ(radii.diagnostics.size(), 1u);
-    EXPECT_EQ(radii.diagnostics[0].message,
-              "`atmosphere.top_radius` is not above ground_radius: \"6360 km\"");
-    EXPECT_EQ(radii.diagnostics[0].label, "must be above \"6460 km\"");
-    const auto label = [](const std::string& bake) {
-        return parse("preset = 'earth_hillaire'\n[bake.transmittance]\n" + bake)
-            .diagnostics.at(0)
-            .label;
-    };
-    EXPECT_TRUE(
-        label("max_error = 5").starts_with("5 is 500 %: write \"5 %\" for 5 per cent; must be in"));
-    EXPECT_TRUE(label("max_error = 500").starts_with("must be in"));
-    EXPECT_TRUE(label("max_error = '500 %'").starts_with("must be in"));
-    const auto comma = parse("preset = 'vacuum'\n[atmosphere]\ntop_radius = '6460,5 km'\n");
-    EXPECT_EQ(comma.diagnostics.at(0).label, "write a decimal point, not a comma");
-}
-
-TEST(Recipe, AllErrorsAreReportedInOneRun) {
-    const auto diagnostics = parse(
-                                 "preset = \"earth_hillaire\"\n"
-                                 "[atmosphere.layers.rayleigh]\n"
-                                 "scale_hieght = \"8 km\"\n"
-                                 "[atmosphere.layers.mie]\n"
-                                 "g = 1.2\n"
-                                 "[bake.transmittance]\n"
-                                 "size = [0, 1000000000]\n",
-                                 {"atmosphere.layers.ozone.center_altitude=40deg"})
-                                 .diagnostics;
-    EXPECT_EQ(codes_and_places(diagnostics),
-              (std::vector<std::string>{"E0102 3:1", "E0110 5:5", "E0110 7:9", "E0110 7:12",
-                                        "E0107 0:0"}));
-    EXPECT_EQ(diagnostics[1].message, "`atmosphere.layers.mie.g` is out of range: 1.2");
-    EXPECT_EQ(diagnostics[4].where.source, "--set `atmosphere.layers.ozone.center_altitude=40deg`");
-    EXPECT_EQ(
-        diagnostics[4].message,
-        "`atmosphere.layers.ozone.center_altitude`: expected a length with a unit, not an angle");
 }
 
 TEST(Recipe, AFileWithAByteOrderMarkIsFine) {

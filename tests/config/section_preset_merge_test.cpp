@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::only_diagnostic;
-using testing::parse;
 using testing::valid;
 
 Noise noise_of(const std::string& text, const std::vector<std::string>& settings = {}) {
@@ -50,30 +48,6 @@ TEST(SectionPresetMerge, EachNoiseHasItsOwn) {
     EXPECT_EQ(recipe.parameters.noises[2].channels.size(), 1u);
 }
 
-TEST(SectionPresetMerge, UnknownPresetsAreOneError) {
-    const Diagnostic slip = only_diagnostic(
-        "[noise.n]\npreset = 'nubis_shap'\n[noise.n.channels.G]\nseed = 1\n"
-        "[bake.n]\nasset = 'noise_volume'\nnoise = 'n'\n");
-    EXPECT_EQ(slip.code, "E0115");
-    EXPECT_EQ(slip.label, "did you mean `nubis_shape`?");
-    EXPECT_EQ(slip.where.line, 2);
-    EXPECT_EQ(
-        only_diagnostic("[noise.n]\npreset = 'zzzzzzzzz'\n").label,
-        "choose one of billows, fibres, nubis_detail, nubis_layer, nubis_shape, takram_detail, "
-        "takram_shape, "
-        "thesis");
-    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 3\n").code, "E0103");
-}
-
-TEST(SectionPresetMerge, PresetsOfTheOtherKindAreSentHome) {
-    EXPECT_EQ(
-        only_diagnostic("[noise.n]\npreset = 'earth_hillaire'\n").label,
-        "it is a preset of an atmosphere: write preset = \"earth_hillaire\" at the top level");
-    const Diagnostic diagnostic = only_diagnostic("preset = 'nubis_shape'\n");
-    EXPECT_EQ(diagnostic.code, "E0115");
-    EXPECT_EQ(diagnostic.label, "it is a preset of noises: name it below [noise.NAME]");
-}
-
 TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
     const std::string noises =
         "[noise.shape]\npreset = 'nubis_shape'\n[noise.detail]\npreset = 'nubis_detail'\n";
@@ -92,8 +66,6 @@ TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
     const Cloud plainer = cloud("preset = 'cumulus_congestus'\ndetail = ''\n");
     EXPECT_EQ(plainer.erosion[1], 0);
     EXPECT_EQ(plainer.extent[0].meters, plain.extent[0].meters);
-    EXPECT_EQ(only_diagnostic(noises + "[clouds.c]\npreset = 'cumulus_humulis'\n").label,
-              "did you mean `cumulus_humilis`?");
 }
 
 const std::string plain_cloud = "[clouds.c]\npreset = 'stratocumulus'\n";
@@ -164,43 +136,12 @@ TEST(SectionPresetMerge, NoisesOfTwoPresetsDoNotCollide) {
     EXPECT_EQ(seeded.parameters.noises.at(2).pack, NoisePacking::none);
 }
 
-TEST(SectionPresetMerge, AMissingNoiseSaysWhatToWrite) {
-    const Diagnostic own =
-        only_diagnostic("[clouds.c]\nnoise = 'shape'\nextent = ['1 km', '1 km', '1 km']\n");
-    EXPECT_EQ(own.code, "E0130");
-    EXPECT_EQ(own.message, "`clouds.c.noise`: the recipe has no [noise.shape]");
-    EXPECT_EQ(own.label, "add [noise.shape] with preset = \"nubis_shape\" and pack = \"shape\"");
-    const Diagnostic other = only_diagnostic(plain_cloud + "noise = 'wisps'\n");
-    EXPECT_EQ(other.code, "E0130");
-    EXPECT_EQ(other.message, "`clouds.c.noise`: the recipe has no [noise.wisps]");
-}
-
 // A noise and a cloud may start from presets of one name.
 TEST(SectionPresetMerge, KindsDoNotMixUp) {
     const Recipe recipe =
         valid("[noise.shape]\npreset = 'thesis'\n[clouds.shape]\npreset = 'thesis'\n");
     EXPECT_EQ(recipe.parameters.noises.at(0).channels.size(), 4u);
     EXPECT_EQ(recipe.parameters.clouds.at(0).towers.size(), 3u);
-    EXPECT_EQ(only_diagnostic("[noise.n]\npreset = 'stratus'\n").label,
-              "it is a preset of a cloud: name it below [clouds.NAME]");
-    EXPECT_EQ(only_diagnostic("[clouds.n]\npreset = 'nubis_shape'\n").label,
-              "it is a preset of a noise: name it below [noise.NAME]");
-    EXPECT_EQ(only_diagnostic("preset = 'stratus'\n").label,
-              "it is a preset of clouds: name it below [clouds.NAME]");
-}
-
-// Places of what the user adds to a preset are the user's.
-TEST(SectionPresetMerge, FaultsStandWhereTheUserMadeThem) {
-    const Diagnostic extra = only_diagnostic(
-        "[noise.n]\npreset = 'nubis_shape'\n[noise.n.channels.Y]\ntype = 'perlin'\n");
-    EXPECT_EQ(extra.code, "E0129");
-    EXPECT_EQ(extra.where.source, "test.toml");
-    EXPECT_EQ(extra.where.line, 3);
-    const Diagnostic gains =
-        only_diagnostic("[noise.n]\npreset = 'nubis_shape'\nchannels.G.octaves = 5\n");
-    EXPECT_EQ(gains.code, "E0108");
-    EXPECT_EQ(gains.where.source, "test.toml");
-    EXPECT_EQ(gains.where.line, 3);
 }
 
 }  // namespace

@@ -14,8 +14,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
-using testing::parse;
 using testing::valid;
 using testing::value_at;
 
@@ -23,10 +21,6 @@ constexpr double degree = std::numbers::pi / 180;
 using Codes = std::vector<std::string>;
 
 Recipe earth(const std::string& text) { return valid("preset = 'earth_hillaire'\n" + text); }
-
-Codes faults(const std::string& text) {
-    return codes_and_places(parse("preset = 'earth_hillaire'\n" + text).diagnostics);
-}
 
 template <class Asset>
 Asset only_bake(const Recipe& recipe) {
@@ -46,16 +40,6 @@ TEST(Scene, IsThereOnlyWhereTheRecipeSaysSo) {
     EXPECT_EQ(scene.view_distance.meters, 64000);
 }
 
-TEST(Scene, WantsItsBoundsInOrderAndInRange) {
-    EXPECT_EQ(faults("[scene]\naltitude = ['3 km', '0 km']"), Codes{"E0113 3:12"});
-    EXPECT_EQ(faults("[scene]\naltitude = ['-1 km', '0 km']"), Codes{"E0110 3:13"});
-    EXPECT_EQ(faults("[scene]\naltitude = '3 km'"), Codes{"E0103 3:12"});
-    EXPECT_EQ(faults("[scene]\nsun_elevation = ['-10 deg', '91 deg']"), Codes{"E0110 3:29"});
-    EXPECT_EQ(faults("[scene]\nsun_elevation = ['-10 deg']"), Codes{"E0108 3:17"});
-    EXPECT_EQ(faults("[scene]\nsun_elevation = ['-10 km', '90 deg']"), Codes{"E0107 3:18"});
-    EXPECT_EQ(faults("scene = 1"), Codes{"E0103 2:9"});
-}
-
 TEST(SkyView, TakesOneSunOrSeveral) {
     const auto one = only_bake<SkyViewBake>(earth("[bake.sky_view]\nsun_elevations = '30 deg'\n"));
     ASSERT_EQ(one.sun_elevations.size(), 1u);
@@ -66,8 +50,6 @@ TEST(SkyView, TakesOneSunOrSeveral) {
         earth("[bake.sky_view]\nsun_elevations = ['90 deg', '0 deg', '-90 deg']\n"));
     ASSERT_EQ(three.sun_elevations.size(), 3u);
     EXPECT_EQ(three.sun_elevations[2].radians, -std::numbers::pi / 2);
-    EXPECT_EQ(faults("[bake.sky_view]\nsun_elevations = []"), Codes{"E0108 3:18"});
-    EXPECT_EQ(faults("[bake.sky_view]\n"), Codes{"E0105 2:7"});
 }
 
 TEST(SkyView, LayersBelongToSingleScatteringAndAreThoseOfTheAtmosphere) {
@@ -75,16 +57,6 @@ TEST(SkyView, LayersBelongToSingleScatteringAndAreThoseOfTheAtmosphere) {
     const auto mie =
         only_bake<SkyViewBake>(earth(view + "orders = 'single'\nlayers = ['mie', 'ozone']\n"));
     EXPECT_EQ(mie.layers, (Codes{"mie", "ozone"}));
-    EXPECT_EQ(faults(view + "layers = ['mie']"), Codes{"E0111 4:1"});
-    EXPECT_EQ(faults(view + "orders = 'single'\nlayers = ['mei']"), Codes{"E0138 5:10"});
-    EXPECT_EQ(faults(view + "orders = 'single'\nlayers = ['mie', 'mie']"), Codes{"E0138 5:10"});
-    EXPECT_EQ(faults("[atmosphere.layers.mie]\nenabled = false\n" + view +
-                     "orders = 'single'\nlayers = ['mie']"),
-              Codes{"E0138 7:10"});
-    // Faults elsewhere are not reported twice.
-    EXPECT_EQ(
-        faults("[atmosphere.layers.mie]\ng = 2\n" + view + "orders = 'single'\nlayers = ['mie']"),
-        Codes{"E0110 3:5"});
 }
 
 TEST(AerialPerspective, TakesItsDistanceFromTheSceneUnlessItSaysOne) {
@@ -116,17 +88,6 @@ TEST(AerialPerspective, SlicesBeginWithTheAirInSpace) {
     EXPECT_EQ(own.slices_begin, SlicesBegin::camera);
     EXPECT_EQ(own.view_distance.meters, 64000);
     EXPECT_EQ(bake("altitude = '100 km'\n").slices_begin, SlicesBegin::camera);
-    EXPECT_EQ(faults("[bake.aerial_perspective]\nsun_elevation = '30 deg'\naltitude = '-430 m'"),
-              Codes{"E0110 4:12"});
-}
-
-TEST(AerialPerspective, NeedsChannelsThatMakeAPicture) {
-    const std::string grey = "preset = 'vacuum'\nwavelengths = '550 nm'\n";
-    const std::string volume = "[bake.aerial_perspective]\nsun_elevation = '30 deg'\n";
-    EXPECT_EQ(codes_and_places(parse(grey + volume).diagnostics), Codes{"E0129 3:7"});
-    EXPECT_TRUE(parse(grey + volume + "content = 'in_scatter'").value);
-    EXPECT_EQ(faults(volume + "fov = '180 deg'"), Codes{"E0110 4:7"});
-    EXPECT_EQ(faults(volume + "pixel_type = 'unorm8'"), Codes{"E0131 4:14"});
 }
 
 TEST(Irradiance, OrdersBelongToTheSkyAndLayersToSingleScattering) {
@@ -135,8 +96,6 @@ TEST(Irradiance, OrdersBelongToTheSkyAndLayersToSingleScattering) {
     const auto single = only_bake<IrradianceBake>(
         earth(table + "content = 'sky'\norders = 'single'\nlayers = 'mie'"));
     EXPECT_EQ(single.layers, Codes{"mie"});
-    EXPECT_EQ(faults(table + "orders = 'single'"), Codes{"E0111 3:1"});
-    EXPECT_EQ(faults(table + "layers = 'mie'"), Codes{"E0111 3:1"});
 }
 
 TEST(MultipleScattering, ContentBelongsToSolvedTablesAndDegreeToMoments) {
@@ -147,10 +106,6 @@ TEST(MultipleScattering, ContentBelongsToSolvedTablesAndDegreeToMoments) {
     EXPECT_EQ(moments.degree, 4);
     EXPECT_EQ(only_bake<MultipleScatteringBake>(earth(table)).content,
               MultipleScatteringContent::hillaire);
-    EXPECT_EQ(faults(table + "method = 'converged'\ncontent = 'moments'"), Codes{"E0111 4:1"});
-    EXPECT_EQ(faults(table + "max_texel_error = '1 %'"), Codes{"E0111 3:1"});
-    EXPECT_EQ(faults(table + "degree = 3"), Codes{"E0111 3:1"});
-    EXPECT_EQ(faults(table + "content = 'moments'\ndegree = 9"), Codes{"E0110 4:10"});
 }
 
 TEST(SkyAssets, CarryParametersThatAreARecipe) {

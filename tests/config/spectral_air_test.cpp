@@ -12,18 +12,12 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
 using testing::find_layer;
-using testing::parse;
 using testing::valid;
-using Codes = std::vector<std::string>;
 
-// Four lines, so that the first line of a layer is number 5.
 const std::string planet =
     "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n";
 const std::string exponential = "profile = 'exponential'\nscale_height = '8 km'\n";
-
-Codes faults(const std::string& text) { return codes_and_places(parse(planet + text).diagnostics); }
 
 std::vector<double> depths(const std::string& layer) {
     const Recipe recipe = valid(planet + "[atmosphere.layers.it]\n" + layer);
@@ -84,41 +78,6 @@ TEST(Aerosols, HazeOfAVisibilityAndTheAirTogetherObeyKoschmieder) {
     EXPECT_TRUE(testing::has_value(recipe, "atmosphere.layers.haze.single_scattering_albedo"));
 }
 
-TEST(Matter, ContradictionsAreFaults) {
-    const std::string ozone =
-        "[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n" + exponential;
-    EXPECT_EQ(faults(ozone), Codes{});
-    EXPECT_EQ(faults(ozone + "absorption = '1e-6 /m'\n"), Codes{"E0139 10:14"});
-    EXPECT_EQ(faults(ozone + "optical_depth = 0.1\n"), Codes{"E0139 10:17"});
-    EXPECT_EQ(faults(ozone + "pressure = '1 bar'\n"), Codes{"E0111 10:1"});
-    EXPECT_EQ(
-        faults("[atmosphere.layers.a]\noptical_depth = 0.1\nscattering = '1 /m'\n" + exponential),
-        Codes{"E0139 7:14"});
-    EXPECT_EQ(
-        faults("[atmosphere.layers.a]\noptical_depth = 0.1\nvisibility = '9 km'\n" + exponential)
-            .size(),
-        1u);
-    EXPECT_EQ(faults("[atmosphere.layers.a]\nscattering = '1e-6 /m'\nangstrom_exponent = 1\n" +
-                     exponential),
-              Codes{"E0139 7:21"});
-    EXPECT_EQ(faults("[atmosphere.layers.a]\nscattering = '1e-6 /m'\nprofile = 'standard'\n"),
-              Codes{"E0111 7:11"});
-    EXPECT_EQ(faults("[atmosphere.layers.a]\ngas = 'air'\nphase = 'isotropic'\n" + exponential),
-              Codes{"E0139 7:9"});
-}
-
-TEST(Matter, AGasIsKnownAtSomeWavelengthsOnly) {
-    const auto outcome =
-        parse("wavelengths = ['2 um']\n" + planet +
-              "[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n" + exponential);
-    EXPECT_EQ(codes_and_places(outcome.diagnostics), Codes{"E0145 6:20"});
-    const std::string& message = outcome.diagnostics.front().message;
-    EXPECT_NE(message.find("2000 nm"), std::string::npos) << message;
-    EXPECT_EQ(faults("[atmosphere.layers.o3]\ngas = 'ozone'\ncolumn = '300 DU'\n"
-                     "profile = 'slab'\nbottom_altitude = '150 km'\ntop_altitude = '160 km'\n"),
-              Codes{"E0145 5:20"});
-}
-
 // A transmittance is made from no phase function, so that its file does not carry it.
 TEST(Gas, ScattersByRayleighsLawWhereNothingIsSaid) {
     const std::string air =
@@ -129,7 +88,6 @@ TEST(Gas, ScattersByRayleighsLawWhereNothingIsSaid) {
     EXPECT_EQ(recipe.parameters.atmosphere.layers[0].phase, Phase::rayleigh);
     EXPECT_EQ(recipe.parameters.atmosphere,
               valid(planet + air + "phase = 'rayleigh'\n").parameters.atmosphere);
-    EXPECT_EQ(parse(planet + air + "phase = 'isotropic'\n").diagnostics.at(0).code, "E0139");
 }
 
 // --- At other wavelengths ------------------------------------------------------------------------

@@ -171,32 +171,6 @@ TEST(Sweep, SobolPointsCoverTheRangesWithoutACount) {
     for (const char* seed : {"1", "2", "3", "4"}) EXPECT_EQ(seeds.count(seed), 2u) << seed;
 }
 
-TEST(Sweep, UnknownPathsAreErrorsOfTheWhole) {
-    EXPECT_EQ(errors_of("'clouds.c.treshold' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'clouds.d.threshold' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'cloud.c.threshold' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'clouds.c' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'sweep.zip' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("'preview.exposure' = [1]\n"), (Strings{"E0102 2:1"}));
-    EXPECT_EQ(errors_of("clouds.c.threshold = [1]\n"), (Strings{"E0102 2:1"}));
-    const auto misspelt = parse("[sweep]\n'clouds.c.treshold' = [1]\n" + clouds).diagnostics;
-    EXPECT_EQ(misspelt.at(0).label, "did you mean `threshold`?");
-}
-
-TEST(Sweep, ValuesOfNoUseAreErrorsOfTheWhole) {
-    EXPECT_EQ(errors_of("'clouds.c.base_altitude' = ['1 km', '1 deg', 5]\n"),
-              (Strings{"E0107 2:37", "E0107 2:46"}));
-    EXPECT_EQ(errors_of("'clouds.c.threshold_at' = ['bake', 'later']\n"), (Strings{"E0104 2:36"}));
-    EXPECT_EQ(errors_of("'bake.v.size' = [16, 16, 8]\n").size(), 3u);
-    EXPECT_EQ(errors_of("'clouds.c.threshold' = 0.5\n"), (Strings{"E0103 2:24"}));
-    EXPECT_EQ(errors_of("'clouds.c.threshold' = []\n"), (Strings{"E0108 2:24"}));
-    EXPECT_EQ(errors_of("'clouds.c.threshold' = [1979-05-27]\n"), (Strings{"E0103 2:25"}));
-    EXPECT_EQ(errors_of("'bake.v.size' = [[16, 16, 8]]\n'bake.v.voxel_size' = ['1 m']\n"),
-              (Strings{"E0109 3:1"}));
-    EXPECT_EQ(errors_of("'noise.n.seed' = [1]\n'noise.\"n\".seed' = [2]\n").size(), 1u);
-}
-
 // Whether a value is in range depends on the variant, which fails alone.
 TEST(Sweep, ValuesOutOfRangeAreForTheVariants) {
     const TemporaryFolder folder;
@@ -210,45 +184,6 @@ TEST(Sweep, ValuesOutOfRangeAreForTheVariants) {
     ASSERT_EQ(second.diagnostics.size(), 1u);
     EXPECT_EQ(second.diagnostics[0].code, "E0110");
     EXPECT_EQ(second.diagnostics[0].where.source, "--vary `clouds.c.coverage=1.5`");
-}
-
-TEST(Sweep, BadRangesAreErrorsOfTheWhole) {
-    const auto range = [](const std::string& path, const std::string& text) {
-        return errors_of("'" + path + "' = { " + text + " }\n");
-    };
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1").size(), 1u);
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, count = 3"), (Strings{"E0105 2:1"}));
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, cuont = 3"), (Strings{"E0102 2:43"}));
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 1"), (Strings{"E0110 2:51"}));
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 2e9").size(), 1u);
-    EXPECT_EQ(range("clouds.c.coverage", "from = 1, to = 1, count = 2"), (Strings{"E0135 2:40"}));
-    EXPECT_EQ(range("clouds.c.coverage", "from = nan, to = 1, count = 2").size(), 1u);
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = nan, count = 2").size(), 1u);
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1e300, count = 2").size(), 1u);
-    EXPECT_EQ(range("clouds.c.coverage", "from = 0, to = 1, count = 3, scale = 'log'"),
-              (Strings{"E0135 2:32"}));
-    EXPECT_EQ(range("clouds.c.base_altitude", "from = '1 km', to = '2 deg', count = 2"),
-              (Strings{"E0107 2:50"}));
-    EXPECT_EQ(range("noise.n.seed", "from = 1, to = 4, count = 3"), (Strings{"E0135 2:18"}));
-    EXPECT_EQ(range("bake.v.size", "from = 1, to = 4, count = 3"), (Strings{"E0135 2:1"}));
-    EXPECT_EQ(range("clouds.c.threshold_at", "from = 1, to = 4, count = 3").size(), 1u);
-}
-
-TEST(Sweep, WhatCannotWalkTogetherIsRefused) {
-    const std::string two = "'noise.n.seed' = [1, 2]\n'clouds.c.coverage' = [0.1, 0.2, 0.3]\n";
-    EXPECT_EQ(errors_of(two + "zip = ['noise.n.seed', 'clouds.c.coverage']\n"),
-              (Strings{"E0136 4:7"}));
-    EXPECT_EQ(errors_of(two + "zip = ['noise.n.seed', 'clouds.c.threshold']\n"),
-              (Strings{"E0136 4:7"}));
-    EXPECT_EQ(errors_of(two + "zip = [['noise.n.seed'], ['noise.n.seed']]\n"),
-              (Strings{"E0136 4:7"}));
-    EXPECT_EQ(errors_of(two + "zip = 3\n"), (Strings{"E0103 4:7"}));
-    EXPECT_EQ(errors_of(two + "sobol = 4\n"), (Strings{"E0135 4:1"}));
-    EXPECT_EQ(errors_of("'noise.n.seed' = { from = 1, to = 2 }\nsobol = 0\n"),
-              (Strings{"E0110 3:9"}));
-    EXPECT_EQ(errors_of("'noise.n.seed' = { from = 1, to = 2 }\n'clouds.c.coverage' = [1, 2]\n"
-                        "sobol = 2\nzip = ['noise.n.seed', 'clouds.c.coverage']\n"),
-              (Strings{"E0136 5:7"}));
 }
 
 TEST(Sweep, TooManyVariantsAreRefusedBeforeTheyAreMade) {

@@ -57,17 +57,6 @@ TEST(ParticlesPerVolume, AreRatiosBesideAColumn) {
     EXPECT_NEAR(depth_of(particles), depth_of(ratios), 1e-12);
 }
 
-TEST(ParticlesPerVolume, AreRefusedWhereNoAmountIsGiven) {
-    const Diagnostic found = testing::only_diagnostic(
-        "wavelengths = ['600 nm']\n[atmosphere]\nground_albedo = 0\nground_radius = '6360 km'\n"
-        "top_radius = '6460 km'\n[atmosphere.layers.haze]\nscattering = '1e-6 /m'\n"
-        "profile = 'tabulated'\ntable = [['0 km', 1], ['22 km', 4.8e12]]\n"
-        "[bake.t]\nasset = 'transmittance'\n");
-    EXPECT_EQ(found.code, "E0110");
-    EXPECT_EQ(found.where.line, 9);
-    EXPECT_EQ(found.where.column, 23);
-}
-
 TEST(TableFile, OfLibRadtranIsReadByTheNameOfAColumn) {
     const TemporaryFolder folder;
     folder.write("afglus.dat", afgl);

@@ -14,10 +14,8 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
 using testing::parse;
 using testing::valid;
-using testing::valid_with_warnings;
 using testing::value_at;
 using Codes = std::vector<std::string>;
 
@@ -99,26 +97,6 @@ TEST(Targets, AreAllOnTheirPage) {
     }
 }
 
-// Light of other wavelengths than the program's textures hold is an error, with a way out.
-TEST(Targets, RefuseLightOfOtherChannels) {
-    const auto errors = [](const std::string& head, const std::string& keys) {
-        return parse(head + "[bake.a]\nasset = 'bruneton'\n" + keys).diagnostics;
-    };
-    const std::string four = "preset = 'earth'\nwavelengths = 'best 4'\n[color]\nspace = 'none'\n";
-    const std::string three = "preset = 'earth_hillaire'\n";
-    EXPECT_EQ(codes_and_places(errors(three, "target = 'cosmoscout'\n")), Codes{});
-    EXPECT_EQ(codes_and_places(errors(four, "target = 'stellarium'\n")), Codes{});
-    const auto many = errors(four, "target = 'cosmoscout'\n");
-    ASSERT_EQ(codes_and_places(many), (Codes{"E0160 7:10"}));
-    EXPECT_EQ(many[0].message,
-              "[bake.a]: cosmoscout loads light of 3 channels, and this recipe has 4");
-    const auto few = errors(three, "target = 'stellarium'\n");
-    ASSERT_EQ(codes_and_places(few), (Codes{"E0160 4:10"}));
-    EXPECT_EQ(few[0].label, "give `wavelengths` in multiples of four, and no [color]");
-    const auto combined = errors(three, "target = 'cosmoscout'\ncombined = true\n");
-    ASSERT_EQ(codes_and_places(combined), (Codes{"E0160 5:12"}));
-}
-
 // CalcMySky's axis of the sun follows from the planet.
 TEST(Targets, StellariumHasTheSunsAxisOfCalcMySky) {
     const std::string head =
@@ -129,8 +107,6 @@ TEST(Targets, StellariumHasTheSunsAxisOfCalcMySky) {
     const auto& bake = recipe.parameters.bakes[1].as<BrunetonBake>();
     EXPECT_NEAR(bake.sun_cos_zenith_min, -6371.0 / (2 * 6471), 1e-12);
     EXPECT_EQ(bake.formats, std::vector{FileFormat::f32});
-    EXPECT_EQ(codes_and_places(parse(head + "sun_cos_zenith_min = -0.2\n").diagnostics),
-              (Codes{"E0110 8:22"}));
 }
 
 TEST(Targets, StandForAllSectionsThatNameNone) {
@@ -157,38 +133,6 @@ TEST(Targets, YieldToGivenKeysThatTheyLoad) {
     EXPECT_EQ(files_of(bevy.parameters.bakes[1]).ktx2_compression, Ktx2Compression::zstd);
 }
 
-TEST(Targets, RefuseGivenKeysThatTheyDoNotLoad) {
-    const auto errors = [](std::string_view asset, const std::string& keys) {
-        return parse(recipe_of(asset, keys)).diagnostics;
-    };
-    const auto formats = errors("noise_volume", "target = 'godot'\nformats = ['dds', 'exr']\n");
-    ASSERT_EQ(codes_and_places(formats), (Codes{"E0160 15:11"}));
-    EXPECT_EQ(formats[0].message, "`bake.a.formats`: godot cannot load noise_volume with \"exr\"");
-    EXPECT_EQ(formats[0].label, "it loads dds");
-    const auto types = errors("noise_volume", "pixel_type = 'unorm16'\ntarget = 'three'\n");
-    ASSERT_EQ(codes_and_places(types), (Codes{"E0160 14:14"}));
-    EXPECT_EQ(types[0].label, "it loads float, half, unorm8");
-    const auto convention = errors("bruneton", "target = 'takram'\nconvention = 'bruneton'\n");
-    ASSERT_EQ(codes_and_places(convention), (Codes{"E0160 15:14"}));
-    EXPECT_EQ(convention[0].label, "it loads takram");
-}
-
-// Godot takes the number of levels for that of the size.
-TEST(Targets, RefuseLevelsThatEndEarlyWhereTheProgramDoes) {
-    const std::string keys = "mips = ";
-    const auto errors = [&](const std::string& levels, const std::string& target) {
-        return parse(recipe_of("noise_volume", keys + levels + "\ntarget = '" + target + "'\n"))
-            .diagnostics;
-    };
-    EXPECT_EQ(codes_and_places(errors("1", "godot")), Codes{});
-    EXPECT_EQ(codes_and_places(errors("5", "godot")), Codes{});
-    EXPECT_EQ(codes_and_places(errors("'all'", "godot")), Codes{});
-    EXPECT_EQ(codes_and_places(errors("3", "three")), Codes{});
-    const auto refused = errors("3", "godot");
-    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 14:8"}));
-    EXPECT_EQ(refused[0].label, "it loads 1 level, or all 5");
-}
-
 // The files beside an asset's follow from the asset, whatever its mapping.
 TEST(Targets, HaveTheSameSidecarsInAllUsesOfAnAsset) {
     for (const TargetFacts& target : targets()) {
@@ -206,16 +150,6 @@ TEST(Targets, HaveTheSameSidecarsInAllUsesOfAnAsset) {
             }
         }
     }
-}
-
-TEST(Targets, RefuseAssetsWithWhatTheyLoadInstead) {
-    const auto refused = parse(recipe_of("transmittance", "target = 'pbrt'\n")).diagnostics;
-    ASSERT_EQ(codes_and_places(refused), (Codes{"E0160 14:10"}));
-    EXPECT_EQ(refused[0].message, "[bake.a]: pbrt has no use for the asset transmittance");
-    EXPECT_EQ(refused[0].label, "it loads cloud_volume, noise_volume");
-    const auto usual =
-        parse("preset = 'vacuum'\ntarget = 'pbrt'\n[bake.transmittance]\n").diagnostics;
-    EXPECT_EQ(codes_and_places(usual), (Codes{"E0160 3:7"}));
 }
 
 TEST(Targets, HaveFilesNamedAfterTheSection) {

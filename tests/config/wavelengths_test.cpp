@@ -15,17 +15,12 @@
 namespace skybake::config {
 namespace {
 
-using testing::codes_and_places;
-using testing::parse;
 using testing::valid;
-using Codes = std::vector<std::string>;
 
 const std::string grey_air =
     "preset = 'vacuum'\n\n\n"
     "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"
     "scattering = '1e-5 /m'\n";
-
-Codes faults(const std::string& text) { return codes_and_places(parse(text).diagnostics); }
 
 std::vector<double> nm_of(const std::string& wavelengths) {
     std::vector<double> nm;
@@ -47,7 +42,6 @@ TEST(Wavelengths, BestOnesAscendAndSpanWhatEyesSee) {
         EXPECT_LT(nm.back(), 720);
     }
     EXPECT_EQ(nm_of("'best 4'"), nm_of("['446 nm', '524 nm', '577 nm', '642 nm']"));
-    EXPECT_EQ(faults("wavelengths = 'best 5'\n" + grey_air), Codes{"E0104 1:15"});
 }
 
 TEST(Wavelengths, RangesHaveBothEnds) {
@@ -57,11 +51,6 @@ TEST(Wavelengths, RangesHaveBothEnds) {
     EXPECT_NEAR(nm[1], 385, 1e-9);
     EXPECT_NEAR(nm.back(), 780, 1e-9);
     EXPECT_EQ(nm_of("'0.4 um..450 nm by 20 nm'").size(), 3u);
-    for (const std::string wrong :
-         {"'780 nm..380 nm by 5 nm'", "'380 nm..780 nm'", "'380 nm..780 nm by 0 nm'",
-          "'380 nm..780 nm by -5 nm'", "'380 nm..780 nm by 5'", "'380 nm..780 nm by 0.1 nm'"}) {
-        EXPECT_EQ(faults("wavelengths = " + wrong + "\n" + grey_air).size(), 1u) << wrong;
-    }
 }
 
 TEST(Color, IsThereWhereTheRecipeAsksForIt) {
@@ -77,31 +66,6 @@ TEST(Color, IsThereWhereTheRecipeAsksForIt) {
 const std::string sky = "[bake.sky_view]\nsun_elevations = ['30 deg']\n";
 const std::string matrix = "[bake.transmittance]\n";
 const std::string none = "[color]\nspace = 'none'\n";
-
-TEST(Color, AssetsHoldTheWavelengthsThatTheyCan) {
-    const std::string mean = "[bake.multiple_scattering]\n";
-    const std::string aerial =
-        "[bake.aerial_perspective]\naltitude = '1 km'\nsun_elevation = '9 deg'\n";
-    const std::string bruneton = "[bake.bruneton]\ntable = 'scattering'\n";
-    const auto faults_of = [](const std::string& wavelengths, const std::string& rest) {
-        return faults("wavelengths = " + wavelengths + "\n" + grey_air + rest);
-    };
-    EXPECT_EQ(faults_of("'best 16'", sky + aerial + bruneton + matrix), Codes{});
-    EXPECT_EQ(faults_of("'best 4'", sky + matrix + mean + bruneton), Codes{});
-    EXPECT_EQ(faults_of("'best 4'", mean + "content = 'moments'\n"), Codes{});
-    EXPECT_EQ(faults_of("['500 nm', '600 nm']", sky), Codes{});
-    EXPECT_EQ(faults_of("'best 4'", none + sky + matrix), Codes{});
-    // Colours need two visible wavelengths.
-    EXPECT_EQ(faults_of("['500 nm', '900 nm']", sky + "[color]\n"), Codes{"E0147 1:15"});
-    EXPECT_EQ(faults_of("['500 nm']", sky + "[color]\n"), Codes{"E0147 1:15"});
-    EXPECT_EQ(faults_of("['500 nm', '900 nm']", sky + none), Codes{});
-    // Four wavelengths leave no channel for anything else.
-    EXPECT_EQ(faults_of("'best 4'", none + aerial), Codes{"E0129 11:7"});
-    EXPECT_EQ(faults_of("'best 4'", none + aerial + "content = 'in_scatter'\n"), Codes{});
-    EXPECT_EQ(faults_of("'best 8'", none + bruneton), Codes{});
-    EXPECT_EQ(faults_of("'best 8'", none + bruneton + "combined = true\n"), Codes{"E0129 13:12"});
-    EXPECT_EQ(faults_of("'best 3'", none + bruneton + aerial), Codes{});
-}
 
 // --- Packets -------------------------------------------------------------------------------------
 
@@ -154,11 +118,6 @@ TEST(Packets, AreAskedForByTheirNumber) {
     const Recipe recipe = valid(bakes(matrix + "packet = 3\n"));
     ASSERT_EQ(names_of(recipe), Names{"transmittance"});
     EXPECT_EQ(packet_number(recipe.parameters.bakes[0]), 3);
-    EXPECT_EQ(faults(bakes(matrix + "packet = 5\n")), Codes{"E0147 10:10"});
-    EXPECT_EQ(faults(bakes(matrix + "packet = 0\n")), Codes{"E0110 10:10"});
-    EXPECT_EQ(faults(bakes(sky + "packet = 1\n")), Codes{"E0147 11:10"});
-    EXPECT_EQ(faults(bakes(matrix + "[bake.transmittance_2]\nasset = 'transmittance'\n")),
-              Codes{"E0147 10:7"});
 }
 
 // Lists of one value per wavelength are those of the whole recipe.
@@ -172,17 +131,6 @@ TEST(Packets, TakeTheirPartOfLists) {
     EXPECT_EQ(sun(recipe.parameters.bakes[0]), (std::vector<double>{1, 2, 3, 4}));
     EXPECT_EQ(sun(recipe.parameters.bakes[1]), (std::vector<double>{5, 6}));
     EXPECT_EQ(sun(valid(text + "packet = 2\n").parameters.bakes[0]), (std::vector<double>{5, 6}));
-}
-
-// A fault of a section is reported once, under its own name.
-TEST(Packets, HaveTheFaultsOfTheirSectionOnce) {
-    const auto diagnostics =
-        parse("wavelengths = 'best 8'\n" + grey_air + none + "[bake.sky_view]\nsize = [0, 2]\n")
-            .diagnostics;
-    EXPECT_EQ(codes_and_places(diagnostics), (Codes{"E0105 11:7", "E0110 12:9"}));
-    for (const Diagnostic& one : diagnostics) {
-        EXPECT_NE(one.message.find("`bake.sky_view."), std::string::npos) << one.message;
-    }
 }
 
 }  // namespace

@@ -32,18 +32,6 @@ TEST(ColumnRecipes, ReportsCompareShellsWithTheExactIntegral) {
     EXPECT_LT(report.value->rows[4].texel.rms, report.value->rows[1].texel.rms);
 }
 
-TEST(ColumnRecipes, RefuseTooFewTexelsForTheKinds) {
-    for (const char* section :
-         {"size = [3, 8, 1]\n", "table = 'between'\nsize = [3, 8, 8]\n",
-          "table = 'between'\ncoordinates = 'distance'\nsize = [7, 8, 8]\n"}) {
-        const auto outcome = config::parse_recipe(
-            std::string("preset = 'earth_hillaire'\n[bake.optical_depth]\n") + section,
-            "test.toml");
-        ASSERT_EQ(outcome.diagnostics.size(), 1u) << section;
-        EXPECT_EQ(outcome.diagnostics.front().code, "E0142");
-    }
-}
-
 TEST(ColumnRecipes, SkiesFromStripsAreDarkerThanAllOrders) {
     const config::Recipe recipe = recipe_of(
         "preset = 'earth_hillaire'\n[bake.solved]\nasset = 'sky_view'\nsize = [8, 8]\naltitude = "

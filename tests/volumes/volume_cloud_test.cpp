@@ -262,47 +262,6 @@ TEST_F(VolumeCloud, ErrorsSayWhereTheyAre) {
     EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
               Errors{"E0304 2:8 cannot read `" + missing +
                      "` as a VDB file: it does not begin as a VDB file; "});
-    const std::string extent = "extent = [\"1 m\", \"1 m\", \"1 m\"]\n";
-    EXPECT_EQ(
-        errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"w\"\n" + extent),
-        Errors{"E0170 4:10 `clouds.c.volume`: the recipe has no [volumes.w]; this recipe has v"});
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"s.exr\"\nformat = \"slices\"\nslices = 2\n"
-                     "voxel_size = [\"1 m\", \"1 m\", \"1 m\"]\n"),
-              Errors{"E0110 2:8 `volumes.v.file` does not say where the numbers of its slices "
-                     "stand; write the number once, as in \"slice_%03d.exr\""});
-    EXPECT_EQ(
-        errors("[volumes.v]\nfile = \"v.raw\"\nformat = \"raw\"\nsize = [1, 1, 1]\n"),
-        Errors{"E0105 1:10 `volumes.v.voxel_size` is missing: these files do not say how "
-               "large a voxel is; give three lengths, such as [\"10 m\", \"10 m\", \"10 m\"]"});
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\ncrop_first = [0, 0, 0]\n"),
-              Errors{"E0105 3:14 `volumes.v.crop_first` needs crop_size beside it; give crop_size, "
-                     "or leave both out"});
-    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\nsize = [1, 1, 1]\n"),
-              Errors{"E0111 3:1 `volumes.v.size` belongs to format raw, but format is vdb; format "
-                     "= \"vdb\" comes from the default"});
-}
-
-TEST_F(VolumeCloud, HasNoKeysThatShapeNoise) {
-    const auto errors = [&](const std::string& more) {
-        return errors_of(
-            "[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"
-            "extent = [\"1 m\", \"1 m\", \"1 m\"]\n" +
-                more,
-            folder_.path());
-    };
-    const std::string words =
-        " shapes noise, and this cloud is made of a volume; leave it out, or give noise in place "
-        "of "
-        "volume";
-    EXPECT_EQ(errors(""), Errors{});
-    EXPECT_EQ(errors("height_profile = { type = \"stratus\" }\n"),
-              Errors{"E0111 6:1 `clouds.c.height_profile`" + words});
-    EXPECT_EQ(errors("scatter = { count = 2 }\n"), Errors{"E0111 6:1 `clouds.c.scatter`" + words});
-    EXPECT_EQ(errors("towers = [{ center = [0, 0], sigma = [1, 1], amplitude = 1 }]\n"),
-              Errors{"E0111 6:1 `clouds.c.towers`" + words});
-    EXPECT_EQ(errors("channels = \"noise\"\n"), Errors{"E0111 6:12 `clouds.c.channels`" + words});
-    EXPECT_EQ(errors("noise_scale = 2\n").size(), 1U) << "E0109";
-    EXPECT_EQ(errors("noise = \"n\"\n").at(0).substr(0, 5), "E0109");
 }
 
 }  // namespace
