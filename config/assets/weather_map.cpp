@@ -71,7 +71,7 @@ const WeatherMapField weather_map_table[] = {
     {"yields_to", Kind::text_list, &WeatherMapBake::yields_to,
      "for each channel, another one whose finished values are "
      "taken from its noise, or \"\"",
-     Hint{"[\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
+     Hint{"for example, [\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
      When{"content", of_amounts}},
     {"streaks", share_kind, &WeatherMapBake::streaks,
      "length in tiles over which the wind draws a channel's noise "

@@ -33,6 +33,22 @@ std::string escape_control(char c) {
     return "\\u00" + hexadecimal(c);
 }
 
+// Whether the text begins with a character that turns the direction of what follows on a terminal: U+200E,
+// U+200F, U+202A to U+202E, U+2066 to U+2069. They have three bytes.
+bool turns_direction(std::string_view text) {
+    if (text.size() < 3 || text[0] != '\xe2') return false;
+    const auto last = static_cast<unsigned char>(text[2]);
+    if (text[1] == '\x81') return last >= 0xa6 && last <= 0xa9;
+    return text[1] == '\x80' && (last == 0x8e || last == 0x8f || (last >= 0xaa && last <= 0xae));
+}
+
+// Their number is 0x2000, and six bits of each of the last two bytes.
+std::string escape_direction(std::string_view text) {
+    const bool is_second_block = text[1] == '\x81';
+    const auto low = static_cast<unsigned char>(text[2]) & 0x3f;
+    return "\\u20" + hexadecimal(static_cast<char>((is_second_block ? 0x40 : 0) + low));
+}
+
 int hexadecimal_digit(char c) {
     if (c >= '0' && c <= '9') return c - '0';
     if (c >= 'a' && c <= 'f') return c - 'a' + 10;
@@ -148,7 +164,10 @@ std::string printable(std::string_view text) {
         for (std::size_t i = 0; i < valid; ++i) {
             const bool is_c1 = i + 1 < valid && text[i] == '\xc2' &&
                                static_cast<unsigned char>(text[i + 1]) < 0xa0;
-            if (is_control(text[i]) || is_c1) {
+            if (turns_direction(text.substr(i, valid - i))) {
+                result += escape_direction(text.substr(i));
+                i += 2;
+            } else if (is_control(text[i]) || is_c1) {
                 result += escape_control(text[is_c1 ? ++i : i]);
             } else {
                 result += text[i];

@@ -51,6 +51,8 @@ TEST(KeyPath, MatchesPatterns) {
 TEST(KeyPath, MakesTextPrintable) {
     EXPECT_EQ(printable("caf\u00e9\t\x1b[1m"), "caf\u00e9\\t\\u001b[1m");
     EXPECT_EQ(printable("a\xff\xfe z"), "a\\xff\\xfe z");
+    // Characters that would turn the rest of the line around; the dash beside them stays.
+    EXPECT_EQ(printable("q\u202eZ\u200f\u2066\u2010"), "q\\u202eZ\\u200f\\u2066\u2010");
     EXPECT_EQ(shorten(std::string(100, 'a')), std::string(60, 'a') + "...");
     EXPECT_EQ(shorten(std::string(59, 'a') + "\u00b5\u00b5"), std::string(59, 'a') + "...");
 }

@@ -262,6 +262,10 @@ TEST_F(VolumeCloud, ErrorsSayWhereTheyAre) {
     EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
               Errors{"E0304 2:8 cannot read `" + missing +
                      "` as a VDB file: it does not begin as a VDB file; "});
+    testing::write_bytes(folder_ / "c.vdb", "NanoVDB1, as other programs write it");
+    EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
+              Errors{"E0304 2:8 cannot read `" + missing +
+                     "` as a VDB file: it is a NanoVDB file: write format = \"nvdb\"; "});
 }
 
 }  // namespace

@@ -48,8 +48,12 @@ Input::Input(const std::filesystem::path& path) {
     stream_.seekg(0, std::ios::end);
     file_size_ = stream_.tellg();
     stream_.seekg(0);
-    expect(read_raw<std::int64_t>(stream_) == openvdb::OPENVDB_MAGIC,
-           "it does not begin as a VDB file");
+    const auto magic = read_raw<std::int64_t>(stream_);
+    // "NanoVDB" and a digit
+    constexpr std::int64_t seven_bytes = (std::int64_t{1} << 56) - 1;
+    expect((magic & seven_bytes) != 0x4244566f6e614e,
+           "it is a NanoVDB file: write format = \"nvdb\"");
+    expect(magic == openvdb::OPENVDB_MAGIC, "it does not begin as a VDB file");
     const auto format = read_raw<std::uint32_t>(stream_);
     expect(format >= oldest_format && format <= newest_format, "its format is not known");
     stream_.seekg(0);
@@ -188,7 +192,8 @@ std::int64_t end_of_values(std::istream& in, std::int64_t file_size, std::size_t
     const auto values = static_cast<std::int64_t>(only_active ? active : count);
     const std::int64_t unpacked = values * size.file;
     std::int64_t bytes = unpacked;
-    if ((compression & (io::COMPRESS_BLOSC | io::COMPRESS_ZIP)) != 0 && !(size.file < size.memory && values == 0)) {
+    if ((compression & (io::COMPRESS_BLOSC | io::COMPRESS_ZIP)) != 0 &&
+        !(size.file < size.memory && values == 0)) {
         constexpr std::int64_t most_overhead = 1024;
         bytes = read_raw<std::int64_t>(in);
         // Values that do not become smaller are stored as they are, with their length below 0.
