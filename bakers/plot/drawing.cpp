@@ -26,10 +26,7 @@ struct LoadedModule {
 LoadedModule load() {
     const ModuleSymbol symbol = load_module(chart_module_name, chart_module_symbol);
     if (symbol.address == nullptr) return {nullptr, symbol.reason};
-    const ChartModule* const functions = reinterpret_cast<ChartModuleFunction>(symbol.address)();
-    // Pango begins its threads with the first text, which is now, while it gets as many as it needs.
-    static_cast<void>(functions->text_width("x", {}));
-    return {functions, ""};
+    return {reinterpret_cast<ChartModuleFunction>(symbol.address)(), ""};
 }
 
 const LoadedModule& chart_module() {
