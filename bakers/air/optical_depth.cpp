@@ -63,7 +63,7 @@ HWY_INLINE void add_stretch(const Medium& medium, const ClimbStart<double>& from
     add_climb(medium, start, maximum(climbed, Real(0.0)), tau);
 }
 
-// Of rays that rise, or of stretches that fall all along.
+// Computes the depths of rays that rise, or of stretches that fall all along.
 void OpticalDepthsAlong(const Medium& medium, double altitude_km, double s_km,
                         const double* distances_km, int count, double* optical_depth) {
     const ClimbStart<double> from = {altitude_km, medium.ground_radius_km + altitude_km, s_km};
