@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -89,6 +90,17 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
     return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
 }
 
+// What is baked would make the folder look like none of a cache.
+std::vector<config::Diagnostic> check_two_folders(const fs::path& cache, const fs::path& output) {
+    std::error_code ignored;
+    const bool is_one = !cache.empty() && fs::weakly_canonical(cache, ignored) ==
+                                              fs::weakly_canonical(output, ignored);
+    if (!is_one) return {};
+    return {file_error("E0302", cache.string(),
+                       fmt::format("`{}` is the output and the cache: choose two folders",
+                                   cache.string()))};
+}
+
 ExitCode run_bake(const Invocation& invocation, Console& console) {
     const auto start = std::chrono::steady_clock::now();
     auto selection = select_bakes(invocation);
@@ -104,6 +116,8 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (!url.value) return console.report(url.diagnostics);
     const auto folder = cache_folder(invocation);
     if (!folder.value) return console.report(folder.diagnostics);
+    const auto same = check_two_folders(*folder.value, bake.folder);
+    if (!same.empty()) return console.report(same);
     std::optional<AssetCache> cache;
     std::optional<HttpCache> server;
     if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));

@@ -75,6 +75,14 @@ void name_bake(const Table& root, Entry& bake, DiagnosticList& diagnostics) {
     add_text(bake, made->key, bake.key, *keys);
 }
 
+// Whether a bake may take the value: a number beyond [0, 1] is no cover, which the cloud itself says.
+bool is_taken(const Entry& entry) {
+    const auto* real = std::get_if<double>(&entry.value.data);
+    const auto* whole = std::get_if<std::int64_t>(&entry.value.data);
+    const double number = real ? *real : whole ? static_cast<double>(*whole) : 0;
+    return entry.key != "cover" || (number >= 0 && number <= 1);
+}
+
 // Adds keys of the cloud that the bake names, unless it has them or others that exclude them.
 void take_keys_of_cloud(const Table& root, Table& keys) {
     const Entry* named = find_entry(keys, "cloud");
@@ -87,7 +95,8 @@ void take_keys_of_cloud(const Table& root, Table& keys) {
     Table taken;
     for (const std::string_view key : {"cover", "size"}) {
         const Entry* entry = find_entry(*of_cloud, key);
-        if (entry && !(key == "size" && find_entry(keys, "voxel_size"))) taken.push_back(*entry);
+        const bool is_said = key == "size" && find_entry(keys, "voxel_size");
+        if (entry && !is_said && is_taken(*entry)) taken.push_back(*entry);
     }
     merge(taken, keys);
     keys = std::move(taken);

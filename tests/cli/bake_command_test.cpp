@@ -125,6 +125,16 @@ TEST_F(Bake, AFolderOfSomethingElseIsNoCache) {
     EXPECT_EQ(read_bytes(projects + "/pending/99999999-0/thesis.txt"), "thesis");
 }
 
+TEST_F(Bake, TheOutputIsNoCache) {
+    for (const std::string& cache : {out_, out_ + "/../" + fs::path(out_).filename().string()}) {
+        const Result result = run_program({"bake", recipe_, "-o", out_, "--cache-dir", cache});
+        EXPECT_EQ(result.code, 3) << cache;
+        EXPECT_TRUE(contains(result.error, "error[E0302]")) << result.error;
+        EXPECT_TRUE(contains(result.error, "is the output and the cache")) << result.error;
+        EXPECT_FALSE(fs::exists(out_));
+    }
+}
+
 TEST_F(Bake, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
     const Result result = bake({"--max-memory", "4KiB"});
     EXPECT_EQ(result.code, 2);
