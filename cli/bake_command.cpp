@@ -96,9 +96,9 @@ std::vector<config::Diagnostic> check_two_folders(const fs::path& cache, const f
     const bool is_one = !cache.empty() && fs::weakly_canonical(cache, ignored) ==
                                               fs::weakly_canonical(output, ignored);
     if (!is_one) return {};
-    return {file_error("E0302", cache.string(),
-                       fmt::format("`{}` is the output and the cache: choose two folders",
-                                   cache.string()))};
+    return {file_error(
+        "E0302", cache.string(),
+        fmt::format("`{}` is the output and the cache: choose two folders", cache.string()))};
 }
 
 ExitCode run_bake(const Invocation& invocation, Console& console) {

@@ -17,7 +17,8 @@ namespace {
 using Plane = std::vector<double>;
 
 // Returns (1 - g) sigma h / 2 for each block, plane by plane.
-std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& blocks, int threads) {
+std::vector<Plane> diffuse_depths(const CloudMedium& medium, const VoxelBlocks& blocks,
+                                  int threads) {
     const double g = mean_cosine(droplet_phase(kDropletDiameter_um));
     const double height_m = medium.extent_m[2] / blocks.size[2];
     std::vector<Plane> planes(static_cast<std::size_t>(blocks.size[2]),

@@ -118,8 +118,7 @@ double mean_density(const CloudMedium& medium, const VoxelBlocks& blocks, int i,
     return sum / count;
 }
 
-CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& block,
-                          int threads) {
+CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& block, int threads) {
     const VoxelBlocks blocks(medium.volume.size, block);
     std::vector<float> means(occupancy::count_of(blocks.size));
     parallel_for(blocks.size[2], threads, [&](int z) {

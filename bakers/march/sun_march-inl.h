@@ -56,8 +56,9 @@ inline PointFrame frame_from(const std::array<double, 3>& unit_m, double base_m,
     return frame;
 }
 inline PointFrame frame_of(const CloudMedium& from, const CloudMarch& march) {
-    return frame_from({from.meters_per_voxel(0), from.meters_per_voxel(1), from.meters_per_voxel(2)},
-                      from.base_m, march);
+    return frame_from(
+        {from.meters_per_voxel(0), from.meters_per_voxel(1), from.meters_per_voxel(2)}, from.base_m,
+        march);
 }
 
 // Marches towards the sun, one in each lane; a lane that has ended takes the next point. The optical

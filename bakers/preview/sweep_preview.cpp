@@ -279,7 +279,7 @@ class SweepPreview {
     std::vector<Picture> pictures_;  // of the variants so far; empty: none
     std::size_t pictured_ = 0;
     std::optional<std::size_t> first_;  // the first variant that has a picture
-    std::string light_;  // of the first picture of light, valid for all
+    std::string light_;                 // of the first picture of light, valid for all
     std::vector<config::Diagnostic> warnings_;
     // Options that no picture uses or that contradict each other end the preview.
     std::vector<config::Diagnostic> unused_;

@@ -28,8 +28,9 @@ struct AssetIdentity {
     Certification certification = Certification::quick;
     std::string parameters;             // canonical TOML of those that the asset depends on
     std::vector<ManifestInput> inputs;  // files besides the recipe, by content
-    std::string sidecars;  // the texts that a target's own files are made of, and revisions of formats
-    std::string key;                    // key_of all of the above
+    std::string
+        sidecars;     // the texts that a target's own files are made of, and revisions of formats
+    std::string key;  // key_of all of the above
 };
 
 // Returns the xxh3_hex of an identity without its key.

@@ -25,8 +25,8 @@ constexpr std::size_t longest_name = 255;
 // (learn.microsoft.com, "Naming Files, Paths, and Namespaces").
 bool is_device_of_windows(std::string_view file) {
     const std::string name = lower_case(file.substr(0, file.find('.')));
-    constexpr std::array<std::string_view, 6> devices = {"con", "prn", "aux", "nul", "conin$",
-                                                         "conout$"};
+    constexpr std::array<std::string_view, 6> devices = {"con", "prn",    "aux",
+                                                         "nul", "conin$", "conout$"};
     if (std::find(devices.begin(), devices.end(), name) != devices.end()) return true;
     const bool is_port = name.size() == 4 && (name.starts_with("com") || name.starts_with("lpt"));
     return is_port && name[3] >= '1' && name[3] <= '9';
@@ -46,11 +46,11 @@ void report_same(const Written& first, const Written& second, const Place& place
                                : fmt::format("as [bake.{}] does `{}`", first.bake, first.file);
     const bool are_equal = first.file == second.file;
     decoder.diagnostics.error(
-        "E0177", place,
-        fmt::format("[bake.{}] would write `{}`, {}", second.bake, second.file, by),
-        are_equal ? "choose another name"
-                  : "choose names that differ in more than capital letters, which macOS and Windows "
-                    "do not tell apart");
+        "E0177", place, fmt::format("[bake.{}] would write `{}`, {}", second.bake, second.file, by),
+        are_equal
+            ? "choose another name"
+            : "choose names that differ in more than capital letters, which macOS and Windows "
+              "do not tell apart");
 }
 
 }  // namespace
@@ -106,14 +106,12 @@ void check_output_files(std::span<const Bake> bakes, std::span<const Place> plac
         }
         if (!files.empty() && is_device_of_windows(files.front())) {
             decoder.diagnostics.warning(
-                "W0223", places[i],
-                fmt::format("Windows takes `{}` for a device", files.front()),
+                "W0223", places[i], fmt::format("Windows takes `{}` for a device", files.front()),
                 "choose another name, with which Windows can have this file");
         }
         const auto longest =
-            std::max_element(files.begin(), files.end(), [](const auto& a, const auto& b) {
-                return a.size() < b.size();
-            });
+            std::max_element(files.begin(), files.end(),
+                             [](const auto& a, const auto& b) { return a.size() < b.size(); });
         if (longest == files.end() || longest->size() <= longest_name) continue;
         decoder.diagnostics.error(
             "E0178", places[i],

@@ -112,7 +112,8 @@ class Loader {
         Source& source = add_source(Source::Kind::file, name, std::move(text));
         source.folder = folder;
         if (is_root) root_folder_ = folder;
-        std::optional<Table> root = is_root ? parse_toml(source, diagnostics_) : parse_include(source);
+        std::optional<Table> root =
+            is_root ? parse_toml(source, diagnostics_) : parse_include(source);
         if (!root) {
             result_.complete = false;
             if (!is_root) return;
@@ -155,7 +156,8 @@ class Loader {
         }
         if (root) {
             diagnostics_.error("E0101", {&source},
-                               fmt::format("`{}` has none of a recipe's keys", source.name), no_recipe);
+                               fmt::format("`{}` has none of a recipe's keys", source.name),
+                               no_recipe);
         }
         return std::nullopt;
     }
@@ -294,7 +296,8 @@ class Loader {
         }
         const std::vector<std::string_view> names(files.begin(), files.end());
         const std::string words = did_you_mean(path.filename().string(), names);
-        return words.empty() && files.size() == 1 ? fmt::format("there is `{}`", *files.begin()) : words;
+        return words.empty() && files.size() == 1 ? fmt::format("there is `{}`", *files.begin())
+                                                  : words;
     }
 
     void report_unreadable(const fs::path& path, const FileError& error, const Place& asked_at) {

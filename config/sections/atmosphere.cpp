@@ -255,9 +255,8 @@ void scale_table(Matter matter, DecodedSection& layer, Decoder& decoder) {
     auto* points = table.value ? std::get_if<std::vector<DensityPoint>>(&*table.value) : nullptr;
     if (!points) return;
     const auto greatest =
-        std::max_element(points->begin(), points->end(), [](const auto& a, const auto& b) {
-            return a.density < b.density;
-        });
+        std::max_element(points->begin(), points->end(),
+                         [](const auto& a, const auto& b) { return a.density < b.density; });
     const double whole = greatest->density;
     if (whole <= most) return;
     if (matter == Matter::gas || layer.at("optical_depth").source) {

@@ -63,7 +63,7 @@ constexpr std::array units = {
     Unit{"mbar", Dimension::pressure, 2, alias},
     Unit{"/m2", Dimension::column_density, 0},
     Unit{"/cm2", Dimension::column_density, 4},
-    Unit{"DU", Dimension::column_density, 16, true, 26867},  // of Dobson
+    Unit{"DU", Dimension::column_density, 16, true, 26867},       // of Dobson
     Unit{"atm-cm", Dimension::column_density, 19, alias, 26867},  // a thousand of Dobson's
     Unit{"1/m2", Dimension::column_density, 0, alias},
     Unit{"1/cm2", Dimension::column_density, 4, alias},

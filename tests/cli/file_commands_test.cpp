@@ -59,13 +59,13 @@ TEST(InfoCommand, EscapesWhatWouldControlATerminal) {
     ASSERT_NE(text.find(kind), std::string::npos);
     text.replace(text.find(kind), kind.size(), "\"kind\": \"a\\u001b[2Jb\"");
     testing::write_bytes(strange / "manifest.json", text);
-    for (const auto& words : std::vector<std::vector<std::string>>{
-             {"info", strange.string()},
-             {"info", (strange / "x\x1b[2J.exr").string()},
-             {"info", (strange / "none\x1b[2J.exr").string()},
-             {"verify", strange.string()},
-             {"diff", strange.string(), folder.path().string()},
-             {"check", (strange / "none.toml").string()}}) {
+    for (const auto& words :
+         std::vector<std::vector<std::string>>{{"info", strange.string()},
+                                               {"info", (strange / "x\x1b[2J.exr").string()},
+                                               {"info", (strange / "none\x1b[2J.exr").string()},
+                                               {"verify", strange.string()},
+                                               {"diff", strange.string(), folder.path().string()},
+                                               {"check", (strange / "none.toml").string()}}) {
         const Result result = run_words(words);
         EXPECT_EQ(result.out.find('\x1b'), std::string::npos) << words[0] << result.out;
         EXPECT_EQ(result.error.find('\x1b'), std::string::npos) << words[0] << result.error;

@@ -195,7 +195,8 @@ TEST_F(VolumeBake, InfoSaysOfWhatItPrintsNoLookup) {
     for (const std::string& path : {out_, file("manifest.json")}) {
         const Result folder = run_words({"info", "--lookup", path});
         EXPECT_EQ(folder.code, 2);
-        EXPECT_TRUE(contains(folder.error, "needs a transmittance and a multiple_scattering table")) << folder.error;
+        EXPECT_TRUE(contains(folder.error, "needs a transmittance and a multiple_scattering table"))
+            << folder.error;
     }
     EXPECT_EQ(run_words({"info", "--lookup", file("absent.bin")}).code, 3);
     write_bytes(file("mine.bin"), "1234");

@@ -186,8 +186,8 @@ config::Outcome<Baked> baked(const CloudCase& any, config::PixelType type) {
     Baked volume;
     volume.name = "c";
     return bake_cloud_volume(any.cloud, bake,
-                             {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}}, {},
-                             std::move(volume));
+                             {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
+                             {}, std::move(volume));
 }
 
 TEST(CloudHardCases, ExtentsFromAMetreToAThousandKilometres) {

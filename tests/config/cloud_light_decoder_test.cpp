@@ -98,17 +98,19 @@ TEST(CloudLightDecoder, AClearSkyIsThatOfTheRecipe) {
 
 TEST(CloudLightDecoder, DepthsBeyondHalvesAreFloats) {
     const auto type_of = [](const std::string& extinction, const std::string& keys) {
-        const Recipe recipe = valid(
-            "[bake.l]\nasset = 'cloud_light'\nof = 'v'\n" + keys +
-            "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 8]\n" +
-            cloud_recipe("extinction_scale = '" + extinction + "'\n"));
+        const Recipe recipe =
+            valid("[bake.l]\nasset = 'cloud_light'\nof = 'v'\n" + keys +
+                  "\n[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [16, 32, 8]\n" +
+                  cloud_recipe("extinction_scale = '" + extinction + "'\n"));
         return recipe.parameters.bakes.at(0).as<CloudLightBake>().pixel_type;
     };
     // The cloud is 500 m high: a vertical depth of 20, and of 5e5.
     EXPECT_EQ(type_of("40 /km", "sun_elevations = '1 deg'"), PixelType::half);
     EXPECT_EQ(type_of("1000 /m", "sun_elevations = '90 deg'"), PixelType::float32);
-    EXPECT_EQ(type_of("1000 /m", "sun_elevations = '90 deg'\npixel_type = 'half'"), PixelType::half);
-    EXPECT_EQ(type_of("1000 /m", "sun_elevations = '90 deg'\ncontents = 'transmittance'"), PixelType::half);
+    EXPECT_EQ(type_of("1000 /m", "sun_elevations = '90 deg'\npixel_type = 'half'"),
+              PixelType::half);
+    EXPECT_EQ(type_of("1000 /m", "sun_elevations = '90 deg'\ncontents = 'transmittance'"),
+              PixelType::half);
 }
 
 }  // namespace

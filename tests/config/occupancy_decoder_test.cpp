@@ -82,8 +82,10 @@ TEST(OccupancyDecoder, FilesCarryARecipe) {
 TEST(OccupancyDecoder, LevelsHalveTheCells) {
     const Recipe recipe = testing::valid_with_warnings(
         "[bake.o]\nasset = 'occupancy'\nof = 'v'\nmips = 'all'\n[bake.v]\nasset = 'cloud_volume'\n"
-        "cloud = 'c'\nsize = [48, 32, 16]\n" + cloud_recipe(""));
-    EXPECT_EQ(recipe.parameters.bakes.at(0).as<OccupancyBake>().mips, 3) << "12, 6 and 3 cells along x";
+        "cloud = 'c'\nsize = [48, 32, 16]\n" +
+        cloud_recipe(""));
+    EXPECT_EQ(recipe.parameters.bakes.at(0).as<OccupancyBake>().mips, 3)
+        << "12, 6 and 3 cells along x";
 }
 
 TEST(OccupancyDecoder, ChannelsAreThoseOfTheVolume) {

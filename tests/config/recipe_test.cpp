@@ -20,8 +20,8 @@ using testing::valid;
 // `explain` shows for a code about noises and clouds a recipe that earns it, and one that does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",
-                             "E0150", "E0171", "E0174", "E0175", "E0176", "E0177", "E0189", "W0203", "W0204",
-                             "W0208", "W0210", "W0211", "W0212", "W0213", "W0223"}) {
+                             "E0150", "E0171", "E0174", "E0175", "E0176", "E0177", "E0189", "W0203",
+                             "W0204", "W0208", "W0210", "W0211", "W0212", "W0213", "W0223"}) {
         const DiagnosticCode* code = find_diagnostic_code(name);
         ASSERT_TRUE(code) << name;
         const auto wrong = parse(std::string(code->wrong)).diagnostics;

@@ -45,8 +45,8 @@ double depth_of(const Recipe& recipe) {
 TEST(ParticlesPerVolume, AreRatiosBesideAColumn) {
     const Recipe particles =
         testing::valid(ozone("[['0 km', 6.8e11], ['22 km', 4.8e12], ['50 km', 6.6e10]]"));
-    const Recipe ratios = testing::valid(
-        ozone("[['0 km', 0.1416666666666667], ['22 km', 1], ['50 km', 0.01375]]"));
+    const Recipe ratios =
+        testing::valid(ozone("[['0 km', 0.1416666666666667], ['22 km', 1], ['50 km', 0.01375]]"));
     ASSERT_EQ(table_of(particles).size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(table_of(particles)[i].density, table_of(ratios)[i].density, 1e-15);
@@ -71,9 +71,10 @@ TEST(TableFile, OfLibRadtranIsReadByTheNameOfAColumn) {
 TEST(TableFile, HasTwoColumnsInWhateverMarks) {
     const TemporaryFolder folder;
     const Recipe wanted = testing::valid(ozone("[['0 km', 0.5], ['22000 m', 2]]"));
-    for (const char* text : {"altitude [km], ozone [/cm3]\n0,0.5\n22,2\n", "z(km);o3\n0;0.5\n22;2\n",
-                             "# z (m)\tdensity (kg/m3)\r\n0\t0.5\r\n22000\t2\r\n",
-                             "# made by hand\n\n# z (m)  o3 (cm-3)\n0 0.5\n22000 2\n# end\n"}) {
+    for (const char* text :
+         {"altitude [km], ozone [/cm3]\n0,0.5\n22,2\n", "z(km);o3\n0;0.5\n22;2\n",
+          "# z (m)\tdensity (kg/m3)\r\n0\t0.5\r\n22000\t2\r\n",
+          "# made by hand\n\n# z (m)  o3 (cm-3)\n0 0.5\n22000 2\n# end\n"}) {
         folder.write("o.csv", text);
         EXPECT_EQ(table_of(loaded(folder, ozone("'o.csv'"))), table_of(wanted)) << text;
     }
@@ -93,15 +94,15 @@ TEST(TableFile, SaysWhatIsWrongAtItsName) {
     EXPECT_EQ(fault("0,1\n1,2\n"),
               "E0114: `o.csv` does not name its columns, the first of them with a unit of length; "
               "begin it with a line such as `altitude(km), ozone(/cm3)`");
-    EXPECT_EQ(fault("z(km),T(K)\n0,1\n1,2\n"),
-              "E0114: `o.csv` has `T` in `K`, which is no density; give a column without a unit, or "
-              "in one per volume, such as /cm3");
+    EXPECT_EQ(
+        fault("z(km),T(K)\n0,1\n1,2\n"),
+        "E0114: `o.csv` has `T` in `K`, which is no density; give a column without a unit, or "
+        "in one per volume, such as /cm3");
     EXPECT_EQ(fault("z(km),o3\n0,1\n1,two\n"),
               "E0114: `o.csv` has `two` in line 3; numbers must stand there");
     EXPECT_EQ(fault("z(km),o3\n0,1\n1\n"),
               "E0114: `o.csv` has 1 columns in line 3, and 2 above; each line must have as many");
-    EXPECT_EQ(fault(afgl),
-              "E0114: `o.csv` has several columns; name one: [\"o.csv\", \"o3\"]");
+    EXPECT_EQ(fault(afgl), "E0114: `o.csv` has several columns; name one: [\"o.csv\", \"o3\"]");
     EXPECT_EQ(fault(afgl, "['o.csv', 'O3']"),
               "E0114: `o.csv` has no column `O3`; there are p, T, air, o3");
     EXPECT_EQ(fault("# z(km), o3\n"),

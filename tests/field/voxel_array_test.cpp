@@ -52,12 +52,11 @@ TEST(VoxelArray, AsksForEachVoxelOnce) {
     std::vector<int> asked(static_cast<std::size_t>(kSize[0] * kSize[1] * kSize[2]), 0);
     BakeOptions options;
     options.threads = 1;
-    read_voxels(
-        FunctionVoxels([&](int x, int y, int z, int) {
-            ++asked[static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x)];
-            return 0.0f;
-        }),
-        kSize, 1, options, "voxels");
+    read_voxels(FunctionVoxels([&](int x, int y, int z, int) {
+                    ++asked[static_cast<std::size_t>((z * kSize[1] + y) * kSize[0] + x)];
+                    return 0.0f;
+                }),
+                kSize, 1, options, "voxels");
     for (const int count : asked) EXPECT_EQ(count, 1);
 }
 

@@ -168,9 +168,9 @@ TEST(BakeFolder, AJournalTellsWhatAKilledBakeHadNamed) {
     };
     killed(text);
     EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
-    EXPECT_EQ(folder.names(), (std::vector<std::string>{"manifest.json", "multiple_scattering.exr",
-                                                        "shape.bin", "shape.exr",
-                                                        "transmittance.exr"}));
+    EXPECT_EQ(folder.names(),
+              (std::vector<std::string>{"manifest.json", "multiple_scattering.exr", "shape.bin",
+                                        "shape.exr", "transmittance.exr"}));
     EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));
     killed(text + text.substr(0, text.size() / 2));
     EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, up_to_date}));

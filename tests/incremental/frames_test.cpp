@@ -98,7 +98,8 @@ TEST(Frames, ShareOneManifest) {
     TestBake bake(recipe_of(sequence(8)), folder.path());
     bake.bake.frame_by_frame = true;
     ASSERT_TRUE(bake.run().value);
-    EXPECT_EQ(std::count(bake.observer.begun.begin(), bake.observer.begun.end(), "manifest.json"), 1);
+    EXPECT_EQ(std::count(bake.observer.begun.begin(), bake.observer.begun.end(), "manifest.json"),
+              1);
     EXPECT_EQ(read_manifest(folder.path()).value->assets.size(), 8U);
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()),
                             std::filesystem::directory_iterator()),

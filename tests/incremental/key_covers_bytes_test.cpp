@@ -231,8 +231,9 @@ TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds, {"flip", "format", "profile", "pack", "asset", "cloud", "of", "shape",
-                                 "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
+    change_every_value(kClouds,
+                       {"flip", "format", "profile", "pack", "asset", "cloud", "of", "shape",
+                        "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
 }
 
 // The light of a uniform sky is the same in any air.
@@ -278,15 +279,15 @@ TEST(KeyCoversBytes, WhateverChangesOfColors) {
 }
 
 TEST(KeyCoversBytes, WhateverElseChanges) {
-    change_every_value(kOthers, {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "file",
-                                 "type", "sizes", "shape", "of", "frames", "bake.wave_0001.frame",
-                                 "bake.wave_0002.frame", "bake.book.mips"});
+    change_every_value(kOthers, {"flip", "format", "profile", "pack", "asset", "cloud", "noise",
+                                 "file", "type", "sizes", "shape", "of", "frames",
+                                 "bake.wave_0001.frame", "bake.wave_0002.frame", "bake.book.mips"});
 }
 
 // A cloud of a volume has one channel.
 TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
-    change_every_value(kVolumes, {"flip", "format", "asset", "cloud", "volume", "file", "grid", "channel",
-                                  "channels", "size", "slices", "first_slice"});
+    change_every_value(kVolumes, {"flip", "format", "asset", "cloud", "volume", "file", "grid",
+                                  "channel", "channels", "size", "slices", "first_slice"});
 }
 
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other

@@ -174,22 +174,24 @@ TEST(TargetFiles, SayWhereTheVolumeIsAndWhatItMeans) {
 
 // Where the sun stands follows the recipe's azimuth.
 TEST(TargetFiles, SayWhereTheSunStands) {
-    for (const auto& [azimuth, words] : {std::pair{"0 deg", "over +x"},
-                                         std::pair{"40 deg", "40 degrees to the right of +x"},
-                                         std::pair{"-90 deg", "90 degrees to the left of +x"}}) {
+    for (const auto& [azimuth, words] :
+         {std::pair{"0 deg", "over +x"}, std::pair{"40 deg", "40 degrees to the right of +x"},
+          std::pair{"-90 deg", "90 degrees to the left of +x"}}) {
         for (const auto& [target, name] :
              {std::pair{"three", "sky.three.js"}, std::pair{"blender", "sky.blender.py"},
               std::pair{"mitsuba", "sky.mitsuba.xml"}}) {
             const TemporaryFolder folder;
-            TestBake bake(recipe_of("preset = \"earth_hillaire\"\ntarget = \"" + std::string(target) +
-                                    "\"\n[bake.sky]\nasset = \"environment\"\norders = \"single\"\n"
-                                    "mapping = \"longitude_latitude\"\nformats = [\"exr\"]\n"
-                                    "sun_elevation = \"20 deg\"\nsize = [8, 4]\nsun_azimuth = \"" +
-                                    azimuth + "\"\n"),
-                          folder / "out");
+            TestBake bake(
+                recipe_of("preset = \"earth_hillaire\"\ntarget = \"" + std::string(target) +
+                          "\"\n[bake.sky]\nasset = \"environment\"\norders = \"single\"\n"
+                          "mapping = \"longitude_latitude\"\nformats = [\"exr\"]\n"
+                          "sun_elevation = \"20 deg\"\nsize = [8, 4]\nsun_azimuth = \"" +
+                          azimuth + "\"\n"),
+                folder / "out");
             ASSERT_TRUE(bake.run().value);
             const std::string text = read_bytes(folder / "out" / name);
-            EXPECT_NE(text.find(words), std::string::npos) << azimuth << ": " << text.substr(0, 400);
+            EXPECT_NE(text.find(words), std::string::npos)
+                << azimuth << ": " << text.substr(0, 400);
         }
     }
 }

@@ -19,8 +19,8 @@
 
 namespace {
 
-std::vector<std::string> seen;    // "rename a", "fsync folder"
-bool interrupts = false;          // every other call fails with EINTR
+std::vector<std::string> seen;  // "rename a", "fsync folder"
+bool interrupts = false;        // every other call fails with EINTR
 int calls = 0;
 
 bool is_interrupted() {
@@ -156,7 +156,8 @@ TEST_F(SystemCalls, AreMadeAgainAfterASignal) {
         EXPECT_TRUE(print.value && lock.value && complete) << first;
         EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a"}));
     }
-    EXPECT_EQ(fs::status(folder_ / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
+    EXPECT_EQ(fs::status(folder_ / "a").permissions(),
+              fs::perms::owner_read | fs::perms::owner_write);
 }
 
 // Staged files are closed: a bake of ten thousand files needs no ten thousand descriptors.

@@ -269,12 +269,15 @@ TEST(ColumnLookup, IsTheSameOneFloatAboveAndBelowTheHorizon) {
                 return gpu::column_lookups::column_along({trial.texture}, trial.air, h, mu, d);
             };
             const gpu::vec4 wanted = columns(at_horizon);
-            for (const float mu : {std::nextafter(at_horizon, -1.0F), std::nextafter(at_horizon, 0.0F)}) {
+            for (const float mu :
+                 {std::nextafter(at_horizon, -1.0F), std::nextafter(at_horizon, 0.0F)}) {
                 const double s = (shell.ground_radius_km + double{h}) * double{mu};
                 const auto twin = trial.in_double({double{h}, s, double{d}});
                 const gpu::vec4 found = columns(mu);
                 for (gpu::vec4::length_type k = 0; k < 4; ++k) {
-                    EXPECT_NEAR(double{found[k]}, double{wanted[k]}, 0.02 * std::fabs(double{wanted[k]}) + 1e-7) << h << " " << d;
+                    EXPECT_NEAR(double{found[k]}, double{wanted[k]},
+                                0.02 * std::fabs(double{wanted[k]}) + 1e-7)
+                        << h << " " << d;
                     EXPECT_NEAR(twin[static_cast<std::size_t>(k)], double{wanted[k]},
                                 0.02 * std::fabs(double{wanted[k]}) + 1e-7)
                         << h << " " << d;

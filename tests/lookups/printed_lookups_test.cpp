@@ -231,8 +231,7 @@ TEST(PrintedLookups, ColoursOfWavelengths) {
             color[i % 3] += weights[i] * double{light[static_cast<glm::length_t>(i / 3)]};
         }
         test::expect_color_of_call(
-            SKYBAKE_CALL(four_wavelengths_twilight_exr, baked_twilight_color, light),
-            color);
+            SKYBAKE_CALL(four_wavelengths_twilight_exr, baked_twilight_color, light), color);
     }
 }
 

@@ -281,13 +281,13 @@ TEST(CloudPictures, ShowAGridAlone) {
 TEST(CloudPictures, ShowAnEmptyCloudAndARuntimesThreshold) {
     const BakedCloud empty("threshold = 3", "", {"W0215"});
     EXPECT_EQ(names_of(cloud_pictures(empty.input(), 1)).size(), 7U);
-    const BakedCloud runtime(
-        "threshold_at = \"runtime\"\nthreshold = 0.2\nedge_softness = 0.1");
+    const BakedCloud runtime("threshold_at = \"runtime\"\nthreshold = 0.2\nedge_softness = 0.1");
     EXPECT_EQ(names_of(cloud_pictures(runtime.input(), 1)).size(), 7U);
 }
 
 TEST(OccupancyLeaps, AreTheSameFromEveryChannel) {
-    const BakedCloud leap("", "contents = [\"leap\"]\npixel_type = \"unorm8\"\nformats = [\"bin\"]\n");
+    const BakedCloud leap("",
+                          "contents = [\"leap\"]\npixel_type = \"unorm8\"\nformats = [\"bin\"]\n");
     const BakedCloud occupied("", "contents = [\"occupied\"]\n");
     const BakedCloud maximum("", "contents = [\"maximum\"]\npixel_type = \"float\"\n");
     const auto wanted = leaps_of_grid(leap.asset("grid"), leap.grid_bake(), 0);

@@ -18,15 +18,16 @@ using namespace test;
 // The optical depth of a homogeneous slab is its own, but for one step at either of its faces.
 TEST(CloudSteps, ASlabLetsThroughWhatBeerSaysAtAnyGrowth) {
     const double sigma = 2e-4;
-    const CloudMedium slab = medium_of({1000, 1000, 600}, 500, {8, 8, 6},
-                                       std::vector<float>(8 * 8 * 6, 1.0F), sigma);
+    const CloudMedium slab =
+        medium_of({1000, 1000, 600}, 500, {8, 8, 6}, std::vector<float>(8 * 8 * 6, 1.0F), sigma);
     SceneFrame frame = frame_from({0, 0, 100}, 60, 16, 16);
     const CameraRays rays(frame.camera, frame.width, frame.height);
     for (const double growth : {0.0, 0.1, 1.0, 6.0}) {
         frame.step_growth = growth;
-        const Image2<float> seen = SceneMarch({{&slab, 2, 20, 30000, false}}, {40, 70}, false, true, 1)
-                                       .march(frame, 1, nullptr)
-                                       .results;
+        const Image2<float> seen =
+            SceneMarch({{&slab, 2, 20, 30000, false}}, {40, 70}, false, true, 1)
+                .march(frame, 1, nullptr)
+                .results;
         double mean = 0;
         double least_steps = 1e9;
         for (int y = 0; y < frame.height; ++y) {
@@ -82,8 +83,8 @@ CloudMedium rolling_layer() {
                 const double height = (z + 0.5) / kSize[2];
                 const double field = wave(2 * u + 0.2 * wave(v)) * wave(2 * v + 0.3 * wave(3 * u)) +
                                      0.3 * wave(7 * u + height) * wave(6 * v - height);
-                voxels.push_back(static_cast<float>(std::max(
-                    field * (1 - std::fabs(2 * height - 1)), 0.0)));
+                voxels.push_back(
+                    static_cast<float>(std::max(field * (1 - std::fabs(2 * height - 1)), 0.0)));
             }
         }
     }
@@ -97,8 +98,8 @@ std::vector<double> shown(const Image2<float>& radiance, double exposure) {
     std::vector<double> bytes;
     for (const float value : radiance.texels) {
         const double light = 1 - std::exp(-exposure * double{value});
-        bytes.push_back(255 * (light < 0.0031308 ? 12.92 * light
-                                                 : 1.055 * std::pow(light, 1 / 2.4) - 0.055));
+        bytes.push_back(
+            255 * (light < 0.0031308 ? 12.92 * light : 1.055 * std::pow(light, 1 / 2.4) - 0.055));
     }
     return bytes;
 }

@@ -1,5 +1,5 @@
-#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/live/live_scene.h"
+#include "bakers/preview/live/film_lookup.h"
 
 #include <gtest/gtest.h>
 

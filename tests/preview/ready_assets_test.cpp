@@ -74,7 +74,8 @@ TEST_F(BakedBefore, APreviewAfterABakeBakesNothing) {
 
 TEST_F(BakedBefore, WhatHasChangedIsBaked) {
     bake(Certification::quick);
-    const config::Recipe changed = testing::recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
+    const config::Recipe changed =
+        testing::recipe_of(small_recipe, {}, {"atmosphere.ground_albedo=0.125"});
     const Shown found = shown(changed, {folder_ / "out"});
     EXPECT_EQ(found.ready, (std::vector<std::string>{"transmittance", "shape"}));
     expect_equal(found.assets, shown(changed, {}).assets);

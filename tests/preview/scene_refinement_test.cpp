@@ -81,9 +81,7 @@ struct OneSample {
                std::fabs(through(x, y) - (through(x0, y0) + through(x1, y1)) / 2) > 1.0 / 64 ||
                std::fabs(sunlight(x, y) - mean) > std::max(sunlight(x, y), mean) / 32;
     }
-    bool stands_out(int x, int y) const {
-        return stands_out(x, y, 1, 0) || stands_out(x, y, 0, 1);
-    }
+    bool stands_out(int x, int y) const { return stands_out(x, y, 1, 0) || stands_out(x, y, 0, 1); }
 };
 
 // Each pixel has the bits of the picture with one sample everywhere or of that with four. Returns the share

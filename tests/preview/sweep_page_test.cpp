@@ -39,7 +39,9 @@ json sweep_of(const std::vector<int>& lengths) {
         }
         const json error = {{"max", 0.5}, {"rms", 0.25}};
         const double sky = std::exp2(-index);
-        const json air = {{"name", "air"}, {"bytes", 1024 << index}, {"lookup_error", error},
+        const json air = {{"name", "air"},
+                          {"bytes", 1024 << index},
+                          {"lookup_error", error},
                           {"sky_error", {{"median", sky}, {"ninth_decile", 2 * sky}, {"max", 3}}}};
         const json sun = {
             {"name", "sun"}, {"bytes", 10}, {"lookup_error", error}, {"sky_error", nullptr}};
@@ -64,8 +66,9 @@ PreviewSweep loaded(const json& sweep, const std::string& times = "") {
 
 TEST(LoadSweep, KnowsThePlacesOfVariantsAndWhatWasMeasured) {
     const PreviewSweep sweep =
-        loaded(sweep_of({2, 3}), "index,asset,texels_s,write_s,threads,name\n"
-                                 "4,air,1.5,0.25,2,\"0004_a,b\"\n5,air,1e-3,0,2,x\n9,air,7,7,2,y\n");
+        loaded(sweep_of({2, 3}),
+               "index,asset,texels_s,write_s,threads,name\n"
+               "4,air,1.5,0.25,2,\"0004_a,b\"\n5,air,1e-3,0,2,x\n9,air,7,7,2,y\n");
     ASSERT_EQ(sweep.variants.size(), 6u);
     EXPECT_EQ(sweep.axes[1], (std::vector<std::string>{"k1 0", "k1 1", "k1 2"}));
     const SweepVariant& fifth = sweep.variants[4];
@@ -146,7 +149,8 @@ TEST(SweepSheets, ShowHowFarPicturesAreFromTheFirst) {
     ASSERT_EQ(sheets.size(), 2u);
     EXPECT_EQ(sheets[0].group, sheets[1].group);
     const Picture& difference = sheets[1].picture;
-    const Colour grey = {128, 128, 128}, more = {128 + 5 * 25, 128, 128}, less = {128, 128 + 5 * 10, 128};
+    const Colour grey = {128, 128, 128}, more = {128 + 5 * 25, 128, 128},
+                 less = {128, 128 + 5 * 10, 128};
     EXPECT_EQ(box_of(difference, grey, difference.width).count, 3 * 80 * 50 - 2);
     EXPECT_EQ(box_of(difference, more, difference.width).count, 1);
     EXPECT_EQ(box_of(difference, less, difference.width).count, 1);

@@ -165,7 +165,8 @@ TEST(LevelSet, IsRefusedWhereADistanceIsNotFinite) {
     write_grid(grid, folder / "v.vdb");
     const auto file = open_vdb_grid(folder / "v.vdb", "density", VolumePart::voxels);
     ASSERT_FALSE(file.value);
-    EXPECT_NE(file.diagnostics.at(0).message.find("its voxel (3, -7, 18) is nan; "), std::string::npos);
+    EXPECT_NE(file.diagnostics.at(0).message.find("its voxel (3, -7, 18) is nan; "),
+              std::string::npos);
 }
 
 }  // namespace

@@ -228,7 +228,8 @@ TEST(NvdbGridRefused, InWordsThatSayWhatItIs) {
     vectors->setName("density");
     vectors->tree().setValue(Coord(1, 2, 3), openvdb::Vec3f(1));
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), nanovdb::openToNanoVDB(*vectors));
-    EXPECT_TRUE(problem_of(folder / "v.nvdb").starts_with("its grid `density` holds vec3f; `nanovdb_convert"));
+    EXPECT_TRUE(problem_of(folder / "v.nvdb")
+                    .starts_with("its grid `density` holds vec3f; `nanovdb_convert"));
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
     nanovdb::io::writeGrid((folder / "v.nvdb").string(), converted<float>(*empty));
@@ -279,7 +280,8 @@ TEST(NvdbGrid, MayBeOfLaterReleases) {
     expect_accessors_voxels<float>(handle, file, {file.first, file.size});
     bytes[14] = 1;  // the codec
     testing::write_bytes(folder / "v.nvdb", bytes);
-    EXPECT_TRUE(problem_of(folder / "v.nvdb").starts_with("it is compressed by zip; `nanovdb_convert"));
+    EXPECT_TRUE(
+        problem_of(folder / "v.nvdb").starts_with("it is compressed by zip; `nanovdb_convert"));
     testing::write_bytes(folder / "v.nvdb", bytes.substr(grid));
     EXPECT_EQ(problem_of(folder / "v.nvdb"), "it is a grid without a file's head");
 }

@@ -228,7 +228,8 @@ class OneVoxel : public VoxelSource {
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         std::fill_n(channels[0], box.count(), 0.0F);
         if (!holds(box)) return;
-        const std::int64_t row = std::int64_t{at_[2] - box.origin[2]} * box.size[1] + at_[1] - box.origin[1];
+        const std::int64_t row =
+            std::int64_t{at_[2] - box.origin[2]} * box.size[1] + at_[1] - box.origin[1];
         channels[0][row * box.size[0] + at_[0] - box.origin[0]] = 1;
     }
     bool is_empty(const VoxelBox& box) const override { return says_ && !holds(box); }
@@ -247,8 +248,8 @@ class OneVoxel : public VoxelSource {
 // A voxel at a face shows on the other side of the seam, whatever is known to be empty.
 TEST(ResampledVolume, LosesNothingAcrossItsSeams) {
     const Size source = {8, 6, 4};
-    for (const Size& at : {Size{0, 3, 1}, Size{7, 3, 1}, Size{3, 0, 1}, Size{3, 5, 1}, Size{0, 0, 2},
-                           Size{7, 5, 0}}) {
+    for (const Size& at : {Size{0, 3, 1}, Size{7, 3, 1}, Size{3, 0, 1}, Size{3, 5, 1},
+                           Size{0, 0, 2}, Size{7, 5, 0}}) {
         CloudVolume volume = volume_of(source, nullptr, VolumeWrap::repeat);
         volume.source.voxels = std::make_shared<OneVoxel>(at, false);
         CloudVolume knowing = volume;

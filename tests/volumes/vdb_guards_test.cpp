@@ -86,7 +86,8 @@ TEST(VdbGuards, TheFileIsWhole) {
     for (const std::uint64_t format : {0U, 213U, 9999U}) {
         EXPECT_EQ(problem_of(with(bytes, kFormat, format)), "its format is not known") << format;
     }
-    EXPECT_EQ(problem_of(with(bytes, kHasOffsets, 0, 1)), "") << "then it is a stream, of the same grid";
+    EXPECT_EQ(problem_of(with(bytes, kHasOffsets, 0, 1)), "")
+        << "then it is a stream, of the same grid";
 }
 
 TEST(VdbGuards, GridsEndBehindTheirHeads) {

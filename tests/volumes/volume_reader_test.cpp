@@ -319,10 +319,11 @@ TEST(VolumeFails, WhereTheFileIsNotWhatTheRecipeSays) {
                   bytes_of(0x7fc0, PixelType::unorm16, ByteOrder::big) + std::string(2, '\0'));
     std::reverse(bytes.begin() + 4 * 17, bytes.begin() + 4 * 18);
     testing::write_bytes(path, bytes);
-    EXPECT_EQ(first_message(volume),
-              "E0304: cannot read `" + path +
-                  "` as a raw volume: its voxel (1, 1, 1) is nan; not_finite = \"background\" takes the "
-                  "background in their place");
+    EXPECT_EQ(
+        first_message(volume),
+        "E0304: cannot read `" + path +
+            "` as a raw volume: its voxel (1, 1, 1) is nan; not_finite = \"background\" takes the "
+            "background in their place");
     volume.not_finite = config::NotFinite::background;
     const auto cleared = open_volume(volume);
     ASSERT_TRUE(cleared.value);
@@ -341,9 +342,10 @@ TEST(Volume, LiesWhereItsFileSays) {
     testing::write_grid(grid, folder / "v.vdb");
     VolumeFile volume;
     volume.paths = {folder / "v.vdb"};
-    EXPECT_NE(first_message_anywhere(volume).find("it has 20033 voxels along x, and at most 16384 are "
-                                                  "read; crop_first and crop_size choose a part"),
-              std::string::npos);
+    EXPECT_NE(
+        first_message_anywhere(volume).find("it has 20033 voxels along x, and at most 16384 are "
+                                            "read; crop_first and crop_size choose a part"),
+        std::string::npos);
     volume.crop_first = {-3, 2, 5};
     volume.crop_size = {10, 20, 8};
     const auto corner = [&] { return read_volume_shape(volume).value.value().corner_m; };

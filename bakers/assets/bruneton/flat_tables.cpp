@@ -100,8 +100,8 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
 
 }  // namespace
 
-VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size,
-                        std::size_t channels, const BakeOptions& options) {
+VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
+                       const BakeOptions& options) {
     VoxelArray texels(size, channels);
     std::vector<double> x;
     for (int u = 0; u < size[0]; ++u) x.push_back(texel_coordinate(kFlatConvention, u, size[0]));

@@ -38,8 +38,8 @@ FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> we
                       const glm::dvec3& factors);
 
 // Makes the texels. Channels after the colours hold 1.
-VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size,
-                        std::size_t channels, const BakeOptions& options);
+VoxelArray flat_texels(const FlatTable& table, const std::array<int, 3>& size, std::size_t channels,
+                       const BakeOptions& options);
 // Returns the reference as a function of texture coordinates of a table of that size. `table` must
 // outlive it.
 VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>& size,

@@ -51,7 +51,7 @@ ScatteringParts TableParts::at(std::size_t texel) const {
 }
 
 VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                              const TableParts& parts) {
+                             const TableParts& parts) {
     VoxelArray table(mapping.size(), content.channels());
     for (std::size_t i = 0; i < table.channel(0).size(); ++i) {
         const Texel texel = content.texel(parts.at(i));

@@ -92,7 +92,7 @@ std::vector<ScatteringParts> parts_of_row(const ScatteringRows& rows,
 
 // Returns the exact texels of a content's table. Either kind of parts may be absent.
 VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                              const TableParts& parts);
+                             const TableParts& parts);
 
 // Looks up the first `channels` channels, linearly in each of the four coordinates between texels
 // of one half.

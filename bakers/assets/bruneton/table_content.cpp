@@ -121,7 +121,7 @@ namespace {
 // The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
 // layers'.
 VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                          const TableParts& parts) {
+                         const TableParts& parts) {
     const std::size_t count = content.wavelengths();
     VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
     for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
@@ -146,7 +146,7 @@ PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t
 }  // namespace
 
 VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
-                         std::span<const TableParts> parts, bool fits, const BakeOptions& options) {
+                        std::span<const TableParts> parts, bool fits, const BakeOptions& options) {
     const std::vector<const ScatteringContent*>& packets = content.packets();
     if (!content.is_colored()) {
         VoxelArray table = scattering_texels(*packets.front(), mapping, parts.front());

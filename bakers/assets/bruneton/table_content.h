@@ -70,6 +70,6 @@ class TableContent {
 // Returns the texels, u fastest. If `fits`, they are moved so that lookups between them are right
 // (lookup_fit.h), wavelength by wavelength, since colours need not be above 0.
 VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
-                         std::span<const TableParts> parts, bool fits, const BakeOptions& options);
+                        std::span<const TableParts> parts, bool fits, const BakeOptions& options);
 
 }  // namespace skybake

@@ -36,10 +36,10 @@ std::vector<AxisMapping> axes_of(const Cloud& cloud) {
         axes[i].quantity = i == 0 ? "x_m" : "y_m";
         axes[i].first = first;
         axes[i].last = first + cloud.extent[i].meters;
-        axes[i].formula =
-            fmt::format("{} = {} / {}", "uv"[i],
-                        first == 0 ? std::string(1, letter) : fmt::format("({} - {})", letter, first),
-                        cloud.extent[i].meters);
+        axes[i].formula = fmt::format(
+            "{} = {} / {}", "uv"[i],
+            first == 0 ? std::string(1, letter) : fmt::format("({} - {})", letter, first),
+            cloud.extent[i].meters);
         axes[i].convention = "repeats; voxel i samples (i + 1/2) / size";
         axes[i].wrap = AxisWrap::repeat;
     }

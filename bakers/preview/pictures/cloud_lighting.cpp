@@ -24,8 +24,8 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
                                     int threads) {
     auto tables = make_sky_tables(transmittance, multiple_scattering);
     if (!tables.value) return std::nullopt;
-    Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name), nullptr,
-                      nullptr};
+    Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name),
+                      nullptr, nullptr};
     lighting.tables.screen = daylight_screen({lighting.medium, lighting.tables}, threads);
     return lighting;
 }
@@ -47,9 +47,9 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
     } else {
         const auto earth = light->tables(nullptr, bake_options(input, threads));
         if (!earth.value) return std::nullopt;
-        lighting = lighting_of(earth.value->recipe->parameters.atmosphere,
-                               *earth.value->of_kind("transmittance"),
-                               *earth.value->of_kind("multiple_scattering"), "the preset earth", threads);
+        lighting = lighting_of(
+            earth.value->recipe->parameters.atmosphere, *earth.value->of_kind("transmittance"),
+            *earth.value->of_kind("multiple_scattering"), "the preset earth", threads);
     }
     if (lighting) lighting->light = light;
     return lighting;

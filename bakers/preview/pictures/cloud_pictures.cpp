@@ -46,8 +46,12 @@ struct LitScene {
 };
 
 SceneFrame frame_of(const CloudViewSettings& settings) {
-    return {settings.width, settings.height, settings.camera,
-            refinement_of(settings.width, settings.height), true, kStepGrowth};
+    return {settings.width,
+            settings.height,
+            settings.camera,
+            refinement_of(settings.width, settings.height),
+            true,
+            kStepGrowth};
 }
 
 std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings,
@@ -124,7 +128,8 @@ std::optional<double> known_exposure(const CloudPreviewInput& input, std::size_t
 
 // Returns the layer that is in all views.
 SceneLayer layer_of(const CloudMedium& medium, const std::vector<CloudViewSettings>& views) {
-    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0, false, kLightGrowth};
+    SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0,
+                        false,   kLightGrowth};
     for (const CloudViewSettings& view : views) {
         layer.reach_m = std::max(layer.reach_m, view.reach_m);
     }
@@ -145,8 +150,9 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
         const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {
-            input, lighting, sun, cloud.leaps_name, sky,
-            SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
+            input, lighting,
+            sun,   cloud.leaps_name,
+            sky,   SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
             PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);

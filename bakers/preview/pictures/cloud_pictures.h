@@ -60,11 +60,11 @@ struct CloudPreviewInput {
     ToneCurve tone_curve = ToneCurve::film;
     CameraRequest camera;
     std::optional<SequenceFrame>
-        frame;            // of volumes whose lit pictures are parts of one that plays
-    bool single = false;  // one tile alone, not the layer that it repeats to
+        frame;               // of volumes whose lit pictures are parts of one that plays
+    bool single = false;     // one tile alone, not the layer that it repeats to
     bool table_sky = false;  // the sky behind is that of the tables, not the solved one
-    int turntable = 0;    // pictures of that tile from all around, under each sun; 0: one picture
-    int width = 960;      // of lit pictures
+    int turntable = 0;  // pictures of that tile from all around, under each sun; 0: one picture
+    int width = 960;    // of lit pictures
     int height = 540;
     std::shared_ptr<PictureLight> light;  // shared by pictures; null: made for these
     bool draft = false;                   // half that size, only the most important pictures

@@ -151,9 +151,9 @@ class VolumeMeasurement {
 
     // Measures all variants with these voxels. Returns false after an interruption.
     bool measure(const SharedVoxels& voxels) {
-        const auto stored = std::make_shared<VoxelArray>(read_voxels(
-            *voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
-            BakeOptions{.threads = options_.threads}, "voxels"));
+        const auto stored = std::make_shared<VoxelArray>(
+            read_voxels(*voxels.source, voxels.size, static_cast<int>(baked_.channel_names.size()),
+                        BakeOptions{.threads = options_.threads}, "voxels"));
         for (const PixelType type : kTypes) {
             std::vector<std::size_t> variants;
             for (std::size_t i = 0; i < sweep_.variants.size(); ++i) {

@@ -80,7 +80,7 @@ class BrunetonSky {
 
   private:
     std::optional<VoxelArray> make_table(const ScatteringContent& content, const TableParts& parts,
-                                          const BakeOptions& options) const {
+                                         const BakeOptions& options) const {
         VoxelArray table = scattering_texels(content, mapping_, parts);
         fit_lookups(mapping_, content.measured_channels(), options, table);
         return table;

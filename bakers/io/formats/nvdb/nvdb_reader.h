@@ -14,9 +14,9 @@ namespace skybake {
 // The facts that a grid of any program states.
 struct NvdbGridFacts {
     std::string name;
-    std::string type;        // "float", "vec3f", "points"
-    std::string grid_class;  // "fog volume"
-    std::string codec;       // "none", "zip", "blosc"
+    std::string type;                     // "float", "vec3f", "points"
+    std::string grid_class;               // "fog volume"
+    std::string codec;                    // "none", "zip", "blosc"
     std::array<std::int64_t, 3> first{};  // bounds of the active voxels, inclusive
     std::array<std::int64_t, 3> last{};
     std::int64_t active_voxels = 0;

@@ -47,7 +47,8 @@ class NvdbVoxels : public VoxelSource {
             add_faults(cube, values, voxels.faults);
             expect_in_bounds(cube, memory);
             for (float& value : values) value = density_of(value);
-            voxels.largest = std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
+            voxels.largest =
+                std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
             if (std::all_of(values.begin(), values.end(), [](float v) { return v == 0; })) {
                 cube = {cube.corner, 0, 0};
             }
@@ -190,8 +191,8 @@ Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std:
             auto source = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
                                                        std::move(tree), density);
             source->survey(voxels);
-            const bool refused = not_finite == config::NotFinite::refuse &&
-                                 voxels.faults.not_finite.count > 0;
+            const bool refused =
+                not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0;
             if (refused) throw NvdbDamage{refusal_of(voxels.faults)};
             source->expect_checksum(grid);
             voxels.voxels = std::move(source);

@@ -90,13 +90,13 @@ struct IndexBounds {
 };
 
 struct GridTree {
-    float background = 0;  // as the file has it, rounded to float
+    float background = 0;                                // as the file has it, rounded to float
     alignas(8) std::array<char, 8> stored_background{};  // in the type of the grid
     // The smallest and largest finite value of tiles and background.
     float least_tile = 0;
     float largest_tile = 0;
-    ValueFaults faults;  // of tiles; those that are not finite are the background
-    DensityRamp density;                                      // what numbers mean
+    ValueFaults faults;   // of tiles; those that are not finite are the background
+    DensityRamp density;  // what numbers mean
     std::map<std::array<int, 3>, float> root_tiles;           // by corner
     std::map<std::array<int, 3>, std::size_t> root_children;  // by corner: number of the node
     std::vector<NodePlaces<UpperNode>> upper;
@@ -121,10 +121,10 @@ auto with_number_type(const Grid& head, const Visit& visit) {
     if (grid.isType<openvdb::DoubleGrid>()) return visit(double{});
     if (grid.isType<openvdb::Int32Grid>()) return visit(std::int32_t{});
     if (grid.isType<openvdb::Int64Grid>()) return visit(openvdb::Int64{});
-    throw Damaged(fmt::format("its grid `{}` holds {}, and only grids of float, double, int32 and "
-                              "int64 are read",
-                              openvdb::io::GridDescriptor::nameAsString(head.descriptor.uniqueName()),
-                              grid.valueType()));
+    throw Damaged(fmt::format(
+        "its grid `{}` holds {}, and only grids of float, double, int32 and "
+        "int64 are read",
+        openvdb::io::GridDescriptor::nameAsString(head.descriptor.uniqueName()), grid.valueType()));
 }
 
 // Whether a grid holds numbers.

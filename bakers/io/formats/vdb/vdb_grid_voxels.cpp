@@ -11,8 +11,8 @@
 #include <sstream>
 #include <utility>
 
-#include "bakers/io/formats/vdb/vdb_grid_tree.h"
 #include "bakers/io/files/system_call.h"
+#include "bakers/io/formats/vdb/vdb_grid_tree.h"
 #include "bakers/io/formats/vdb/vdb_input.h"
 #include "bakers/io/formats/vdb/vdb_library.h"
 #include "bakers/io/volumes/grid_names.h"
@@ -59,7 +59,8 @@ class GridVoxels : public VoxelSource {
                 if (ValueFaults::is_fault(values[i])) add_fault(leaf, i, values[i], voxels.faults);
             }
             to_densities(values);
-            voxels.largest = std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
+            voxels.largest =
+                std::max(voxels.largest, *std::max_element(values.begin(), values.end()));
             leaf.is_zero =
                 std::all_of(values.begin(), values.end(), [](float value) { return value == 0; });
         }
@@ -136,9 +137,8 @@ class GridVoxels : public VoxelSource {
             Leaf::NodeMaskType active;
             active.load(in_);
             // The file may have changed since its lengths were checked.
-            const auto end =
-                end_of_values(in_, leaf.bytes, Leaf::NUM_VALUES, active.countOn(),
-                              size_of_value<Value>(voxels_.half_));
+            const auto end = end_of_values(in_, leaf.bytes, Leaf::NUM_VALUES, active.countOn(),
+                                           size_of_value<Value>(voxels_.half_));
             expect(end == leaf.bytes, "it has changed while it was read");
             io::readCompressedValues(in_, stored_.data(), Leaf::NUM_VALUES, active, voxels_.half_);
             std::transform(stored_.begin(), stored_.end(), values_.begin(),
@@ -237,8 +237,8 @@ Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::stri
                 auto source =
                     std::make_shared<GridVoxels<Value>>(path, grid, std::move(tree), input);
                 source->survey(voxels);
-                const bool refused = not_finite == config::NotFinite::refuse &&
-                                     voxels.faults.not_finite.count > 0;
+                const bool refused =
+                    not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0;
                 if (refused) throw Damaged(refusal_of(voxels.faults));
                 voxels.voxels = std::move(source);
             }
