@@ -38,12 +38,12 @@ bool uses_openvdb(const std::string& module) {
 
 // Returns why a module cannot be loaded, or an empty text. OpenVDB brings log4cplus, which begins four
 // threads as it is loaded, and waits for ever or ends the process if one cannot begin; Pango begins two
-// whenever it meets another font, beside all that work then, and ends the process. One more is left to
-// whoever tells how far the work is.
+// whenever it meets another font, beside all that work then, OpenVDB's among them, and ends the process.
+// One more is left to whoever tells how far the work is.
 std::string want_of_threads(const std::string& module) {
     const bool draws = module == chart_module_name;
     if (!draws && !uses_openvdb(module)) return "";
-    const int wanted = draws ? 3 + thread_count(0) : 5;
+    const int wanted = draws ? 8 + thread_count(0) : 5;
     const int startable = startable_threads(wanted);
     if (startable == wanted) return "";
     return fmt::format(
