@@ -90,7 +90,8 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
     return write_file_atomically(path, depfile_text(targets, bake.recipe->inputs));
 }
 
-// What is baked would make the folder look like none of a cache.
+// Returns E0302 if the output is the cache: its assets would lie beside the entries, and no later run could
+// tell that the folder is a cache.
 std::vector<config::Diagnostic> check_two_folders(const fs::path& cache, const fs::path& output) {
     std::error_code ignored;
     const bool is_one = !cache.empty() && fs::weakly_canonical(cache, ignored) ==
