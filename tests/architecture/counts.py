@@ -16,7 +16,7 @@ PRODUCT = ("config", "bakers", "cli")
 MOST_PRODUCT_UNITS = 45
 MOST_TEST_UNITS = 40
 # A change that adds a feature gives as many lines back. Lower this where lines were saved.
-MOST_PRODUCT_LINES = 134_700
+MOST_PRODUCT_LINES = 131_400
 
 
 def sources(*rooms):

@@ -215,7 +215,6 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
         {scene.baked, "--watch"},
         {scene.baked, "--only", "volume"},
         {scene.baked, "--set", "a=1"},
-        {scene.recipe, "--watch", "--report"},
         {scene.recipe, "--only", "absent"},
         {scene.recipe, "--sun-elevation", "91"},
         {scene.recipe, "--sun-elevation", "10,"},
@@ -293,10 +292,10 @@ TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
 TEST(PreviewCommand, PlacesTheCameraOfACloud) {
     const Scene scene;
     write_bytes(scene.recipe, cloud_text);
-    const Result result = scene.preview(
-        {scene.recipe, "--camera", " position=0.1km,200m,50m  heading=1rad fov=40", "--size",
-         "40x30", "--sun-azimuth=-20 deg", "--sun-elevation=-3", "--single", "--set",
-         "preview.altitude=2 km"});
+    const Result result =
+        scene.preview({scene.recipe, "--camera", " position=0.1km,200m,50m  heading=1rad fov=40",
+                       "--size", "40x30", "--sun-azimuth=-20 deg", "--sun-elevation=-3", "--single",
+                       "--set", "preview.altitude=2 km"});
     ASSERT_EQ(result.code, 0) << result.error;
     // A key may be for the pictures of another recipe that this one includes, unlike an option.
     EXPECT_TRUE(contains(result.error, "no picture of this recipe uses `preview.altitude`"))
@@ -534,7 +533,8 @@ TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
     EXPECT_EQ(table["rows"][1]["cells"][1]["text"], "800 m");
     for (const json& row : table["rows"]) {
         EXPECT_TRUE(row["picture"].is_object());
-        EXPECT_TRUE(fs::is_directory(scene.out + "/" + std::string(row["folder"]))) << row["folder"];
+        EXPECT_TRUE(fs::is_directory(scene.out + "/" + std::string(row["folder"])))
+            << row["folder"];
     }
     // Two seeds differ and two scale heights do not, since the picture is that of the noise.
     ASSERT_GT(table["pictures"].size(), 2u);
