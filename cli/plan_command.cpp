@@ -138,7 +138,8 @@ std::string table_text(const SkyPlan& plan) {
 std::vector<ReportFile> files_of(const SkyPlan& plan) {
     return {{"plan.csv", plan_csv(plan)},
             {"plan.json", plan_json(plan)},
-            {"plan.svg", report_svg(plan_figure(plan))}};
+            {"plan.svg", report_svg(plan_figure(plan))},
+            {"plan.png", plan.sheet}};
 }
 
 ExitCode write_recipe(const SkyPlan& plan, const config::Recipe& recipe,
@@ -163,7 +164,7 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
     }
     const std::filesystem::path folder = invocation[options::output];
     const bool force = invocation[options::force];
-    const auto problems = check_report_folder(folder, {"plan.csv", "plan.json", "plan.svg"}, force);
+    const auto problems = check_report_folder(folder, {"plan.csv", "plan.json", "plan.svg", "plan.png"}, force);
     if (!problems.empty()) return console.report(problems);
     if (const auto problem = chart_problem()) {
         const ExitCode code = console.report(std::array{*problem});
@@ -212,7 +213,7 @@ Command plan_command() {
         .brief = "choose what the sky needs",
         .summary = "measure the ways to draw a recipe's sky, and choose by error, fetches and size",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {options::output("write plan.csv, plan.json and plan.svg into this folder",
+        .options = {options::output("write plan.csv, .json, .svg and .png into this folder",
                                     "plan"),
                     set_row(),
                     options::max_sky_error("choose among ways with at most this error in nine of "

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <system_error>
+#include <utility>
 
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/file_io.h"
@@ -15,10 +16,10 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::uintmax_t kLargestFile = 1 << 20;
+constexpr std::uintmax_t kLargestFile = 1 << 24;
 
-fs::path path_of(const fs::path& cache, const std::string& key) {
-    return cache / "plans" / key.substr(0, 2) / (key + ".json");
+fs::path path_of(const fs::path& cache, const std::string& key, const char* extension) {
+    return cache / "plans" / key.substr(0, 2) / (key + extension);
 }
 
 Json to_json(const MeasuredWay& way) {
@@ -47,31 +48,38 @@ void read(const Json& row, MeasuredWay& way) {
 
 }  // namespace
 
-bool find_figures(const fs::path& cache, const std::string& key, std::vector<MeasuredWay>& ways) {
+bool find_figures(const fs::path& cache, const std::string& key, KeptPlan& plan) {
     if (cache.empty()) return false;
-    const auto text = read_file(path_of(cache, key), kLargestFile);
-    if (!text.value) return false;
+    const auto text = read_file(path_of(cache, key, ".json"), kLargestFile);
+    auto sheet = read_file(path_of(cache, key, ".png"), kLargestFile);
+    if (!text.value || !sheet.value) return false;
     const Json kept = Json::parse(*text.value, nullptr, false);
     if (!kept.is_object() || kept.value("key", "") != key) return false;
     const Json rows = kept.value("ways", Json::array());
-    if (kept.value("values", "") != xxh3_hex(rows.dump()) || rows.size() != ways.size()) {
+    if (kept.value("values", "") != xxh3_hex(rows.dump() + *sheet.value) ||
+        rows.size() != plan.ways.size()) {
         return false;
     }
-    for (std::size_t i = 0; i < ways.size(); ++i) read(rows[i], ways[i]);
+    for (std::size_t i = 0; i < plan.ways.size(); ++i) read(rows[i], plan.ways[i]);
+    plan.sheet = std::move(*sheet.value);
     return true;
 }
 
 std::vector<config::Diagnostic> keep_figures(const fs::path& cache, const std::string& key,
-                                             const std::vector<MeasuredWay>& ways) {
+                                             const KeptPlan& plan) {
     if (cache.empty()) return {};
     Json rows = Json::array();
-    for (const MeasuredWay& way : ways) rows.push_back(to_json(way));
-    const Json kept = {{"key", key}, {"values", xxh3_hex(rows.dump())}, {"ways", rows}};
-    const fs::path path = path_of(cache, key);
+    for (const MeasuredWay& way : plan.ways) rows.push_back(to_json(way));
+    const Json kept = {
+        {"key", key}, {"values", xxh3_hex(rows.dump() + plan.sheet)}, {"ways", rows}};
+    const fs::path path = path_of(cache, key, ".json");
     std::vector<config::Diagnostic> problems = make_cache_folder(cache);
     std::error_code error;
     if (problems.empty()) fs::create_directories(path.parent_path(), error);
     if (error) problems = {file_error("E0301", path.string(), error.message())};
+    if (problems.empty()) {
+        problems = write_file_atomically(path_of(cache, key, ".png"), plan.sheet).diagnostics;
+    }
     if (problems.empty()) problems = write_file_atomically(path, kept.dump()).diagnostics;
     for (config::Diagnostic& problem : problems) {
         problem.severity = config::Severity::warning;

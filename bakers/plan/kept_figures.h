@@ -10,14 +10,18 @@
 
 namespace skybake {
 
-// Fills in the figures of all ways from the cache. Returns false if it has none under this key, which
-// must tell all that the figures depend on.
-bool find_figures(const std::filesystem::path& cache, const std::string& key,
-                  std::vector<MeasuredWay>& ways);
+// The figures of all ways, and the sheet of their pictures.
+struct KeptPlan {
+    std::vector<MeasuredWay> ways;
+    std::string sheet;
+};
 
-// Keeps the figures. W0301 if the cache cannot be written; a plan goes on without it.
+// Fills in a plan's figures and its sheet from the cache. Returns false if it has none under this key,
+// which must tell all that they depend on.
+bool find_figures(const std::filesystem::path& cache, const std::string& key, KeptPlan& plan);
+
+// Keeps them. W0301 if the cache cannot be written; a plan goes on without it.
 std::vector<config::Diagnostic> keep_figures(const std::filesystem::path& cache,
-                                             const std::string& key,
-                                             const std::vector<MeasuredWay>& ways);
+                                             const std::string& key, const KeptPlan& plan);
 
 }  // namespace skybake

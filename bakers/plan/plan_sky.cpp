@@ -12,6 +12,7 @@
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/found_sky.h"
 #include "bakers/plan/kept_figures.h"
+#include "bakers/plan/sky_sheet.h"
 #include "bakers/plan/sky_truth.h"
 #include "config/assets/asset_kind.h"
 
@@ -139,30 +140,33 @@ void measure_way(const SkyOfWay& sky, const SceneTruth& truth, const WayAssets& 
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
 }
 
-// Measures the ways of a scene in views of it that begin with number `first`.
-Outcome<std::vector<MeasuredWay>> measure(const PlanRequest& request, const PlannedScene& scene,
-                                          std::uint32_t first) {
+// Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
+Outcome<KeptPlan> measure(const PlanRequest& request, const PlannedScene& scene,
+                          std::uint32_t first) {
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_assets(request, assets);
     if (!recipe.value) return {{}, recipe.diagnostics};
     const config::Parameters& parameters = recipe.value->parameters;
     std::vector<SkySample> views =
         scene_views(scene.range, shell_of(parameters.atmosphere), kViews, first);
-    std::vector<MeasuredWay> ways;
-    for (const SkyWay& way : scene.ways) ways.push_back({way, {}, {}});
+    KeptPlan plan;
+    for (const SkyWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
     const std::string key = key_of(*recipe.value, assets, scene, views, request.paths);
-    if (find_figures(request.cache, key, ways)) return {std::move(ways), {}};
+    if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
     if (!baked.value) return {{}, baked.diagnostics};
-    SceneTruth truth(parameters.atmosphere, std::move(views), weights_of(parameters, *baked.value),
-                     options);
+    const std::vector<glm::dvec3> weights = weights_of(parameters, *baked.value);
+    SceneTruth truth(parameters.atmosphere, std::move(views), weights, options);
     truth.trace(request.paths);
     const SkyOfWay sky(parameters, truth, request.threads);
-    for (MeasuredWay& way : ways) measure_way(sky, truth, assets, *baked.value, way);
-    if (options.cancelled()) return {};
-    std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, ways);
-    return {std::move(ways), std::move(problems)};
+    for (MeasuredWay& way : plan.ways) measure_way(sky, truth, assets, *baked.value, way);
+    auto sheet =
+        sky_sheet(*recipe.value, scene.range, plan.ways, assets, *baked.value, weights, options);
+    if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
+    plan.sheet = std::move(*sheet.value);
+    std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
+    return {std::move(plan), std::move(problems)};
 }
 
 std::vector<WayFigures> figures_of(const std::vector<MeasuredWay>& ways) {
@@ -204,14 +208,15 @@ std::optional<config::Diagnostic> darkness(const SkyError& error) {
 Outcome<SkyPlan> plan_sky(const PlanRequest& request) {
     Outcome<PlannedScene> scene = planned_scene(request);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    Outcome<std::vector<MeasuredWay>> measured = measure(request, *scene.value, 1);
+    Outcome<KeptPlan> measured = measure(request, *scene.value, 1);
     Outcome<SkyPlan> outcome;
     outcome.diagnostics = std::move(measured.diagnostics);
     if (!measured.value) return outcome;
     SkyPlan plan;
     plan.range = scene.value->range;
     plan.limits = limits_of(request, *scene.value->recipe.parameters.scene);
-    plan.ways = std::move(*measured.value);
+    plan.ways = std::move(measured.value->ways);
+    plan.sheet = std::move(measured.value->sheet);
     const SkyError& of_first = plan.ways.front().error;
     if (auto problem = darkness(of_first)) return {{}, {std::move(*problem)}};
     plan.reference = plan.ways.front().error.reference;
@@ -240,9 +245,9 @@ Outcome<SkyError> judge_way(const PlanRequest& request, const SkyWay& way, std::
     Outcome<PlannedScene> scene = planned_scene(request);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     scene.value->ways = {way};
-    Outcome<std::vector<MeasuredWay>> measured = measure(request, *scene.value, first);
+    Outcome<KeptPlan> measured = measure(request, *scene.value, first);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    return {measured.value->front().error, std::move(measured.diagnostics)};
+    return {measured.value->ways.front().error, std::move(measured.diagnostics)};
 }
 
 }  // namespace skybake

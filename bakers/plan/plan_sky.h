@@ -36,6 +36,7 @@ struct SkyPlan {
     std::size_t chosen = 0;  // what keeps the limits, or the knee if there are none
     std::size_t knee = 0;
     std::vector<std::string> notes;  // what was left out, and why
+    std::string sheet;               // a PNG: the sky by paths, and by each family (sky_sheet.h)
 };
 
 struct PlanRequest {

@@ -36,4 +36,10 @@ std::vector<Spectrum> SceneTruth::as_compared(std::vector<Spectrum> light) const
     return light;
 }
 
+std::vector<Spectrum> SceneTruth::light() const {
+    std::vector<Spectrum> light;
+    for (const TracedPlace& place : comparison_.places()) light.push_back(place.light.radiance);
+    return light;
+}
+
 }  // namespace skybake

@@ -27,6 +27,8 @@ class SceneTruth {
     const std::shared_ptr<const TracedAir>& air() const { return air_; }
     // Returns the channels that are compared, of light of the wavelengths.
     std::vector<Spectrum> as_compared(std::vector<Spectrum> light) const;
+    // Returns the traced light of the views, as it is compared.
+    std::vector<Spectrum> light() const;
     SkyError error(const std::vector<Spectrum>& found) const { return comparison_.error(found); }
 
   private:

@@ -196,10 +196,13 @@ bool is_report_text(std::string_view name, std::string_view text) {
 std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
                                                      const std::vector<std::string>& names) {
     std::vector<config::Diagnostic> diagnostics;
+    const bool has_plan = is_report_text("plan.json", beginning_of(folder / "plan.json"));
     for (const std::string& name : names) {
         const fs::path path = folder / name;
         std::error_code error;
         if (!fs::is_regular_file(path, error) || is_report_text(name, beginning_of(path))) continue;
+        // A PNG does not say who made it: it counts as a plan's if the plan's JSON is beside it.
+        if (has_plan && name.ends_with(".png")) continue;
         config::Diagnostic diagnostic = file_error(
             "E0303", path.string(),
             fmt::format("`{}` already exists and is not a report of skybake", path.string()));

@@ -29,7 +29,7 @@ def main():
         run = plan("scene.toml", "--write", "planned.toml")
         assert run.returncode == 0, run.stderr
         out = folder / "plan"
-        assert sorted(path.name for path in out.iterdir()) == ["plan.csv", "plan.json", "plan.svg"]
+        assert sorted(path.name for path in out.iterdir()) == ["plan.csv", "plan.json", "plan.png", "plan.svg"]
         for path in [*out.iterdir(), folder / "planned.toml"]:
             assert path.name in run.stderr, run.stderr
         root = xml.etree.ElementTree.parse(out / "plan.svg").getroot()

@@ -37,6 +37,8 @@ class SkyComparison {
     // Traces the places again where what was found is off most, until the worst is one of these.
     void trace_worst(const std::vector<Spectrum>& found);
 
+    const std::vector<TracedPlace>& places() const { return places_; }
+
     // Returns |found / traced - 1| over all places and channels (measure_sky).
     SkyError error(const std::vector<Spectrum>& found) const;
 
