@@ -1,5 +1,5 @@
 // Holds the functions that `skybake info --lookup` prints of a file to its probes:
-// print_lookups.cmake has baked printed.toml and made C++ of what was printed.
+// print_lookups.cmake has baked tests/recipes/lookups.toml and made C++ of what was printed.
 #include <cmath>
 #include <map>
 #include <stdexcept>

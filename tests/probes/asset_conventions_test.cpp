@@ -7,202 +7,13 @@
 #include <stdexcept>
 
 #include "bakers/assets/registry.h"
-#include "tests/incremental/bakes.h"
+#include "tests/probes/baked_recipe.h"
 
 namespace skybake {
 namespace conventions_test {
 namespace {
 
 using namespace skybake::testing;
-
-// Every asset, in the smallest sizes that bake.
-constexpr const char* all_assets = R"(
-preset = "earth_hillaire"
-[scene]
-sun_elevation = ["-10 deg", "60 deg"]
-[bake.transmittance]
-size = [16, 8]
-[bake.ue]
-asset = "transmittance"
-mapping = "ue"
-size = [16, 8]
-[bake.closure]
-asset = "multiple_scattering"
-method = "converged"
-mapping = "twilight"
-size = [8, 4]
-max_texel_error = "20 %"
-[bake.solved]
-asset = "multiple_scattering"
-method = "solved"
-size = [8, 4]
-[bake.moments]
-asset = "multiple_scattering"
-method = "solved"
-mapping = "twilight"
-content = "moments"
-degree = 2
-size = [8, 4]
-[bake.sky]
-asset = "sky_view"
-altitude = "1.5 km"
-sun_elevations = ["30 deg", "3 deg", "-4 deg"]
-orders = "single"
-size = [16, 12]
-[bake.environment]
-altitude = "1.5 km"
-sun_elevation = "3 deg"
-orders = "single"
-size = [16, 12]
-[bake.aerial]
-asset = "aerial_perspective"
-altitude = "500 m"
-sun_elevation = "20 deg"
-heading = "30 deg"
-pitch = "5 deg"
-fov = "50 deg"
-aspect = 1.5
-view_distance = "32 km"
-orders = "single"
-size = [4, 4, 4]
-[bake.irradiance]
-content = "direct"
-size = [8, 4]
-[bake.hillaire_irradiance]
-asset = "irradiance"
-content = "direct"
-mapping = "hillaire"
-size = [8, 4]
-[bake.angle]
-asset = "phase"
-layer = "mie"
-spacing = "angle"
-size = 32
-[bake.peaks]
-asset = "phase"
-layer = "mie"
-spacing = "peaks"
-size = 32
-[bake.shares]
-asset = "phase"
-layer = "mie"
-content = "inverse_cumulative"
-size = 32
-[bake.b_transmittance]
-asset = "bruneton"
-table = "transmittance"
-size = [8, 4, 1]
-[bake.b_scattering]
-asset = "bruneton"
-table = "scattering"
-orders = 1
-size = [16, 8, 4]
-nu_size = 4
-[bake.t_scattering]
-asset = "bruneton"
-table = "scattering"
-orders = 1
-size = [8, 4, 2]
-nu_size = 2
-sun_cos_zenith_min = -0.5
-solar_irradiance = [1.474, 1.8504, 1.91198]
-[bake.t_irradiance]
-asset = "bruneton"
-table = "irradiance"
-convention = "takram"
-orders = 1
-[bake.to_top]
-asset = "optical_depth"
-size = [16, 4, 1]
-[bake.along]
-asset = "optical_depth"
-table = "between"
-coordinates = "distance"
-size = [16, 4, 4]
-[bake.density]
-asset = "optical_depth"
-table = "density"
-size = [8, 1, 1]
-[bake.phases]
-asset = "optical_depth"
-table = "phase"
-size = [8, 1, 1]
-[noise.shape]
-sampling = "slices_at_corners"
-[noise.shape.channels.Y]
-type = "worley"
-frequency = 4
-[bake.noise]
-asset = "noise_volume"
-noise = "shape"
-size = [8, 8, 8]
-[bake.map]
-asset = "weather_map"
-noise = "corners"
-size = [16, 12]
-covered = 1
-[noise.corners]
-sampling = "corners"
-[noise.corners.channels.Y]
-type = "perlin"
-frequency = [3, 2, 1]
-[noise.moving]
-period = 3
-[noise.moving.channels.Y]
-type = "perlin"
-frequency = [3, 2, 1]
-[bake.wave]
-asset = "weather_map"
-noise = "moving"
-size = [16, 12]
-frames = 3
-[bake.book]
-asset = "flipbook"
-of = "wave"
-[bake.forward]
-asset = "forward_scattering"
-size = [32, 16]
-[bake.mask]
-asset = "blue_noise"
-size = [12, 8]
-frames = 3
-[clouds.c]
-noise = "shape"
-extent = ["6 km", "5 km", "1.5 km"]
-base_altitude = "1200 m"
-[bake.cloud]
-asset = "cloud_volume"
-cloud = "c"
-size = [24, 20, 6]
-formats = ["exr"]
-[bake.cells]
-asset = "occupancy"
-of = "cloud"
-contents = ["leap"]
-formats = ["exr"]
-[bake.light]
-asset = "cloud_light"
-of = "cloud"
-sun_elevations = ["40 deg"]
-formats = ["exr"]
-[bake.radiance]
-asset = "cloud_light"
-of = "cloud"
-contents = "sky_radiance"
-formats = ["exr"]
-[bake.clear_sky]
-asset = "cloud_light"
-of = "cloud"
-contents = "clear_sky_radiance"
-sun_elevations = ["40 deg"]
-formats = ["exr"]
-[bake.distance]
-asset = "cloud_distance"
-of = "cloud"
-cell = 2
-pixel_type = "half"
-formats = ["exr"]
-)";
 
 FactValue constant(const AxisMapping& axis, const std::string& name) {
     for (const auto& [key, value] : axis.constants) {
@@ -216,13 +27,6 @@ double number(const AxisMapping& axis, const std::string& name) {
 std::vector<double> list(const AxisMapping& axis, const std::string& name) {
     return std::get<std::vector<double>>(constant(axis, name));
 }
-double at(const Probe& probe, const std::string& name) {
-    for (const auto& [key, value] : probe.at) {
-        if (key == name) return value;
-    }
-    throw std::out_of_range(name);
-}
-
 // The texture coordinate of x along one of `count` texels.
 double coordinate(const AxisMapping& axis, double x, int count) {
     return axis.end_points == TexelConvention::end_points_on_edges
@@ -230,38 +34,18 @@ double coordinate(const AxisMapping& axis, double x, int count) {
                : (0.5 + x * (count - 1)) / count;
 }
 
-class AssetConventions : public ::testing::Test {
-  protected:
-    // Baked once for all tests; what a reader of the manifest knows.
-    static const Manifest& manifest() {
-        static const Manifest read = [] {
-            const TemporaryFolder folder;
-            TestBake bake(recipe_of(all_assets), folder.path());
-            bake.bake.certification = Certification::off;
-            const auto baked = bake.run();
-            EXPECT_TRUE(baked.value.has_value())
-                << (baked.diagnostics.empty() ? "" : baked.diagnostics[0].message);
-            return *read_manifest(folder.path()).value;
-        }();
-        return read;
+const ManifestAsset& asset(const std::string& name) { return every_asset().asset(name); }
+
+template <class CoordinatesOf>
+void expect_probes(const std::string& name, const CoordinatesOf& coordinates_of) {
+    const ManifestAsset& entry = asset(name);
+    ASSERT_GE(entry.levels[0].probes.size(), 16U) << name;
+    for (const Probe& probe : entry.levels[0].probes) {
+        const std::array<double, 2> uv = coordinates_of(entry, probe);
+        EXPECT_NEAR(uv[0], probe.uvw[0], 2e-6) << name;
+        EXPECT_NEAR(uv[1], probe.uvw[1], 2e-6) << name;
     }
-    static const ManifestAsset& asset(const std::string& name) {
-        for (const ManifestAsset& entry : manifest().assets) {
-            if (entry.name == name) return entry;
-        }
-        throw std::out_of_range(name);
-    }
-    template <class CoordinatesOf>
-    static void expect_probes(const std::string& name, const CoordinatesOf& coordinates_of) {
-        const ManifestAsset& entry = asset(name);
-        ASSERT_GE(entry.levels[0].probes.size(), 16U) << name;
-        for (const Probe& probe : entry.levels[0].probes) {
-            const std::array<double, 2> uv = coordinates_of(entry, probe);
-            EXPECT_NEAR(uv[0], probe.uvw[0], 2e-6) << name;
-            EXPECT_NEAR(uv[1], probe.uvw[1], 2e-6) << name;
-        }
-    }
-};
+}
 
 std::array<double, 2> transmittance_place(double ground, double top, double altitude, double mu) {
     const double r = ground + altitude;
@@ -272,7 +56,7 @@ std::array<double, 2> transmittance_place(double ground, double top, double alti
     return {(d - d_min) / (rho + h - d_min), rho / h};
 }
 
-TEST_F(AssetConventions, TransmittanceByItsConstants) {
+TEST(EveryAsset, TransmittanceByItsConstants) {
     for (const char* name : {"transmittance", "ue"}) {
         expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
             const AxisMapping& u = entry.axes[0];
@@ -293,7 +77,7 @@ double sun_place(const ManifestAsset& entry, double mu) {
     return coordinate(u, (whole - number(u, "first")) / number(u, "share"), entry.size[0]);
 }
 
-TEST_F(AssetConventions, FlipbookByItsConstants) {
+TEST(EveryAsset, FlipbookByItsConstants) {
     expect_probes("book", [](const ManifestAsset& entry, const Probe& probe) {
         const AxisMapping& w = entry.axes[2];
         EXPECT_EQ(number(w, "frames"), 3);
@@ -303,7 +87,7 @@ TEST_F(AssetConventions, FlipbookByItsConstants) {
     });
 }
 
-TEST_F(AssetConventions, ForwardScatteringByItsConstants) {
+TEST(EveryAsset, ForwardScatteringByItsConstants) {
     expect_probes("forward", [](const ManifestAsset& entry, const Probe& probe) {
         const double half = at(probe, "scattering_angle_deg") * std::numbers::pi / 360;
         const double depth = at(probe, "optical_depth");
@@ -315,7 +99,7 @@ TEST_F(AssetConventions, ForwardScatteringByItsConstants) {
     });
 }
 
-TEST_F(AssetConventions, MultipleScatteringByItsConstants) {
+TEST(EveryAsset, MultipleScatteringByItsConstants) {
     EXPECT_LT(number(asset("solved").axes[0], "share"), 1);  // cropped by the scene
     for (const char* name : {"closure", "solved"}) {
         expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
@@ -337,7 +121,7 @@ TEST_F(AssetConventions, MultipleScatteringByItsConstants) {
     });
 }
 
-TEST_F(AssetConventions, SkyViewByItsConstants) {
+TEST(EveryAsset, SkyViewByItsConstants) {
     expect_probes("sky", [](const ManifestAsset& entry, const Probe& probe) {
         const AxisMapping& v = entry.axes[1];
         const std::vector<double> suns = list(v, "sun_elevations_deg");
@@ -366,7 +150,7 @@ TEST_F(AssetConventions, SkyViewByItsConstants) {
     });
 }
 
-TEST_F(AssetConventions, IrradianceAndPhaseByTheirConstants) {
+TEST(EveryAsset, IrradianceAndPhaseByTheirConstants) {
     for (const char* name : {"irradiance", "hillaire_irradiance"}) {
         expect_probes(name, [](const ManifestAsset& entry, const Probe& probe) {
             const AxisMapping& v = entry.axes[1];
@@ -390,7 +174,7 @@ TEST_F(AssetConventions, IrradianceAndPhaseByTheirConstants) {
     }
 }
 
-TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
+TEST(EveryAsset, VolumesHaveTheRecipesNumbers) {
     const ManifestAsset& cloud = asset("cloud");
     const ManifestAsset& cells = asset("cells");
     const std::array<double, 3> extent = {6000, 5000, 1500};
@@ -432,7 +216,7 @@ TEST_F(AssetConventions, VolumesHaveTheRecipesNumbers) {
     EXPECT_EQ(number(aerial[2], "exponent"), 2);
 }
 
-TEST_F(AssetConventions, BrunetonsTablesByTheirConstants) {
+TEST(EveryAsset, BrunetonsTablesByTheirConstants) {
     for (const char* name : {"b_scattering", "t_scattering"}) {
         const ManifestAsset& entry = asset(name);
         const AxisMapping& u = entry.axes[0];
@@ -450,7 +234,7 @@ TEST_F(AssetConventions, BrunetonsTablesByTheirConstants) {
     EXPECT_GT(number(asset("b_transmittance").axes[1], "thickness_km"), 0);
 }
 
-TEST_F(AssetConventions, ColumnsByTheirConstants) {
+TEST(EveryAsset, ColumnsByTheirConstants) {
     for (const char* name : {"to_top", "along"}) {
         const ManifestAsset& entry = asset(name);
         const std::vector<double> first = list(entry.axes[0], "first");
@@ -473,7 +257,7 @@ TEST_F(AssetConventions, ColumnsByTheirConstants) {
     EXPECT_EQ(number(asset("phases").axes[0], "range_deg"), 180);
 }
 
-TEST_F(AssetConventions, AreThoseOfTheAsset) {
+TEST(EveryAsset, AreThoseOfTheAsset) {
     const std::vector<double> wavelengths = {680, 550, 440};
     const std::vector<double> one = {1, 1, 1};
     const std::vector<double> takram = {1.474, 1.8504, 1.91198};
@@ -520,7 +304,7 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
         {"clear_sky", "m", "", "1/sr", none, none, "+z"},
         {"distance", "m", "", "", none, none, "+z"},
     };
-    EXPECT_EQ(all.size(), manifest().assets.size());
+    EXPECT_EQ(all.size(), every_asset().manifest.assets.size());
     for (const Wanted& wanted : all) {
         const Conventions& found = asset(wanted.name).conventions;
         EXPECT_EQ(found.length_unit, wanted.length) << wanted.name;
@@ -534,14 +318,14 @@ TEST_F(AssetConventions, AreThoseOfTheAsset) {
     }
     // Every kind of asset is among them.
     std::set<std::string> kinds;
-    for (const config::Bake& bake : recipe_of(all_assets).parameters.bakes) {
+    for (const config::Bake& bake : recipe_of(test::recipe_text("every_asset")).parameters.bakes) {
         kinds.insert(std::string(baker_of(bake).asset));
     }
     EXPECT_EQ(kinds.size(), bakers().size());
 }
 
-TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
-    for (const ManifestAsset& entry : manifest().assets) {
+TEST(EveryAsset, AxesWrapAsLookupsAreMade) {
+    for (const ManifestAsset& entry : every_asset().manifest.assets) {
         const bool is_tile = entry.mapping == "tile" || entry.mapping == "pixels" ||
                              entry.mapping == "frames";  // of a loop
         const bool is_layer = entry.mapping == "layer";
@@ -559,8 +343,8 @@ TEST_F(AssetConventions, AxesWrapAsLookupsAreMade) {
 }
 
 // "Numbers in `details` are numbers": no text of a detail begins as a number does.
-TEST_F(AssetConventions, DetailsKeepNumbersAsNumbers) {
-    for (const ManifestAsset& entry : manifest().assets) {
+TEST(EveryAsset, DetailsKeepNumbersAsNumbers) {
+    for (const ManifestAsset& entry : every_asset().manifest.assets) {
         for (const auto& [name, value] : entry.details) {
             const auto* text = std::get_if<std::string>(&value);
             if (text == nullptr || text->empty()) continue;
