@@ -320,7 +320,7 @@ TEST(KeyCoversBytes, TriesEveryKey) {
     }
     // An included file's values are tried as the recipe's own; `aliases` speaks of warnings alone,
     // and `target` of keys of assets (targets_test.cpp). `cover` and `size` of a cloud are those of its
-    // bakes, unless they say so themselves (named_bakes_test.cpp).
+    // bakes, unless they say so themselves (parameters_test.cpp).
     for (const char* known :
          {"clouds.*.cover", "clouds.*.size", "include", "noise.*.aliases", "target"}) {
         EXPECT_EQ(untried.erase(known), 1U) << known;

@@ -52,16 +52,6 @@ TEST(NoiseLookup, FloatLosesLittle) {
             }
         }
         expect_little_loss(loss, baked.asset().certificate);
-        for (const Probe& probe : baked.asset().levels.front().probes) {
-            const glm::dvec3 place(test::at(probe, "x_tile"), test::at(probe, "y_tile"),
-                                   test::at(probe, "z_tile"));
-            const vec3 p(place * glm::dvec3(tile));
-            const gpu::vec4 found =
-                corners ? gpu::cloud_lookups::noise_volume_at_corners({texture}, p, tile)
-                        : gpu::cloud_lookups::noise_volume({texture}, p, tile);
-            test::expect_probe(found, probe.value, probe.tolerance,
-                               "x_tile " + std::to_string(place.x));
-        }
     }
 }
 
@@ -249,16 +239,6 @@ TEST(CloudTrace, TooLongDistancesWouldBeNoticed) {
     EXPECT_GT(different, 50);
 }
 
-TEST(CloudDistance, HoldsTheProbes) {
-    const CloudTrial trial;
-    for (const Probe& probe : trial.baked.asset(2).levels.front().probes) {
-        const float found = gpu::cloud_lookups::cloud_distance(
-            {trial.distances}, kEnds, vec3(trial.place_of(probe)), trial.box());
-        EXPECT_NEAR(found, -256 + 4352 * probe.value.front(), 4352 * probe.tolerance.front())
-            << "x " << trial.place_of(probe).x;
-    }
-}
-
 // Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
 // from the tile's corner. Tiles follow each other, and the last cell of each may be smaller.
 int face_of_box(int cell, int leap, bool upwards, int cells, int voxels) {
@@ -332,12 +312,6 @@ TEST(CloudLookup, FloatLosesLittle) {
         loss.add((double{found} - wanted) / (range.max - range.min));
     }
     expect_little_loss(loss, trial.baked.asset().certificate);
-    for (const Probe& probe : trial.baked.asset().levels.front().probes) {
-        const vec3 p(trial.place_of(probe));
-        const float found = gpu::cloud_lookups::cloud_density({trial.cloud}, p, trial.tile);
-        test::expect_probe(gpu::vec4(found), probe.value, probe.tolerance,
-                           "x " + std::to_string(p.x));
-    }
 }
 
 TEST(CloudLookup, EdgeIsASmoothStep) {

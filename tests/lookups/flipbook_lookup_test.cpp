@@ -51,17 +51,6 @@ Texture sheet_of(const Texture& book, int columns, int rows) {
     return sheet;
 }
 
-TEST(FlipbookLookup, MeetsItsProbes) {
-    const test::BakedLookup baked = bake_book();
-    const Texture texture = texture_of(book_of(baked));
-    for (const Probe& probe : book_of(baked).levels.front().probes) {
-        const vec2 uv(test::at(probe, "u"), test::at(probe, "v"));
-        const auto frame = static_cast<float>(test::at(probe, "frame"));
-        test::expect_probe(gpu::flipbook_lookups::flipbook({texture}, uv, frame), probe.value,
-                           probe.tolerance, "frame " + std::to_string(frame));
-    }
-}
-
 // The largest difference between the lookups of a sheet and of the texture, with the frame and the
 // columns shifted for the sheet.
 double difference(const Texture& book, const Texture& sheet, vec2 cells, float later, float flip) {

@@ -263,59 +263,77 @@ TEST(EveryAsset, AreThoseOfTheAsset) {
     const std::vector<double> takram = {1.474, 1.8504, 1.91198};
     const std::vector<double> none;
     struct Wanted {
-        std::string name, length, angle, radiance;
+        std::vector<std::string> names;
+        std::string length, angle, radiance;
         std::vector<double> irradiance, wavelengths;
         std::string up;
     };
     const std::vector<Wanted> all = {
-        {"transmittance", "km", "cosine", "", none, wavelengths, ""},
-        {"ue", "km", "cosine", "", none, wavelengths, ""},
-        {"closure", "km", "cosine", "1/sr", one, wavelengths, ""},
-        {"solved", "km", "cosine", "1/sr", one, wavelengths, ""},
-        {"moments", "km", "cosine", "1/sr", one, wavelengths, ""},
-        {"sky", "km", "deg", "1/sr", one, wavelengths, ""},
-        {"environment", "km", "deg", "1/sr", one, wavelengths, ""},
-        {"aerial", "km", "deg", "1/sr", one, wavelengths, "-y"},
-        {"irradiance", "km", "cosine", "", one, wavelengths, ""},
-        {"hillaire_irradiance", "km", "cosine", "", one, wavelengths, ""},
-        {"angle", "", "deg", "", none, wavelengths, ""},
-        {"peaks", "", "deg", "", none, wavelengths, ""},
-        {"shares", "", "", "", none, wavelengths, ""},
-        {"b_transmittance", "km", "cosine", "", none, wavelengths, ""},
-        {"b_scattering", "km", "cosine", "1/sr", one, wavelengths, ""},
-        {"t_scattering", "km", "cosine", "solar_irradiance/sr", takram, wavelengths, ""},
-        {"t_irradiance", "km", "cosine", "", takram, wavelengths, ""},
-        {"to_top", "km", "", "", none, wavelengths, ""},
-        {"along", "km", "", "", none, wavelengths, ""},
-        {"density", "km", "", "", none, wavelengths, ""},
-        {"phases", "km", "deg", "", none, wavelengths, ""},
-        {"noise", "", "", "", none, none, "+z"},
-        {"map", "", "", "", none, none, ""},
-        {"wave_0001", "", "", "", none, none, ""},
-        {"wave_0002", "", "", "", none, none, ""},
-        {"wave_0003", "", "", "", none, none, ""},
-        {"book", "", "", "", none, none, ""},
-        {"forward", "", "deg", "", none, none, ""},
-        {"mask", "", "", "", none, none, ""},
-        {"cloud", "m", "", "", none, none, "+z"},
-        {"cells", "m", "", "", none, none, "+z"},
-        {"light", "m", "", "", none, none, "+z"},
-        {"radiance", "m", "", "1/sr", none, none, "+z"},
-        {"clear_sky", "m", "", "1/sr", none, none, "+z"},
-        {"distance", "m", "", "", none, none, "+z"},
+        {{"transmittance", "ue", "optical_depth", "b_transmittance"},
+         "km",
+         "cosine",
+         "",
+         none,
+         wavelengths,
+         ""},
+        {{"closure", "closure_hillaire", "solved", "twilight", "moments", "b_scattering",
+          "b_single_mie"},
+         "km",
+         "cosine",
+         "1/sr",
+         one,
+         wavelengths,
+         ""},
+        {{"sky", "sky_of_space", "environment"}, "km", "deg", "1/sr", one, wavelengths, ""},
+        {{"aerial"}, "km", "deg", "1/sr", one, wavelengths, "-y"},
+        {{"irradiance", "sky_irradiance", "hillaire_irradiance", "b_irradiance"},
+         "km",
+         "cosine",
+         "",
+         one,
+         wavelengths,
+         ""},
+        {{"phase", "angle", "peaks"}, "", "deg", "", none, wavelengths, ""},
+        {{"shares"}, "", "", "", none, wavelengths, ""},
+        {{"t_scattering"}, "km", "cosine", "solar_irradiance/sr", takram, wavelengths, ""},
+        {{"t_irradiance"}, "km", "cosine", "", takram, wavelengths, ""},
+        {{"to_top", "along", "density"}, "km", "", "", none, wavelengths, ""},
+        {{"phases"}, "km", "deg", "", none, wavelengths, ""},
+        {{"shape", "noise", "corners"}, "", "", "", none, none, "+z"},
+        {{"map", "wave_0001", "wave_0002", "wave_0003", "book", "mask"},
+         "",
+         "",
+         "",
+         none,
+         none,
+         ""},
+        {{"forward"}, "", "deg", "", none, none, ""},
+        {{"cloud", "congestus", "stratus", "cells", "congestus_cells", "stratus_cells", "light",
+          "distance"},
+         "m",
+         "",
+         "",
+         none,
+         none,
+         "+z"},
+        {{"radiance", "clear_sky"}, "m", "", "1/sr", none, none, "+z"},
     };
-    EXPECT_EQ(all.size(), every_asset().manifest.assets.size());
+    std::size_t told = 0;
     for (const Wanted& wanted : all) {
-        const Conventions& found = asset(wanted.name).conventions;
-        EXPECT_EQ(found.length_unit, wanted.length) << wanted.name;
-        EXPECT_EQ(found.coefficient_unit, wanted.length.empty() ? "" : "1/" + wanted.length)
-            << wanted.name;
-        EXPECT_EQ(found.angle_unit, wanted.angle) << wanted.name;
-        EXPECT_EQ(found.radiance_unit, wanted.radiance) << wanted.name;
-        EXPECT_EQ(found.solar_irradiance, wanted.irradiance) << wanted.name;
-        EXPECT_EQ(found.wavelengths_nm, wanted.wavelengths) << wanted.name;
-        EXPECT_EQ(found.up_axis, wanted.up) << wanted.name;
+        for (const std::string& name : wanted.names) {
+            const Conventions& found = asset(name).conventions;
+            EXPECT_EQ(found.length_unit, wanted.length) << name;
+            EXPECT_EQ(found.coefficient_unit, wanted.length.empty() ? "" : "1/" + wanted.length)
+                << name;
+            EXPECT_EQ(found.angle_unit, wanted.angle) << name;
+            EXPECT_EQ(found.radiance_unit, wanted.radiance) << name;
+            EXPECT_EQ(found.solar_irradiance, wanted.irradiance) << name;
+            EXPECT_EQ(found.wavelengths_nm, wanted.wavelengths) << name;
+            EXPECT_EQ(found.up_axis, wanted.up) << name;
+            ++told;
+        }
     }
+    EXPECT_EQ(told, every_asset().manifest.assets.size());
     // Every kind of asset is among them.
     std::set<std::string> kinds;
     for (const config::Bake& bake : recipe_of(test::recipe_text("every_asset")).parameters.bakes) {

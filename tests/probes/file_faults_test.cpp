@@ -33,6 +33,15 @@ struct BakedFile {
     std::vector<std::string> catches;
 };
 
+Sampler sampler_of(const ManifestAsset& asset) {
+    Sampler sampler;
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) {
+        sampler.repeats[i] = asset.axes[i].wrap == AxisWrap::repeat;
+    }
+    sampler.nearest = asset.axes[0].filter == AxisFilter::nearest;
+    return sampler;
+}
+
 BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     BakedFile file;
     file.name = asset.name;
@@ -41,6 +50,7 @@ BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     file.texels.size = {image.pixels.width, image.pixels.height, 1};
     file.texels.channels = static_cast<std::size_t>(image.pixels.channels);
     file.texels.values.assign(image.pixels.texels.begin(), image.pixels.texels.end());
+    file.sampler = sampler_of(asset);
     for (const Probe& probe : asset.levels[0].probes) {
         file.probes.push_back(
             {{{{probe.uvw[0], probe.uvw[1], 0.5}, 1.0}}, probe.value, probe.tolerance});
@@ -61,9 +71,7 @@ BakedFile file_of_volume(const fs::path& folder, const ManifestAsset& asset,
         return true;
     };
     EXPECT_TRUE(read_asset_file(folder / entry.path, asset, entry, 0, visit).value.value_or(false));
-    const bool tile = asset.mapping == "tile";
-    const bool layer = asset.mapping == "layer";
-    file.sampler = {{tile || layer, tile || layer, tile}, asset.kind == "occupancy"};
+    file.sampler = sampler_of(asset);
     for (const Probe& probe : level.probes) {
         const double share = probe.blend ? probe.blend->share : 0;
         ProbeOfFile of_file{{{probe.uvw, 1 - share}}, probe.value, probe.tolerance};
