@@ -157,70 +157,74 @@ struct CloudTrial {
     vec3 tile{3000, 3200, 1000};
 };
 
+// Marches that look everywhere beside those that skip, over the same rays.
+struct Marches {
+    double sum = 0;
+    long steps = 0;   // lookups of those that look everywhere
+    long looked = 0;  // of those that skip
+    int different = 0;
+};
+
+template <class March>
+Marches march_twice(const CloudTrial& trial, const Texture& everywhere, const Texture& skipping,
+                    int rays, const March& march) {
+    Marches both;
+    test::Dice dice;
+    for (int i = 0; i < rays; ++i) {
+        const CloudTrial::Ray ray = trial.any_ray(dice);
+        trial.cloud.lookups = 0;
+        const float straight = march(ray, everywhere);
+        both.steps += trial.cloud.lookups;
+        trial.cloud.lookups = 0;
+        if (march(ray, skipping) != straight) ++both.different;
+        both.looked += trial.cloud.lookups;
+        both.sum += double{straight};
+    }
+    return both;
+}
+
+Marches march_twice(const CloudTrial& trial, const Texture& leaps) {
+    return march_twice(
+        trial, trial.without_leaps(), leaps, 4000,
+        [&](const auto& ray, const Texture& with) { return trial.march(ray, with); });
+}
+
+Marches trace_twice(const CloudTrial& trial, const Texture& distances) {
+    Texture nowhere = trial.distances;
+    std::fill(nowhere.texels.begin(), nowhere.texels.end(), 0.0f);
+    return march_twice(trial, nowhere, distances, 3000, [&](const auto& ray, const Texture& with) {
+        return trial.trace(ray, with);
+    });
+}
+
+// They find clouds and gaps, and leave the gaps out.
 TEST(CloudMarch, LeapsChangeNothing) {
     const CloudTrial trial;
-    const Texture everywhere = trial.without_leaps();
     ASSERT_EQ(trial.leaps.size, (std::array<int, 3>{15, 16, 5}));
-    test::Dice dice;
-    long looked = 0;
-    long steps = 0;
-    double sum = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const CloudTrial::Ray ray = trial.any_ray(dice);
-        const float straight = trial.march(ray, everywhere);
-        steps += trial.cloud.lookups;
-        trial.cloud.lookups = 0;
-        const float leaping = trial.march(ray, trial.leaps);
-        looked += trial.cloud.lookups;
-        trial.cloud.lookups = 0;
-        ASSERT_EQ(straight, leaping) << "ray " << i;
-        sum += double{straight};
-    }
-    // It found clouds and gaps, and left the gaps out.
-    EXPECT_GT(sum, 0);
-    EXPECT_LT(looked, steps / 2);
-    EXPECT_LT(trial.leaps.lookups, steps / 2);
+    const Marches both = march_twice(trial, trial.leaps);
+    EXPECT_EQ(both.different, 0);
+    EXPECT_GT(both.sum, 0);
+    EXPECT_LT(both.looked, both.steps / 2);
+    EXPECT_LT(trial.leaps.lookups, both.steps / 2);
 }
 
 // A grid that is one cell too bold would be noticed.
 TEST(CloudMarch, TooLongLeapsWouldBeNoticed) {
     const CloudTrial trial;
-    const Texture everywhere = trial.without_leaps();
     Texture bold = trial.leaps;
     for (float& leap : bold.texels) {
         if (leap > 0) leap += 1.0f / 255;
     }
-    test::Dice dice;
-    int different = 0;
-    for (int i = 0; i < 4000; ++i) {
-        const CloudTrial::Ray ray = trial.any_ray(dice);
-        if (trial.march(ray, everywhere) != trial.march(ray, bold)) ++different;
-    }
-    EXPECT_GT(different, 100);
+    EXPECT_GT(march_twice(trial, bold).different, 100);
 }
 
 TEST(CloudTrace, DistancesChangeNothing) {
     for (const char* size : {"[60, 64, 20]", "[60, 64, 19]"}) {
         const CloudTrial trial(size);
-        Texture nowhere = trial.distances;
-        std::fill(nowhere.texels.begin(), nowhere.texels.end(), 0.0f);
-        test::Dice dice;
-        long looked = 0;
-        long steps = 0;
-        double sum = 0;
-        for (int i = 0; i < 3000; ++i) {
-            const CloudTrial::Ray ray = trial.any_ray(dice);
-            const float straight = trial.trace(ray, nowhere);
-            steps += trial.cloud.lookups;
-            trial.cloud.lookups = 0;
-            const float traced = trial.trace(ray, trial.distances);
-            looked += trial.cloud.lookups;
-            trial.cloud.lookups = 0;
-            ASSERT_EQ(straight, traced) << "ray " << i;
-            sum += double{straight};
-        }
-        EXPECT_GT(sum, 0);
-        EXPECT_LT(looked, 2 * steps / 3);
+        const Marches both = trace_twice(trial, trial.distances);
+        EXPECT_EQ(both.different, 0) << size;
+        EXPECT_GT(both.sum, 0);
+        EXPECT_LT(both.looked, 2 * both.steps / 3);
     }
 }
 
@@ -230,13 +234,7 @@ TEST(CloudTrace, TooLongDistancesWouldBeNoticed) {
     Texture bold = trial.distances;
     const float more = std::hypot(100.0f, 100.0f, 100.0f) / 4352;
     for (float& texel : bold.texels) texel += more;
-    test::Dice dice;
-    int different = 0;
-    for (int i = 0; i < 3000; ++i) {
-        const CloudTrial::Ray ray = trial.any_ray(dice);
-        if (trial.trace(ray, trial.distances) != trial.trace(ray, bold)) ++different;
-    }
-    EXPECT_GT(different, 50);
+    EXPECT_GT(trace_twice(trial, bold).different, 50);
 }
 
 // Where the box of a cell that is `leap` cells from an occupied one ends along an axis, in voxels
