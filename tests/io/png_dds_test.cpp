@@ -223,8 +223,8 @@ TEST(PngAndDds, RefuseDamagedFiles) {
         other.grid = testing::grid_of(other.size, config::SheetLayout::stack, 0);
         EXPECT_EQ(testing::read_code(format, folder / "a.file", other), is_image ? "" : "E0304");
         other = testing::shape_of(volume);
-        other.channels = 4;
-        EXPECT_EQ(testing::read_code(format, folder / "a.file", other), "E0304");
+        other.channels = 4;  // as which DDS files hold three
+        EXPECT_EQ(testing::read_code(format, folder / "a.file", other), is_image ? "E0304" : "");
     }
 }
 
