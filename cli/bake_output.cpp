@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/certificate_warnings.h"
+#include "bakers/assets/description/certificate_warnings.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"

@@ -8,7 +8,7 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/cloud_volume/cloud_files.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"

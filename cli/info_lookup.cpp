@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/manifest.h"

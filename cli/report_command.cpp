@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/assets/certificate_warnings.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/description/certificate_warnings.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"

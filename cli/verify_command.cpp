@@ -10,7 +10,7 @@
 
 #include "bakers/assets/cloud_distance/distance_folder_check.h"
 #include "bakers/assets/occupancy/occupancy_check.h"
-#include "bakers/assets/probe_check.h"
+#include "bakers/assets/registry/probe_check.h"
 #include "bakers/io/formats/format.h"
 #include "cli/command.h"
 #include "cli/console.h"

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "config/recipe/preview_section.h"
 
 namespace skybake {

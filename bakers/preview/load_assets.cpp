@@ -7,7 +7,7 @@
 #include <iterator>
 #include <utility>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <utility>
 
-#include "bakers/assets/probe_places.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/description/probe_places.h"
+#include "bakers/assets/registry/registry.h"
 
 namespace skybake {
 namespace {

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "bakers/air/medium.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/report/cloud_light_report.h"
 #include "bakers/report/occupancy_report.h"
 #include "bakers/report/sweeps/table_sweeps.h"

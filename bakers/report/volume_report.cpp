@@ -13,7 +13,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/optical_depth/column_volume.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/noise/noise_plan.h"

@@ -10,7 +10,7 @@
 #include <span>
 #include <utility>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/journal.h"

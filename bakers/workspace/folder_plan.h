@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/estimate.h"
+#include "bakers/assets/description/estimate.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/bake_options.h"

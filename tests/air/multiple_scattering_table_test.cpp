@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
 

@@ -6,7 +6,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"

@@ -114,6 +114,23 @@ for path in config/* bakers/*; do
     [[ ! -d $path || -s $path/README.md ]] || complain "$path has no README.md"
 done
 
+# What assets share stands in folders of its own, below those of the assets.
+# shared NAME MAY_USE...
+shared() {
+    local allowed found
+    allowed=$(IFS='|'; echo "$*")
+    found=$(grep -rn '#include "bakers/assets/' "bakers/assets/$1" |
+        grep -vE "#include \"bakers/assets/($allowed)/" || true)
+    [[ -z "$found" ]] || complain "$found"
+}
+
+shared description
+shared sky description
+shared registry description sky
+shared sources registry cloud_volume
+loose=$(find bakers/assets -maxdepth 1 -type f ! -name README.md)
+[[ -z "$loose" ]] || complain "$loose"
+
 none='^$'
 forbid '(bakers|cli)/' config "$none"
 forbid 'cli/' 'config bakers' "$none"
@@ -140,7 +157,7 @@ forbid '(thread|mutex|OpenEXR)' config "$none"
 makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/march bakers/assets'
 forbid '(iostream|fstream)' "$makers" "$none"
 forbid 'bakers/io/' bakers/assets \
-    'bakers/assets/([a-z_]+_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_distance/distance_folder_check\.(h|cpp)|source_files\.(h|cpp)|cloud_volume/cloud_(files|inputs)\.cpp)'
+    'bakers/assets/(registry/probe_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_distance/distance_folder_check\.(h|cpp)|sources/source_files\.(h|cpp)|cloud_volume/cloud_(files|inputs)\.cpp)'
 
 # --- The C library's functions ----------------------------------------------------------------------
 

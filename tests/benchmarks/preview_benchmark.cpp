@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"

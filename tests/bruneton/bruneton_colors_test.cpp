@@ -11,7 +11,7 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/table_content.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_colors.h"

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/registry.h"
-#include "bakers/assets/sky_comparison.h"
+#include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/sky_comparison.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/sky_view.h"
 #include "tests/certificates/random_cases.h"

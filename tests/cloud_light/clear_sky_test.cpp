@@ -10,7 +10,7 @@
 #include "bakers/assets/cloud_light/layer_sky.h"
 #include "bakers/assets/cloud_light/radiance_sweep.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/light/sky_light.h"
 #include "config/recipe/recipe.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "config/recipe/recipe.h"

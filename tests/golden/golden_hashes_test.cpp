@@ -21,7 +21,7 @@
 #include <string>
 #include <variant>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/hash.h"

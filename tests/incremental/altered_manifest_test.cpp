@@ -4,7 +4,7 @@
 #include <set>
 
 #include "bakers/assets/occupancy/occupancy_check.h"
-#include "bakers/assets/probe_check.h"
+#include "bakers/assets/registry/probe_check.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/verify.h"
 #include "tests/incremental/bakes.h"

@@ -1,7 +1,7 @@
 // Sequences: frames are assets of their own, which are baked again one by one.
 #include <algorithm>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/workspace/bake_folder.h"
 #include "tests/incremental/bakes.h"

@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/folder_plan.h"
 #include "tests/incremental/bakes.h"

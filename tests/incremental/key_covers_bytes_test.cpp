@@ -14,7 +14,7 @@
 #include <regex>
 #include <set>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/hash.h"
 #include "bakers/workspace/folder_plan.h"

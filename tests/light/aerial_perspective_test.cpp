@@ -3,7 +3,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/light/sky_ray.h"
 #include "config/assets/aerial_perspective.h"
 #include "tests/light/sky_media.h"

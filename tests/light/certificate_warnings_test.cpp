@@ -1,4 +1,4 @@
-#include "bakers/assets/certificate_warnings.h"
+#include "bakers/assets/description/certificate_warnings.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "config/diagnostics/diagnostic_codes.h"
 #include "tests/support/atmospheres.h"
 

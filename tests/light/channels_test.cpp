@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/light/higher_orders.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/volumes.h"

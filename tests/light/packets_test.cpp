@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/shared_bakes.h"
 #include "tests/support/volumes.h"

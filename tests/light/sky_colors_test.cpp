@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/glsl_lookup.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/description/glsl_lookup.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
 #include "config/fields/wavelength_reader.h"

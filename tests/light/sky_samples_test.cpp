@@ -1,5 +1,5 @@
 // The directions in which assets are compared with paths of light.
-#include "bakers/assets/sky_samples.h"
+#include "bakers/assets/sky/sky_samples.h"
 
 #include <gtest/gtest.h>
 

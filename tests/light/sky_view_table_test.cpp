@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/sky_view.h"

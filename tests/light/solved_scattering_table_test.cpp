@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/light/solver/solved_light.h"
 #include "tests/support/atmospheres.h"

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 

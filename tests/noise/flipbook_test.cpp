@@ -7,7 +7,7 @@
 #include <string>
 
 #include "bakers/assets/flipbook/flipbook_sequence.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/stored_voxels.h"
 #include "config/assets/flipbook.h"
 #include "config/recipe/recipe.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/report/report.h"
 #include "tests/support/atmospheres.h"
 

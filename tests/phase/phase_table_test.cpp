@@ -12,7 +12,7 @@
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "config/assets/phase.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/render/sky_view.h"
 #include "tests/support/atmospheres.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/metadata.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/volumes.h"

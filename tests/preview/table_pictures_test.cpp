@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/pictures/table_geometry.h"
 #include "tests/preview/captions.h"

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "tests/probes/baked_recipe.h"
 
 namespace skybake {

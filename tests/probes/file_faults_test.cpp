@@ -4,7 +4,7 @@
 #include <functional>
 #include <map>
 
-#include "bakers/assets/probe_check.h"
+#include "bakers/assets/registry/probe_check.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/hash.h"

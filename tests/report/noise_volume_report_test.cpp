@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "tests/config/recipes.h"
 #include "tests/report/cancelled_at.h"

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bakers/assets/glsl_lookup.h"
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/shading/dialect.h"
 #include "bakers/shading/shading_language.h"
 #include "bakers/shading/tokens.h"

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/math/intermediates.h"
 
 namespace skybake::test {

@@ -1,7 +1,7 @@
 // Frames as an axis of sweeps: each variant is one frame of the sequence.
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/workspace/sweep/run_sweep.h"
 #include "tests/sweep/sweeps.h"
 

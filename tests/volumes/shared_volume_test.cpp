@@ -5,7 +5,7 @@
 #include <string>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/io/volumes/volume_reader.h"
 #include "tests/incremental/bakes.h"
 

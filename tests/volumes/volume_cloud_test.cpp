@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/clouds/cloud_specification.h"

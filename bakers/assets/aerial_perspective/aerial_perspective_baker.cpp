@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
-#include "bakers/assets/baker.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"

@@ -11,7 +11,7 @@
 #include <span>
 #include <utility>
 
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"

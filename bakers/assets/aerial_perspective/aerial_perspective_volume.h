@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"

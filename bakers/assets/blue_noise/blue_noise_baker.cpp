@@ -3,8 +3,8 @@
 #include <array>
 #include <utility>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/blue_noise/blue_noise_volume.h"
+#include "bakers/assets/registry/baker.h"
 #include "config/assets/blue_noise.h"
 
 namespace skybake {

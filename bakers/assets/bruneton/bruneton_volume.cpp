@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
-#include "bakers/assets/asset_label.h"
 #include "bakers/assets/bruneton/flat_tables.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/assets/bruneton/table_content.h"
+#include "bakers/assets/description/asset_label.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"

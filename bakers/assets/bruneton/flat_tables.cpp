@@ -10,7 +10,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"

@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/asset_label.h"
 #include "bakers/assets/cloud_distance/distance_check.h"
-#include "bakers/assets/voxel_blocks.h"
+#include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/sources/voxel_blocks.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"

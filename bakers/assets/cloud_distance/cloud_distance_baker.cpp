@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_distance/cloud_distance.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/source_volume.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"

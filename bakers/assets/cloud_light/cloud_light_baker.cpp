@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_light/cell_search.h"
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
@@ -17,7 +16,8 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/assets/source_volume.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/sections/parameters.h"

@@ -15,7 +15,7 @@
 #include "bakers/assets/cloud_light/harmonics.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_solver.h"
-#include "bakers/assets/estimate.h"
+#include "bakers/assets/description/estimate.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/baker.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/cloud_reference.h"
 #include "bakers/field/baked.h"

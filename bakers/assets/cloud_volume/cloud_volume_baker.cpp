@@ -6,7 +6,7 @@
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/draft_size.h"
+#include "bakers/assets/registry/draft_size.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 
@@ -131,8 +131,7 @@ Uvw corner_m_of(const Cloud& cloud) {
 }
 
 std::string cloud_box_glsl(const Cloud& cloud) {
-    return fmt::format("    vec3 corner = {}, tile = {};\n",
-                       glsl_vector(corner_m_of(cloud)),
+    return fmt::format("    vec3 corner = {}, tile = {};\n", glsl_vector(corner_m_of(cloud)),
                        glsl_vector(extent_m_of(cloud)));
 }
 

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_table.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/cloud_volume.h"

@@ -11,7 +11,7 @@
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_sky.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"

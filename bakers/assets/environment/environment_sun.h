@@ -9,7 +9,7 @@
 
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_mapping.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/environment.h"

@@ -14,7 +14,7 @@
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/prefilter.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/light/sky_ray.h"
 

@@ -6,7 +6,7 @@
 
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_model.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/math/bake_options.h"

@@ -4,9 +4,9 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/flipbook/flipbook_volume.h"
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/registry/registry.h"
 #include "config/assets/flipbook.h"
 
 namespace skybake {

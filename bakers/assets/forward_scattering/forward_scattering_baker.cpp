@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/field/image.h"
 #include "config/assets/forward_scattering.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"

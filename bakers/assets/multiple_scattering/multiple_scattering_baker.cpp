@@ -11,10 +11,10 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/air/medium.h"
-#include "bakers/assets/baker.h"
-#include "bakers/assets/draft_size.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/registry/draft_size.h"
 #include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/multiple_scattering_mapping.h"

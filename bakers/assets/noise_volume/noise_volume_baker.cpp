@@ -5,9 +5,9 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/assets/baker.h"
-#include "bakers/assets/draft_size.h"
 #include "bakers/assets/noise_volume/noise_volume.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/registry/draft_size.h"
 #include "config/assets/noise_volume.h"
 #include "config/sections/parameters.h"
 

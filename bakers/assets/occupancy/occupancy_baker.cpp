@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/assets/source_volume.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"

@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/assets/optical_depth/column_volume.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/field/image.h"
 #include "config/assets/optical_depth.h"
 

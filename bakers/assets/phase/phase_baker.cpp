@@ -5,9 +5,9 @@
 #include <string>
 #include <utility>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/phase.h"

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/baker.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"

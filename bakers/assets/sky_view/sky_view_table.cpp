@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/light/sky_row.h"
 #include "bakers/math/relative_error.h"

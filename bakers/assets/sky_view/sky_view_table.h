@@ -1,7 +1,7 @@
 // The baker of `asset = "sky_view"`.
 #pragma once
 
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"

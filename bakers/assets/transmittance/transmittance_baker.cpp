@@ -6,8 +6,8 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/baker.h"
-#include "bakers/assets/draft_size.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/assets/registry/draft_size.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
 #include "bakers/field/image.h"
 #include "config/assets/transmittance.h"

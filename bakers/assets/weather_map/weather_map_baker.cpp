@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/assets/baker.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/assets/weather_map/weather_map_table.h"
 #include "config/assets/weather_map.h"
 #include "config/sections/parameters.h"

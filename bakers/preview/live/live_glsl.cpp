@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/march/cloud_light.h"
 #include "bakers/render/sun_disc.h"
 #include "config/recipe/recipe.h"

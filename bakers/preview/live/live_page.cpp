@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "bakers/assets/glsl_lookup.h"
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/assets/sky_samples.h"
+#include "bakers/assets/sky/sky_samples.h"
 
 #include <algorithm>
 #include <cmath>

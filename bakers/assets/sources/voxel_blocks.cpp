@@ -1,4 +1,4 @@
-#include "bakers/assets/voxel_blocks.h"
+#include "bakers/assets/sources/voxel_blocks.h"
 
 #include <fmt/format.h>
 

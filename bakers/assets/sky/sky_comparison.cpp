@@ -1,4 +1,4 @@
-#include "bakers/assets/sky_comparison.h"
+#include "bakers/assets/sky/sky_comparison.h"
 
 #include <fmt/format.h>
 

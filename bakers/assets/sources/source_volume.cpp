@@ -1,4 +1,4 @@
-#include "bakers/assets/source_volume.h"
+#include "bakers/assets/sources/source_volume.h"
 
 #include <utility>
 

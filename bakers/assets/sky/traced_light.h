@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/probe_places.h"
-#include "bakers/assets/sky_samples.h"
+#include "bakers/assets/description/probe_places.h"
+#include "bakers/assets/sky/sky_samples.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/light/path_tracer/path_tracer.h"

@@ -1,4 +1,4 @@
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 
 #include <cstddef>
 #include <limits>

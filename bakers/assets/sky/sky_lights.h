@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/asset_label.h"
+#include "bakers/assets/description/asset_label.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_light.h"

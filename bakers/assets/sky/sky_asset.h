@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/asset_label.h"
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/intermediates.h"

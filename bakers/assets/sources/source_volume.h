@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/baker.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/assets/registry/baker.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/cloud_volume.h"

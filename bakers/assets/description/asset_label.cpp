@@ -1,4 +1,4 @@
-#include "bakers/assets/asset_label.h"
+#include "bakers/assets/description/asset_label.h"
 
 #include <algorithm>
 #include <utility>

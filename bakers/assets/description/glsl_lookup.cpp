@@ -1,4 +1,4 @@
-#include "bakers/assets/glsl_lookup.h"
+#include "bakers/assets/description/glsl_lookup.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-// A baker makes one kind of asset. Each folder beside this file defines the baker of its asset:
+// A baker makes one kind of asset. The folder of an asset defines its own:
 //
 //   const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>);
 //
@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "bakers/assets/asset_label.h"
-#include "bakers/assets/estimate.h"
-#include "bakers/assets/glsl_lookup.h"
-#include "bakers/assets/probe_places.h"
-#include "bakers/assets/traced_light.h"
+#include "bakers/assets/description/asset_label.h"
+#include "bakers/assets/description/estimate.h"
+#include "bakers/assets/description/glsl_lookup.h"
+#include "bakers/assets/description/probe_places.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"

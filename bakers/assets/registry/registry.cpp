@@ -1,4 +1,4 @@
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 
 #include <fmt/format.h>
 
@@ -13,10 +13,10 @@
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "bakers/assets/certificate_warnings.h"
-#include "bakers/assets/sky_comparison.h"
-#include "bakers/assets/sky_lights.h"
-#include "bakers/assets/solvable_air.h"
+#include "bakers/assets/description/certificate_warnings.h"
+#include "bakers/assets/sky/sky_comparison.h"
+#include "bakers/assets/sky/sky_lights.h"
+#include "bakers/assets/sky/solvable_air.h"
 #include "bakers/math/bake_clock.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"

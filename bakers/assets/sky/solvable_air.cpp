@@ -1,4 +1,4 @@
-#include "bakers/assets/solvable_air.h"
+#include "bakers/assets/sky/solvable_air.h"
 
 #include <fmt/format.h>
 

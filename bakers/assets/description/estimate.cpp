@@ -1,4 +1,4 @@
-#include "bakers/assets/estimate.h"
+#include "bakers/assets/description/estimate.h"
 
 #include <algorithm>
 #include <cmath>

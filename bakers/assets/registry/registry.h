@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/assets/baker.h"
+#include "bakers/assets/registry/baker.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -1,4 +1,4 @@
-#include "bakers/assets/certificate_warnings.h"
+#include "bakers/assets/description/certificate_warnings.h"
 
 #include <fmt/format.h>
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/probe_places.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/field/baked.h"
 
 namespace skybake {

@@ -6,7 +6,7 @@
 // larger, and the largest most of all.
 #pragma once
 
-#include "bakers/assets/traced_light.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 

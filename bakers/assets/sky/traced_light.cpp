@@ -1,10 +1,10 @@
-#include "bakers/assets/traced_light.h"
+#include "bakers/assets/sky/traced_light.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "bakers/assets/sky_lights.h"
+#include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/certify.h"
 #include "bakers/light/sky_radiance.h"
 

@@ -1,4 +1,4 @@
-#include "bakers/assets/probe_check.h"
+#include "bakers/assets/registry/probe_check.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "bakers/assets/registry.h"
+#include "bakers/assets/registry/registry.h"
 #include "bakers/field/finish_table.h"
 #include "config/recipe/asset_parameters.h"
 

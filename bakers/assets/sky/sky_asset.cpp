@@ -1,4 +1,4 @@
-#include "bakers/assets/sky_asset.h"
+#include "bakers/assets/sky/sky_asset.h"
 
 #include <utility>
 

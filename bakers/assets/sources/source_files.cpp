@@ -1,4 +1,4 @@
-#include "bakers/assets/source_files.h"
+#include "bakers/assets/sources/source_files.h"
 
 #include <algorithm>
 
