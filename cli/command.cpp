@@ -43,6 +43,7 @@ Command check_command();
 Command show_command();
 Command explain_command();
 Command schema_command();
+Command plan_command();
 Command bake_command();
 Command sweep_command();
 Command preview_command();
@@ -55,9 +56,9 @@ Command help_command();
 
 const std::vector<Command>& commands() {
     static const std::vector<Command> table = {
-        init_command(), check_command(),  show_command(),    explain_command(), schema_command(),
-        bake_command(), sweep_command(),  preview_command(), report_command(),  info_command(),
-        diff_command(), verify_command(), cache_command(),   help_command(),
+        init_command(), check_command(), show_command(),   explain_command(), schema_command(),
+        plan_command(), bake_command(),  sweep_command(),  preview_command(), report_command(),
+        info_command(), diff_command(),  verify_command(), cache_command(),   help_command(),
     };
     return table;
 }

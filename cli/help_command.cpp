@@ -84,8 +84,7 @@ std::string usage_line(const Command& command) {
     return line + " [options]\n";
 }
 
-constexpr std::array<Example, 2> first_steps = {{
-    {"skybake init earth.toml", "writes a commented recipe"},
+constexpr std::array<Example, 1> first_steps = {{
     {"skybake bake earth.toml -o out", "bakes its tables and measures their errors"},
 }};
 

@@ -57,8 +57,9 @@ Diagnostic nothing_to_bake() {
             "add [bake.transmittance]"};
 }
 
+// Reads the input when it is called first.
 Outcome<Recipe> recipe_from_standard_input(const std::vector<std::string>& settings) {
-    auto text = config::read_standard_input(config::most_recipe_bytes);
+    static const auto text = config::read_standard_input(config::most_recipe_bytes);
     if (const auto* error = std::get_if<config::FileError>(&text)) {
         return {{},
                 {file_error(
@@ -208,9 +209,10 @@ std::string recipe_name(std::string_view argument) {
     return std::string(is_standard_input(argument) ? standard_input_name : argument);
 }
 
-Outcome<Recipe> recipe_of(const Invocation& invocation) {
+Outcome<Recipe> recipe_of(const Invocation& invocation, std::span<const std::string> more) {
     const std::string& file = invocation.arguments()[0];
-    const std::vector<std::string> settings = invocation[options::set];
+    std::vector<std::string> settings = invocation[options::set];
+    settings.insert(settings.end(), more.begin(), more.end());
     if (is_standard_input(file)) return recipe_from_standard_input(settings);
     if (auto diagnostic = preset_in_place_of_file(file)) return {{}, {std::move(*diagnostic)}};
     return config::load_recipe(file, settings);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -120,10 +121,11 @@ bool is_standard_input(std::string_view argument);
 // Returns what a recipe is called: its path, or standard_input_name.
 std::string recipe_name(std::string_view argument);
 
-// Reads the recipe that the first argument names, with its --set values. Paths in a recipe from
-// standard input are relative to the current folder. It reports E0300 and E0120 if the recipe
-// cannot be read, and the recipe's own diagnostics.
-config::Outcome<config::Recipe> recipe_of(const Invocation& invocation);
+// Reads the recipe that the first argument names, with its --set values and `more` of the same. Paths
+// in a recipe from standard input, which may be read again, are relative to the current folder. It
+// reports E0300 and E0120 if the recipe cannot be read, and the recipe's own diagnostics.
+config::Outcome<config::Recipe> recipe_of(const Invocation& invocation,
+                                          std::span<const std::string> more = {});
 
 // Returns E0300 if the path is not a file but the name of a preset. The label says how to begin
 // with the preset.

@@ -55,7 +55,6 @@ inline const Option<bool> table_sky{"table-sky"};
 inline const Option<config::Moment> at{"at", 0, "TIME", {}, read_time};
 inline const Option<EarthPlace> place{"place", 0, "LAT,LON", {}, read_place};
 inline const Option<int> turntable{"turntable", 0, "N", {}, read_turntable};
-inline const Option<bool> report{"report"};
 inline const Option<bool> live{"live"};
 inline const Option<bool> watch{"watch"};
 inline const Option<int> draft{"draft", 0, "N", {}, read_draft};
@@ -73,7 +72,6 @@ struct PreviewRequest {
     std::vector<std::filesystem::path> paths;  // one path, or several files
     std::filesystem::path output;
     bool force = false;
-    bool report = false;
     bool watch = false;
     int draft_edge = 64;          // voxels along the longest edge of a draft's volumes
     std::filesystem::path cache;  // empty: none

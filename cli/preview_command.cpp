@@ -129,10 +129,6 @@ Outcome<PreviewPage> make_page(const Invocation& invocation, PreviewRequest& req
     }
     auto assets = gather(invocation, request, shared, progress);
     if (!assets.value) return {{}, std::move(assets.diagnostics)};
-    if (request.report) {
-        auto problems = measure_plots(*assets.value, options.threads, &progress);
-        if (!problems.empty() || interrupted()) return {{}, std::move(problems)};
-    }
     auto page = make_preview(*assets.value, options);
     page.diagnostics.insert(page.diagnostics.begin(), assets.diagnostics.begin(),
                             assets.diagnostics.end());
@@ -304,7 +300,6 @@ Command preview_command() {
              options::single("show a single tile of a cloud, framed as a whole"),
              options::table_sky("show clouds before the sky of the tables, as runtimes do"),
              options::turntable("make N pictures around a single tile, numbered for ffmpeg"),
-             options::report("also measure and plot speed against error"),
              options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),

@@ -119,7 +119,6 @@ void check_live(const Invocation& invocation, const PreviewRequest& request,
         problems.push_back(
             usage_error(fmt::format("--live and --{} exclude each other", option.name), why));
     };
-    refuse(options::report, "a live page shows no plots");
     refuse(options::turntable, "a live page turns as you look around in it");
     refuse(options::size, "the picture of a live page is as large as the browser's window");
     refuse(options::glare, "a live page has a switch for it");
@@ -136,11 +135,6 @@ void check_combination(const Invocation& invocation, const PreviewRequest& reque
     if (request.watch && is_standard_input(request.paths[0].string())) {
         problems.push_back(usage_error("--watch needs a recipe in a file",
                                        "standard input cannot be read a second time"));
-    }
-    if (request.subject == Subject::sweep && request.report) {
-        problems.push_back(
-            usage_error("--report does not work with a sweep",
-                        "each of its variants is a folder: preview one of those with --report"));
     }
     if (request.subject == Subject::sweep && invocation.has(options::turntable)) {
         problems.push_back(
@@ -327,15 +321,10 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     }
     request.output = invocation[options::output];
     request.force = invocation[options::force];
-    request.report = invocation[options::report];
     request.watch = invocation[options::watch];
 
     config::Outcome<PreviewRequest> outcome;
     std::vector<Diagnostic>& problems = outcome.diagnostics;
-    if (request.watch && request.report) {
-        problems.push_back(usage_error("--watch and --report exclude each other",
-                                       "a report takes too long to follow every save"));
-    }
     if (request.watch && invocation.has(options::turntable)) {
         problems.push_back(usage_error("--watch and --turntable exclude each other",
                                        "a turntable takes too long to follow every save"));

@@ -1,7 +1,6 @@
-// This header checks and writes the folder of a report, and declares the report of the sky.
+// This header checks and writes the folder of a report or a plan.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,11 +13,6 @@ namespace skybake::cli {
 
 namespace options {
 
-config::Outcome<std::int64_t> read_truth_paths(const std::string& text);
-
-inline const Option<bool> truth{"truth"};
-inline const Option<bool> colors{"colors"};
-inline const Option<std::int64_t> truth_paths{"truth-paths", 0, "N", {}, read_truth_paths};
 inline const Option<bool> quick{"quick"};
 inline const Option<bool> csv{"csv"};
 
@@ -32,15 +26,5 @@ inline const Option<bool> csv{"csv"};
 // Writes all files or none. Their paths are printed as notes.
 ExitCode write_report_files(const std::vector<ReportFile>& files,
                             const std::filesystem::path& folder, Console& console);
-
-// Runs `report --truth`, which compares the sky of a recipe by each method of multiple scattering
-// with path tracing.
-ExitCode report_truth(const Invocation& invocation, Console& console);
-
-// Runs `report --colors`, which compares numbers of wavelengths and ways of using them.
-ExitCode report_color(const Invocation& invocation, Console& console);
-
-// Writes a percentage with three digits, but at most two decimals.
-std::string percent_text(double share);
 
 }  // namespace skybake::cli

@@ -16,9 +16,9 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/plot/drawing.h"
+#include "bakers/report/measurement.h"
 #include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
-#include "bakers/report/sweeps/sweep.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/options.h"
@@ -41,77 +41,27 @@ std::string error_text(const ErrorFigures& figures) {
 
 std::string front_text(const ReportRow& row) {
     std::vector<std::string_view> fronts;
-    if (row.on_lookup_front) fronts.emplace_back("lookup");
-    if (row.on_texel_front) fronts.emplace_back("texel");
-    if (row.volume_file && row.volume_file->on_bytes_front) fronts.emplace_back("bytes");
+    if (row.on_time_front) fronts.emplace_back("time");
+    if (row.on_bytes_front) fronts.emplace_back("bytes");
     return fmt::format("{}", fmt::join(fronts, ", "));
 }
 
-std::string remark_of(const ReportRow& row) {
-    const std::string_view own = row.of_recipe ? "this recipe" : "";
-    if (row.baseline.empty()) return std::string(own);
-    return fmt::format("{}{}baseline: {}", own, own.empty() ? "" : ", ", row.baseline);
-}
-
-// This is a column of the table. Columns that only volumes have are left out of other tables.
-struct Column {
-    std::string_view title;
-    Align align;
-    std::string (*cell)(const ReportRow& row);
-    bool of_volumes = false;
-};
-
-constexpr std::array<Column, 10> kColumns = {{
-    {"variant", Align::left, [](const ReportRow& row) { return row.variant; }},
-    {"size", Align::right, [](const ReportRow& row) { return size_text(row.size); }},
-    {"type", Align::left,
-     [](const ReportRow& row) { return std::string(to_string(row.pixel_type)); }},
-    {"file", Align::right,
-     [](const ReportRow& row) { return byte_size_text(static_cast<double>(row.file_bytes)); }},
-    {"time", Align::right, [](const ReportRow& row) { return duration_text(row.time_ms); }},
-    {"write", Align::right,
-     [](const ReportRow& row) { return duration_text(row.volume_file->write_ms); }, true},
-    {"texel error max / rms", Align::right,
-     [](const ReportRow& row) { return error_text(row.texel); }},
-    {"lookup error max / rms", Align::right,
-     [](const ReportRow& row) { return error_text(row.lookup); }},
-    {"front", Align::left, front_text},
-    {"", Align::left, remark_of},
-}};
-
 std::string rows_text(const AssetReport& asset) {
-    std::vector<Align> alignment = {Align::left};
-    std::vector<std::string> heading = {"family"};
-    std::vector<const Column*> columns;
-    for (const Column& column : kColumns) {
-        if (column.of_volumes && !asset.volume) continue;
-        columns.push_back(&column);
-        alignment.push_back(column.align);
-        heading.emplace_back(column.title);
-    }
-    TextTable table(alignment);
-    table.add_row(heading);
+    TextTable table({Align::left, Align::left, Align::right, Align::left, Align::right,
+                     Align::right, Align::right, Align::right, Align::right, Align::left});
+    table.add_row({"differs in", "", "size", "type", "files", "time", "write",
+                   "texel error max / rms", "lookup error max / rms", "front", ""});
     std::string family;
     for (const ReportRow& row : asset.rows) {
-        std::vector<std::string> cells = {row.family == family ? "" : row.family};
-        for (const Column* column : columns) cells.push_back(column->cell(row));
-        table.add_row(std::move(cells));
+        table.add_row({row.family == family ? "" : row.family, row.variant, size_text(row.size),
+                       std::string(to_string(row.pixel_type)),
+                       byte_size_text(static_cast<double>(row.file_bytes)),
+                       duration_text(row.time_ms), duration_text(row.write_ms),
+                       error_text(row.texel), error_text(row.lookup), front_text(row),
+                       row.baseline.empty() ? "" : "baseline: " + row.baseline});
         family = row.family;
     }
     return table.text();
-}
-
-std::string volume_text(const VolumeFacts& volume) {
-    const int count = volume.write_repetitions;
-    std::string text =
-        fmt::format("  write: processor time to encode a file in memory, one thread, {}\n",
-                    count == 1 ? "once" : fmt::format("median of {}", count));
-    for (std::size_t c = 0; c < volume.channels.size(); ++c) {
-        const ValueStatistics& channel = volume.statistics[c];
-        text += fmt::format("  {}: {:.4f} to {:.4f}, mean {:.4f}\n", volume.channels[c],
-                            channel.min, channel.max, channel.mean);
-    }
-    return text + fmt::format("  seam: {:.2g}\n", volume.seam_error);
 }
 
 std::string notes_text(const AssetReport& asset) {
@@ -163,21 +113,15 @@ std::string sky_text(const std::optional<SkyError>& sky) {
 }
 
 std::string asset_text(const AssetReport& asset) {
-    const std::string title = fmt::format("{}\n{}", title_of(asset), sky_text(asset.sky));
-    if (asset.rows.empty()) return title + notes_text(asset);
-    std::string text = title;
-    text += fmt::format(
-        "  lookup error: {}, against {} ({} lookups, up to {} texels)\n  time: {}, median of "
-        "{}\n{}  "
-        "front: no other variant has a smaller error of lookups, or of texels at one size, in as "
-        "little time (within 5 %){}\n\n",
-        asset.scale, asset.reference, asset.lookup_points, asset.texel_points, asset.timing,
-        asset.repetitions, asset.volume ? volume_text(*asset.volume) : "",
-        asset.volume
-            ? "; errors have two digits; bytes: no other has a smaller error in as few bytes"
-            : "");
-    text += rows_text(asset);
-    return text + notes_text(asset);
+    return fmt::format(
+               "{}\n{}  lookup error: {}, against {} ({} lookups, {} texels)\n  time: {}, median "
+               "of "
+               "{}\n  front: no other variant has a smaller error in as little time (within 5 %), "
+               "or "
+               "in as few bytes; errors have two digits\n\n",
+               title_of(asset), sky_text(asset.sky), asset.scale, asset.reference,
+               asset.lookup_points, asset.texel_points, asset.timing, asset.repetitions) +
+           rows_text(asset) + notes_text(asset);
 }
 
 std::string report_text(const AssetReport& asset) {
@@ -199,12 +143,6 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
     if (invocation[options::json] && invocation[options::csv]) {
         return console.report(std::array{usage_error("--json and --csv exclude each other",
                                                      "the folder gets both in any case")});
-    }
-    if (invocation[options::colors]) return report_color(invocation, console);
-    if (invocation[options::truth]) return report_truth(invocation, console);
-    if (invocation.has(options::truth_paths)) {
-        return console.report(std::array{usage_error(
-            "--truth-paths needs --truth", "it sets the number of paths that trace the sky")});
     }
     const auto selection = select_bakes(invocation);
     if (const ExitCode code = console.report(selection.diagnostics); !selection.value) return code;
@@ -230,7 +168,10 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
                                   static_cast<int>(bakes.size()));
             const ReportOptions options{selection.value->threads, invocation[options::quick],
                                         &progress, &intermediates};
-            return report_asset(selection.value->recipe, bake, options);
+            const auto load = [&](std::span<const std::string> settings) {
+                return recipe_of(invocation, settings);
+            };
+            return report_asset(load, selection.value->recipe, bake, options);
         }();
         if (interrupted()) return ExitCode::interrupted;
         if (const ExitCode code = console.report(report.diagnostics); !report.value) return code;
@@ -286,21 +227,13 @@ Command report_command() {
         .options = {options::output("write report.csv, report.json and NAME.svg into this folder",
                                     "report"),
                     set_row(), options::only("report on [bake.NAME] only"),
-                    options::truth("compare each method of multiple scattering with path tracing"),
-                    options::colors("compare numbers of wavelengths by their colours and times"),
-                    options::truth_paths(
-                        "trace N paths per direction on average (default: 131072)"),
-                    cache_row(), options::quick("use fewer repetitions, sizes, points and paths"),
+                    options::quick("use fewer repetitions and points"),
                     options::jobs("use N threads for references; timing uses one (default: all)"),
                     options::force("overwrite files that no report has written"),
                     options::csv("print CSV instead of the table (--json: report.json)")},
         .examples = {{"skybake report earth.toml", "prints tables, writes plots into ./report"},
                      {"skybake report earth.toml --only transmittance --quick --csv > earth.csv",
-                      "measures one asset in seconds, for a spreadsheet"},
-                     {"skybake report --truth earth.toml",
-                      "measures the error of the sky and keeps the traced reference"},
-                     {"skybake report --colors earth.toml",
-                      "measures what 3, 4, 8 and 16 wavelengths cost"}},
+                      "measures one asset in seconds, for a spreadsheet"}},
         .exit_codes = {ExitCode::io, ExitCode::checks},
         .run = run_report};
 }

@@ -169,38 +169,9 @@ std::vector<glm::dvec3> ColorSkies::fitted_weights(const std::vector<config::Len
                              fitted_samples(spectra_, views_, wavelengths, target), target);
 }
 
-std::vector<glm::dvec3> ColorSkies::fitted_factors(const std::vector<config::Length>& wavelengths,
-                                                   const config::Color& color,
-                                                   std::vector<glm::dvec3> weights) const {
-    // For each channel alone, the factor is sum(found wanted) / sum(found^2).
-    glm::dvec3 products(0);
-    glm::dvec3 squares(0);
-    for (const ColorSample& sample :
-         fitted_samples(spectra_, views_, wavelengths, target_of(color))) {
-        glm::dvec3 found(0);
-        for (std::size_t i = 0; i < weights.size(); ++i) found += sample.light[i] * weights[i];
-        products += sample.weight * sample.weight * found * sample.color;
-        squares += sample.weight * sample.weight * found * found;
-    }
-    for (glm::dvec3& weight : weights) weight *= products / squares;
-    return weights;
-}
-
 std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
                                              const config::Color& color) {
     return fit_color_weights(in_nm(wavelengths), {}, target_of(color));
-}
-
-std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths) {
-    std::vector<glm::dvec3> weights;
-    for (const config::Length one : wavelengths) {
-        std::size_t longer = 0;
-        for (const config::Length other : wavelengths) longer += other.meters > one.meters ? 1 : 0;
-        glm::dvec3 weight(0);
-        weight[longer] = 1;
-        weights.push_back(weight);
-    }
-    return weights;
 }
 
 namespace {

@@ -54,11 +54,6 @@ class ColorSkies {
     std::vector<glm::dvec3> fitted_weights(const std::vector<config::Length>& wavelengths,
                                            const config::Color& color) const;
 
-    // Returns three weights times factors, one for each channel, that fit the same light best.
-    std::vector<glm::dvec3> fitted_factors(const std::vector<config::Length>& wavelengths,
-                                           const config::Color& color,
-                                           std::vector<glm::dvec3> weights) const;
-
     // Returns the error of any weights, in the other views and of the sun's disc.
     ColorError error(const std::vector<config::Length>& wavelengths, const config::Color& color,
                      const std::vector<glm::dvec3>& weights) const;
@@ -72,9 +67,6 @@ class ColorSkies {
 // stands there once (bakers/color/spectral_color.h).
 std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
                                              const config::Color& color);
-
-// Returns the weights by which the longest of three wavelengths is red and the shortest blue.
-std::vector<glm::dvec3> weights_as_rgb(const std::vector<config::Length>& wavelengths);
 
 // The request that the weights follow from.
 struct ColorRequest {

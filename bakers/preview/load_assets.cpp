@@ -13,7 +13,6 @@
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/report/report.h"
 #include "bakers/report/report_files.h"
 #include "config/recipe/asset_parameters.h"
 
@@ -235,23 +234,6 @@ void find_plots(const std::filesystem::path& folder, PreviewAssets& assets) {
             break;
         }
     }
-}
-
-std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads,
-                                              Progress* progress) {
-    if (!assets.recipe) return {};
-    for (const PreviewAsset& asset : assets.assets) {
-        const std::vector<config::Bake>& bakes = assets.recipe->parameters.bakes;
-        const auto bake = std::find_if(
-            bakes.begin(), bakes.end(),
-            [&](const config::Bake& candidate) { return candidate.name == asset.entry.name; });
-        if (bake == bakes.end()) continue;
-        auto report = report_asset(*assets.recipe, *bake, {threads, true, progress});
-        if (!report.value) return std::move(report.diagnostics);
-        if (!report.value->rows.empty())
-            assets.plots[bake->name] = report_svg(report_figure(*report.value));
-    }
-    return {};
 }
 
 }  // namespace skybake

@@ -33,10 +33,4 @@ config::Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path>
 // subfolder `report`. Files with these names that `report` has not drawn are ignored.
 void find_plots(const std::filesystem::path& folder, PreviewAssets& assets);
 
-// Measures each asset of the recipe by a quick report and adds its plot, if there is anything to
-// plot. Errors are those of report_asset. If the user interrupts, there are no errors, and assets
-// lack plots.
-[[nodiscard]] std::vector<config::Diagnostic> measure_plots(PreviewAssets& assets, int threads,
-                                                            Progress* progress);
-
 }  // namespace skybake

@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "bakers/plot/chart.h"
-#include "bakers/report/sweeps/sweep.h"
+#include "bakers/report/measurement.h"
 
 namespace skybake {
 namespace {

@@ -18,9 +18,8 @@
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/marcher.h"
 #include "bakers/report/measured_distance.h"
+#include "bakers/report/measurement.h"
 #include "bakers/report/skipping_measurement.h"
-#include "bakers/report/sweeps/sweep.h"
-#include "bakers/report/sweeps/volume_sweep.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
@@ -109,6 +108,10 @@ std::vector<float> stored_channel(const Baked& volume, std::size_t channel, int 
     return values;
 }
 
+// The largest volumes that are held in memory for this.
+constexpr std::int64_t kMostVoxels = std::int64_t{1} << 26;
+constexpr std::int64_t kQuickVoxels = std::int64_t{1} << 23;
+
 MarchedVolume marched(const config::Cloud& cloud, const std::vector<float>& voxels,
                       const CellGrid& grid) {
     MarchedVolume volume;
@@ -137,7 +140,7 @@ Outcome<AssetReport> report_of(const config::Recipe& recipe, AssetReport report,
     const Outcome<CloudInputs> inputs = cloud_inputs(recipe.parameters, of, details);
     if (!inputs.value) return {{}, inputs.diagnostics};
     const std::array<int, 3> asked = of.size;
-    of.size = size_within(asked, max_report_values(options.quick));
+    of.size = size_within(asked, options.quick ? kQuickVoxels : kMostVoxels);
     const Baked volume = make_cloud_volume(cloud, of, *inputs.value, {});
     const std::vector<float> voxels =
         stored_channel(volume, channel_named(volume, asset.channel), options.threads);

@@ -3,187 +3,225 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
-#include <optional>
-#include <string_view>
+#include <cmath>
+#include <functional>
 #include <utility>
-#include <variant>
 
-#include "bakers/air/medium.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/report/cloud_light_report.h"
+#include "bakers/io/manifest/asset_files.h"
+#include "bakers/math/intermediates.h"
+#include "bakers/report/measurement.h"
 #include "bakers/report/occupancy_report.h"
-#include "bakers/report/sweeps/table_sweeps.h"
-#include "bakers/report/volume_report.h"
-#include "config/assets/bruneton.h"
-#include "config/assets/multiple_scattering.h"
-#include "config/assets/noise_volume.h"
+#include "config/assets/asset_kind.h"
+#include "config/assets/cloud_distance.h"
 #include "config/assets/occupancy.h"
-#include "config/assets/phase.h"
-#include "config/assets/transmittance.h"
 
 namespace skybake {
 
 using config::Bake;
-using config::MultipleScatteringBake;
-using config::MultipleScatteringMethod;
 using config::Outcome;
-using config::TransmittanceBake;
+using config::Recipe;
 
 namespace {
 
-constexpr int kRepetitions = 9;
-constexpr int kQuickRepetitions = 3;
+constexpr int kRepetitions = 5;
+constexpr int kQuickRepetitions = 1;
+// What takes longer is timed once.
+constexpr double kLongBake_s = 0.5;
+// Variants of more voxels are left out, unless the recipe itself has as many.
+constexpr double kMostVariantVoxels = 1 << 25;
 
-// Returns the quadrature level that a bake chose, counted from 0. The table's details count from 1.
-int chosen_level(const Baked& table) {
-    for (const auto& [name, value] : table.details) {
-        if (name == "quadrature_level") return static_cast<int>(std::get<double>(value)) - 1;
+double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
+
+// What a variant's files take.
+struct Written {
+    std::uint64_t bytes = 0;
+    double seconds = 0;
+};
+
+class VariantMeasurement {
+  public:
+    VariantMeasurement(const Recipe& recipe, const Bake& bake, const ReportOptions& options)
+        : recipe_(recipe), bake_(bake), options_(options) {}
+
+    // Bakes it with its certificate, on all threads.
+    Outcome<Baked> bake(bool compares_with_paths) const {
+        BakeOptions options = bake_options(options_.threads);
+        options.certification = options_.quick ? Certification::quick : Certification::full;
+        return compares_with_paths ? bake_asset(recipe_, bake_, options) : bake_alone(options);
     }
-    return 0;
+
+    // The median of bakes without certificate on one thread, which find what others share.
+    std::optional<double> seconds() const {
+        BakeOptions options = bake_options(1);
+        options.certification = Certification::off;
+        if (config::kind_of(bake_).facts.use_of_light == config::UseOfLight::none) {
+            options.intermediates = nullptr;  // what is held is no light, but the asset itself
+        }
+        std::vector<double> times;
+        const int most = options_.quick ? kQuickRepetitions : kRepetitions;
+        while (static_cast<int>(times.size()) < most) {
+            const double begin = thread_cpu_seconds();
+            static_cast<void>(bake_alone(options));
+            if (is_cancelled(options_.progress)) return std::nullopt;
+            times.push_back(thread_cpu_seconds() - begin);
+            if (times.back() > kLongBake_s) break;
+        }
+        std::sort(times.begin(), times.end());
+        return times[times.size() / 2];
+    }
+
+    // Writes all files to memory. After an interruption there is neither a value nor a diagnostic.
+    Outcome<Written> write(const Baked& baked) const {
+        const ManifestAsset asset = describe_with_files(baked);
+        Written written;
+        const double begin = thread_cpu_seconds();
+        for (const ManifestFile& file : asset.files) {
+            const MemoryFile memory;
+            auto outcome =
+                write_asset_file(baked, asset, file, 1, options_.progress, memory.path());
+            if (!outcome.diagnostics.empty()) return {{}, std::move(outcome.diagnostics)};
+            if (is_cancelled(options_.progress)) return {};
+            written.bytes += memory.bytes();
+        }
+        written.seconds = thread_cpu_seconds() - begin;
+        return {written, {}};
+    }
+
+  private:
+    BakeOptions bake_options(int threads) const {
+        return {.threads = threads,
+                .progress = options_.progress,
+                .intermediates = options_.intermediates};
+    }
+
+    Outcome<Baked> bake_alone(const BakeOptions& options) const {
+        AssetLabel label;
+        label.name = bake_.name;
+        return baker_of(bake_).bake(recipe_.parameters, bake_, options, std::move(label));
+    }
+
+    const Recipe& recipe_;
+    const Bake& bake_;
+    const ReportOptions& options_;
+};
+
+double voxels_of(const Recipe& recipe, const Bake& bake) {
+    double voxels = 1;
+    for (const int count : baker_of(bake).estimate(recipe.parameters, bake).size) voxels *= count;
+    return voxels;
 }
 
-bool is_solved(const Bake& bake) {
-    const auto* asset = bake.find<MultipleScatteringBake>();
-    return asset && asset->method == MultipleScatteringMethod::solved;
+// Marks the rows that no other beats in a cost.
+void mark_front(std::vector<ReportRow>& rows, double (*cost)(const ReportRow&), double noise,
+                bool ReportRow::*mark) {
+    std::vector<CostAndError> choices;
+    for (const ReportRow& row : rows) {
+        choices.push_back({cost(row), to_digits(row.lookup.rms, 2)});
+    }
+    const std::vector<bool> front = pareto_front(choices, noise);
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i].*mark = front[i];
 }
 
-// Returns the bake that the report is about. For multiple scattering it has the converged method;
-// the paper's method is one of the variants. Solved tables have no bound for the error of texels.
-Bake subject(const Bake& bake) {
-    constexpr double kUsualTexelError = 0.002;
-    Bake result = bake;
-    if (auto* asset = result.find<MultipleScatteringBake>()) {
-        if (is_solved(bake)) asset->max_texel_error = kUsualTexelError;
-        asset->method = MultipleScatteringMethod::converged;
-    }
-    return result;
-}
-
-// Returns the bake without a bound for the error of its texels.
-Bake without_texel_bound(const Bake& bake) {
-    Bake result = bake;
-    if (auto* asset = result.find<MultipleScatteringBake>()) {
-        asset->max_texel_error = std::numeric_limits<double>::infinity();
-    }
-    return result;
-}
-
-bool misses_texel_bound(const Outcome<Baked>& baked) {
-    return std::any_of(baked.diagnostics.begin(), baked.diagnostics.end(),
-                       [](const config::Diagnostic& found) { return found.code == "E0404"; });
-}
-
-Sweep sweep_of(const Bake& bake, const Medium& medium, const Baked& baked, std::optional<int> level,
-               const ReportOptions& options) {
-    const std::array<int, 2> size = {baked.image().width, baked.image().height};
-    if (const auto* asset = bake.find<TransmittanceBake>()) {
-        return transmittance_sweep(medium, *asset, size, options.quick);
-    }
-    return multiple_scattering_sweep(medium, bake.as<MultipleScatteringBake>(), size, level,
-                                     options.quick, options.threads);
-}
-
-Outcome<AssetReport> report_table_asset(const config::Recipe& recipe, const Bake& bake,
-                                        const ReportOptions& options) {
-    Outcome<AssetReport> outcome;
-    const BakeOptions bake_options{.threads = options.threads,
-                                   .progress = options.progress,
-                                   .intermediates = options.intermediates};
-    AssetReport report;
-    Outcome<Baked> baked = bake_asset(recipe, subject(bake), bake_options);
-    const bool holds = !misses_texel_bound(baked);
-    if (!holds) {
-        // The bake is repeated without the bound, because the report then shows which errors can be
-        // reached.
-        report.notes.push_back("`bake` refuses it: " + baked.diagnostics.front().message);
-        baked = bake_asset(recipe, without_texel_bound(subject(bake)), bake_options);
-    }
-    if (options.progress != nullptr && options.progress->cancelled()) return outcome;
-    outcome.diagnostics = std::move(baked.diagnostics);
-    if (!baked.value) return outcome;
-    report.name = bake.name;
-    report.kind = baked.value->kind;
-    report.reference = baked.value->certificate.reference;
-    report.scale = baked.value->certificate.scale;
-    if (is_solved(bake)) {
-        report.notes.push_back(
-            "these are variants of method = \"converged\"; the recipe's table is solved");
-    } else {
-        report.sky = baked.value->certificate.sky;
-    }
+void describe(const Baked& baked, const ReportOptions& options, AssetReport& report) {
+    report.kind = baked.kind;
+    const Certificate& certificate = baked.certificate;
+    report.reference = certificate.reference;
+    report.scale = certificate.scale;
+    report.texel_points = certificate.texel_points;
+    report.lookup_points = certificate.lookup_points;
+    report.sky = certificate.sky;
+    report.timing =
+        "processor time of a bake without its certificate, one thread; light that "
+        "variants share is not in it";
     report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
-    const Medium medium = make_medium(recipe.parameters.atmosphere);
-    const std::optional<int> level =
-        holds ? std::optional(chosen_level(*baked.value)) : std::nullopt;
-    std::optional<PhaseSource> phases;
-    if (const auto* phase = bake.find<config::PhaseBake>()) {
-        phases = phase_source(recipe.parameters, *phase, options.threads);
+}
+
+ReportRow row_of(const Variant& variant, const Baked& baked) {
+    ReportRow row;
+    row.asset = baked.name;
+    row.family = variant.family;
+    row.variant = variant.name;
+    row.baseline = variant.baseline;
+    row.of_recipe = variant.settings.empty();
+    const std::array<int, 3>& size = baked.levels.front().size;
+    row.size.assign(size.begin(), size.begin() + (baked.is_table() ? 2 : 3));
+    row.pixel_type = baked.pixel_type;
+    row.texel = baked.certificate.texel;
+    row.lookup = baked.certificate.lookup;
+    return row;
+}
+
+// Measures one variant and adds its row. Returns what a fault of the recipe itself reports; a variant
+// that the recipe does not allow adds nothing.
+Outcome<bool> add_row(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
+                      const Variant& variant, const ReportOptions& options, AssetReport& report) {
+    const bool of_recipe = variant.settings.empty();
+    Outcome<Recipe> changed;
+    if (!of_recipe) changed = load(variant.settings);
+    if (!of_recipe && !changed.value) return {true, {}};
+    const Recipe& own = of_recipe ? recipe : *changed.value;
+    const auto& bakes = own.parameters.bakes;
+    const auto found = std::find_if(bakes.begin(), bakes.end(),
+                                    [&](const Bake& one) { return one.name == bake.name; });
+    if (found == bakes.end()) return {true, {}};
+    const double voxels = voxels_of(own, *found);
+    if (!of_recipe && voxels > std::max(kMostVariantVoxels, voxels_of(recipe, bake))) {
+        report.notes.push_back(fmt::format("{} {}: left out, since it has too many voxels",
+                                           variant.family, variant.name));
+        return {true, {}};
     }
-    const Sweep sweep =
-        phases ? phase_sweep(*phases, bake.as<config::PhaseBake>(), *baked.value, options.quick)
-               : sweep_of(bake, medium, *baked.value, level, options);
-    report.timing = sweep.timing;
-    report.texel_points = sweep.texels.rows * sweep.texels.per_row;
-    report.lookup_points = sweep.lookups.rows * sweep.lookups.per_row;
-    auto measured = measure_sweep(sweep, *baked.value, report.repetitions, options);
-    if (!measured) return {};
-    report.rows = std::move(measured->rows);
-    report.notes.insert(report.notes.end(), measured->notes.begin(), measured->notes.end());
+    const VariantMeasurement measurement(own, *found, options);
+    Outcome<Baked> baked = measurement.bake(of_recipe);
+    if (is_cancelled(options.progress)) return {};
+    if (!baked.value) {
+        if (!of_recipe) {
+            report.notes.push_back(fmt::format("{} {}: {}", variant.family, variant.name,
+                                               baked.diagnostics.front().message));
+            return {true, {}};
+        }
+        return {{}, std::move(baked.diagnostics)};
+    }
+    if (of_recipe) describe(*baked.value, options, report);
+    ReportRow row = row_of(variant, *baked.value);
+    const Outcome<Written> written = measurement.write(*baked.value);
+    const std::optional<double> seconds = measurement.seconds();
+    if (!written.value || !seconds) return {{}, written.diagnostics};
+    row.file_bytes = written.value->bytes;
+    row.write_ms = milliseconds(written.value->seconds);
+    row.time_ms = milliseconds(*seconds);
+    report.rows.push_back(std::move(row));
+    return {true, of_recipe ? std::move(baked.diagnostics) : std::vector<config::Diagnostic>{}};
+}
+
+Outcome<AssetReport> report_variants(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
+                                     const ReportOptions& options) {
+    Outcome<AssetReport> outcome;
+    AssetReport report;
+    report.name = bake.name;
+    for (const Variant& variant : variants_of(recipe, bake)) {
+        Outcome<bool> added = add_row(load, recipe, bake, variant, options, report);
+        if (!added.value) return {{}, std::move(added.diagnostics)};
+        std::move(added.diagnostics.begin(), added.diagnostics.end(),
+                  std::back_inserter(outcome.diagnostics));
+    }
+    mark_front(
+        report.rows, [](const ReportRow& row) { return row.time_ms; }, kTimingNoise,
+        &ReportRow::on_time_front);
+    mark_front(
+        report.rows, [](const ReportRow& row) { return static_cast<double>(row.file_bytes); }, 0,
+        &ReportRow::on_bytes_front);
     outcome.value = std::move(report);
     return outcome;
 }
 
-// The kinds of assets whose variants are compared. For others, the certificate states the error.
-struct AssetReporter {
-    std::string_view asset;
-    Outcome<AssetReport> (*report)(const config::Recipe& recipe, const Bake& bake,
-                                   const ReportOptions& options);
-};
-
-constexpr AssetReporter kReporters[] = {
-    {"transmittance", report_table_asset},
-    {"multiple_scattering", report_table_asset},
-    {"phase", report_table_asset},
-    {"bruneton", report_bruneton},
-    {"optical_depth", report_column_volume},
-    {"noise_volume", report_noise_volume},
-    {"cloud_volume", report_cloud_volume},
-    {"cloud_light", report_cloud_light},
-    {"occupancy", report_occupancy},
-    {"cloud_distance", report_cloud_distance},
-};
-
 }  // namespace
 
-Outcome<AssetReport> nothing_to_compare(const Bake& bake) {
-    AssetReport report;
-    report.name = bake.name;
-    report.kind = baker_of(bake).asset;
-    report.notes.push_back(fmt::format(
-        "no variants of {} are compared: `bake` measures the errors of its lookups", report.kind));
-    return {std::move(report), {}};
-}
-
-Outcome<AssetReport> report_asset(const config::Recipe& recipe, const Bake& bake,
+Outcome<AssetReport> report_asset(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
                                   const ReportOptions& options) {
-    const AnyBaker& baker = baker_of(bake);
-    const auto reporter =
-        std::find_if(std::begin(kReporters), std::end(kReporters),
-                     [&](const AssetReporter& one) { return one.asset == baker.asset; });
-    Outcome<AssetReport> outcome = reporter != std::end(kReporters)
-                                       ? reporter->report(recipe, bake, options)
-                                       : nothing_to_compare(bake);
-    if (!outcome.value || outcome.value->sky || !baker.traced(recipe.parameters, bake)) {
-        return outcome;
-    }
-    const Outcome<Baked> baked = bake_asset(recipe, bake,
-                                            BakeOptions{.threads = options.threads,
-                                                        .progress = options.progress,
-                                                        .intermediates = options.intermediates});
-    if (is_cancelled(options.progress)) return {};
-    if (baked.value) outcome.value->sky = baked.value->certificate.sky;
-    return outcome;
+    if (bake.is<config::OccupancyBake>()) return report_occupancy(recipe, bake, options);
+    if (bake.is<config::CloudDistanceBake>()) return report_cloud_distance(recipe, bake, options);
+    return report_variants(load, recipe, bake, options);
 }
 
 }  // namespace skybake

@@ -4,17 +4,153 @@
 
 #include <algorithm>
 #include <fstream>
+#include <functional>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
-#include "bakers/report/sweeps/sweep.h"
-#include "bakers/report/truth/sky_truth_store.h"
+#include "bakers/io/files/to_string.h"
+#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/release.h"
+#include "bakers/report/measurement.h"
 
 namespace skybake {
 
 namespace {
 
 namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+// --- Texts --------------------------------------------------------------------------------------
+
+// A column of CSV and a key of JSON.
+struct Column {
+    std::string_view name;
+    std::function<Json(const ReportRow&)> value;
+};
+
+Json size_along(const ReportRow& row, std::size_t axis) {
+    return axis < row.size.size() ? Json(row.size[axis]) : Json(1);
+}
+
+const std::vector<Column>& columns() {
+    static const std::vector<Column> all = {
+        {"asset", [](const ReportRow& row) { return Json(row.asset); }},
+        {"family", [](const ReportRow& row) { return Json(row.family); }},
+        {"variant", [](const ReportRow& row) { return Json(row.variant); }},
+        {"baseline", [](const ReportRow& row) { return Json(row.baseline); }},
+        {"of_recipe", [](const ReportRow& row) { return Json(row.of_recipe); }},
+        {"width", [](const ReportRow& row) { return size_along(row, 0); }},
+        {"height", [](const ReportRow& row) { return size_along(row, 1); }},
+        {"depth", [](const ReportRow& row) { return size_along(row, 2); }},
+        {"pixel_type", [](const ReportRow& row) { return Json(to_string(row.pixel_type)); }},
+        {"file_bytes", [](const ReportRow& row) { return Json(row.file_bytes); }},
+        {"time_ms", [](const ReportRow& row) { return Json(row.time_ms); }},
+        {"write_ms", [](const ReportRow& row) { return Json(row.write_ms); }},
+        {"texel_error_max", [](const ReportRow& row) { return Json(row.texel.max); }},
+        {"texel_error_rms", [](const ReportRow& row) { return Json(row.texel.rms); }},
+        {"lookup_error_max", [](const ReportRow& row) { return Json(row.lookup.max); }},
+        {"lookup_error_rms", [](const ReportRow& row) { return Json(row.lookup.rms); }},
+        {"on_time_front", [](const ReportRow& row) { return Json(row.on_time_front); }},
+        {"on_bytes_front", [](const ReportRow& row) { return Json(row.on_bytes_front); }},
+    };
+    return all;
+}
+
+std::string dump(const Json& json, int indent) {
+    return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+// Returns the text of a cell, quoted if necessary.
+std::string csv_cell(const Json& value) {
+    if (!value.is_string()) return dump(value, -1);
+    const auto& text = value.get_ref<const std::string&>();
+    if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char letter : text) {
+        if (letter == '"') quoted += '"';
+        quoted += letter;
+    }
+    return quoted + '"';
+}
+
+Json to_json(const ReportRow& row) {
+    Json entry = Json::object();
+    for (const Column& column : columns()) entry[std::string(column.name)] = column.value(row);
+    return entry;
+}
+
+Json to_json(const SkippingFacts& skipping) {
+    Json rows = Json::array();
+    for (const SkippingRow& row : skipping.rows) {
+        rows.push_back({{"structure", row.structure},
+                        {"occupied_share", row.occupied_share},
+                        {"samples", row.samples},
+                        {"lost_samples", row.lost_samples},
+                        {"fetches_up", row.fetches[0]},
+                        {"fetches_within", row.fetches[1]},
+                        {"fetches_down", row.fetches[2]},
+                        {"changed_rays", row.changed_rays},
+                        {"structure_bytes", row.structure_bytes},
+                        {"time_ms", row.time_ms}});
+    }
+    return {{"size", skipping.size},
+            {"cell", skipping.cell},
+            {"rays", skipping.rays},
+            {"smallest_safe_share", skipping.smallest_safe_share},
+            {"rows", std::move(rows)}};
+}
+
+Json to_json(const AssetReport& asset) {
+    Json rows = Json::array();
+    for (const ReportRow& row : asset.rows) rows.push_back(to_json(row));
+    Json json = {{"name", asset.name},
+                 {"kind", asset.kind},
+                 {"sky", asset.sky ? sky_error_json(*asset.sky) : Json(nullptr)},
+                 {"reference", asset.reference},
+                 {"scale", asset.scale},
+                 {"timing", asset.timing},
+                 {"repetitions", asset.repetitions},
+                 {"texel_points", asset.texel_points},
+                 {"lookup_points", asset.lookup_points},
+                 {"notes", asset.notes}};
+    if (asset.skipping) json["skipping"] = to_json(*asset.skipping);
+    json["rows"] = std::move(rows);
+    return json;
+}
+
+}  // namespace
+
+std::string report_csv(const std::vector<AssetReport>& assets) {
+    std::string text;
+    for (const Column& column : columns()) {
+        text += fmt::format("{}{}", text.empty() ? "" : ",", column.name);
+    }
+    text += '\n';
+    for (const AssetReport& asset : assets) {
+        for (const ReportRow& row : asset.rows) {
+            std::string line;
+            for (const Column& column : columns()) {
+                if (&column != &columns().front()) line += ',';
+                line += csv_cell(column.value(row));
+            }
+            text += line + '\n';
+        }
+    }
+    return text;
+}
+
+std::string report_json(const std::vector<AssetReport>& assets) {
+    Json list = Json::array();
+    for (const AssetReport& asset : assets) list.push_back(to_json(asset));
+    const Json report = {{"report", {{"tool", tool_name()}, {"version", release()}, {"format", 2}}},
+                         {"assets", std::move(list)}};
+    return dump(report, 2) + "\n";
+}
+
+// --- The folder ---------------------------------------------------------------------------------
+
+namespace {
 
 constexpr std::size_t kSignLength = 512;  // the signs are within this many bytes
 
@@ -48,11 +184,12 @@ std::vector<std::string> report_file_names(const std::vector<std::string>& asset
 bool is_report_text(std::string_view name, std::string_view text) {
     if (name.ends_with(".csv")) {
         return text.starts_with("asset,family,variant,baseline,") ||
-               text.starts_with("method,family,variant,baseline,") ||
-               text.starts_with("way,family,variant,baseline,") || is_stored_sky_truth(text);
+               text.starts_with("by,family,variant,baseline,");
     }
-    if (name.ends_with(".json"))
-        return text.starts_with("{\n  \"report\": {\n    \"tool\": \"skybake\"");
+    if (name.ends_with(".json")) {
+        return text.starts_with("{\n  \"report\": {\n    \"tool\": \"skybake\"") ||
+               text.starts_with("{\n  \"plan\": {\n    \"tool\": \"skybake\"");
+    }
     return text.find(fmt::format("<!-- {} -->", report_plot_sign)) < kSignLength;
 }
 
@@ -72,42 +209,33 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
     return diagnostics;
 }
 
+// --- The plot -----------------------------------------------------------------------------------
+
 namespace {
 
-// --- An asset -----------------------------------------------------------------------------------
-
 std::string label_of(const ReportRow& row, bool on_front) {
-    if (!row.baseline.empty()) return row.baseline + ": " + row.variant;
-    if (row.of_recipe) return "this recipe: " + row.variant;
+    if (row.of_recipe) return "this recipe";
+    if (!row.baseline.empty()) return row.baseline;
     return on_front ? row.variant : "";
 }
 
-std::string tooltip_of(const ReportRow& row) {
-    return fmt::format(
-        "{}, {}: {:.3g} ms, lookup error {:.2g} RMS, {:.2g} max, texel error {:.2g} RMS",
-        row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
-}
-
-ChartPoint point_of(const ReportRow& row, int family, double cost, double error, bool on_front) {
-    ChartPoint point;
-    point.x = cost;
-    point.y = error;
-    point.family = family;
-    point.label = label_of(row, on_front);
-    point.tooltip = tooltip_of(row);
-    point.emphasised = !row.baseline.empty() || row.of_recipe;
-    point.on_front = on_front;
-    return point;
-}
-
-bool is_named_by_its_file(const ReportRow& row) {
-    return row.volume_file && row.volume_file->format != config::FileFormat::bin;
-}
-
-// Returns the word for what the variants of one size differ in.
-const char* compared_of(const AssetReport& asset) {
-    if (asset.kind == "bruneton") return "methods";
-    return asset.volume ? "octaves" : "quadratures";
+Chart chart_of(const AssetReport& asset, const char* title, double (*cost)(const ReportRow&),
+               bool ReportRow::*front, std::vector<std::string>& families) {
+    std::vector<ChartPoint> points;
+    for (const ReportRow& row : asset.rows) {
+        ChartPoint point;
+        point.x = cost(row);
+        point.y = row.lookup.rms;
+        point.family = family_index(families, row.family);
+        point.on_front = row.*front;
+        point.label = label_of(row, point.on_front);
+        point.tooltip = fmt::format(
+            "{} {}: {:.3g} ms, lookup error {:.2g} RMS, {:.2g} max, texel error {:.2g} RMS",
+            row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
+        point.emphasised = row.of_recipe || !row.baseline.empty();
+        points.push_back(std::move(point));
+    }
+    return scatter_chart(std::move(points), "", title, "lookup error, RMS");
 }
 
 }  // namespace
@@ -117,87 +245,15 @@ Figure report_figure(const AssetReport& asset) {
     plot.title = asset.name + ": what accuracy costs";
     plot.subtitles = {fmt::format("error against {} ({} points; {})", asset.reference,
                                   asset.lookup_points, asset.scale),
-                      fmt::format("time: {}, median of {}", asset.timing, asset.repetitions)};
+                      fmt::format("time: {}", asset.timing)};
     plot.front_name = "Pareto front";
-    std::vector<ChartPoint> lookups, texels, bytes;
-    std::string texels_title;
-    for (const ReportRow& row : asset.rows) {
-        const int family = family_index(plot.families, row.family);
-        ChartPoint lookup = point_of(row, family, row.time_ms, row.lookup.rms, row.on_lookup_front);
-        // Files of the same voxels are at the same place, so only the one named by its size keeps
-        // its label.
-        if (is_named_by_its_file(row) && !lookup.emphasised) lookup.label.clear();
-        lookups.push_back(std::move(lookup));
-        if (row.in_quadrature_sweep) {
-            texels_title = fmt::format("Texels: {} at {}", compared_of(asset), size_text(row.size));
-            texels.push_back(point_of(row, family, row.time_ms, row.texel.rms, row.on_texel_front));
-        }
-        if (row.volume_file) {
-            bytes.push_back(point_of(row, family, static_cast<double>(row.file_bytes) / 1024,
-                                     row.lookup.rms, row.volume_file->on_bytes_front));
-        }
-    }
-    const std::string time = "time (ms)", lookup_error = "lookup error, RMS";
-    plot.charts.push_back(scatter_chart(std::move(lookups), "Lookups between texels: all variants",
-                                        time, lookup_error));
-    if (!texels.empty()) {
-        plot.charts.push_back(
-            scatter_chart(std::move(texels), texels_title, time, "texel error, RMS"));
-    }
-    if (!bytes.empty()) {
-        plot.charts.push_back(scatter_chart(std::move(bytes), "Lookups between texels: bytes",
-                                            "file (KiB)", lookup_error));
-    }
-    return plot;
-}
-
-// --- The sky ------------------------------------------------------------------------------------
-
-namespace {
-
-ChartPoint point_of(const SkyErrorRow& row, int family, double error) {
-    ChartPoint point;
-    point.x = row.time_ms;
-    point.y = error;
-    point.family = family;
-    point.label = row.method.baseline.empty() ? row.method.name : row.method.baseline;
-    point.tooltip = fmt::format("{}, {}: {:.3g} ms, error {:.2g} median, {:.2g} p90, {:.2g} max",
-                                row.method.family, row.method.name, row.time_ms, row.error.median,
-                                row.error.p90, row.error.max);
-    point.emphasised = !row.method.baseline.empty();
-    point.on_front = row.on_front;
-    return point;
-}
-
-}  // namespace
-
-Figure sky_truth_figure(const SkyErrorReport& report) {
-    Figure plot;
-    plot.title = "The sky's error by its multiple scattering";
-    plot.subtitles = {
-        fmt::format("relative error of sky radiance in {} directions against path tracing, whose "
-                    "standard error is {:.2g} median, {:.2g} p90",
-                    report.directions, report.truth_error.median, report.truth_error.p90),
-        fmt::format("time: processor time of all that comes before the first view ray, one "
-                    "thread, median of {}",
-                    report.repetitions)};
-    plot.front_name = "Pareto front";
-    std::vector<ChartPoint> median, p90;
-    for (const SkyErrorRow& row : report.rows) {
-        if (!row.method.takes_time()) {  // a logarithmic axis cannot show a time of 0
-            plot.subtitles.push_back(fmt::format("{}: {:.2g} median, {:.2g} p90", row.method.family,
-                                                 row.error.median, row.error.p90));
-            continue;
-        }
-        const int family = family_index(plot.families, row.method.family);
-        median.push_back(point_of(row, family, row.error.median));
-        p90.push_back(point_of(row, family, row.error.p90));
-        p90.back().on_front = false;  // the front is that of medians
-    }
-    plot.charts = {
-        scatter_chart(std::move(median), "Median", "time (ms)", "relative error, median"),
-        scatter_chart(std::move(p90), "9 of 10 are within", "time (ms)",
-                      "relative error, 90th percentile")};
+    plot.charts.push_back(chart_of(
+        asset, "time (ms)", [](const ReportRow& row) { return row.time_ms; },
+        &ReportRow::on_time_front, plot.families));
+    plot.charts.push_back(chart_of(
+        asset, "files (KiB)",
+        [](const ReportRow& row) { return static_cast<double>(row.file_bytes) / 1024; },
+        &ReportRow::on_bytes_front, plot.families));
     return plot;
 }
 

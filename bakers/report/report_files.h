@@ -1,5 +1,5 @@
 // The files of a report: CSV for spreadsheets, JSON for programs, and one plot for each asset. The
-// header also recognises files that a report wrote.
+// header also recognises files that a report or a plan wrote.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,6 @@
 
 #include "bakers/plot/chart.h"
 #include "bakers/report/report.h"
-#include "bakers/report/truth/sky_truth_report.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
@@ -32,7 +31,7 @@ std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets);
 // Returns the names of these files, before the report is made.
 std::vector<std::string> report_file_names(const std::vector<std::string>& assets);
 
-// Whether a file with this name and text was written by report_files or by `report --truth`.
+// Whether a file with this name and text was written by report_files or by `plan`.
 bool is_report_text(std::string_view name, std::string_view text);
 
 // Returns E0303 for each file with one of these names that is in the folder and that no report
@@ -43,12 +42,8 @@ bool is_report_text(std::string_view name, std::string_view text);
 // The comment in SVG files by which reports recognise their own plots.
 inline constexpr std::string_view report_plot_sign = "skybake report";
 
-// Plots an asset: time against lookup error, and time against texel error for the quadrature sweep;
-// for volumes also bytes against lookup error.
+// Plots an asset: time and bytes against lookup error.
 Figure report_figure(const AssetReport& asset);
-
-// Plots the time of each method for the sky against its error.
-Figure sky_truth_figure(const SkyErrorReport& report);
 
 std::string report_svg(const Figure& figure);
 

@@ -12,8 +12,8 @@
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "bakers/occupancy/occupied_cells.h"
+#include "bakers/report/measurement.h"
 #include "bakers/report/occupancy_report.h"
-#include "bakers/report/sweeps/sweep.h"
 
 namespace skybake {
 

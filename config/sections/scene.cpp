@@ -6,6 +6,15 @@
 namespace skybake::config {
 namespace {
 
+constexpr Choice sky_by_choices[] = {
+    {SkyBy::march, "march", "a loop along each ray, with tables of transmittance and of light"},
+    {SkyBy::fetch, "fetch", "a lookup of a table of all rays, as in Bruneton 2017"},
+    {SkyBy::picture, "picture", "a picture of the sky for each sun, seen from one altitude"},
+};
+
+constexpr Range size_range_mib{0, 1 << 20, true};
+constexpr Range fetch_range{1, 1e6};
+
 const SceneField scene_table[] = {
     {"altitude", Kind::length_bounds, &Scene::altitude,
      "altitudes of the cameras, from the lowest to the highest", camera_altitude_range,
@@ -16,6 +25,22 @@ const SceneField scene_table[] = {
     {"view_distance", Kind::length, &Scene::view_distance,
      "distance up to which the cameras see things on the ground", view_distance_range,
      Default{R"("64 km")"}, Role::usual},
+    {"sky_by", Kind::choice_list, &Scene::sky_by,
+     "how the runtime can draw the sky, for `skybake plan`", sky_by_choices,
+     Default{R"(["march", "fetch", "picture"])"}, Role::usual},
+    {"suns", Kind::angles, &Scene::suns,
+     "elevations of the sun that the runtime shows, for `skybake plan`; without them any in "
+     "`sun_elevation`",
+     elevation_range, Role::usual},
+    {"max_sky_error", Kind::fraction, &Scene::max_sky_error,
+     "largest ninth decile of the sky's error that `skybake plan` may choose", lookup_error_range,
+     Role::usual},
+    {"max_size_mib", Kind::number, &Scene::max_size_mib,
+     "most MiB of textures that `skybake plan` may choose for the sky", size_range_mib,
+     Role::usual},
+    {"max_fetches", Kind::number, &Scene::max_fetches,
+     "most texture fetches per pixel of the sky that `skybake plan` may choose", fetch_range,
+     Role::usual},
 };
 
 }  // namespace

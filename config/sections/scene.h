@@ -1,19 +1,30 @@
-// This header declares [scene], which says what a runtime will show. It also holds choices that
-// several assets of the sky share.
+// This header declares [scene], which says what a runtime will show and how it may do that. It also
+// holds choices that several assets of the sky share.
 #pragma once
 
 #include <array>
+#include <optional>
+#include <vector>
 
 #include "config/text/quantity.h"
 
 namespace skybake::config {
 
+// How a runtime draws the sky: by a loop along each ray, by one lookup of a table of all rays, or from
+// a picture of the whole sky for each sun.
+enum class SkyBy { march, fetch, picture };
+
 // A scene gives the ranges of cameras and suns that a runtime will show, so that tables need not
-// hold more.
+// hold more. The other members are for `skybake plan`.
 struct Scene {
     std::array<Length, 2> altitude;      // of cameras
     std::array<Angle, 2> sun_elevation;  // at the camera
     Length view_distance;
+    std::vector<SkyBy> sky_by;            // empty: any
+    std::vector<Angle> suns;              // the only ones; empty: any in sun_elevation
+    std::optional<double> max_sky_error;  // ninth decile, relative
+    std::optional<double> max_size_mib;   // of the textures
+    std::optional<double> max_fetches;    // of a pixel of the sky
 };
 
 // The choices below are shared by several assets of the sky.

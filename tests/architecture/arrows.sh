@@ -80,7 +80,8 @@ room bakers/shading
 room bakers/workspace math field io assets
 room bakers/plot field io
 room bakers/render math color field io air light occupancy march plot
-room bakers/report math color field io air light noise clouds occupancy march assets plot render
+room bakers/report math field io occupancy assets plot
+room bakers/plan math field io air light assets workspace plot report
 room bakers/preview math color field io air light occupancy march assets workspace plot render report
 
 # The drawing of bakers/FLOW.md leaves out arrows that follow from others: rooms are listed after all that
@@ -163,11 +164,11 @@ forbid 'bakers/io/' bakers/assets \
 
 # Its exponentials, sines and lengths have other last bits on other processors and in other versions.
 # Code of baked values, and of facts in manifests, takes config/optics/elementary.h and
-# bakers/math/transcendental.h in place of them. The first exception only refuses towers that are too
-# narrow for their voxels; the second times a published method whose table nobody keeps.
+# bakers/math/transcendental.h in place of them. The exception only refuses towers that are too narrow
+# for their voxels.
 functions='exp|exp2|expm1|log|log2|log10|log1p|pow|cbrt|hypot|erf|erfc|[tl]gamma|a?(sin|cos|tan)h?|atan2|sincos'
 called=$(grep -rlE "\b($functions)[fl]?\(" --include='*.h' --include='*.cpp' config $makers bakers/io |
-    grep -vE '^(config/sections/towers|bakers/assets/transmittance/transmittance_table)\.cpp$' |
+    grep -vE '^config/sections/towers\.cpp$' |
     while IFS= read -r source; do
         # Drops comments, strings and lines of GLSL.
         sed -E 's@//.*@@; s/"([^"\\]|\\.)*"//g' "$source" |

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bakers/light/path_tracer/path_tracer.h"
-#include "bakers/light/path_tracer/sky_truth.h"
 #include "config/recipe/recipe.h"
+#include "tests/support/sky_truth.h"
 
 namespace skybake {
 namespace {

@@ -265,7 +265,6 @@ const tests = {
             return `${status} ${stderr}`;
         };
         const recipe = path.join(work, 'cloud.toml');
-        assert.match(refused(recipe, '--live', '--report'), /^2 [^]*--live and --report exclude each other/);
         assert.match(refused(recipe, '--live', '--size', '100x100'), /^2 [^]*--live and --size exclude each other/);
     },
 };

@@ -9,7 +9,6 @@
 #include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/io/formats/exr/exr_file.h"
-#include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/solve_light.h"
@@ -17,6 +16,7 @@
 #include "config/assets/bruneton.h"
 #include "tests/io/files.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/sky_truth.h"
 #include "tests/support/volumes.h"
 
 namespace skybake {

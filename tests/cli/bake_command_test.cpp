@@ -109,7 +109,7 @@ TEST_F(Bake, AFolderOfSomethingElseIsNoCache) {
         {"cache", "verify"},
         {"cache", "gc", "--max-size", "0"},
         {"sweep", recipe_, "-o", out_, "--vary", "atmosphere.ground_albedo=0.1,0.2"},
-        {"report", recipe_, "-o", out_, "--truth", "--quick"}};
+        {"plan", recipe_, "-o", out_}};
     for (std::vector<std::string> words : commands) {
         words.insert(words.end(), {"--cache-dir", projects});
         const Result result = run_program(words);

@@ -215,7 +215,6 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
         {scene.baked, "--watch"},
         {scene.baked, "--only", "volume"},
         {scene.baked, "--set", "a=1"},
-        {scene.recipe, "--watch", "--report"},
         {scene.recipe, "--only", "absent"},
         {scene.recipe, "--sun-elevation", "91"},
         {scene.recipe, "--sun-elevation", "10,"},

@@ -1,8 +1,8 @@
 // The same laws with as many paths as minutes allow.
 #include <gtest/gtest.h>
 
-#include "bakers/light/path_tracer/sky_truth.h"
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/sky_truth.h"
 
 namespace skybake {
 namespace {

@@ -10,11 +10,11 @@
 #include <sstream>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/transcendental.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/number_rows.h"
+#include "tests/support/sky_truth.h"
 
 namespace skybake {
 namespace {

@@ -1,4 +1,4 @@
-#include "bakers/light/path_tracer/sky_truth.h"
+#include "tests/support/sky_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,26 +1,26 @@
-// An interruption in the middle of a report.
+// An interruption in the middle of a report or a plan.
 #pragma once
 
+#include <atomic>
 #include <string_view>
 
 #include "bakers/math/bake_options.h"
 
 namespace skybake::testing {
 
-// Cancels once `step` advances: "timing", or what comes after it.
+// Cancels once `step` has advanced so many times.
 class CancelledAt : public Progress {
   public:
-    explicit CancelledAt(std::string_view step) : step_(step) {}
+    CancelledAt(std::string_view step, int times) : step_(step), times_(times) {}
     void advance(std::string_view step, double) override {
-        timing_ = timing_ || step == "timing";
-        if (timing_ && step == step_) cancelled_ = true;
+        if (step == step_) ++seen_;
     }
-    bool cancelled() const override { return cancelled_; }
+    bool cancelled() const override { return seen_ >= times_; }
 
   private:
     std::string_view step_;
-    bool timing_ = false;  // the recipe's own asset, which comes first, is made
-    bool cancelled_ = false;
+    int times_;
+    std::atomic<int> seen_ = 0;
 };
 
 }  // namespace skybake::testing

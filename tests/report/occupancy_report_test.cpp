@@ -14,7 +14,7 @@ AssetReport report_of(const std::string& grid) {
         "[bake.grid]\nasset = \"occupancy\"\nof = \"thesis\"\nchannel = \"G\"\ncell = 4\n" +
             grid,
         "test");
-    const auto outcome = report_asset(*recipe.value, recipe.value->parameters.bakes[1], {});
+    const auto outcome = report_asset({}, *recipe.value, recipe.value->parameters.bakes[1], {});
     return *outcome.value;
 }
 

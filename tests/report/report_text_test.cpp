@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/report/sample_rows.h"
@@ -54,49 +53,13 @@ TEST(ReportText, JsonSaysTheSame) {
     EXPECT_DOUBLE_EQ(row["lookup_error_rms"].get<double>(), 3e-4);
     EXPECT_EQ(row["texel_error_max"], 2e-4);
     EXPECT_EQ(row["of_recipe"], true);
-    EXPECT_EQ(row["on_texel_front"], true);
+    EXPECT_EQ(row["on_bytes_front"], true);
 }
 
-TEST(ReportText, CsvLeavesCellsOfVolumesEmptyInRowsOfTables) {
-    const auto lines =
-        parse_csv(report_csv({testing::sample_report(), testing::sample_volume_report()}));
-    ASSERT_EQ(lines.size(), 7u);
-    for (const auto& line : lines) EXPECT_EQ(line.size(), lines[0].size());
-    const auto column = [&](std::size_t line, const std::string& name) {
-        const auto at = std::find(lines[0].begin(), lines[0].end(), name) - lines[0].begin();
-        return lines[line].at(static_cast<std::size_t>(at));
-    };
-    EXPECT_EQ(column(1, "height"), "16");
-    EXPECT_EQ(column(4, "height"), "32");
-    const std::vector<std::pair<const char*, const char*>> cells = {{"depth", "16"},
-                                                                    {"format", "vdb"},
-                                                                    {"compression", "blosc"},
-                                                                    {"write_ms", "7.5"},
-                                                                    {"on_bytes_front", "false"}};
-    for (const auto& [name, text] : cells) {
-        EXPECT_EQ(column(1, name), "") << name;
-        EXPECT_EQ(column(4, name), text) << name;
-    }
-    EXPECT_EQ(column(5, "on_bytes_front"), "true");
-}
-
-TEST(ReportText, JsonSaysOfVolumesWhatTablesDoNotHave) {
-    const auto json = nlohmann::json::parse(
-        report_json({testing::sample_report(), testing::sample_volume_report()}));
-    const auto& table = json["assets"][0];
-    const auto& volume = json["assets"][1];
-    for (const char* key : {"statistics", "seam_error", "write_repetitions"}) {
-        EXPECT_FALSE(table.contains(key)) << key;
-        EXPECT_TRUE(volume.contains(key)) << key;
-    }
-    EXPECT_FALSE(table["rows"][0].contains("depth"));
-    EXPECT_EQ(volume["rows"][0]["depth"], 16);
-    EXPECT_EQ(volume["rows"][0]["write_ms"], 7.5);
-    EXPECT_EQ(volume["statistics"][0]["channel"], "Y");
-    EXPECT_EQ(volume["statistics"][0]["min"], 0.25);
-    EXPECT_EQ(volume["statistics"][0]["max"], 0.75);
-    EXPECT_EQ(volume["statistics"][0]["mean"], 0.5);
-    EXPECT_EQ(volume["seam_error"], 0.125);
+TEST(ReportText, TablesHaveADepthOfOne) {
+    const auto json = nlohmann::json::parse(report_json({testing::sample_report()}));
+    EXPECT_EQ(json["assets"][0]["rows"][0]["depth"], 1);
+    EXPECT_EQ(json["assets"][0]["rows"][2]["depth"], 16);
 }
 
 TEST(ReportText, OfNoAssetsIsWellFormed) {

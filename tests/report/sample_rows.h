@@ -10,14 +10,13 @@ namespace skybake::testing {
 inline ReportRow sample_row(std::string variant, double time_ms, double error) {
     ReportRow row;
     row.asset = "air";
-    row.family = "exact";
+    row.family = "size";
     row.variant = std::move(variant);
     row.size = {64, 16};
     row.file_bytes = 1234;
     row.time_ms = time_ms;
     row.texel = {2 * error, error};
     row.lookup = {4 * error, 3 * error};
-    row.in_quadrature_sweep = true;
     return row;
 }
 
@@ -35,20 +34,8 @@ inline AssetReport sample_report() {
                    sample_row("zero <0>", 4, 0)};
     report.rows[0].baseline = "the paper's & ours";
     report.rows[1].of_recipe = true;
-    report.rows[1].on_lookup_front = report.rows[1].on_texel_front = true;
-    return report;
-}
-
-inline AssetReport sample_volume_report() {
-    AssetReport report = sample_report();
-    report.name = "shape";
-    report.kind = "noise_volume";
-    report.volume = VolumeFacts{{"Y"}, {ValueStatistics{0.25, 0.75, 0.5, {}, {}}}, 0.125, 3};
-    for (ReportRow& row : report.rows) {
-        row.asset = "shape";
-        row.size = {64, 32, 16};
-        row.volume_file = VolumeFile{config::FileFormat::vdb, "blosc", 7.5, row.of_recipe};
-    }
+    report.rows[1].on_time_front = report.rows[1].on_bytes_front = true;
+    report.rows[2].size = {64, 32, 16};
     return report;
 }
 

@@ -1,4 +1,4 @@
-#include "bakers/report/sweeps/sweep.h"
+#include "bakers/report/measurement.h"
 
 #include <gtest/gtest.h>
 

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "bakers/air/forward_peak.h"
-#include "bakers/light/path_tracer/sky_truth.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/parallel.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/sky_truth.h"
 
 namespace skybake {
 namespace {

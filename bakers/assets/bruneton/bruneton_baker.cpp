@@ -14,6 +14,7 @@
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
+#include "bakers/assets/bruneton/stored_scattering.h"
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_lights.h"
@@ -215,37 +216,14 @@ std::optional<TracedLight> traced_scattering(const Parameters& parameters,
                                              const BrunetonBake& asset) {
     const Shell shell = shell_of(parameters.atmosphere);
     const std::vector<SkySample> samples = samples_of(shell, asset);
-    std::vector<Place> at;
-    std::vector<double> cosines;
-    for (const SkySample& sample : samples) {
-        cosines.push_back(std::clamp(sample.direction.cosine_to_sun, -1.0, 1.0));
-        at.push_back({{"altitude_km", sample.altitude_km},
-                      {"cos_zenith", sample.direction.mu},
-                      {"sun_cos_zenith", sample.sun.cosine},
-                      {"nu", cosines.back()},
-                      {"ground", sample.above_horizon_deg < 0 ? 1 : 0}});
-    }
     std::vector<std::shared_ptr<const TracedAir>> airs;
     const auto traces = traces_of_packets(parameters, [&](std::shared_ptr<const TracedAir> air) {
         airs.push_back(air);
         return trace_of_table(std::move(air), samples, asset);
     });
-    const auto found = [=, &parameters, &asset](const Baked& baked, int) {
-        std::vector<ScatteringContent> packets;
-        for (const auto& air : airs) packets.emplace_back(air->medium(), asset);
-        std::vector<const ScatteringContent*> contents;
-        for (const ScatteringContent& packet : packets) contents.push_back(&packet);
-        const TableContent content(std::move(contents), weights_of(baked.conventions),
-                                   asset.solar_irradiance);
-        std::vector<Spectrum> light;
-        for (const auto& channels : look_up_places(baked, places(parameters, asset, {}), at)) {
-            Texel texel{};
-            std::copy(channels.begin(), channels.end(), texel.begin());
-            light.push_back(content.radiance(texel, cosines[light.size()]));
-        }
-        return light;
-    };
-    return TracedLight{light_channels(parameters), places_of(samples), found, traces};
+    LightAtPlaces found =
+        sky_of_scattering(std::move(airs), asset, places(parameters, asset, {}), samples);
+    return TracedLight{light_channels(parameters), places_of(samples), std::move(found), traces};
 }
 
 std::optional<TracedLight> traced(const Parameters& parameters, const BrunetonBake& asset) {
@@ -271,14 +249,16 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {.version = 13,
-                                                    .bake = bake,
-                                                    .estimate = estimate,
-                                                    .needs = needs,
-                                                    .places = places,
-                                                    .lookup = lookup,
-                                                    .traced = traced,
-                                                    .draft = draft};
+    static const Baker<config::BrunetonBake> row = {
+        .version = 13,
+        .bake = bake,
+        .estimate = estimate,
+        .needs = needs,
+        .places = places,
+        .lookup = lookup,
+        .traced = traced,
+        .draft = draft,
+        .variants = {{"size"}, {"pixel_type"}, {"method", "iterated", "Bruneton 2017"}}};
     return row;
 }
 

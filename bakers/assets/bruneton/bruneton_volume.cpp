@@ -149,14 +149,6 @@ std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
     return needs;
 }
 
-std::optional<SolverSettings> light_settings(const SkyMedium& medium, const BrunetonBake& bake) {
-    if (!has_higher_orders(bake)) return std::nullopt;
-    SolverSettings settings;
-    settings.degree = sky_degree(medium);
-    settings.orders = bake.orders > 0 ? bake.orders - 1 : 0;
-    return settings;
-}
-
 Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
                              const BakeOptions& options, Baked volume) {
     BrunetonBake bake = asked;

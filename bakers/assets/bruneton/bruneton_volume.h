@@ -2,12 +2,10 @@
 #pragma once
 
 #include <glm/ext/vector_double3.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "bakers/field/baked.h"
-#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/assets/bruneton.h"
@@ -32,11 +30,6 @@ config::Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const config::Brun
 // and light that was scattered once or more often.
 std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
                                     const config::BrunetonBake& bake);
-
-// Returns the settings that solve for the light which is scattered once more to make orders 2 and
-// up; nothing if a table has none of these orders.
-std::optional<SolverSettings> light_settings(const SkyMedium& medium,
-                                             const config::BrunetonBake& bake);
 
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their

@@ -187,7 +187,8 @@ const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
                                                       .places = places,
                                                       .lookup = lookup,
                                                       .draft = draft,
-                                                      .inputs = inputs_of_source<CloudLightBake>};
+                                                      .inputs = inputs_of_source<CloudLightBake>,
+                                                      .variants = {{"cell"}, {"pixel_type"}}};
     return row;
 }
 

@@ -143,7 +143,8 @@ const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
                                                .places = places,
                                                .lookup = lookup,
                                                .draft = draft,
-                                               .inputs = cloud_volume_inputs};
+                                               .inputs = cloud_volume_inputs,
+                                               .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
     return row;
 }
 

@@ -214,7 +214,8 @@ const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
                                                .lookup = lookup,
                                                .traced = traced,
                                                .draft = draft,
-                                               .inputs = inputs};
+                                               .inputs = inputs,
+                                               .variants = {{"size"}, {"pixel_type"}}};
     return row;
 }
 

@@ -52,8 +52,12 @@ AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const Stored
 }  // namespace
 
 const Baker<ForwardScatteringBake>& baker(BakerTag<ForwardScatteringBake>) {
-    static const Baker<ForwardScatteringBake> row = {
-        .version = 1, .bake = bake, .estimate = estimate, .places = places, .lookup = lookup};
+    static const Baker<ForwardScatteringBake> row = {.version = 1,
+                                                     .bake = bake,
+                                                     .estimate = estimate,
+                                                     .places = places,
+                                                     .lookup = lookup,
+                                                     .variants = {{"size"}, {"pixel_type"}}};
     return row;
 }
 

@@ -120,7 +120,8 @@ const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
                                                       .places = places,
                                                       .lookup = lookup,
                                                       .traced = traced,
-                                                      .draft = draft};
+                                                      .draft = draft,
+                                                      .variants = {{"size"}, {"pixel_type"}}};
     return row;
 }
 

@@ -13,6 +13,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
+#include "bakers/assets/multiple_scattering/stored_orders.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/registry/draft_size.h"
 #include "bakers/field/image.h"
@@ -31,16 +32,6 @@ using config::Parameters;
 namespace {
 
 using config::MultipleScatteringBake;
-
-bool is_solved(const MultipleScatteringBake& asset) {
-    return asset.method == config::MultipleScatteringMethod::solved;
-}
-
-// Tables below each other.
-int tables_of(const MultipleScatteringBake& asset) {
-    const bool moments = asset.content == config::MultipleScatteringContent::moments;
-    return is_solved(asset) && moments ? moment_count(asset.degree) : 1;
-}
 
 Outcome<Baked> bake(const Parameters& parameters, const MultipleScatteringBake& asset,
                     const BakeOptions& options, AssetLabel label) {
@@ -154,8 +145,8 @@ AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& a
     return {"multiple_scattering", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
-// Cameras near the ground, in the scene if there is one.
-std::vector<SkySample> samples_of(const Shell& shell, const std::optional<config::Scene>& scene) {
+// Cameras near the ground, in the scene unless it is null.
+std::vector<SkySample> samples_of(const Shell& shell, const config::Scene* scene) {
     constexpr double kCameraShare = 0.005;  // of the shell's thickness: 500 m on Earth
     double altitude_km = kCameraShare * shell.thickness_km;
     std::vector<double> suns_deg = {90, 60, 30, 10, 2, -2, -4, -6};
@@ -172,7 +163,7 @@ std::vector<SkySample> samples_of(const Shell& shell, const std::optional<config
 }
 
 // The radiance of the air, made with the table as a runtime makes it.
-std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const TableOrders& orders,
+std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const HigherOrders& orders,
                                    const std::vector<SkySample>& samples, int threads) {
     const SkyIntegrator integrator(medium, &orders);
     std::vector<Spectrum> sky(samples.size());
@@ -201,17 +192,13 @@ std::string better_than(const MultipleScatteringBake& asset, const SkyMedium& me
 std::optional<TracedLight> traced(const Parameters& parameters,
                                   const MultipleScatteringBake& asset) {
     const Shell shell = shell_of(parameters.atmosphere);
-    const auto scene = is_solved(asset) ? parameters.scene : std::nullopt;
+    const config::Scene* scene =
+        is_solved(asset) && parameters.scene ? &*parameters.scene : nullptr;
     const auto air = std::make_shared<const TracedAir>(parameters.atmosphere);
     const std::vector<SkySample> samples = samples_of(shell, scene);
-    const PlaceInTable place = [columns = sun_columns(asset.mapping, scene, shell), shell](
-                                   double altitude_km, double sun_cos_zenith) {
-        return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / shell.thickness_km};
-    };
-    const int degree = tables_of(asset) > 1 ? asset.degree : 0;
-    const auto found = [=](const Baked& table, int threads) {
-        const TableOrders orders(air->medium(), table.image(), degree, place);
-        return sky_of_table(air->medium(), orders, samples, threads);
+    const auto found = [=, &parameters, &asset](const Baked& table, int threads) {
+        const auto orders = stored_orders(parameters, asset, air->medium(), table.image());
+        return sky_of_table(air->medium(), *orders, samples, threads);
     };
     return TracedLight{air->medium().air.channels,
                        places_of(samples),
@@ -228,14 +215,21 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {.version = 12,
-                                                              .bake = bake,
-                                                              .estimate = estimate,
-                                                              .needs = needs,
-                                                              .places = places,
-                                                              .lookup = lookup,
-                                                              .traced = traced,
-                                                              .draft = draft};
+    static const Baker<config::MultipleScatteringBake> row = {
+        .version = 12,
+        .bake = bake,
+        .estimate = estimate,
+        .needs = needs,
+        .places = places,
+        .lookup = lookup,
+        .traced = traced,
+        .draft = draft,
+        .variants = {{"size"},
+                     {"pixel_type"},
+                     {"mapping"},
+                     {"content"},
+                     {"degree"},
+                     {"method", "as_in_paper", "Hillaire 2020"}}};
     return row;
 }
 

@@ -76,7 +76,12 @@ AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const Stor
 
 const Baker<config::PhaseBake>& baker(BakerTag<config::PhaseBake>) {
     static const Baker<config::PhaseBake> row = {
-        .version = 6, .bake = bake, .estimate = estimate, .places = places, .lookup = lookup};
+        .version = 6,
+        .bake = bake,
+        .estimate = estimate,
+        .places = places,
+        .lookup = lookup,
+        .variants = {{"size"}, {"pixel_type"}, {"spacing"}}};
     return row;
 }
 

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bakers/assets/description/asset_label.h"
@@ -27,6 +28,13 @@ namespace skybake {
 struct InputFile {
     std::string name;  // as the recipe has it
     std::filesystem::path path;
+};
+
+// A key in which variants of an asset differ, for reports (report/variants.h).
+struct VariantKey {
+    std::string_view name;
+    std::string_view published = {};  // a value that is a published method
+    std::string_view baseline = {};   // the name of that method
 };
 
 template <class Asset>
@@ -53,6 +61,7 @@ struct Baker {
     void (*draft)(Asset& asset, int most_voxels) = nullptr;
     std::vector<InputFile> (*inputs)(const config::Parameters& parameters,
                                      const Asset& asset) = nullptr;
+    std::vector<VariantKey> variants = {};
 };
 
 // The friend is a function of its own for each asset, which is what GCC warns of.

@@ -75,6 +75,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     AnyBaker any;
     any.asset = asset;
     any.version = baker.version;
+    any.variants = baker.variants;
     any.inputs = [&baker](const Parameters& parameters, const Bake& bake) {
         return baker.inputs ? baker.inputs(parameters, bake.as<Asset>()) : std::vector<InputFile>{};
     };

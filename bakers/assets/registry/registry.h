@@ -18,6 +18,7 @@ namespace skybake {
 struct AnyBaker {
     std::string_view asset;  // "transmittance"
     int version = 0;
+    std::vector<VariantKey> variants;
     std::function<std::vector<InputFile>(const config::Parameters&, const config::Bake&)> inputs;
     std::function<Estimate(const config::Parameters&, const config::Bake&)> estimate;
     std::function<std::vector<Need>(const config::Parameters&, const config::Bake&, Certification)>

@@ -95,6 +95,12 @@ SkySample sample_at(const SkyViewCamera& camera, double altitude_km, double sun_
 
 }  // namespace
 
+SkySample sky_sample(const Shell& shell, double altitude_km, double sun_elevation_deg,
+                     double above_horizon_deg, double azimuth_deg) {
+    return sample_at(SkyViewCamera(shell, altitude_km), altitude_km, sun_elevation_deg,
+                     {above_horizon_deg, azimuth_deg});
+}
+
 std::vector<SkySample> sky_samples(const Shell& shell, double altitude_km,
                                    double sun_elevation_deg) {
     const SkyViewCamera camera(shell, altitude_km);

@@ -21,6 +21,10 @@ struct SkySample {
     SkyDirection direction;
 };
 
+// Returns one direction; no direction is nearer to the horizon than kHorizonMargin.
+SkySample sky_sample(const Shell& shell, double altitude_km, double sun_elevation_deg,
+                     double above_horizon_deg, double azimuth_deg);
+
 // Returns 60 directions above the horizon, 4 next to the sun, and 6 below the horizon; from space
 // only those that meet the air. No direction is nearer to the horizon than kHorizonMargin.
 std::vector<SkySample> sky_samples(const Shell& shell, double altitude_km,

@@ -63,12 +63,14 @@ void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64
 }  // namespace
 
 const Baker<config::TransmittanceBake>& baker(BakerTag<config::TransmittanceBake>) {
-    static const Baker<config::TransmittanceBake> row = {.version = 7,
-                                                         .bake = bake,
-                                                         .estimate = estimate,
-                                                         .places = places,
-                                                         .lookup = lookup,
-                                                         .draft = draft};
+    static const Baker<config::TransmittanceBake> row = {
+        .version = 7,
+        .bake = bake,
+        .estimate = estimate,
+        .places = places,
+        .lookup = lookup,
+        .draft = draft,
+        .variants = {{"size"}, {"pixel_type"}, {"content"}, {"mapping"}}};
     return row;
 }
 

@@ -22,24 +22,4 @@ config::Outcome<Baked> bake_transmittance(const Medium& medium,
                                           const config::TransmittanceBake& bake,
                                           const BakeOptions& options, Baked table);
 
-// Optical depth by equal steps along the ray, as the papers and their samples compute it: the
-// baselines to which figures of the exact kernel (optical_depth.h) are ratios.
-
-// The place in a step of length L / n, with L the distance to the top, where its extinction is
-// evaluated.
-enum class StepRule {
-    // At its end, where step i ends at (i + 0.3) L / n: the sample of Hillaire 2020, n = 40.
-    // Density falls along most rays, so the result is too small. First order.
-    end_point,
-    // In its middle. Second order.
-    midpoint,
-    // The mean of its two ends: Bruneton & Neyret 2008, n = 500. Second order.
-    trapezoid,
-};
-
-// Returns the optical depth from an altitude with s = r mu to the top of the atmosphere. The ray
-// must not hit the ground. It takes one sample after the other, without vectors; steps >= 1.
-Spectrum optical_depth_by_steps(const Medium& medium, double altitude_km, double s_km, int steps,
-                                StepRule rule);
-
 }  // namespace skybake

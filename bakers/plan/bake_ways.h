@@ -1,0 +1,43 @@
+// The assets of ways in memory, each baked once however many ways have it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/plan/sky_ways.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+
+// The assets of all ways, each once.
+class WayAssets {
+  public:
+    explicit WayAssets(const std::vector<SkyWay>& ways);
+
+    std::size_t size() const { return all_.size(); }
+    std::size_t index_of(const WayAsset& asset) const;
+
+    // Returns the settings that add them to a recipe.
+    std::vector<std::string> settings() const;
+
+  private:
+    std::vector<WayAsset> all_;
+};
+
+// An asset in memory and what it took.
+struct BakedAsset {
+    const config::Bake* bake = nullptr;  // of the recipe
+    Baked baked;
+    double seconds = 0;  // light that others made first included, since each way needs it
+};
+
+// Bakes all assets, without certificates. `recipe` has the settings of `assets` and must outlive the
+// result. After an interruption there is neither a value nor a diagnostic.
+config::Outcome<std::vector<BakedAsset>> bake_ways(const config::Recipe& recipe,
+                                                   const WayAssets& assets, BakeOptions options);
+
+}  // namespace skybake

@@ -1,0 +1,42 @@
+// Chooses among measured ways: the front that no other way beats, its knee, and what limits leave.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace skybake {
+
+// What a way costs a runtime, and how far its sky is off.
+struct WayFigures {
+    double error = 0;  // ninth decile, relative
+    double fetches = 0;
+    double bytes = 0;  // of textures
+};
+
+struct WayLimits {
+    std::optional<double> error, fetches, bytes;
+    bool any() const { return error || fetches || bytes; }
+};
+
+// Whether the way keeps all limits.
+bool keeps(const WayLimits& limits, const WayFigures& way);
+
+// Tells for each way whether none of the others is at least as good in error, fetches and bytes and
+// better in one of them. Of equal ways the first is on the front.
+std::vector<bool> front_of(std::span<const WayFigures> ways);
+
+// Returns the way that keeps the limits and is least in what has no limit, compared in the order
+// error, fetches, bytes; if all have limits, least in error. It is on the front. None keeps them: no
+// way.
+std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways);
+
+// Returns the knee of the front: the way with the least product of its error, the root of its fetches
+// and the fourth root of its bytes. Half the error is so worth four times the fetches, as it is of a sum
+// of random samples, or sixteen times the bytes, of a table along four axes.
+std::size_t knee_of(std::span<const WayFigures> ways);
+
+}  // namespace skybake

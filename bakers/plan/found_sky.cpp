@@ -1,0 +1,88 @@
+#include "bakers/plan/found_sky.h"
+
+#include <array>
+#include <memory>
+#include <utility>
+
+#include "bakers/assets/bruneton/stored_scattering.h"
+#include "bakers/assets/multiple_scattering/stored_orders.h"
+#include "bakers/assets/registry/registry.h"
+#include "bakers/plan/stored_sky.h"
+#include "config/assets/bruneton.h"
+#include "config/assets/multiple_scattering.h"
+
+namespace skybake {
+
+namespace {
+
+StoredTexels stored_of(const Baked& baked) {
+    const std::array<int, 3>& size = baked.levels.front().size;
+    return {baked.mapping, {size.begin(), size.end()}, baked.channel_names.size()};
+}
+
+AssetPlaces places_of(const config::Parameters& parameters, const BakedAsset& asset) {
+    return baker_of(*asset.bake).places(parameters, *asset.bake, stored_of(asset.baked));
+}
+
+}  // namespace
+
+double texture_bytes(const Baked& baked) {
+    const std::size_t channels = baked.channel_names.size();
+    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
+    const std::size_t bytes = baked.pixel_type == config::PixelType::half ? 2 : 4;
+    return texels * static_cast<double>((channels == 3 ? 4 : channels) * bytes);
+}
+
+std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
+                                     const std::vector<const BakedAsset*>& assets,
+                                     double& fetches) const {
+    switch (way.by) {
+        case config::SkyBy::march:
+            return march(way, assets, fetches);
+        case config::SkyBy::fetch:
+            fetches = 2;  // of the two sub-images next to the angle to the sun
+            return fetch(*assets.front());
+        case config::SkyBy::picture:
+            fetches = 1;
+            return look_up(*assets.front());
+    }
+    return {};
+}
+
+std::vector<Spectrum> SkyOfWay::march(const SkyWay& way,
+                                      const std::vector<const BakedAsset*>& assets,
+                                      double& fetches) const {
+    MarchedTables tables{truth_.medium(), assets[0]->baked, places_of(parameters_, *assets[0])};
+    std::unique_ptr<const HigherOrders> orders;
+    int of_step = 1;
+    if (assets.size() > 1) {
+        const auto& bake = assets[1]->bake->as<config::MultipleScatteringBake>();
+        orders = stored_orders(parameters_, bake, truth_.medium(), assets[1]->baked.image());
+        tables.orders = orders.get();
+        of_step += tables_of(bake);
+    }
+    fetches = static_cast<double>(way.steps) * of_step;
+    return truth_.as_compared(march_sky(tables, truth_.views(), way.steps, threads_));
+}
+
+std::vector<Spectrum> SkyOfWay::fetch(const BakedAsset& asset) const {
+    const auto& bake = asset.bake->as<config::BrunetonBake>();
+    return sky_of_scattering({truth_.air()}, bake, places_of(parameters_, asset), truth_.views())(
+        asset.baked, threads_);
+}
+
+// The picture that has the nearest sun; it has no parallax, so that cameras at other altitudes see
+// it where the same share of their sky is.
+std::vector<Spectrum> SkyOfWay::look_up(const BakedAsset& asset) const {
+    std::vector<Place> at;
+    for (const SkySample& view : truth_.views()) {
+        at.push_back({{"azimuth_deg", view.azimuth_deg},
+                      {"above_horizon_deg", view.above_horizon_deg},
+                      {"sun_elevation_deg", view.sun_elevation_deg}});
+    }
+    const AssetPlaces own = places_of(parameters_, asset);
+    return light_looked_up([own](const StoredTexels&) { return own; }, std::move(at))(asset.baked,
+                                                                                      threads_);
+}
+
+}  // namespace skybake

@@ -1,0 +1,62 @@
+// Measures what variants cost: processor time, the bytes of files, and who is on the front.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bakers/io/files/file_io.h"
+
+namespace skybake {
+
+// Returns the size, halved along all axes until it has at most `most_voxels`, at least 8.
+std::array<int, 3> size_within(std::array<int, 3> size, std::int64_t most_voxels);
+
+// "256x64"
+std::string size_text(std::span<const int> size);
+
+// Returns the processor time of the calling thread, which does not depend on what else the machine
+// does.
+double thread_cpu_seconds();
+
+// Returns the median time of each job in seconds. The jobs run in turn, in `repetitions` rounds, so
+// that a machine that slows down affects all of them. If `before_each(round, job)` returns false,
+// the function stops and the result is empty. repetitions >= 1.
+std::vector<double> interleaved_medians(
+    const std::vector<std::function<void()>>& jobs, int repetitions,
+    const std::function<bool(int round, std::size_t job)>& before_each);
+
+// A file in memory with a path that writers can open. It measures writing without the disk and
+// leaves nothing behind.
+class MemoryFile {
+  public:
+    // If the system does not provide such a file, opening its path fails.
+    MemoryFile();
+    std::filesystem::path path() const;
+    std::uint64_t bytes() const;
+
+  private:
+    FileDescriptor file_;
+};
+
+// The cost and the error of a choice, for Pareto fronts.
+struct CostAndError {
+    double cost = 0;
+    double error = 0;
+};
+
+// Returns true for each choice that no other choice beats. A choice beats another by a smaller
+// error at no greater cost, or by a smaller cost at the same error. If errors differ, costs within
+// the relative difference `noise` count as equal. A choice that is not finite is never on the
+// front.
+std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double noise = 0);
+
+// The relative difference that was observed between medians of equal work.
+inline constexpr double kTimingNoise = 0.05;
+
+}  // namespace skybake

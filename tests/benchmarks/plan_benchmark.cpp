@@ -1,0 +1,92 @@
+// Whether a plan is honest: the way that it chooses for random scenes, judged in other views by other
+// paths. The bar is a judged ninth decile of at most 1.3 times the one that the plan claims, in nine of
+// ten scenes.
+//
+//   plan_benchmark [SCENES [FIRST]]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bakers/plan/plan_files.h"
+#include "bakers/plan/plan_sky.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+namespace {
+
+struct RandomScene {
+    std::string text;
+    double max_error = 0;  // 0: none, so that the plan takes the knee
+};
+
+RandomScene random_scene(std::uint32_t seed) {
+    std::mt19937 engine(seed);
+    const auto even = [&](double low, double high) {
+        return low + (high - low) * static_cast<double>(engine()) / 4294967296.0;
+    };
+    constexpr std::array kPresets = {"earth", "earth_hillaire", "earth_bruneton", "mars_rgb"};
+    const std::string preset = kPresets[engine() % kPresets.size()];
+    const double lowest_km = even(0, 2);
+    const double lowest_deg = even(-6, 30);
+    RandomScene scene;
+    scene.text = fmt::format(
+        "preset = \"{}\"\n[atmosphere]\nground_albedo = {}\n[scene]\naltitude = [\"{} km\", \"{} "
+        "km\"]\n",
+        preset, even(0, 0.8), lowest_km, lowest_km + even(0, 8));
+    if (engine() % 2 == 0) {
+        scene.text += fmt::format("sun_elevation = [\"{} deg\", \"{} deg\"]\n", lowest_deg,
+                                  lowest_deg + even(5, 60));
+    } else {
+        scene.text += fmt::format("suns = [\"{} deg\", \"{} deg\"]\n", lowest_deg, even(2, 80));
+    }
+    if (preset == "earth") {
+        scene.text += fmt::format("[atmosphere.layers.aerosol]\noptical_depth = {}\ng = {}\n",
+                                  even(0.02, 0.6), even(0.5, 0.8));
+    }
+    if (engine() % 2 == 0) scene.max_error = even(0.015, 0.1);
+    return scene;
+}
+
+int run(std::uint32_t scenes, std::uint32_t first) {
+    std::vector<double> ratios;
+    for (std::uint32_t i = first; i < first + scenes; ++i) {
+        const RandomScene scene = random_scene(i);
+        PlanRequest request;
+        request.load = [&](std::span<const std::string> settings) {
+            return config::parse_recipe(scene.text, "scene", {}, settings);
+        };
+        if (scene.max_error > 0) request.limits.error = scene.max_error;
+        const auto plan = plan_sky(request);
+        if (!plan.value) {
+            fmt::print("{}: {}\n", i, plan.diagnostics.front().message);
+            continue;
+        }
+        const MeasuredWay& chosen = plan.value->ways[plan.value->chosen];
+        const auto judged = judge_way(request, chosen.way, 4096);
+        if (!judged.value) return 1;
+        const double ratio = judged.value->ninth_decile / chosen.figures.error;
+        ratios.push_back(ratio);
+        fmt::print("{}: limit {:.2g}, {}: claimed {:.2g}, judged {:.2g}, ratio {:.2f}\n", i,
+                   scene.max_error, full_name(chosen.way), chosen.figures.error,
+                   judged.value->ninth_decile, ratio);
+        std::fflush(stdout);
+    }
+    std::sort(ratios.begin(), ratios.end());
+    if (!ratios.empty()) {
+        fmt::print("ninth decile of the ratio: {:.2f}\n", ratios[ratios.size() * 9 / 10]);
+    }
+    return 0;
+}
+
+}  // namespace
+}  // namespace skybake
+
+int main(int argc, char** argv) {
+    return skybake::run(argc > 1 ? static_cast<std::uint32_t>(std::atoi(argv[1])) : 20,
+                        argc > 2 ? static_cast<std::uint32_t>(std::atoi(argv[2])) : 1);
+}

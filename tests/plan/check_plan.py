@@ -1,0 +1,79 @@
+"""Runs `skybake plan` on a small scene and reads all that it writes with independent parsers."""
+
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree
+
+SCENE = """
+preset = "earth_hillaire"
+[scene]
+suns = ["40 deg"]
+sky_by = ["picture"]
+"""
+
+
+def main():
+    program = sys.argv[1]
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        (folder / "scene.toml").write_text(SCENE)
+
+        def plan(*options, text=None):
+            return subprocess.run([program, "plan", *options, "--cache-dir", str(folder / "cache")],
+                                  capture_output=True, text=True, cwd=folder, input=text)
+
+        run = plan("scene.toml", "--write", "planned.toml")
+        assert run.returncode == 0, run.stderr
+        out = folder / "plan"
+        assert sorted(path.name for path in out.iterdir()) == ["plan.csv", "plan.json", "plan.svg"]
+        for path in [*out.iterdir(), folder / "planned.toml"]:
+            assert path.name in run.stderr, run.stderr
+        root = xml.etree.ElementTree.parse(out / "plan.svg").getroot()
+        assert root.tag == "{http://www.w3.org/2000/svg}svg", root.tag
+        with open(out / "plan.csv", newline="") as file:
+            rows = list(csv.DictReader(file))
+        result = json.loads((out / "plan.json").read_text())
+        assert len(rows) == len(result["ways"]) == 3, rows
+        chosen = [row["chosen"] for row in rows].index("true")
+        assert result["chosen"] == chosen and rows[chosen]["variant"] in run.stdout, run.stdout
+        for row, way in zip(rows, result["ways"]):
+            assert None not in row and None not in row.values(), row
+            assert 0 < float(row["sky_median"]) <= float(row["sky_p90"]) == way["sky_p90"] < 1, row
+
+        # The planned recipe is one, and bakes what was planned.
+        bake = subprocess.run([program, "bake", "planned.toml", "-o", "baked", "--certify=off"],
+                              capture_output=True, text=True, cwd=folder)
+        assert bake.returncode == 0, bake.stderr
+        asset = json.loads((folder / "baked" / "manifest.json").read_text())["assets"][0]
+        assert asset["kind"] == "sky_view", asset
+        size = result["ways"][chosen]["assets"]["sky_view"]["size"]
+        assert asset["size"] == json.loads(size), (asset["size"], size)
+
+        # Figures are kept, standard input is read once, and choices are limited.
+        again = plan("-", "--json", "--force", text=SCENE)
+        assert again.returncode == 0 and json.loads(again.stdout) == result, again.stderr
+        small = plan("scene.toml", "--max-size", "50KiB", "--csv")
+        row = next(row for row in csv.DictReader(small.stdout.splitlines()) if row["chosen"] == "true")
+        assert float(row["bytes"]) <= 50 * 1024, row
+        none = plan("scene.toml", "--max-sky-error", "0.0001%", "--write", "none.toml")
+        assert none.returncode == 4 and "E0408" in none.stderr, none.stderr
+        assert not (folder / "none.toml").exists()
+
+        # Nobody's file is touched.
+        assert plan("scene.toml", "--write", "planned.toml").returncode == 3
+        (out / "plan.csv").write_text("mine")
+        assert plan("scene.toml").returncode == 3
+        assert (out / "plan.csv").read_text() == "mine"
+        for wrong in (["--max-sky-error", "much"], ["--max-fetches", "0"], ["--max-size", "1 lightyear"],
+                      ["--json", "--csv"]):
+            assert plan("scene.toml", *wrong).returncode == 2, wrong
+        (folder / "cells.toml").write_text("format = 1\n")
+        cells = plan("cells.toml", "-o", "other")
+        assert cells.returncode == 2 and "E0105" in cells.stderr and "cells.toml" in cells.stderr
+
+
+main()

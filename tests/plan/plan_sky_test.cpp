@@ -1,0 +1,184 @@
+#include "bakers/plan/plan_sky.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "bakers/assets/registry/registry.h"
+#include "bakers/plan/plan_files.h"
+#include "tests/config/recipes.h"
+#include "tests/report/cancelled_at.h"
+
+namespace skybake {
+namespace {
+
+const std::string kScene =
+    "preset = \"earth_hillaire\"\n[scene]\naltitude = [\"200 m\", \"400 m\"]\n"
+    "suns = [\"40 deg\", \"8 deg\"]\nsky_by = [\"march\", \"picture\"]\n";
+
+PlanRequest request_of(const std::string& text) {
+    PlanRequest request;
+    request.load = [text](std::span<const std::string> settings) {
+        return config::parse_recipe(text, "scene", {}, settings);
+    };
+    request.paths = 1 << 17;
+    return request;
+}
+
+// The plan of one scene for all tests that look at it.
+const SkyPlan& plan() {
+    static const SkyPlan plan = *plan_sky(request_of(kScene)).value;
+    return plan;
+}
+
+double least_error(const std::string& family) {
+    double least = 1e9;
+    for (const MeasuredWay& way : plan().ways) {
+        if (way.way.family == family) least = std::min(least, way.error.ninth_decile);
+    }
+    return least;
+}
+
+// More moments, and all orders in place of two, come nearer to the paths.
+TEST(PlanSky, MoreOfTheLightIsNearerToThePaths) {
+    EXPECT_LT(least_error("moments of degree 8"), 0.03);
+    EXPECT_LT(least_error("moments of degree 8"), least_error("moments of degree 2"));
+    EXPECT_LT(least_error("moments of degree 2"), least_error("mean radiance of all orders"));
+    EXPECT_LT(least_error("mean radiance of all orders"), least_error("single scattering"));
+    EXPECT_GT(least_error("single scattering"), 0.2);
+    EXPECT_LT(least_error("sky views"), 0.05);
+    EXPECT_EQ(least_error("scattering along rays"), 1e9) << "sky_by leaves them out";
+}
+
+TEST(PlanSky, EachWayHasWhatItCosts) {
+    std::map<std::string, const MeasuredWay*> ways;
+    for (const MeasuredWay& way : plan().ways) ways[full_name(way.way)] = &way;
+    const MeasuredWay& moments = *ways.at("moments of degree 2, 64x64, half, 16 steps");
+    EXPECT_EQ(moments.figures.fetches, 16 * (1 + 6));
+    EXPECT_EQ(moments.figures.bytes, 4 * 2 * (256 * 64 + 64 * 64 * 6));
+    EXPECT_GT(moments.bake_s, 0);
+    const MeasuredWay& alone = *ways.at("single scattering, 256x64, float, 8 steps");
+    EXPECT_EQ(alone.figures.fetches, 8);
+    EXPECT_EQ(alone.figures.bytes, 4 * 4 * 256 * 64);
+    const MeasuredWay& picture = *ways.at("sky views, 192x108, half");
+    EXPECT_EQ(picture.figures.fetches, 1);
+    EXPECT_EQ(picture.figures.bytes, 4 * 2 * 192 * 108 * 2);
+}
+
+TEST(PlanSky, WithoutLimitsItTakesTheKnee) {
+    EXPECT_EQ(plan().chosen, plan().knee);
+    EXPECT_TRUE(plan().ways[plan().chosen].on_front);
+}
+
+TEST(PlanSky, TheRecipeBakesWhatWasChosen) {
+    const auto scene = request_of(kScene).load({});
+    const std::string text = planned_recipe(plan(), *scene.value);
+    const auto recipe = config::parse_recipe(text, "planned");
+    ASSERT_TRUE(recipe.value) << text << recipe.diagnostics.front().message;
+    const std::vector<config::Bake>& bakes = recipe.value->parameters.bakes;
+    const SkyWay& chosen = plan().ways[plan().chosen].way;
+    ASSERT_EQ(bakes.size(), chosen.assets.size());
+    for (std::size_t i = 0; i < bakes.size(); ++i) {
+        EXPECT_EQ(bakes[i].name, chosen.assets[i].name);
+        EXPECT_TRUE(
+            bake_asset(*recipe.value, bakes[i], {.certification = Certification::off}).value);
+    }
+}
+
+TEST(PlanSky, FilesHaveAllWays) {
+    const auto json = nlohmann::json::parse(plan_json(plan()));
+    EXPECT_EQ(json["ways"].size(), plan().ways.size());
+    EXPECT_EQ(json["chosen"], plan().chosen);
+    const std::string csv = plan_csv(plan());
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(plan().ways.size()) + 1);
+    const Figure figure = plan_figure(plan());
+    ASSERT_EQ(figure.charts.size(), 2u);
+    for (const Chart& chart : figure.charts) {
+        EXPECT_EQ(chart.points.size(), plan().ways.size());
+        EXPECT_EQ(std::count_if(chart.points.begin(), chart.points.end(),
+                                [](const ChartPoint& point) { return point.label == "chosen"; }),
+                  1);
+    }
+}
+
+// A scene of one way, so that plans are quick.
+const std::string kQuick =
+    "preset = \"earth_hillaire\"\n[scene]\nsuns = [\"40 deg\"]\nsky_by = [\"picture\"]\n";
+
+TEST(PlanSky, FiguresAreTakenFromTheCache) {
+    const config::testing::TemporaryFolder folder;
+    PlanRequest request = request_of(kQuick);
+    request.paths = 1 << 12;
+    request.cache = folder.path() / "cache";
+    const auto first = plan_sky(request);
+    ASSERT_TRUE(first.value);
+    std::filesystem::path kept;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(request.cache)) {
+        if (entry.path().extension() == ".json") kept = entry.path();
+    }
+    ASSERT_FALSE(kept.empty());
+    const auto second = plan_sky(request);
+    EXPECT_EQ(plan_json(*second.value), plan_json(*first.value)) << "times included";
+    // Damaged figures, and those of another scene, are measured again.
+    std::ofstream(kept, std::ios::app) << "x";
+    const auto third = plan_sky(request);
+    ASSERT_TRUE(third.value);
+    EXPECT_EQ(third.value->ways[0].error.median, first.value->ways[0].error.median);
+    request.load = request_of(kQuick + "[atmosphere]\nground_albedo = 0.8\n").load;
+    const auto other = plan_sky(request);
+    EXPECT_NE(other.value->ways[0].error.median, first.value->ways[0].error.median);
+}
+
+TEST(PlanSky, LimitsThatNothingKeepsNameTheBest) {
+    PlanRequest request = request_of(kQuick);
+    request.paths = 1 << 12;
+    request.limits.error = 1e-6;
+    const auto outcome = plan_sky(request);
+    ASSERT_TRUE(outcome.value);
+    ASSERT_EQ(outcome.diagnostics.size(), 1u);
+    EXPECT_EQ(outcome.diagnostics[0].code, "E0408");
+    EXPECT_NE(outcome.diagnostics[0].message.find("the fewest fetches are 1"), std::string::npos);
+    const MeasuredWay& chosen = outcome.value->ways[outcome.value->chosen];
+    for (const MeasuredWay& way : outcome.value->ways) {
+        EXPECT_LE(chosen.figures.error, way.figures.error);
+    }
+}
+
+TEST(PlanSky, NeedsAirAndFewWavelengths) {
+    const auto no_air = plan_sky(request_of("format = 1\n"));
+    ASSERT_FALSE(no_air.value);
+    EXPECT_EQ(no_air.diagnostics.at(0).code, "E0105");
+    const auto many =
+        plan_sky(request_of("preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 40 nm\"\n"));
+    ASSERT_FALSE(many.value);
+    EXPECT_EQ(many.diagnostics.at(0).code, "E0147");
+}
+
+// Night has no error of 0: nothing can be told of it.
+TEST(PlanSky, NightsAreTooDarkToPlanWith) {
+    const auto night =
+        plan_sky(request_of("preset = \"earth_hillaire\"\n[scene]\n"
+                            "suns = [\"-15 deg\"]\nsky_by = [\"picture\"]\n"));
+    EXPECT_FALSE(night.value);
+    ASSERT_EQ(night.diagnostics.size(), 1u);
+    EXPECT_EQ(night.diagnostics[0].code, "E0409");
+}
+
+TEST(PlanSky, AnInterruptionLeavesNothing) {
+    for (const char* step : {"solving light", "tracing paths"}) {
+        testing::CancelledAt progress(step, 1);
+        PlanRequest request = request_of(kQuick);
+        request.progress = &progress;
+        const auto outcome = plan_sky(request);
+        EXPECT_TRUE(progress.cancelled()) << step;
+        EXPECT_FALSE(outcome.value) << step;
+        EXPECT_TRUE(outcome.diagnostics.empty()) << step;
+    }
+}
+
+}  // namespace
+}  // namespace skybake

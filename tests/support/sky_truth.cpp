@@ -1,0 +1,131 @@
+#include "tests/support/sky_truth.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "bakers/light/path_tracer/path_tracer.h"
+#include "bakers/math/transcendental.h"
+
+namespace skybake {
+
+namespace {
+
+// Truths are of red, green and blue.
+constexpr int kTruthChannels = 3;
+
+constexpr std::string_view kColumns =
+    "h_km,sun_zenith_deg,view_zenith_deg,azimuth_deg,channel,L1,L2,L3,L4,L5,L6plus,L_total,"
+    "stderr_total";
+constexpr std::size_t kColumnCount = 13;
+
+// Exact at 90 and 0 degrees.
+double cosine_deg(double angle) { return cosine_of_pi(angle / 180); }
+double sine_deg(double angle) { return cosine_of_pi(std::fabs(90 - angle) / 180); }
+
+// Cuts the text up to `separator`, or all of it, off its beginning.
+std::string_view cut(std::string_view& text, char separator) {
+    const std::size_t end = text.find(separator);
+    const std::string_view head = text.substr(0, end);
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    return head;
+}
+
+std::optional<double> parse_number(std::string_view text) {
+    double value = 0;
+    const char* end = text.data() + text.size();
+    const auto [parsed, error] = std::from_chars(text.data(), end, value);
+    if (error != std::errc() || parsed != end || !std::isfinite(value)) return std::nullopt;
+    return value;
+}
+
+std::optional<SkyTruth> parse_line(std::string_view line) {
+    std::array<double, kColumnCount> numbers{};
+    for (std::size_t i = 0; i < kColumnCount; ++i) {
+        const bool last = i + 1 == kColumnCount;
+        const auto value = parse_number(last ? line : cut(line, ','));
+        if (!value) return std::nullopt;
+        numbers[i] = *value;
+    }
+    const double channel = numbers[4];
+    if (!(channel >= 0 && channel < kTruthChannels) || channel != std::floor(channel)) {
+        return std::nullopt;
+    }
+    SkyTruth truth;
+    truth.direction = {numbers[0], numbers[1], numbers[2], numbers[3]};
+    truth.channel = static_cast<int>(channel);
+    for (std::size_t n = 0; n < kPathOrders; ++n) truth.orders[n] = numbers[5 + n];
+    truth.radiance = numbers[11];
+    truth.standard_error = numbers[12];
+    return truth;
+}
+
+}  // namespace
+
+std::vector<SkyTruthDirection> sky_truth_directions(double altitude_km) {
+    std::vector<SkyTruthDirection> directions;
+    for (const double sun : {0., 30., 60., 80., 85., 88., 90., 92., 94., 96.}) {
+        for (const double view : {0., 30., 60., 75., 85., 88., 89.5}) {
+            for (const double azimuth : {0., 90., 180.}) {
+                if (azimuth > 0 && (sun == 0 || view == 0)) continue;
+                directions.push_back({altitude_km, sun, view, azimuth});
+            }
+        }
+    }
+    return directions;
+}
+
+std::vector<SkyTruth> trace_sky_truth(const SkyMedium& medium,
+                                      const std::vector<SkyTruthDirection>& directions,
+                                      const SkyTruthSettings& settings, int threads) {
+    const PathTracer tracer(medium);
+    std::vector<SkyTruth> result;
+    for (std::size_t i = 0; i < directions.size(); ++i) {
+        const SkyTruthDirection& at = directions[i];
+        const SunZenith sun = {cosine_deg(at.sun_zenith_degrees), sine_deg(at.sun_zenith_degrees)};
+        const SkyDirection view =
+            sky_direction(sun, cosine_deg(at.view_zenith_degrees), sine_deg(at.view_zenith_degrees),
+                          cosine_deg(at.azimuth_degrees));
+        PathTracerSettings path_settings;
+        path_settings.seed = settings.seed;
+        path_settings.ray = static_cast<std::uint32_t>(i);
+        path_settings.paths = settings.paths;
+        path_settings.include_seen_ground = false;
+        const PathTracedRadiance traced =
+            trace_paths(tracer, at.altitude_km, sun, view, path_settings, threads);
+        for (int channel = 0; channel < medium.air.channels; ++channel) {
+            const auto c = static_cast<std::size_t>(channel);
+            SkyTruth truth{at, channel, {}, traced.radiance[c], traced.standard_error[c]};
+            for (std::size_t n = 0; n < kPathOrders; ++n) truth.orders[n] = traced.orders[n][c];
+            result.push_back(truth);
+        }
+    }
+    return result;
+}
+
+std::string sky_truth_csv(const std::vector<SkyTruth>& values, std::string_view comment) {
+    std::string text = fmt::format("# {}\n{}\n", comment, kColumns);
+    for (const SkyTruth& value : values) {
+        const SkyTruthDirection& at = value.direction;
+        text += fmt::format("{},{},{},{},{}", at.altitude_km, at.sun_zenith_degrees,
+                            at.view_zenith_degrees, at.azimuth_degrees, value.channel);
+        for (const double order : value.orders) text += fmt::format(",{}", order);
+        text += fmt::format(",{},{}\n", value.radiance, value.standard_error);
+    }
+    return text;
+}
+
+std::optional<std::vector<SkyTruth>> parse_sky_truth_csv(std::string_view text) {
+    while (text.starts_with('#')) cut(text, '\n');
+    if (cut(text, '\n') != kColumns) return std::nullopt;
+    std::vector<SkyTruth> values;
+    while (!text.empty()) {
+        const auto value = parse_line(cut(text, '\n'));
+        if (!value) return std::nullopt;
+        values.push_back(*value);
+    }
+    return values;
+}
+
+}  // namespace skybake
