@@ -9,7 +9,7 @@
 // smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
 //
-// tests/light/sky_row_test.cpp compares the results with SkyIntegrator's.
+// tests/light/sky_rows_test.cpp compares the results with SkyIntegrator's.
 #pragma once
 
 #include <functional>

@@ -3,12 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/every_target.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
 namespace {
@@ -72,23 +71,15 @@ TEST(MultipleScatteringKernel, AgreesWithTheAdaptiveReference) {
 // radiance of light scattered once, all isotropic, which is L_2nd; set H0 has albedo 0.
 TEST(MultipleScatteringKernel, SecondOrderAgreesWithPathTracing) {
     const Medium medium = test::preset_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
-    std::ifstream file(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv");
-    ASSERT_TRUE(file);
-    std::string line;
     int compared = 0;
-    while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#' || line[0] == 'h') continue;
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> v;
-        while (std::getline(cells, cell, ',')) v.push_back(std::stod(cell));
+    for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv")) {
         const double sun_cos_zenith = std::cos(v[1] * 3.14159265358979323846 / 180);
         const auto channel = static_cast<std::size_t>(v[2]);
         RowQuadrature row;
         const Spectrum psi = psi_at(medium, v[0], sun_cos_zenith, {14, 3e-3, 3e-4}, &row);
         const double second_order = psi[channel] * row.escape[channel];
         // se_iso belongs to all orders, so it is an upper bound here; five of them.
-        EXPECT_NEAR(second_order, v[6], 5 * v[8] + 2e-3 * v[6]) << line;
+        EXPECT_NEAR(second_order, v[6], 5 * v[8] + 2e-3 * v[6]) << v[0] << ' ' << v[1];
         ++compared;
     }
     EXPECT_GT(compared, 100);

@@ -128,9 +128,7 @@ TEST_F(CloudBake, CheckOpensMaps) {
         for (const std::vector<std::string>& words : commands) {
             const Result result = run_words(words);
             EXPECT_EQ(result.code, 3) << words[0];
-            EXPECT_TRUE(contains(result.error, fault.code)) << result.error;
-            EXPECT_TRUE(contains(result.error, "cannot read the map `")) << result.error;
-            EXPECT_TRUE(contains(result.error, "recipe.toml:12:25")) << result.error;
+            expect_has(result.error, {fault.code, "cannot read the map `", "recipe.toml:12:25"});
         }
     }
     EXPECT_FALSE(fs::exists(out_));
@@ -141,10 +139,7 @@ TEST_F(CloudBake, CheckOpensMapsOfTypes) {
                 "[noise.n]\npreset = \"nubis_shape\"\n[clouds.c]\nnoise = \"n\"\n"
                 "extent = [\"1 km\", \"1 km\", \"500 m\"]\n"
                 "height_profile = { type = \"blended\" }\ntype_map = { file = \"t.png\" }\n");
-    const Result result = run_words({"check", recipe_});
-    EXPECT_EQ(result.code, 3);
-    EXPECT_TRUE(contains(result.error, "cannot read the map `")) << result.error;
-    EXPECT_TRUE(contains(result.error, "recipe.toml:7:21")) << result.error;
+    expect_said(run_words({"check", recipe_}), 3, {"cannot read the map `", "recipe.toml:7:21"});
 }
 
 TEST_F(CloudBake, ReportsWhatSkippingSaves) {

@@ -10,6 +10,7 @@ namespace {
 using config::Diagnostic;
 using config::Severity;
 using testing::contains;
+using testing::expect_has;
 
 std::vector<Diagnostic> samples() {
     return {
@@ -56,8 +57,8 @@ error[E0107]: expected a length, not an angle
 TEST(DiagnosticPrinter, CountsErrorsAndWarnings) {
     std::vector<Diagnostic> diagnostics = samples();
     diagnostics[1].severity = Severity::warning;
-    EXPECT_TRUE(contains(print_diagnostics(diagnostics, DiagnosticFormat::human),
-                         "\n2 errors, 1 warning\n"));
+    expect_has(print_diagnostics(diagnostics, DiagnosticFormat::human),
+               {"\n2 errors, 1 warning\n"});
     EXPECT_TRUE(contains(human(diagnostics[1]), "\n1 warning\n"));
     EXPECT_EQ(print_diagnostics({}, DiagnosticFormat::human), "");
 }
@@ -66,23 +67,20 @@ TEST(DiagnosticPrinter, CaretsStandBelowWhatTheyMeanBehindWideSigns) {
     // Columns count code points: the key starts at the 9th, the terminal shows it at the 11th.
     const Diagnostic diagnostic{
         Severity::error, "E0102", "m", {"f", 3, 9, 2, "\"µ霧 雲\" = ab"}, "here"};
-    EXPECT_TRUE(contains(human(diagnostic), "3 | \"µ霧 雲\" = ab\n  |           ^^ here\n"))
-        << human(diagnostic);
+    expect_has(human(diagnostic), {"3 | \"µ霧 雲\" = ab\n  |           ^^ here\n"});
 }
 
 TEST(DiagnosticPrinter, TabsAreShownAsSpaces) {
     const Diagnostic diagnostic{Severity::error, "E0102", "m", {"f", 3, 3, 1, "\t\tg = 1"}, ""};
-    EXPECT_TRUE(contains(human(diagnostic), "3 |         g = 1\n  |         ^\n"))
-        << human(diagnostic);
+    expect_has(human(diagnostic), {"3 |         g = 1\n  |         ^\n"});
 }
 
 TEST(DiagnosticPrinter, CropsLongLinesAroundTheRange) {
     const std::string line = std::string(5000, 'a') + "BAD" + std::string(5000, 'b');
     const Diagnostic diagnostic{Severity::error, "E0101", "m", {"f", 1, 5001, 3, line}, ""};
     const std::string text = human(diagnostic);
-    EXPECT_TRUE(contains(text, "1 | …" + std::string(30, 'a') + "BAD" + "b"));
-    EXPECT_TRUE(contains(text, "b…\n"));
-    EXPECT_TRUE(contains(text, "  | " + std::string(31, ' ') + "^^^\n")) << text;
+    expect_has(text, {"1 | …" + std::string(30, 'a') + "BAD" + "b", "b…\n",
+                      "  | " + std::string(31, ' ') + "^^^\n"});
     EXPECT_LT(text.size(), 400u);
 }
 
@@ -114,8 +112,7 @@ TEST(DiagnosticPrinter, PlacesBeyondTheLineDoNoHarm) {
 }
 
 TEST(DiagnosticPrinter, ColoursOnRequest) {
-    EXPECT_TRUE(
-        contains(print_diagnostics(samples(), DiagnosticFormat::human, true), "\x1b[1;31m"));
+    expect_has(print_diagnostics(samples(), DiagnosticFormat::human, true), {"\x1b[1;31m"});
     EXPECT_FALSE(contains(print_diagnostics(samples(), DiagnosticFormat::human), "\x1b"));
 }
 
@@ -168,10 +165,8 @@ TEST(DiagnosticPrinter, GitHubEscapesWhatEndsAProperty) {
     diagnostics[0].where.source = "a,b:c%.toml";
     diagnostics[0].message = "100 %\nof it";
     const std::string text = print_diagnostics(diagnostics, DiagnosticFormat::github);
-    EXPECT_TRUE(contains(text,
-                         "::error file=a%2Cb%3Ac%25.toml,line=14,col=1,endColumn=13,title=E0102::"
-                         "100 %25%0Aof it; did you mean"))
-        << text;
+    expect_has(text, {"::error file=a%2Cb%3Ac%25.toml,line=14,col=1,endColumn=13,title=E0102::"
+                      "100 %25%0Aof it; did you mean"});
 }
 
 TEST(DiagnosticPrinter, SarifIsOneDocument) {

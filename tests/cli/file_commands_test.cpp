@@ -10,6 +10,8 @@ namespace {
 using nlohmann::json;
 using skybake::testing::write_sample_bake;
 using testing::contains;
+using testing::expect_has;
+using testing::expect_said;
 using testing::Result;
 using testing::run_words;
 using testing::TemporaryFolder;
@@ -116,18 +118,14 @@ TEST(InfoCommand, ShowsBareTexelsByTheirManifest) {
     const json event = json::parse(run_words({"info", out + "/n.bin", "--json"}).out);
     EXPECT_EQ(event["asset"]["name"], "n");
     std::filesystem::remove(out + "/manifest.json");
-    const Result alone = run_words({"info", out + "/n.bin"});
-    EXPECT_EQ(alone.code, 3);
-    EXPECT_TRUE(contains(alone.error, "E0304")) << alone.error;
+    expect_said(run_words({"info", out + "/n.bin"}), 3, {"E0304"});
 }
 
 TEST(InfoCommand, SaysThatARecipeIsNoBakedFile) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "earth.toml", "preset = \"earth\"\n");
-    const Result result = run_words({"info", (folder / "earth.toml").string()});
-    EXPECT_EQ(result.code, 2);
-    EXPECT_TRUE(contains(result.error, "earth.toml` is a recipe")) << result.error;
-    EXPECT_TRUE(contains(result.error, "`skybake show` shows its values")) << result.error;
+    expect_said(run_words({"info", (folder / "earth.toml").string()}), 2,
+                {"earth.toml` is a recipe", "`skybake show` shows its values"});
 }
 
 TEST(InfoCommand, SaysWhatItCannotRead) {
@@ -150,8 +148,7 @@ TEST(DiffCommand, ShowsWhereValuesDiffer) {
     pair.change([](ExrImage& image) { image.pixels.texel(3, 5)[1] += 0.5f; });
     const Result result = run_words(pair.words());
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.out, "transmittance.exr: differs"));
-    EXPECT_TRUE(contains(result.out, "column 3, row 5")) << result.out;
+    expect_has(result.out, {"transmittance.exr: differs", "column 3, row 5"});
     EXPECT_EQ(run_words(pair.words({"--tolerance", "0.5"})).code, 0);
     EXPECT_EQ(run_words(pair.words({"--tolerance", "0.4"})).code, 1);
     const json document = json::parse(run_words(pair.words({"--json"})).out);
@@ -203,8 +200,7 @@ TEST(VerifyCommand, CountsWhatPassed) {
     ASSERT_EQ(run_words({"bake", recipe, "-o", out}).code, 0);
     const Result result = run_words({"verify", out});
     EXPECT_EQ(result.code, 0) << result.out;
-    EXPECT_TRUE(contains(result.out, "2 files, ")) << result.out;
-    EXPECT_TRUE(contains(result.out, " checks, all passed\n"));
+    expect_has(result.out, {"2 files, ", " checks, all passed\n"});
 }
 
 // Returns the failures of `verify --json`, but for places of probes: the parameters of the samples are
@@ -245,10 +241,8 @@ TEST(VerifyCommand, TellsAnEditedManifestOnce) {
     write_bytes(folder / "manifest.json", text);
     const Result result = run_words({"verify", folder.path().string()});
     EXPECT_EQ(result.code, 1);
-    EXPECT_TRUE(contains(result.out,
-                         "manifest.json: hash: `assets[1]`, the entry of `second`, has "
-                         "been changed since the bake wrote it"))
-        << result.out;
+    expect_has(result.out, {"manifest.json: hash: `assets[1]`, the entry of `second`, has "
+                            "been changed since the bake wrote it"});
     const std::vector<json> failures = failures_of_samples(folder.path().string());
     // The units in the manifest stand in the file too.
     ASSERT_EQ(failures.size(), 2u) << json(failures);
@@ -261,18 +255,15 @@ TEST(VerifyCommand, SaysWhatToDoAboutAnEarlierFormat) {
     skybake::testing::write_bytes(
         folder / "manifest.json",
         R"({"format": 1, "tool": {"name": "skybake", "version": "0.0.9"}, "assets": []})");
-    const Result result = run_words({"verify", folder.path().string()});
-    EXPECT_EQ(result.code, 3);
-    EXPECT_TRUE(contains(result.error, "release 0.0.9 wrote format 1")) << result.error;
-    EXPECT_TRUE(contains(result.error, "bake the recipe into this folder again")) << result.error;
+    expect_said(run_words({"verify", folder.path().string()}), 3,
+                {"release 0.0.9 wrote format 1", "bake the recipe into this folder again"});
 }
 
 TEST(VerifyCommand, NeedsAManifest) {
     const TemporaryFolder folder;
     const Result result = run_words({"verify", folder.path().string()});
     EXPECT_EQ(result.code, 3);
-    EXPECT_TRUE(contains(result.error, "error[E0300]")) << result.error;
-    EXPECT_TRUE(contains(result.error, "holds no bake: it has no manifest.json")) << result.error;
+    expect_has(result.error, {"error[E0300]", "holds no bake: it has no manifest.json"});
     EXPECT_TRUE(result.out.empty());
     EXPECT_TRUE(contains(run_words({"info", folder.path().string()}).error, "holds no bake"));
     EXPECT_FALSE(contains(run_words({"verify", (folder / "absent").string()}).error, "no bake"));
@@ -281,10 +272,8 @@ TEST(VerifyCommand, NeedsAManifest) {
 TEST(VerifyCommand, TakesTheFolderOfAFile) {
     const TemporaryFolder folder;
     write_sample_bake(folder.path(), {"transmittance"});
-    const Result result = run_words({"verify", (folder / "transmittance.exr").string()});
-    EXPECT_EQ(result.code, 2);
-    EXPECT_TRUE(contains(result.error, "skybake verify " + folder.path().string() + "\n"))
-        << result.error;
+    expect_said(run_words({"verify", (folder / "transmittance.exr").string()}), 2,
+                {"skybake verify " + folder.path().string() + "\n"});
 }
 
 }  // namespace

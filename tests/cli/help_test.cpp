@@ -11,6 +11,7 @@ namespace skybake::cli {
 namespace {
 
 using testing::contains;
+using testing::expect_said;
 using testing::count_lines;
 using testing::run_words;
 
@@ -79,9 +80,7 @@ TEST(Help, IsACommandToo) {
         const std::string name(command.name);
         EXPECT_EQ(run_words({"help", name}).out, run_words({name, "--help"}).out) << name;
     }
-    const testing::Result slip = run_words({"help", "baek"});
-    EXPECT_EQ(slip.code, 2);
-    EXPECT_TRUE(contains(slip.error, "did you mean `bake`?")) << slip.error;
+    expect_said(run_words({"help", "baek"}), 2, {"did you mean `bake`?"});
 }
 
 // Each command and each of its options stands in its man page and in the scripts of all shells.

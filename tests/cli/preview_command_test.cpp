@@ -12,6 +12,8 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::contains;
+using testing::expect_has;
+using testing::expect_said;
 using testing::read_bytes;
 using testing::Result;
 using testing::run_words;
@@ -178,9 +180,7 @@ TEST(PreviewCommand, SaysWhichFileIsDamaged) {
     scene.bake();
     const std::string volume = scene.baked + "/volume.exr";
     write_bytes(volume, read_bytes(volume).substr(0, 2000));
-    const Result result = scene.preview({scene.baked});
-    EXPECT_EQ(result.code, 3);
-    EXPECT_TRUE(contains(result.error, "volume.exr")) << result.error;
+    expect_said(scene.preview({scene.baked}), 3, {"volume.exr"});
     fs::remove(scene.baked + "/transmittance.exr");
     EXPECT_EQ(scene.preview({scene.baked}).code, 3);
     EXPECT_FALSE(fs::exists(scene.out));
@@ -257,10 +257,8 @@ TEST(PreviewCommand, RefusesWhatCannotGoTogether) {
 TEST(PreviewCommand, SaysHowToShowOneAssetOfAFolder) {
     const Scene scene;
     scene.bake();
-    const Result refused = scene.preview({scene.baked, "--only", "volume"});
-    EXPECT_EQ(refused.code, 2);
-    EXPECT_TRUE(contains(refused.error, "preview the files of those assets instead"))
-        << refused.error;
+    expect_said(scene.preview({scene.baked, "--only", "volume"}), 2,
+                {"preview the files of those assets instead"});
     EXPECT_EQ(scene.preview({scene.baked + "/volume.exr"}).code, 0);
 }
 
@@ -283,8 +281,7 @@ TEST(PreviewCommand, RefusesOptionsThatNoPictureUses) {
     for (const auto& words : wrong) {
         const Result result = scene.preview(words);
         EXPECT_EQ(result.code, 2) << words[1];
-        EXPECT_TRUE(contains(result.error, "no picture of this preview uses " + words[1]))
-            << result.error;
+        expect_has(result.error, {"no picture of this preview uses " + words[1]});
     }
     EXPECT_FALSE(fs::exists(scene.out));
 }
@@ -298,18 +295,14 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
                        "--set", "preview.altitude=2 km"});
     ASSERT_EQ(result.code, 0) << result.error;
     // A key may be for the pictures of another recipe that this one includes, unlike an option.
-    EXPECT_TRUE(contains(result.error, "no picture of this recipe uses `preview.altitude`"))
-        << result.error;
+    expect_has(result.error, {"no picture of this recipe uses `preview.altitude`"});
     const json picture = data_of(scene.page())["assets"][0]["pictures"][0];
     EXPECT_EQ(picture["file"], "c_lit_sun_minus_3.png");
     EXPECT_EQ(picture["width"], 40);
     EXPECT_EQ(picture["height"], 30);
     const std::string caption = picture["caption"];
-    EXPECT_TRUE(contains(caption, "`position=0.1km,0.2km,0.05km heading=57.3deg pitch="))
-        << caption;
-    EXPECT_TRUE(contains(caption, "fov=40deg")) << caption;
-    EXPECT_TRUE(contains(caption, "77.3 degrees to the right")) << caption;
-    EXPECT_TRUE(contains(caption, "shows one tile alone")) << caption;
+    expect_has(caption, {"`position=0.1km,0.2km,0.05km heading=57.3deg pitch=", "fov=40deg",
+                         "77.3 degrees to the right", "shows one tile alone"});
     // The camera that a caption tells is one that the option takes.
     const std::size_t from = caption.find('`') + 1;
     const std::string camera = caption.substr(from, caption.find('`', from) - from);
@@ -318,8 +311,8 @@ TEST(PreviewCommand, PlacesTheCameraOfACloud) {
                             "--sun-azimuth=-20", "--sun-elevation=-3", "--single"})
                   .code,
               0);
-    EXPECT_TRUE(contains(
-        data_of(scene.page())["assets"][0]["pictures"][0]["caption"].get<std::string>(), camera));
+    expect_has(data_of(scene.page())["assets"][0]["pictures"][0]["caption"].get<std::string>(),
+               {camera});
 }
 
 constexpr const char* preview_text = R"(
@@ -361,8 +354,7 @@ TEST(PreviewCommand, TakesWhatTheRecipeSaysOnPictures) {
     const json picture = first_picture(scene);
     EXPECT_EQ(picture["file"], "c_lit_sun_30.png");
     EXPECT_EQ(picture["width"], 40);
-    EXPECT_TRUE(contains(picture["caption"], "`position=0.1km,0.2km,0.05km heading=10deg"))
-        << picture["caption"];
+    expect_has(picture["caption"], {"`position=0.1km,0.2km,0.05km heading=10deg"});
 }
 
 TEST(PreviewCommand, SaysNothingThatChangesABake) {
@@ -420,8 +412,7 @@ TEST(PreviewCommand, TurnsACloud) {
     }
     EXPECT_EQ(different.size(), 6U);
     EXPECT_EQ(pictures[6]["sequence"], "");
-    EXPECT_TRUE(
-        contains(pictures[0]["caption"], "Picture 1 of 6. The picture shows one tile alone"));
+    expect_has(pictures[0]["caption"], {"Picture 1 of 6. The picture shows one tile alone"});
 }
 
 TEST(PreviewCommand, LeavesAlonePagesOfOthers) {
@@ -454,13 +445,11 @@ TEST(PreviewCommand, ShowsTheSkyForTheSunsThatAreAskedFor) {
     const json scenes = data_of(scene.page())["scenes"];
     ASSERT_EQ(scenes.size(), 1u);
     const std::string told = scenes.dump();
-    EXPECT_TRUE(contains(told, "sun 30 degrees above"));
-    EXPECT_TRUE(contains(told, "exposure 16 (+4.0 stops)"));
+    expect_has(told, {"sun 30 degrees above", "exposure 16 (+4.0 stops)"});
     EXPECT_FALSE(contains(told, "sun 60 deg"));
 
-    const Result above = scene.preview({scene.baked, "--altitude", "170 km"});
-    EXPECT_EQ(above.code, 2);
-    EXPECT_TRUE(contains(above.error, "top of the atmosphere, 100 km")) << above.error;
+    expect_said(scene.preview({scene.baked, "--altitude", "170 km"}), 2,
+                {"top of the atmosphere, 100 km"});
 }
 
 TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
@@ -471,9 +460,7 @@ TEST(PreviewCommand, SaysThatAFileIsNotThatOfTheManifest) {
     std::string bytes = read_bytes(volume);
     bytes[bytes.size() / 2] = static_cast<char>(bytes[bytes.size() / 2] ^ 1);
     write_bytes(volume, bytes);
-    const Result result = scene.preview({volume});
-    EXPECT_EQ(result.code, 0);
-    EXPECT_TRUE(contains(result.error, "W0304")) << result.error;
+    expect_said(scene.preview({volume}), 0, {"W0304"});
     EXPECT_TRUE(contains(data_of(scene.page())["notes"].dump(), "does not match manifest.json"));
 }
 
@@ -511,8 +498,7 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
         0);
     ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
     const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
-    EXPECT_TRUE(contains(caption, "They all have exposure ")) << caption;
-    EXPECT_TRUE(contains(caption, "the sun 25 degrees above the horizon")) << caption;
+    expect_has(caption, {"They all have exposure ", "the sun 25 degrees above the horizon"});
 }
 
 TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {

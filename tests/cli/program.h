@@ -12,6 +12,7 @@
 #include <csignal>
 #include <filesystem>
 #include <functional>
+#include <source_location>
 #include <string>
 #include <vector>
 
@@ -155,6 +156,23 @@ inline long count_lines(const std::string& text) {
 
 inline bool contains(const std::string& text, const std::string& piece) {
     return text.find(piece) != std::string::npos;
+}
+
+// Expects all of these pieces in a text.
+inline void expect_has(const std::string& text, const std::vector<std::string>& pieces,
+                       const std::source_location& place = std::source_location::current()) {
+    const ::testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "here");
+    for (const std::string& piece : pieces) {
+        EXPECT_TRUE(contains(text, piece)) << "no `" << piece << "` in\n" << text;
+    }
+}
+
+// Expects how a run ends, and all of these pieces in what it says to people.
+inline void expect_said(const Result& result, int code, const std::vector<std::string>& pieces,
+                        const std::source_location& place = std::source_location::current()) {
+    const ::testing::ScopedTrace trace(place.file_name(), static_cast<int>(place.line()), "here");
+    EXPECT_EQ(result.code, code) << result.error;
+    expect_has(result.error, pieces, place);
 }
 
 }  // namespace skybake::cli::testing

@@ -1,9 +1,19 @@
-#include "config/fields/fields.h"
-
 #include <gtest/gtest.h>
+
+#include <array>
+#include <limits>
+
+#include "config/fields/field_value.h"
+#include "config/fields/fields.h"
+#include "config/fields/roles.h"
+#include "config/fields/section_decoder.h"
+#include "tests/config/recipes.h"
 
 namespace skybake::config {
 namespace {
+
+using testing::valid;
+using testing::value_at;
 
 TEST(Fields, FindsSectionsAndFields) {
     ASSERT_TRUE(find_section("atmosphere.layers.*"));
@@ -58,6 +68,98 @@ TEST(Fields, DescribesRangesAndChoices) {
     EXPECT_EQ(describe_field(*find_field(layer, "g")),
               "asymmetry of the phase function: forward above 0, back below; in (-1, 1); "
               "typical haze has 0.76");
+}
+
+TEST(FieldValue, SpellsInBaseUnits) {
+    constexpr Choice choices[] = {{0, "one", ""}, {1, "two", ""}};
+    const Field choice{.key = "x", .kind = Kind::choice, .choices = choices};
+    const Field length{.key = "x", .kind = Kind::length};
+    const Field coefficients{.key = "x", .kind = Kind::coefficients};
+    const Field wavelengths{.key = "x", .kind = Kind::wavelengths};
+    EXPECT_EQ(canonical_text(choice, ChoiceIndex{1}), "\"two\"");
+    EXPECT_EQ(canonical_text(length, 1500.0), "\"1500 m\"");
+    EXPECT_EQ(canonical_text(coefficients, std::vector<double>{1e-6, 0}),
+              "[\"1e-06 /m\", \"0 /m\"]");
+    EXPECT_EQ(canonical_text(wavelengths, std::vector<double>{5.5e-7}), "[\"550 nm\"]");
+    EXPECT_EQ(canonical_text(length, std::string("a\"b")), "\"a\\\"b\"");
+    EXPECT_EQ(canonical_text(length, std::vector<DensityPoint>{{{0}, 1}, {{10}, 0.5}}),
+              "[[\"0 m\", 1], [\"10 m\", 0.5]]");
+}
+
+TEST(FieldValue, SpellsWhatNoisesHave) {
+    constexpr Choice choices[] = {{0, "one", ""}, {1, "two", ""}};
+    const Field list{.key = "x", .kind = Kind::choice_list, .choices = choices};
+    const Field voxels{.key = "x", .kind = Kind::voxels};
+    const Field frequency{.key = "x", .kind = Kind::frequency};
+    const Field seed{.key = "x", .kind = Kind::seed};
+    const Field remap{.key = "x", .kind = Kind::remap};
+    const Field clamp{.key = "x", .kind = Kind::clamp};
+    using Triple = std::array<int, 3>;
+    EXPECT_EQ(canonical_text(list, std::vector{ChoiceIndex{1}, ChoiceIndex{0}}),
+              "[\"two\", \"one\"]");
+    EXPECT_EQ(canonical_text(voxels, Triple{4, 4, 4}), "[4, 4, 4]");
+    EXPECT_EQ(canonical_text(frequency, Triple{4, 4, 4}), "4");
+    EXPECT_EQ(canonical_text(frequency, Triple{4, 4, 8}), "[4, 4, 8]");
+    EXPECT_EQ(canonical_text(frequency, std::vector{Triple{4, 4, 8}, Triple{9, 9, 9}}),
+              "[[4, 4, 8], 9]");
+    EXPECT_EQ(canonical_text(remap, std::array<double, 4>{0.25, 1, 0, 1}), "[0.25, 1, 0, 1]");
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_EQ(canonical_text(clamp, std::array<double, 2>{0, 1}), "[0, 1]");
+    EXPECT_EQ(canonical_text(clamp, std::array<double, 2>{-infinity, infinity}), "false");
+    EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775807u}), "9223372036854775807");
+    EXPECT_EQ(canonical_text(seed, std::uint64_t{9223372036854775808u}), "\"9223372036854775808\"");
+}
+
+TEST(FieldValue, NamesOrigins) {
+    const Source file{Source::Kind::file, 0, "earth.toml", ""};
+    const Source preset{Source::Kind::preset, 0, "preset earth", ""};
+    EXPECT_EQ(origin({&file, 14, 1, 1}), "earth.toml:14");
+    EXPECT_EQ(origin({&preset, 14, 1, 1}), "preset earth");
+    EXPECT_EQ(origin({}), "");
+}
+
+ResolvedValue value_of(const std::string& section, Role role) {
+    ResolvedValue value;
+    value.section = section;
+    value.role = role;
+    return value;
+}
+
+TEST(ResolvedValue, IsReadBySectionAndRole) {
+    const std::array reads = {Read{""}, Read{"atmosphere.layers.*", {Role::geometry, Role::phase}},
+                              Read{"noise.\"a.b\"", Roles::all()}};
+    const auto read = [&](const std::string& section, Role role) {
+        return is_read(value_of(section, role), reads);
+    };
+    EXPECT_TRUE(read("", Role::content)) << "the recipe as a whole";
+    EXPECT_FALSE(read("", Role::usual));
+    EXPECT_TRUE(read("atmosphere.layers.mie", Role::geometry));
+    EXPECT_TRUE(read("atmosphere.layers.mie", Role::phase));
+    EXPECT_FALSE(read("atmosphere.layers.mie", Role::content));
+    EXPECT_FALSE(read("atmosphere.layers", Role::geometry));
+    EXPECT_FALSE(read("atmosphere", Role::geometry));
+    for (const Role role : {Role::content, Role::files, Role::usual}) {
+        EXPECT_TRUE(read("noise.\"a.b\"", role));
+    }
+    EXPECT_FALSE(read("noise.a.b", Role::content)) << "a channel of another noise";
+    EXPECT_FALSE(is_read(value_of("", Role::content), {}));
+}
+
+TEST(SectionDecoder, ValuesKnowTheirOrigin) {
+    const Recipe recipe =
+        valid("preset = 'earth_hillaire'\n[atmosphere.layers.mie]\ng = 0.7\n[bake.transmittance]\n",
+              {"atmosphere.ground_albedo=0.1"});
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.mie.g").origin, "test.toml:3");
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.mie.phase").origin, "preset earth_hillaire");
+    EXPECT_EQ(value_at(recipe, "atmosphere.ground_albedo").origin,
+              "--set `atmosphere.ground_albedo=0.1`");
+    EXPECT_EQ(value_at(recipe, "bake.transmittance.size").origin, "default");
+    EXPECT_EQ(value_at(recipe, "bake.transmittance.size").written, "[256, 64]");
+    EXPECT_EQ(value_at(recipe, "bake.transmittance.asset").written, "\"transmittance\"");
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.rayleigh.extinction").origin, "derived");
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.rayleigh.scale_height").written, "\"8 km\"");
+    EXPECT_EQ(value_at(recipe, "atmosphere.layers.rayleigh.scale_height").canonical, "\"8000 m\"");
+    EXPECT_TRUE(value_at(recipe, "preset").only_shown);
 }
 
 }  // namespace

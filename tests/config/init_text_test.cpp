@@ -70,6 +70,19 @@ TEST(InitText, HasAtMostEightyLines) {
 
 using testing::valid_with_warnings;
 
+// A recipe without the `#` of its values and of tables that begin so.
+std::string without_marks(const std::string& text, const std::string& table) {
+    std::istringstream lines(text);
+    std::string uncommented;
+    for (std::string line; std::getline(lines, line);) {
+        const std::size_t equals = line.find(" = ");
+        const bool is_value = line.starts_with("# ") && line[2] != '`' &&
+                              equals != std::string::npos && equals == line.find(' ', 2);
+        uncommented += (is_value || line.starts_with(table) ? line.substr(2) : line) + '\n';
+    }
+    return uncommented;
+}
+
 TEST(InitText, ANoiseStartsFromItsPreset) {
     for (const Preset& preset : noise_presets()) {
         SCOPED_TRACE(preset.name);
@@ -83,17 +96,7 @@ TEST(InitText, ANoiseStartsFromItsPreset) {
                       "[noise." + name + "]\npreset = '" + std::string(preset.name) + "'\n[bake." +
                       name + "]\nasset = 'noise_volume'\nnoise = '" + name + "'\n" + files)));
         // Whoever takes the `#` off a value or a table must get the same noise.
-        std::string uncommented;
-        for (std::size_t start = 0; start < text.size();) {
-            const std::size_t end = text.find('\n', start);
-            const std::string line = text.substr(start, end - start);
-            start = end + 1;
-            const bool is_toml =
-                line.starts_with("# [noise.") ||
-                (line.starts_with("# ") && line[2] != '`' &&
-                 line.find(" = ") != std::string::npos && line.find(" = ") == line.find(' ', 2));
-            uncommented += (is_toml ? line.substr(2) : line) + '\n';
-        }
+        const std::string uncommented = without_marks(text, "# [noise.");
         EXPECT_NE(uncommented.find("\n[noise." + name + ".channels.R]\n"), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }
@@ -119,17 +122,7 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
             "clouds",    "clouds.*",  "clouds.*.*",       "clouds.*.*.*",
             "noise.*.*", "preview.*", "preview.camera.*", "bake." + name + ".*"};
         EXPECT_EQ(parameters_toml(written, all), parameters_toml(alone, all));
-        std::string uncommented;
-        for (std::size_t start = 0; start < text.size();) {
-            const std::size_t end = text.find('\n', start);
-            const std::string line = text.substr(start, end - start);
-            start = end + 1;
-            const bool is_toml =
-                line.starts_with("# [clouds.") ||
-                (line.starts_with("# ") && line[2] != '`' &&
-                 line.find(" = ") != std::string::npos && line.find(" = ") == line.find(' ', 2));
-            uncommented += (is_toml ? line.substr(2) : line) + '\n';
-        }
+        const std::string uncommented = without_marks(text, "# [clouds.");
         EXPECT_NE(uncommented.find(".height_profile]\n"), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }

@@ -37,59 +37,47 @@ constexpr WorleyValue squared = WorleyValue::one_minus_distance_squared;
 constexpr WorleyValue over_sqrt3 = WorleyValue::one_minus_distance_over_sqrt3;
 using Size = std::array<int, 3>;
 
-TEST(NoisePresets, NubisShape) {
-    const Noise noise = preset("nubis_shape");
+// What the shapes of Nubis' and takram's clouds share: Perlin-Worley noise, then Worley noises.
+void expect_shape(const Noise& noise, const std::array<std::vector<int>, 4>& worley) {
     EXPECT_EQ(noise.size, (Size{128, 128, 128}));
-    EXPECT_EQ(noise.sampling, NoiseSampling::centers);
-    EXPECT_EQ(noise.pack, NoisePacking::none);
     ASSERT_EQ(noise.channels.size(), 4u);
     const NoiseChannel& red = noise.channels[0];
     EXPECT_EQ(red.type, NoiseType::perlin_worley);
     EXPECT_EQ(red.fractal, NoiseFractal::rectified);
     EXPECT_EQ(red.value_form, squared);
     expect_octaves(red.octaves, octaves({8, 16, 32}, {1, 0.5, 0.25}));
-    expect_octaves(red.worley_octaves, octaves({4, 8, 16}, cloud_gains));
-    expect_worley(noise.channels[1], octaves({4, 8, 16}, cloud_gains), squared);
-    expect_worley(noise.channels[2], octaves({8, 16, 32}, cloud_gains), squared);
-    expect_worley(noise.channels[3], octaves({16, 32}, {0.75, 0.25}), squared);
+    expect_octaves(red.worley_octaves, octaves(worley[0], cloud_gains));
+    expect_worley(noise.channels[1], octaves(worley[1], cloud_gains), squared);
+    expect_worley(noise.channels[2], octaves(worley[2], cloud_gains), squared);
+    expect_worley(noise.channels[3], octaves(worley[3], {0.75, 0.25}), squared);
 }
 
-TEST(NoisePresets, NubisDetail) {
-    const Noise noise = preset("nubis_detail");
-    EXPECT_EQ(noise.size, (Size{32, 32, 32}));
-    EXPECT_EQ(noise.sampling, NoiseSampling::centers);
-    ASSERT_EQ(noise.channels.size(), 3u);
-    expect_worley(noise.channels[0], octaves({2, 4, 8}, cloud_gains), squared);
-    expect_worley(noise.channels[1], octaves({4, 8}, {0.75, 0.25}), squared);
-    expect_worley(noise.channels[2], octaves({8}, {1}), squared);
+TEST(NoisePresets, Shapes) {
+    const Noise nubis = preset("nubis_shape");
+    EXPECT_EQ(nubis.sampling, NoiseSampling::centers);
+    EXPECT_EQ(nubis.pack, NoisePacking::none);
+    expect_shape(nubis, {{{4, 8, 16}, {4, 8, 16}, {8, 16, 32}, {16, 32}}});
+    const Noise takram = preset("takram_shape");
+    EXPECT_EQ(takram.sampling, NoiseSampling::slices_at_corners);
+    EXPECT_EQ(takram.pack, NoisePacking::shape);
+    expect_shape(takram, {{{8, 32, 56}, {8, 16, 32}, {16, 32, 64}, {32, 64}}});
 }
 
-TEST(NoisePresets, TakramShape) {
-    const Noise noise = preset("takram_shape");
-    EXPECT_EQ(noise.size, (Size{128, 128, 128}));
-    EXPECT_EQ(noise.sampling, NoiseSampling::slices_at_corners);
-    EXPECT_EQ(noise.pack, NoisePacking::shape);
-    ASSERT_EQ(noise.channels.size(), 4u);
-    const NoiseChannel& red = noise.channels[0];
-    EXPECT_EQ(red.type, NoiseType::perlin_worley);
-    EXPECT_EQ(red.fractal, NoiseFractal::rectified);
-    EXPECT_EQ(red.value_form, squared);
-    expect_octaves(red.octaves, octaves({8, 16, 32}, {1, 0.5, 0.25}));
-    expect_octaves(red.worley_octaves, octaves({8, 32, 56}, cloud_gains));
-    expect_worley(noise.channels[1], octaves({8, 16, 32}, cloud_gains), squared);
-    expect_worley(noise.channels[2], octaves({16, 32, 64}, cloud_gains), squared);
-    expect_worley(noise.channels[3], octaves({32, 64}, {0.75, 0.25}), squared);
-}
-
-TEST(NoisePresets, TakramDetail) {
-    const Noise noise = preset("takram_detail");
-    EXPECT_EQ(noise.size, (Size{32, 32, 32}));
-    EXPECT_EQ(noise.sampling, NoiseSampling::slices_at_corners);
-    EXPECT_EQ(noise.pack, NoisePacking::detail);
-    ASSERT_EQ(noise.channels.size(), 3u);
-    expect_worley(noise.channels[0], octaves({2, 4, 8}, cloud_gains), squared);
-    expect_worley(noise.channels[1], octaves({4, 8, 16}, cloud_gains), squared);
-    expect_worley(noise.channels[2], octaves({8, 16}, {0.75, 0.25}), squared);
+TEST(NoisePresets, Details) {
+    const Noise nubis = preset("nubis_detail");
+    EXPECT_EQ(nubis.sampling, NoiseSampling::centers);
+    const Noise takram = preset("takram_detail");
+    EXPECT_EQ(takram.sampling, NoiseSampling::slices_at_corners);
+    EXPECT_EQ(takram.pack, NoisePacking::detail);
+    for (const Noise& noise : {nubis, takram}) {
+        EXPECT_EQ(noise.size, (Size{32, 32, 32}));
+        ASSERT_EQ(noise.channels.size(), 3u);
+        expect_worley(noise.channels[0], octaves({2, 4, 8}, cloud_gains), squared);
+    }
+    expect_worley(nubis.channels[1], octaves({4, 8}, {0.75, 0.25}), squared);
+    expect_worley(nubis.channels[2], octaves({8}, {1}), squared);
+    expect_worley(takram.channels[1], octaves({4, 8, 16}, cloud_gains), squared);
+    expect_worley(takram.channels[2], octaves({8, 16}, {0.75, 0.25}), squared);
 }
 
 TEST(NoisePresets, Thesis) {

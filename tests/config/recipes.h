@@ -1,40 +1,17 @@
-// Shared by the tests of config/: a folder that vanishes, recipes from text, diagnostics by code.
+// Shared by the tests of config/: recipes from text, diagnostics by code.
 #pragma once
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "config/recipe/recipe.h"
+#include "tests/support/temporary_folder.h"
 
 namespace skybake::config::testing {
 
-class TemporaryFolder {
-  public:
-    TemporaryFolder() {
-        std::string pattern = (std::filesystem::temp_directory_path() / "skybake-XXXXXX").string();
-        path_ = mkdtemp(pattern.data());
-    }
-    ~TemporaryFolder() { std::filesystem::remove_all(path_); }
-    TemporaryFolder(const TemporaryFolder&) = delete;
-    TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-
-    std::filesystem::path write(const std::string& name, const std::string& text) const {
-        const std::filesystem::path path = path_ / name;
-        std::filesystem::create_directories(path.parent_path());
-        std::ofstream(path, std::ios::binary) << text;
-        return path;
-    }
-
-  private:
-    std::filesystem::path path_;
-};
+using skybake::testing::TemporaryFolder;
 
 inline Outcome<Recipe> parse(const std::string& text,
                              const std::vector<std::string>& settings = {}) {

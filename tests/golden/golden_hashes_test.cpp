@@ -1,5 +1,5 @@
 // Every asset's bytes, held to those that were baked before: hashes.toml has, for each asset of the
-// recipes in this folder, the version of its baker, the hash of its content and the hash of what
+// recipes in tests/recipes/golden, the version of its baker, the hash of its content and the hash of what
 // each file stores. A failure means that equal parameters no longer give equal bytes. Mend what is
 // wrong, or raise the baker's version (its file NAME_baker.cpp), so that no cache serves the old
 // bytes, and write the file anew:
@@ -36,6 +36,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path kFolder = SKYBAKE_GOLDEN_FOLDER;
+const fs::path kRecipes = kFolder / "../recipes/golden";
 const fs::path kHashes = kFolder / "hashes.toml";
 
 // The facts that are kept of an asset's bytes.
@@ -156,7 +157,7 @@ void write_golden(const GoldenAssets& assets) {
 
 std::vector<std::string> recipe_names() {
     std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(kFolder / "recipes")) {
+    for (const auto& entry : fs::directory_iterator(kRecipes)) {
         names.push_back(entry.path().stem().string());
     }
     std::sort(names.begin(), names.end());
@@ -164,7 +165,7 @@ std::vector<std::string> recipe_names() {
 }
 
 config::Recipe recipe_named(const std::string& name) {
-    const fs::path folder = kFolder / "recipes";
+    const fs::path folder = kRecipes;
     return recipe_of(read_bytes(folder / (name + ".toml")), folder);
 }
 

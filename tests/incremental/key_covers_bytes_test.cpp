@@ -21,13 +21,14 @@
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
 #include "tests/incremental/bakes.h"
-#include "tests/incremental/key_recipes.h"
+#include "tests/support/recipes.h"
 
 namespace skybake {
 namespace {
 
 using config::Recipe;
 using config::ResolvedValue;
+using test::recipe_text;
 using testing::recipe_of;
 namespace fs = std::filesystem;
 
@@ -216,7 +217,8 @@ class ChangedRecipe {
 
 // Changes each value of a recipe. What names other things cannot change alone, or has no other
 // value; `fixed` has their keys or their whole paths. `flip` is refused where no file is an image.
-void change_every_value(const std::string& text, const std::set<std::string>& fixed) {
+void change_every_value(const std::string& name, const std::set<std::string>& fixed) {
+    const std::string text = recipe_text("keys/" + name);
     const auto changed = ChangedRecipe(text).change_all();
     for (const ResolvedValue& value : recipe_of(text, kMaps).values) {
         if (value.only_shown || fixed.count(last_part(value.path)) > 0) continue;
@@ -226,27 +228,27 @@ void change_every_value(const std::string& text, const std::set<std::string>& fi
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfTheSky) {
-    change_every_value(kSky, {"format", "profile", "particles", "number_density", "asset", "layer",
-                              "table", "size", "convention"});
+    change_every_value("sky", {"format", "profile", "particles", "number_density", "asset", "layer",
+                               "table", "size", "convention"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfClouds) {
-    change_every_value(kClouds,
+    change_every_value("clouds",
                        {"flip", "format", "profile", "pack", "asset", "cloud", "of", "shape",
                         "bake.mask.mips", "bake.distance.mips", "bake.near_light.mips"});
 }
 
 // The light of a uniform sky is the same in any air.
 TEST(KeyCoversBytes, AClearSkyIsOfItsAirAndItsSun) {
-    const std::string light =
-        "[bake.uniform]\nasset = 'cloud_light'\nof = 'cloud'\n"
-        "contents = 'sky_radiance'\n";
-    const Recipe before = recipe_of(kCloudySky + light);
+    const std::string recipe = recipe_text("keys/cloudy_sky") +
+                               "[bake.uniform]\nasset = 'cloud_light'\nof = 'cloud'\n"
+                               "contents = 'sky_radiance'\n";
+    const Recipe before = recipe_of(recipe);
     for (const char* setting :
          {"atmosphere.ground_albedo=0.4", "atmosphere.layers.mie.g=0.7",
           "clouds.c.base_altitude='600 m'", "bake.sky_light.sun_elevations=['41 deg']"}) {
-        const auto after = config::parse_recipe(kCloudySky + light, "recipe.toml", kMaps,
-                                                std::vector<std::string>{setting});
+        const auto after =
+            config::parse_recipe(recipe, "recipe.toml", kMaps, std::vector<std::string>{setting});
         ASSERT_TRUE(after.value) << setting;
         for (std::size_t i = 0; i < before.parameters.bakes.size(); ++i) {
             const config::Bake& bake = before.parameters.bakes[i];
@@ -264,38 +266,39 @@ TEST(KeyCoversBytes, AClearSkyIsOfItsAirAndItsSun) {
 
 // Minutes: whatever does not change an environment has it made anew.
 TEST(SlowKeyCoversBytes, WhateverChangesOfCloudySkies) {
-    change_every_value(
-        kCloudySky, {"format", "profile", "asset", "cloud", "clouds", "channels", "noise", "pack"});
+    change_every_value("cloudy_sky", {"format", "profile", "asset", "cloud", "clouds", "channels",
+                                      "noise", "pack"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {
-    change_every_value(kParticles,
+    change_every_value("particles",
                        {"format", "profile", "asset", "material", "sizes", "particles"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfColors) {
-    change_every_value(kColors,
+    change_every_value("colors",
                        {"format", "profile", "asset", "gas", "column", "phase", "observer"});
 }
 
 TEST(KeyCoversBytes, WhateverElseChanges) {
-    change_every_value(kOthers, {"flip", "format", "profile", "pack", "asset", "cloud", "noise",
-                                 "file", "type", "sizes", "shape", "of", "frames",
-                                 "bake.wave_0001.frame", "bake.wave_0002.frame", "bake.book.mips"});
+    change_every_value(
+        "others", {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "file", "type",
+                   "sizes", "shape", "of", "frames", "bake.wave_0001.frame", "bake.wave_0002.frame",
+                   "bake.book.mips"});
 }
 
 // A cloud of a volume has one channel.
 TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
-    change_every_value(kVolumes, {"flip", "format", "asset", "cloud", "volume", "file", "grid",
-                                  "channel", "channels", "size", "slices", "first_slice"});
+    change_every_value("volumes", {"flip", "format", "asset", "cloud", "volume", "file", "grid",
+                                   "channel", "channels", "size", "slices", "first_slice"});
 }
 
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other
 // ways to say the rest.
 TEST(KeyCoversBytes, TriesEveryKey) {
     std::vector<ResolvedValue> values;
-    for (const char* text : {kSky, kClouds, kParticles, kColors, kVolumes, kOthers}) {
-        const Recipe recipe = recipe_of(text, kMaps);
+    for (const char* name : {"sky", "clouds", "particles", "colors", "volumes", "others"}) {
+        const Recipe recipe = recipe_of(recipe_text(std::string("keys/") + name), kMaps);
         values.insert(values.end(), recipe.values.begin(), recipe.values.end());
     }
     std::set<std::string> untried;
@@ -317,7 +320,7 @@ TEST(KeyCoversBytes, TriesEveryKey) {
     }
     // An included file's values are tried as the recipe's own; `aliases` speaks of warnings alone,
     // and `target` of keys of assets (targets_test.cpp). `cover` and `size` of a cloud are those of its
-    // bakes, unless they say so themselves (named_bakes_test.cpp).
+    // bakes, unless they say so themselves (parameters_test.cpp).
     for (const char* known :
          {"clouds.*.cover", "clouds.*.size", "include", "noise.*.aliases", "target"}) {
         EXPECT_EQ(untried.erase(known), 1U) << known;

@@ -47,26 +47,6 @@ TEST(CloudLightLookup, FloatLosesLittle) {
         }
     }
     test::expect_little_loss(loss, light.certificate);
-    for (const Probe& probe : light.levels.front().probes) {
-        const vec3 p(test::at(probe, "x_m"), test::at(probe, "y_m"),
-                     test::at(probe, "altitude_m") - 1000);
-        test::expect_probe(gpu::light_lookups::cloud_light({texture}, p, tile), probe.value,
-                           probe.tolerance, "x_m " + std::to_string(p.x));
-    }
-}
-
-TEST(CloudLightLookup, AShadowIsAMapOfOneSlice) {
-    const test::BakedLookup baked =
-        test::bake_all(kCloud + "contents = 'shadow'\nsun_elevations = ['30 deg']\n");
-    const Baked& light = baked.asset(1);
-    const Texture texture = texture_of(light);
-    const vec3 tile(3000, 3200, 1000);
-    for (const Probe& probe : light.levels.front().probes) {
-        EXPECT_EQ(test::at(probe, "altitude_m"), 1000);
-        const vec3 p(test::at(probe, "x_m"), test::at(probe, "y_m"), 0);
-        test::expect_probe(gpu::light_lookups::cloud_shadow({texture}, p, tile), probe.value,
-                           probe.tolerance, "x_m " + std::to_string(p.x));
-    }
 }
 
 TEST(CloudLightLookup, HarmonicsAreThoseOfTheBaker) {
@@ -103,21 +83,6 @@ TEST(CloudLightLookup, SunlightIsScatteredOnce) {
     EXPECT_NEAR(gpu::light_lookups::cloud_first_scattering(0.3F, 2, 0.4F),
                 0.3 / 0.4 * std::exp(-0.8), 1e-6);
     EXPECT_FLOAT_EQ(gpu::light_lookups::cloud_first_scattering(0.3F, 0, 1), 0.3F);
-}
-
-// A texture's harmonics are those of the asset: its probes, by the published lookup.
-TEST(CloudLightLookup, RadianceIsThatOfTheBake) {
-    const test::BakedLookup baked = test::bake_all(
-        kCloud + "contents = 'sun_radiance'\nsun_elevations = '30 deg'\ndegree = 1\n");
-    const Baked& light = baked.asset(1);
-    const Texture texture = texture_of(light);
-    const vec3 tile(3000, 3200, 1000);
-    for (const Probe& probe : light.levels.front().probes) {
-        const vec3 p(test::at(probe, "x_m"), test::at(probe, "y_m"),
-                     test::at(probe, "altitude_m") - 1000);
-        test::expect_probe(gpu::light_lookups::cloud_light({texture}, p, tile), probe.value,
-                           probe.tolerance, "x_m " + std::to_string(p.x));
-    }
 }
 
 }  // namespace

@@ -64,11 +64,6 @@ TEST(EnvironmentLookup, FloatLosesLittle) {
         }
     }
     expect_little_loss(loss, trial.table().certificate);
-    for (const Probe& probe : trial.table().levels[0].probes) {
-        const vec3 found = trial.in_float(test::at(probe, "azimuth_deg") * kPi / 180,
-                                          test::at(probe, "elevation_deg") * kPi / 180, {0, 0, 1});
-        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance, "a probe");
-    }
 }
 
 // Straight up and down, where there is no azimuth, no lookup is undefined.

@@ -98,12 +98,6 @@ TEST(PhaseLookup, FloatLosesLittle) {
         EXPECT_EQ(trial.baked.asset().mapping, trial.name());
         expect_little_loss(trial.loss([&](const Pair& pair) { return trial.in_float(pair); }),
                            trial.baked.asset().certificate);
-        for (const Probe& probe : trial.baked.asset().levels[0].probes) {
-            const double degrees = test::at(probe, "scattering_angle_deg");
-            const Pair pair = pair_of(degrees / 180 * kPi, {1, 0, 0});
-            test::expect_probe(gpu::vec4(trial.in_float(pair), 1), probe.value, probe.tolerance,
-                               std::to_string(degrees) + " degrees");
-        }
     }
 }
 
@@ -137,34 +131,6 @@ TEST(SampledAngleLookup, FloatLosesLittle) {
         }
     }
     expect_little_loss(loss, baked.asset().certificate);
-    for (const Probe& probe : baked.asset().levels[0].probes) {
-        const auto share = static_cast<float>(test::at(probe, "share"));
-        test::expect_probe(gpu::vec4(gpu::phase_lookups::sampled_angle({texture}, share), 1),
-                           probe.value, probe.tolerance, "share " + std::to_string(share));
-    }
-}
-
-// The phase functions of four wavelengths, which need no atmosphere, and angles of them.
-TEST(PhaseLookup, HoldsTheProbesOfFourWavelengths) {
-    const std::string haze =
-        "wavelengths = 'best 4'\n[particles.haze]\npreset = 'haze'\n[bake.a]\nasset = 'phase'\n"
-        "particles = 'haze'\n";
-    const test::BakedLookup phase = test::bake_all(haze + "spacing = 'angle'\n");
-    const Texture texture = texture_of(phase.asset());
-    for (const Probe& probe : phase.asset().levels[0].probes) {
-        ASSERT_EQ(probe.value.size(), 4U);
-        const double degrees = test::at(probe, "scattering_angle_deg");
-        const auto x = static_cast<float>(degrees / 180);
-        test::expect_probe(gpu::phase_lookups::phase_function_of_4({texture}, x), probe.value,
-                           probe.tolerance, std::to_string(degrees) + " degrees");
-    }
-    const test::BakedLookup angles = test::bake_all(haze + "content = 'inverse_cumulative'\n");
-    const Texture inverse = texture_of(angles.asset());
-    for (const Probe& probe : angles.asset().levels[0].probes) {
-        const auto share = static_cast<float>(test::at(probe, "share"));
-        test::expect_probe(gpu::phase_lookups::sampled_angle_of_4({inverse}, share), probe.value,
-                           probe.tolerance, "share " + std::to_string(share));
-    }
 }
 
 }  // namespace

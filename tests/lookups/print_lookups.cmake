@@ -2,7 +2,7 @@
 # GLSL, FOLDER/hlsl as HLSL and so on. lookups.h has all of GLSL as C++, each in a namespace that is
 # named as its file, and lookups_msl.h those of Metal's language. Headers are written only where
 # something else was printed.
-#   cmake -DSKYBAKE=skybake -DRECIPE=printed.toml -DFOLDER=printed -P print_lookups.cmake
+#   cmake -DSKYBAKE=skybake -DRECIPE=lookups.toml -DFOLDER=printed -P print_lookups.cmake
 set(languages glsl hlsl msl wgsl godot)
 foreach(language IN LISTS languages)
     set(text_${language} "// Made of what `skybake info --lookup` prints.\n")

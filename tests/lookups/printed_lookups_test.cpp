@@ -1,7 +1,8 @@
 // Holds the functions that `skybake info --lookup` prints of a file to its probes:
-// print_lookups.cmake has baked printed.toml and made C++ of what was printed.
+// print_lookups.cmake has baked tests/recipes/lookups.toml and made C++ of what was printed.
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "bakers/assets/optical_depth/column_table.h"
@@ -111,39 +112,31 @@ TEST(PrintedLookups, AreHereForEveryAsset) {
     }
 }
 
+// Holds the lookup of NAME.EXT, called with the texture and these arguments of a probe `at`, to all
+// probes of the file; of a folder of its own, too.
+#define SKYBAKE_HOLDS(name, ext, ...)                                            \
+    BakedFile(#name "." #ext).holds([&](const Texture& table, const Probe& at) { \
+        return SKYBAKE_CALL(name##_##ext, baked_##name, table, __VA_ARGS__);     \
+    })
+#define SKYBAKE_HOLDS_IN(folder, name, ext, ...)                                          \
+    BakedFile(#name "." #ext, #folder).holds([&](const Texture& table, const Probe& at) { \
+        return SKYBAKE_CALL(folder##_##name##_##ext, baked_##name, table, __VA_ARGS__);   \
+    })
+
 // --- Tables over altitude -----------------------------------------------------------------------
 
 TEST(PrintedLookups, Transmittance) {
-    BakedFile("transmittance.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(transmittance_exr, baked_transmittance, table, altitude(at),
-                            cosine(at));
-    });
-    BakedFile("transmittance.exr", "one_colour").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(one_colour_transmittance_exr, baked_transmittance, table, altitude(at),
-                            cosine(at));
-    });
-    BakedFile("transmittance_ue.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(transmittance_ue_exr, baked_transmittance_ue, table, altitude(at),
-                            cosine(at));
-    });
-    BakedFile("transmittance_ue.dds").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(transmittance_ue_dds, baked_transmittance_ue, table, altitude(at),
-                            cosine(at));
-    });
+    SKYBAKE_HOLDS(transmittance, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS_IN(one_colour, transmittance, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS(transmittance_ue, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS(transmittance_ue, dds, altitude(at), cosine(at));
 }
 
 TEST(PrintedLookups, MultipleScattering) {
-    BakedFile("hillaire.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(hillaire_exr, baked_hillaire, table, altitude(at), sun_cosine(at));
-    });
-    BakedFile("twilight.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(twilight_exr, baked_twilight, table, altitude(at), sun_cosine(at));
-    });
-    const BakedFile cropped("cropped.exr");
-    EXPECT_GT(cropped.constant(0, "first"), 0);
-    cropped.holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(cropped_exr, baked_cropped, table, altitude(at), sun_cosine(at));
-    });
+    SKYBAKE_HOLDS(hillaire, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS(twilight, exr, altitude(at), sun_cosine(at));
+    EXPECT_GT(BakedFile("cropped.exr").constant(0, "first"), 0);
+    SKYBAKE_HOLDS(cropped, exr, altitude(at), sun_cosine(at));
 }
 
 int part_of(const Probe& probe) {
@@ -152,15 +145,15 @@ int part_of(const Probe& probe) {
 }
 
 TEST(PrintedLookups, Moments) {
-    const BakedFile moments("moments.exr");
-    moments.holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(moments_exr, baked_moments, table, altitude(at), sun_cosine(at),
-                            part_of(at));
-    });
+    SKYBAKE_HOLDS(moments, exr, altitude(at), sun_cosine(at), part_of(at));
     BakedFile("moments-of-degree-3.exr").holds([](const Texture& table, const Probe& at) {
         return SKYBAKE_CALL(moments_of_degree_3_exr, baked_moments_of_degree_3, table, altitude(at),
                             sun_cosine(at), part_of(at));
     });
+    const BakedFile moments("moments.exr");
+    std::set<int> parts;
+    for (const Probe& probe : moments.probes()) parts.insert(part_of(probe));
+    EXPECT_EQ(parts.size(), 6U) << "probes of each degree and order";
     // The mean radiance is what a layer that scatters alike in all directions sees.
     for (const Probe& probe : moments.probes()) {
         if (part_of(probe) != 0) continue;
@@ -174,13 +167,8 @@ TEST(PrintedLookups, Moments) {
 }
 
 TEST(PrintedLookups, Irradiance) {
-    BakedFile("irradiance.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(irradiance_exr, baked_irradiance, table, altitude(at), sun_cosine(at));
-    });
-    BakedFile("irradiance_hillaire.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(irradiance_hillaire_exr, baked_irradiance_hillaire, table, altitude(at),
-                            sun_cosine(at));
-    });
+    SKYBAKE_HOLDS(irradiance, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS(irradiance_hillaire, exr, altitude(at), sun_cosine(at));
 }
 
 // Two directions that a scattering angle is between.
@@ -192,31 +180,12 @@ std::pair<vec3, vec3> pair_of(const Probe& probe) {
 // --- Four wavelengths ---------------------------------------------------------------------------
 
 TEST(PrintedLookups, FourWavelengths) {
-    const std::string folder = "four_wavelengths";
-    BakedFile("transmittance.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(four_wavelengths_transmittance_exr, baked_transmittance, table,
-                            altitude(at), cosine(at));
-    });
-    BakedFile("transmittance_ue.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(four_wavelengths_transmittance_ue_exr, baked_transmittance_ue, table,
-                            altitude(at), cosine(at));
-    });
-    BakedFile("twilight.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(four_wavelengths_twilight_exr, baked_twilight, table, altitude(at),
-                            sun_cosine(at));
-    });
-    BakedFile("moments.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(four_wavelengths_moments_exr, baked_moments, table, altitude(at),
-                            sun_cosine(at), part_of(at));
-    });
-    BakedFile("phase.exr", folder).holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(four_wavelengths_phase_exr, baked_phase, table, a, b);
-    });
-    BakedFile("sampled_angle.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(four_wavelengths_sampled_angle_exr, baked_sampled_angle, table,
-                            coordinate(at, "share"));
-    });
+    SKYBAKE_HOLDS_IN(four_wavelengths, transmittance, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS_IN(four_wavelengths, transmittance_ue, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS_IN(four_wavelengths, twilight, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS_IN(four_wavelengths, moments, exr, altitude(at), sun_cosine(at), part_of(at));
+    SKYBAKE_HOLDS_IN(four_wavelengths, phase, exr, pair_of(at).first, pair_of(at).second);
+    SKYBAKE_HOLDS_IN(four_wavelengths, sampled_angle, exr, coordinate(at, "share"));
 }
 
 // One wavelength at a time, and all of them: colours by the manifest's weights.
@@ -279,33 +248,20 @@ TEST(PrintedLookups, SkyView) {
         });
 }
 
-TEST(PrintedLookups, Environment) {
-    BakedFile("panorama.exr").holds([](const Texture& table, const Probe& at) {
-        const View view = view_of(test::at(at, "elevation_deg") * kDegree,
-                                  test::at(at, "azimuth_deg") * kDegree, 20 * kDegree);
-        return SKYBAKE_CALL(panorama_exr, baked_panorama, table, view.dir, view.up, view.sun);
-    });
+// What looks at a probe of a panorama, the sun at an elevation ahead.
+View view_at(const Probe& probe, double sun_elevation) {
+    return view_of(test::at(probe, "elevation_deg") * kDegree,
+                   test::at(probe, "azimuth_deg") * kDegree, sun_elevation * kDegree);
 }
+#define SKYBAKE_VIEW(sun_elevation) \
+    view_at(at, sun_elevation).dir, view_at(at, sun_elevation).up, view_at(at, sun_elevation).sun
 
-// Azimuths count from straight ahead, which is not where the sun is.
-TEST(PrintedLookups, EnvironmentsWithoutTheSunAhead) {
-    const auto ahead_of = [](const Probe& at) {
-        return view_of(test::at(at, "elevation_deg") * kDegree,
-                       test::at(at, "azimuth_deg") * kDegree, 0);
-    };
-    BakedFile("panorama_turned.exr").holds([&](const Texture& table, const Probe& at) {
-        const View view = ahead_of(at);
-        return SKYBAKE_CALL(panorama_turned_exr, baked_panorama_turned, table, view.dir, view.up,
-                            view.sun);
-    });
-    BakedFile("faces.exr").holds([&](const Texture& table, const Probe& at) {
-        const View view = ahead_of(at);
-        return SKYBAKE_CALL(faces_exr, baked_faces, table, view.dir, view.up, view.sun);
-    });
-    BakedFile("octahedron.exr").holds([&](const Texture& table, const Probe& at) {
-        const View view = ahead_of(at);
-        return SKYBAKE_CALL(octahedron_exr, baked_octahedron, table, view.dir, view.up, view.sun);
-    });
+TEST(PrintedLookups, Environment) {
+    SKYBAKE_HOLDS(panorama, exr, SKYBAKE_VIEW(20));
+    // Azimuths count from straight ahead, which is not where the sun is.
+    SKYBAKE_HOLDS(panorama_turned, exr, SKYBAKE_VIEW(0));
+    SKYBAKE_HOLDS(faces, exr, SKYBAKE_VIEW(0));
+    SKYBAKE_HOLDS(octahedron, exr, SKYBAKE_VIEW(0));
 }
 
 // Before the first slice a lookup goes on towards the camera, where a probe has the slice's value.
@@ -353,12 +309,7 @@ TEST(PrintedLookups, SkiesOfPackets) {
     expect_sky(BakedFile("sky.exr", folder), [](const Texture& table, const View& view, double) {
         return SKYBAKE_CALL(packets_sky_exr, baked_sky, table, view.dir, view.up, view.sun);
     });
-    BakedFile("panorama.exr", folder).holds([](const Texture& table, const Probe& at) {
-        const View view = view_of(test::at(at, "elevation_deg") * kDegree,
-                                  test::at(at, "azimuth_deg") * kDegree, 20 * kDegree);
-        return SKYBAKE_CALL(packets_panorama_exr, baked_panorama, table, view.dir, view.up,
-                            view.sun);
-    });
+    SKYBAKE_HOLDS_IN(packets, panorama, exr, SKYBAKE_VIEW(20));
     expect_air(BakedFile("air_light.exr", folder),
                [](const Texture& air, const vec2& picture, float d) {
                    return SKYBAKE_CALL(packets_air_light_exr, baked_air_light, air, picture, d);
@@ -371,19 +322,9 @@ TEST(PrintedLookups, SkiesOfPackets) {
 }
 
 TEST(PrintedLookups, FlatTablesOfPackets) {
-    const std::string folder = "packets";
-    BakedFile("irradiance_2.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(packets_irradiance_2_exr, baked_irradiance_2, table, altitude(at),
-                            sun_cosine(at));
-    });
-    BakedFile("b_irradiance.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(packets_b_irradiance_exr, baked_b_irradiance, table, altitude(at),
-                            sun_cosine(at));
-    });
-    BakedFile("b_transmittance.exr", folder).holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(packets_b_transmittance_exr, baked_b_transmittance, table, altitude(at),
-                            cosine(at));
-    });
+    SKYBAKE_HOLDS_IN(packets, irradiance_2, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS_IN(packets, b_irradiance, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS_IN(packets, b_transmittance, exr, altitude(at), cosine(at));
 }
 
 // Before the first slice, where no probe is, light falls to 0 and the transmittance rises to 1 in all
@@ -405,48 +346,25 @@ TEST(PrintedLookups, AirOfPacketsBeginsAtTheCamera) {
 // --- Angles -------------------------------------------------------------------------------------
 
 TEST(PrintedLookups, Phase) {
-    BakedFile("phase_by_angle.exr").holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(phase_by_angle_exr, baked_phase_by_angle, table, a, b);
-    });
-    BakedFile("phase_by_cosine.exr").holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(phase_by_cosine_exr, baked_phase_by_cosine, table, a, b);
-    });
-    BakedFile("phase_by_cosine_from_back.exr").holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(phase_by_cosine_from_back_exr, baked_phase_by_cosine_from_back, table,
-                            a, b);
-    });
-    BakedFile("phase_by_peaks.exr").holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(phase_by_peaks_exr, baked_phase_by_peaks, table, a, b);
-    });
-    BakedFile("sampled_angle.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(sampled_angle_exr, baked_sampled_angle, table, coordinate(at, "share"));
-    });
+    SKYBAKE_HOLDS(phase_by_angle, exr, pair_of(at).first, pair_of(at).second);
+    SKYBAKE_HOLDS(phase_by_cosine, exr, pair_of(at).first, pair_of(at).second);
+    SKYBAKE_HOLDS(phase_by_cosine_from_back, exr, pair_of(at).first, pair_of(at).second);
+    SKYBAKE_HOLDS(phase_by_peaks, exr, pair_of(at).first, pair_of(at).second);
+    SKYBAKE_HOLDS(sampled_angle, exr, coordinate(at, "share"));
 }
 
 // --- Bruneton's tables --------------------------------------------------------------------------
 
-#define SKYBAKE_SCATTERING(name)                                                                \
-    [](const Texture& table, const Probe& at) {                                                 \
-        return SKYBAKE_CALL(name##_exr, baked_##name, table, altitude(at), cosine(at),          \
-                            sun_cosine(at), coordinate(at, "nu"), test::at(at, "ground") != 0); \
-    }
+#define SKYBAKE_HOLDS_SCATTERING(name)                                                       \
+    SKYBAKE_HOLDS(name, exr, altitude(at), cosine(at), sun_cosine(at), coordinate(at, "nu"), \
+                  test::at(at, "ground") != 0)
 
 TEST(PrintedLookups, Bruneton) {
-    BakedFile("b_transmittance.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(b_transmittance_exr, baked_b_transmittance, table, altitude(at),
-                            cosine(at));
-    });
-    BakedFile("b_irradiance.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(b_irradiance_exr, baked_b_irradiance, table, altitude(at),
-                            sun_cosine(at));
-    });
-    BakedFile("b_scattering.exr").holds(SKYBAKE_SCATTERING(b_scattering));
-    BakedFile("b_single_mie.exr").holds(SKYBAKE_SCATTERING(b_single_mie));
-    BakedFile("b_higher_orders.exr").holds(SKYBAKE_SCATTERING(b_higher_orders));
+    SKYBAKE_HOLDS(b_transmittance, exr, altitude(at), cosine(at));
+    SKYBAKE_HOLDS(b_irradiance, exr, altitude(at), sun_cosine(at));
+    SKYBAKE_HOLDS_SCATTERING(b_scattering);
+    SKYBAKE_HOLDS_SCATTERING(b_single_mie);
+    SKYBAKE_HOLDS_SCATTERING(b_higher_orders);
 }
 
 // --- Columns ------------------------------------------------------------------------------------
@@ -480,13 +398,8 @@ TEST(PrintedLookups, Columns) {
 }
 
 TEST(PrintedLookups, DensitiesAndPhasesOfColumns) {
-    BakedFile("densities.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(densities_exr, baked_densities, table, altitude(at));
-    });
-    BakedFile("phases.exr").holds([](const Texture& table, const Probe& at) {
-        const auto [a, b] = pair_of(at);
-        return SKYBAKE_CALL(phases_exr, baked_phases, table, a, b);
-    });
+    SKYBAKE_HOLDS(densities, exr, altitude(at));
+    SKYBAKE_HOLDS(phases, exr, pair_of(at).first, pair_of(at).second);
 }
 
 // --- Noise and clouds ---------------------------------------------------------------------------
@@ -499,20 +412,13 @@ vec3 noise_place(const Probe& probe) {
 }
 
 TEST(PrintedLookups, Noise) {
-    BakedFile("noise.png").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(noise_png, baked_noise, table, noise_place(at), kTile);
-    });
-    BakedFile("noise_at_corners.bin").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(noise_at_corners_bin, baked_noise_at_corners, table, noise_place(at),
-                            kTile);
-    });
+    SKYBAKE_HOLDS(noise, png, noise_place(at), kTile);
+    SKYBAKE_HOLDS(noise_at_corners, bin, noise_place(at), kTile);
     BakedFile("noise_at_corners.mip1.bin").holds([](const Texture& table, const Probe& at) {
         return SKYBAKE_CALL(noise_at_corners_mip1_bin, baked_noise_at_corners, table,
                             noise_place(at), kTile);
     });
-    BakedFile("noise_slices.exr").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(noise_slices_exr, baked_noise_slices, table, noise_place(at), kTile);
-    });
+    SKYBAKE_HOLDS(noise_slices, exr, noise_place(at), kTile);
 }
 
 vec2 map_place(const Probe& probe) {
@@ -521,37 +427,20 @@ vec2 map_place(const Probe& probe) {
 
 TEST(PrintedLookups, WeatherMap) {
     const vec2 tile(8, 4);
-    BakedFile("weather.png").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(weather_png, baked_weather, table, map_place(at), tile);
-    });
-    BakedFile("weather_at_corners.ktx2").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(weather_at_corners_ktx2, baked_weather_at_corners, table, map_place(at),
-                            tile);
-    });
-    BakedFile("weather_directions.dds").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(weather_directions_dds, baked_weather_directions, table, map_place(at),
-                            tile);
-    });
+    SKYBAKE_HOLDS(weather, png, map_place(at), tile);
+    SKYBAKE_HOLDS(weather_at_corners, ktx2, map_place(at), tile);
+    SKYBAKE_HOLDS(weather_directions, dds, map_place(at), tile);
 }
 
 TEST(PrintedLookups, Flipbooks) {
     const auto u = [](const Probe& at) { return coordinate(at, "u"); };
     const auto v = [](const Probe& at) { return coordinate(at, "v"); };
     const auto frame = [](const Probe& at) { return coordinate(at, "frame"); };
-    BakedFile("book.ktx2").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(book_ktx2, baked_book, table, u(at), v(at), frame(at));
-    });
-    BakedFile("layered.ktx2").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(layered_ktx2, baked_layered, table, u(at), v(at), frame(at));
-    });
+    SKYBAKE_HOLDS(book, ktx2, u(at), v(at), frame(at));
+    SKYBAKE_HOLDS(layered, ktx2, u(at), v(at), frame(at));
     // Two loops away.
-    BakedFile("layered.dds").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(layered_dds, baked_layered, table, u(at) + 1.0f, v(at),
-                            frame(at) - 10.0f);
-    });
-    BakedFile("part.dds").holds([&](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(part_dds, baked_part, table, u(at), v(at), frame(at));
-    });
+    SKYBAKE_HOLDS(layered, dds, u(at) + 1.0f, v(at), frame(at) - 10.0f);
+    SKYBAKE_HOLDS(part, dds, u(at), v(at), frame(at));
 }
 
 vec2 mask_pixel(const Probe& probe) {
@@ -559,18 +448,10 @@ vec2 mask_pixel(const Probe& probe) {
 }
 
 TEST(PrintedLookups, BlueNoise) {
-    BakedFile("mask.bin").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(mask_bin, baked_mask, table, mask_pixel(at), coordinate(at, "frame"));
-    });
+    SKYBAKE_HOLDS(mask, bin, mask_pixel(at), coordinate(at, "frame"));
     // Two masks and six frames away.
-    BakedFile("mask.bin").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(mask_bin, baked_mask, table, mask_pixel(at) - vec2(48, -40),
-                            coordinate(at, "frame") - 6.0f);
-    });
-    BakedFile("mask_of_one.dds").holds([](const Texture& table, const Probe& at) {
-        return SKYBAKE_CALL(mask_of_one_dds, baked_mask_of_one, table, mask_pixel(at),
-                            coordinate(at, "frame") + 17.0f);
-    });
+    SKYBAKE_HOLDS(mask, bin, mask_pixel(at) - vec2(48, -40), coordinate(at, "frame") - 6.0f);
+    SKYBAKE_HOLDS(mask_of_one, dds, mask_pixel(at), coordinate(at, "frame") + 17.0f);
 }
 
 // x, y and altitude in metres.
@@ -580,19 +461,11 @@ vec3 cloud_place(const Probe& probe) {
 }
 
 TEST(PrintedLookups, Clouds) {
-    BakedFile("cloud.vdb").holds([](const Texture& cloud, const Probe& at) {
-        return SKYBAKE_CALL(cloud_vdb, baked_cloud, cloud, cloud_place(at));
-    });
-    BakedFile("cloud.bin").holds([](const Texture& cloud, const Probe& at) {
-        return SKYBAKE_CALL(cloud_bin, baked_cloud, cloud, cloud_place(at));
-    });
-    BakedFile("cloud_parts.vdb").holds([](const Texture& cloud, const Probe& at) {
-        return SKYBAKE_CALL(cloud_parts_vdb, baked_cloud_parts, cloud, cloud_place(at));
-    });
+    SKYBAKE_HOLDS(cloud, vdb, cloud_place(at));
+    SKYBAKE_HOLDS(cloud, bin, cloud_place(at));
+    SKYBAKE_HOLDS(cloud_parts, vdb, cloud_place(at));
     const BakedFile open("cloud_open.dds");
-    open.holds([](const Texture& cloud, const Probe& at) {
-        return SKYBAKE_CALL(cloud_open_dds, baked_cloud_open, cloud, cloud_place(at));
-    });
+    SKYBAKE_HOLDS(cloud_open, dds, cloud_place(at));
     // Its edge is the recipe's: a threshold of 0.1, 0.05 wide.
     for (const Probe& probe : open.probes()) {
         const double v = std::max(probe.value.front(), 0.0);
@@ -607,24 +480,40 @@ TEST(PrintedLookups, Clouds) {
 }
 
 TEST(PrintedLookups, CellsOfClouds) {
-    BakedFile("cells.exr").holds([](const Texture& cells, const Probe& at) {
-        return SKYBAKE_CALL(cells_exr, baked_cells, cells, cloud_place(at));
-    });
+    SKYBAKE_HOLDS(cells, exr, cloud_place(at));
     BakedFile("cells.mip1.exr").holds([](const Texture& cells, const Probe& at) {
         return SKYBAKE_CALL(cells_mip1_exr, baked_cells, cells, cloud_place(at));
     });
-    BakedFile("leaps.bin").holds([](const Texture& cells, const Probe& at) {
-        return SKYBAKE_CALL(leaps_bin, baked_leaps, cells, cloud_place(at));
-    });
+    SKYBAKE_HOLDS(leaps, bin, cloud_place(at));
 }
 
 TEST(PrintedLookups, DistancesToClouds) {
-    BakedFile("distance.bin").holds([](const Texture& texels, const Probe& at) {
-        return SKYBAKE_CALL(distance_bin, baked_distance, texels, cloud_place(at));
-    });
-    BakedFile("fields.exr").holds([](const Texture& texels, const Probe& at) {
-        return SKYBAKE_CALL(fields_exr, baked_fields, texels, cloud_place(at));
-    });
+    SKYBAKE_HOLDS(distance, bin, cloud_place(at));
+    SKYBAKE_HOLDS(fields, exr, cloud_place(at));
+}
+
+TEST(PrintedLookups, LightInClouds) {
+    SKYBAKE_HOLDS(light, exr, cloud_place(at));
+    SKYBAKE_HOLDS(light_of_one, bin, cloud_place(at));
+    SKYBAKE_HOLDS(shadow, exr, cloud_place(at));
+    const BakedFile shadow("shadow.exr");
+    for (const Probe& probe : shadow.probes()) {
+        EXPECT_EQ(test::at(probe, "altitude_m"), 1200) << "below the cloud";
+    }
+    SKYBAKE_HOLDS(sky_of_cloud, exr, cloud_place(at));
+    SKYBAKE_HOLDS(suns_of_cloud, exr, cloud_place(at));
+    SKYBAKE_HOLDS(depths_of_cloud, exr, cloud_place(at));
+    SKYBAKE_HOLDS(radiance_of_cloud, exr, cloud_place(at));
+    SKYBAKE_HOLDS(sky_radiance_of_cloud, exr, cloud_place(at));
+    SKYBAKE_HOLDS(clear_sky_radiance_of_cloud, exr, cloud_place(at));
+}
+
+TEST(PrintedLookups, ForwardScattering) {
+    const auto offset = [](const Probe& at) {
+        const double half_sine = std::sin(test::at(at, "scattering_angle_deg") * kDegree / 2);
+        return static_cast<float>(2 * half_sine * half_sine);
+    };
+    SKYBAKE_HOLDS(forward, exr, offset(at), coordinate(at, "optical_depth"));
 }
 
 // A march by leaps finds the densities that one without finds, and asks for fewer.

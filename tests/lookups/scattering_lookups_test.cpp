@@ -1,6 +1,4 @@
 // Multiple scattering, moments and irradiance: tables over the sun's cosine and altitude.
-#include <set>
-
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/solver/solved_light.h"
@@ -90,14 +88,6 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
                          table.largest, loss);
         }
         expect_little_loss(loss, table.baked.asset().certificate);
-        for (const Probe& probe : table.baked.asset().levels[0].probes) {
-            const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-            const auto mu = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-            const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
-                {table.texture}, table.D, h, mu, table.twilight(), table.crop());
-            test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
-                               "h " + std::to_string(h) + ", mu_s " + std::to_string(mu));
-        }
     }
 }
 
@@ -188,20 +178,6 @@ TEST(MomentsLookup, FloatLosesLittle) {
     expect_little_loss(loss, table.certificate);
 }
 
-TEST(MultipleScatteringLookup, HoldsTheProbesOfFourWavelengths) {
-    const SunTable table(
-        "preset = 'earth_clear_mountain'\n[bake.multiple_scattering]\n"
-        "method = 'as_in_paper'\nmapping = 'twilight'\nsize = [16, 8]\n");
-    for (const Probe& probe : table.baked.asset().levels[0].probes) {
-        ASSERT_EQ(probe.value.size(), 4U);
-        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-        test::expect_probe(gpu::sun_lookups::multiple_scattering_of_4(
-                               {table.texture}, table.D, h, mu_s, table.twilight(), table.crop()),
-                           probe.value, probe.tolerance, "h " + std::to_string(h));
-    }
-}
-
 // The lookup of one moment, and the sum over all of them with chi = (1, 0, 0), which is moment 0.
 TEST(MomentsLookup, HoldsTheProbesOfFourWavelengths) {
     const SunTable table(
@@ -229,27 +205,6 @@ TEST(MomentsLookup, HoldsTheProbesOfFourWavelengths) {
     EXPECT_GT(means, 0);
 }
 
-// Each in the table of its degree and order.
-TEST(MomentsLookup, HoldsTheProbes) {
-    const CroppedMoments table;
-    std::set<int> tables;
-    for (const Probe& probe : table.baked.asset().levels[0].probes) {
-        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-        const auto mu_s = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-        const int part = moment_index(static_cast<int>(test::at(probe, "l")),
-                                      static_cast<int>(test::at(probe, "m")));
-        const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
-                                                               table.twilight(), table.crop(), 6);
-        const gpu::vec3 found =
-            gpu::sun_lookups::moment({table.texture}, place, 6, static_cast<float>(part));
-        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
-                           "h " + std::to_string(h) + ", mu_s " + std::to_string(mu_s) +
-                               ", table " + std::to_string(part));
-        tables.insert(part);
-    }
-    EXPECT_EQ(tables.size(), 6U);
-}
-
 TEST(IrradianceLookup, FloatLosesLittle) {
     for (const char* mapping : {"twilight", "hillaire"}) {
         SCOPED_TRACE(mapping);
@@ -270,12 +225,6 @@ TEST(IrradianceLookup, FloatLosesLittle) {
                          table.largest, loss);
         }
         expect_little_loss(loss, table.baked.asset().certificate);
-        for (const Probe& probe : table.baked.asset().levels[0].probes) {
-            const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-            const auto mu = static_cast<float>(test::at(probe, "sun_cos_zenith"));
-            test::expect_probe(gpu::vec4(in_float(h, mu), 1), probe.value, probe.tolerance,
-                               "h " + std::to_string(h) + ", mu_s " + std::to_string(mu));
-        }
     }
 }
 

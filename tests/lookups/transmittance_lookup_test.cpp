@@ -10,9 +10,7 @@ namespace gpu::transmittance_lookups {
 namespace {
 
 using gpu::transmittance_lookups::transmittance_to_top;
-using gpu::transmittance_lookups::transmittance_to_top_of_4;
 using gpu::transmittance_lookups::transmittance_to_top_ue;
-using gpu::transmittance_lookups::transmittance_to_top_ue_of_4;
 using test::BakedLookup;
 
 struct TransmittanceTrial {
@@ -62,57 +60,6 @@ TEST(TransmittanceLookup, FloatLosesLittle) {
             }
             expect_little_loss(loss, trial.baked.asset().certificate);
         }
-    }
-}
-
-TEST(TransmittanceLookup, HoldsTheProbes) {
-    for (const bool ue : {false, true}) {
-        const TransmittanceTrial trial("earth_hillaire", ue);
-        for (const Probe& probe : trial.baked.asset().levels[0].probes) {
-            const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-            const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
-            test::expect_probe(gpu::vec4(trial.in_float(h, mu), 1), probe.value, probe.tolerance,
-                               "h " + std::to_string(h) + ", mu " + std::to_string(mu));
-        }
-    }
-}
-
-TEST(TransmittanceLookup, HoldsTheProbesOfFourWavelengths) {
-    for (const bool ue : {false, true}) {
-        const BakedLookup baked =
-            test::bake_all(std::string("preset = 'earth_clear_mountain'\n[bake.transmittance]\n") +
-                           "size = [64, 32]\nmapping = '" + (ue ? "ue" : "bruneton") + "'\n");
-        const Texture texture = texture_of(baked.asset());
-        const auto R = static_cast<float>(baked.shell().ground_radius_km);
-        const auto D = static_cast<float>(baked.shell().thickness_km);
-        for (const Probe& probe : baked.asset().levels[0].probes) {
-            ASSERT_EQ(probe.value.size(), 4u);
-            const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-            const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
-            test::expect_probe(ue ? transmittance_to_top_ue_of_4({texture}, R, D, h, mu)
-                                  : transmittance_to_top_of_4({texture}, R, D, h, mu),
-                               probe.value, probe.tolerance, "h " + std::to_string(h));
-        }
-    }
-}
-
-// Bruneton's own table of transmittance is looked up the same way.
-TEST(TransmittanceLookup, HoldsTheProbesOfBrunetonsTable) {
-    const BakedLookup baked = test::bake_all(
-        "preset = 'earth_hillaire'\n[bake.a]\nasset = 'bruneton'\ntable = 'transmittance'\n"
-        "pixel_type = 'float'\nsize = [64, 16, 1]\n");
-    const Texture texture = texture_of(baked.asset());
-    const Shell shell = baked.shell();
-    const std::vector<Probe>& probes = baked.asset().levels.front().probes;
-    EXPECT_FALSE(probes.empty());
-    for (const Probe& probe : probes) {
-        const auto h = static_cast<float>(test::at(probe, "altitude_km"));
-        const auto mu = static_cast<float>(test::at(probe, "cos_zenith"));
-        const gpu::vec3 found =
-            transmittance_to_top({texture}, static_cast<float>(shell.ground_radius_km),
-                                 static_cast<float>(shell.thickness_km), h, mu);
-        test::expect_probe(gpu::vec4(found, 1), probe.value, probe.tolerance,
-                           "h " + std::to_string(h) + ", mu " + std::to_string(mu));
     }
 }
 

@@ -13,6 +13,7 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/transcendental.h"
 #include "tests/path_tracer/path_media.h"
+#include "tests/support/number_rows.h"
 #include "tests/support/sky_truth.h"
 
 namespace skybake {
@@ -295,17 +296,9 @@ TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
 TEST(PathTracer, MeanRadianceAgreesWithTheTruth) {
     const SkyMedium medium = sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
     const PathTracer tracer(medium);
-    std::ifstream file(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv");
-    ASSERT_TRUE(file);
-    std::string line;
     test::Agreement agreement;
     std::uint32_t ray = 0;
-    while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#' || line[0] == 'h') continue;
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> v;
-        while (std::getline(cells, cell, ',')) v.push_back(std::stod(cell));
+    for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_mslut_setH0.csv")) {
         if (v[1] > 92) continue;
         const auto c = static_cast<std::size_t>(v[2]);
         const SunZenith sun = {test::cosine_of_degrees(v[1]), test::sine_of_degrees(v[1])};

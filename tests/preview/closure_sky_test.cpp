@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <optional>
-#include <sstream>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/math/quadrature.h"
 #include "tests/preview/skies.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
 namespace {
@@ -105,21 +104,13 @@ TEST(ClosureSky, SingleScatteringAgreesWithAdaptiveQuadrature) {
 // the closure's own error is left, known to be 2.9 % RMS and 2.5 % in the median.
 TEST(ClosureSky, AgreesWithPathTracingAsFarAsItsClosureDoes) {
     const SkyMedium medium = preset_sky_medium("earth_hillaire", {"atmosphere.ground_albedo=0"});
-    std::ifstream file(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
-    ASSERT_TRUE(file);
-    std::string line;
     std::vector<double> errors;
     double squared_errors = 0;
     double squares = 0;
     double last_sun = -1;
     std::optional<test::ClosureSky> reference;
     SkyView view;
-    while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#' || line[0] == 'h') continue;
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> v;
-        while (std::getline(cells, cell, ',')) v.push_back(std::stod(cell));
+    for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv")) {
         if (v[1] != last_sun) {
             last_sun = v[1];
             view = test::dome(1, v[0], 90 - v[1]);
@@ -127,7 +118,7 @@ TEST(ClosureSky, AgreesWithPathTracingAsFarAsItsClosureDoes) {
         }
         const auto channel = static_cast<std::size_t>(v[4]);
         const SkyRadiance radiance = reference->radiance(towards(view, v[2], v[3]));
-        EXPECT_NEAR(radiance.single[channel], v[5], 1e-3 * v[5] + 1e-12) << line;
+        EXPECT_NEAR(radiance.single[channel], v[5], 1e-3 * v[5] + 1e-12) << v[1];
         const double error = radiance.total()[channel] - v[11];
         errors.push_back(std::fabs(error) / v[11]);
         squared_errors += error * error;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/preview/skies.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
 namespace {
@@ -83,15 +84,8 @@ TEST(SkyReference, AgreesWithPathTracing) {
         test::recipe_of("preset = \"earth_hillaire\"\n", {"atmosphere.ground_albedo=0"})
             .parameters.atmosphere;
     const SkyLight light = solved(atmosphere);
-    std::ifstream file(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
-    std::string line;
     std::vector<double> errors;
-    while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#' || line[0] == 'h') continue;
-        std::istringstream cells(line);
-        std::string cell;
-        std::vector<double> v;
-        while (std::getline(cells, cell, ',')) v.push_back(std::stod(cell));
+    for (const auto& v : test::number_rows(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv")) {
         // A dome of one pixel looks at the zenith: the view's zenith is what is asked of it.
         if (v[2] > 1e-9) continue;
         const SkyView view = test::dome(1, v[0], 90 - v[1]);

@@ -1,14 +1,22 @@
-// How far a march towards the sun goes.
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "bakers/march/layer_march.h"
+#include "bakers/march/sun_leaps.h"
+#include "tests/preview/cloud_views.h"
 #include "tests/preview/clouds.h"
 
 namespace skybake {
 namespace {
+
+using namespace test;
+
+// How far a march towards the sun goes.
 
 // 1200 x 900 x 600 m.
 CloudMedium block(bool repeats) {
@@ -34,6 +42,57 @@ TEST(SunMarch, IsNotLongerThanATile) {
         EXPECT_NEAR(sun_march_length_m(block(true), {elevation, 20}), 1200, 1e-9) << elevation;
         EXPECT_NEAR(sun_march_length_m(block(false), {elevation, 20}), 1500, 1e-9) << elevation;
     }
+}
+
+// Every sample that is left out is in an empty cell.
+RC_GTEST_PROP(SunLeaps, LeaveOutEmptyCellsAlone, ()) {
+    const int cell = *rc::gen::element(1, 2, 4);
+    const std::array<int, 3> size = {cell * any_count(1, 12), cell * any_count(1, 12),
+                                     any_count(1, 24)};
+    const auto voxels =
+        clumped_voxels(size, static_cast<std::uint32_t>(any_count(0, 1 << 20)), 0.1);
+    const CloudMedium medium = medium_of(cloud_of({1000, 1000, 500}), size, voxels, cell);
+    const LeapGrid& grid = medium.leaps;
+    const glm::dvec3 step = {any_of(-2, 2), any_of(-2, 2), *rc::gen::element(-1.5, 0.0, 0.01, 0.7)};
+    const auto leaps = sun_leaps(grid, size, step, 40, 1);
+    for (int i = 0; i < 200; ++i) {
+        const std::array<double, 3> place = {any_of(0, 1) * size[0], any_of(0, 1) * size[1],
+                                             any_of(0, 1) * size[2]};
+        const auto reach_at = [&](double k, bool& inside) {
+            std::array<int, 3> index{};
+            for (std::size_t a = 0; a < 3; ++a) {
+                const double at = std::floor(place[a] + k * step[a]);
+                const int voxel = static_cast<int>(at);
+                if (a == 2) inside = voxel >= 0 && voxel < size[2];
+                index[a] = (a < 2 ? occupancy::wrapped(voxel, size[a])
+                                  : occupancy::clamped(voxel, size[a])) /
+                           cell;
+            }
+            return occupancy::index_of(grid.cells, index[0], index[1], index[2]);
+        };
+        bool inside = true;
+        const float leap = leaps[reach_at(0, inside)];
+        RC_ASSERT((leap < 0) == (grid.reach[reach_at(0, inside)] < 0));
+        for (int k = 1; k <= std::min(static_cast<int>(leap), 40); ++k) {
+            const std::size_t there = reach_at(k, inside);
+            RC_ASSERT(!inside || grid.reach[there] >= 0);
+        }
+    }
+}
+
+// Straight up from an empty plane below an empty one nothing is met.
+TEST(SunLeaps, SeeFartherThanTheNearestCell) {
+    const std::array<int, 3> size = {16, 16, 16};
+    std::vector<float> voxels(16 * 16 * 16);
+    voxels[occupancy::index_of(size, 1, 1, 1)] = 1;
+    const CloudMedium medium = medium_of(cloud_of({1000, 1000, 1000}), size, voxels, 2);
+    const auto leaps = sun_leaps(medium.leaps, size, {0, 0, 0.5}, 100, 1);
+    const auto at = [&](int x, int y, int z) {
+        return leaps[occupancy::index_of(medium.leaps.cells, x, y, z)];
+    };
+    EXPECT_EQ(at(0, 0, 0), -1);
+    EXPECT_EQ(at(0, 0, 4), 100);
+    EXPECT_EQ(at(4, 4, 0), 100);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/hash.h"
-#include "tests/incremental/bakes.h"
+#include "tests/probes/baked_recipe.h"
 #include "tests/probes/texels.h"
 
 namespace skybake::testing {
@@ -33,6 +33,15 @@ struct BakedFile {
     std::vector<std::string> catches;
 };
 
+Sampler sampler_of(const ManifestAsset& asset) {
+    Sampler sampler;
+    for (std::size_t i = 0; i < asset.axes.size(); ++i) {
+        sampler.repeats[i] = asset.axes[i].wrap == AxisWrap::repeat;
+    }
+    sampler.nearest = asset.axes[0].filter == AxisFilter::nearest;
+    return sampler;
+}
+
 BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     BakedFile file;
     file.name = asset.name;
@@ -41,6 +50,7 @@ BakedFile file_of_table(const fs::path& folder, const ManifestAsset& asset) {
     file.texels.size = {image.pixels.width, image.pixels.height, 1};
     file.texels.channels = static_cast<std::size_t>(image.pixels.channels);
     file.texels.values.assign(image.pixels.texels.begin(), image.pixels.texels.end());
+    file.sampler = sampler_of(asset);
     for (const Probe& probe : asset.levels[0].probes) {
         file.probes.push_back(
             {{{{probe.uvw[0], probe.uvw[1], 0.5}, 1.0}}, probe.value, probe.tolerance});
@@ -61,9 +71,7 @@ BakedFile file_of_volume(const fs::path& folder, const ManifestAsset& asset,
         return true;
     };
     EXPECT_TRUE(read_asset_file(folder / entry.path, asset, entry, 0, visit).value.value_or(false));
-    const bool tile = asset.mapping == "tile";
-    const bool layer = asset.mapping == "layer";
-    file.sampler = {{tile || layer, tile || layer, tile}, asset.kind == "occupancy"};
+    file.sampler = sampler_of(asset);
     for (const Probe& probe : level.probes) {
         const double share = probe.blend ? probe.blend->share : 0;
         ProbeOfFile of_file{{{probe.uvw, 1 - share}}, probe.value, probe.tolerance};
@@ -200,130 +208,24 @@ std::vector<BakedFile> files_of(const fs::path& folder) {
     return files;
 }
 
-void bake(const std::string& recipe, const fs::path& folder) {
-    TestBake test(recipe_of(recipe), folder);
-    test.bake.certification = Certification::off;
-    const auto baked = test.run();
-    ASSERT_TRUE(baked.value.has_value())
-        << (baked.diagnostics.empty() ? "" : baked.diagnostics[0].message);
-}
-
-// Bakes, and expects that verification passes, with each probe at the place that it names, and
-// that each wrong file is told.
-void expect_told(const std::string& recipe) {
-    const TemporaryFolder folder;
-    bake(recipe, folder.path());
+// Expects that verification passes, with each probe at the place that it names, and that each wrong
+// file is told.
+void expect_told(const fs::path& folder) {
     const std::array checks = {probe_check()};
-    const auto report = verify_bake(folder.path(), checks);
+    const auto report = verify_bake(folder, checks);
     ASSERT_TRUE(report.value.has_value());
     for (const VerifyFailure& failure : report.value->failures) {
         ADD_FAILURE() << failure.file << ": " << failure.check << ": " << failure.message;
     }
     print_head();
-    for (const BakedFile& file : files_of(folder.path())) expect_faults_caught(file);
+    for (const BakedFile& file : files_of(folder)) expect_faults_caught(file);
 }
 
-TEST(FileFaults, AreToldInTablesOfTheSky) {
-    expect_told(R"(
-preset = "earth_hillaire"
-[bake.transmittance]
-size = [64, 16]
-[bake.transmittance_ue]
-asset = "transmittance"
-mapping = "ue"
-size = [64, 64]
-[bake.optical_depth]
-asset = "transmittance"
-content = "optical_depth"
-size = [64, 16]
-pixel_type = "half"
-[bake.multiple_scattering]
-method = "converged"
-mapping = "hillaire"
-size = [16, 16]
-max_texel_error = "20 %"
-[bake.sky_view]
-orders = "single"
-size = [16, 16]
-altitude = "500 m"
-sun_elevations = ["30 deg", "3 deg", "-4 deg"]
-[bake.sky_view_of_space]
-asset = "sky_view"
-orders = "single"
-size = [16, 16]
-altitude = "400 km"
-sun_elevations = ["20 deg"]
-[bake.irradiance]
-orders = "single"
-content = "sky"
-size = [16, 16]
-max_texel_error = "20 %"
-[bake.phase]
-layer = "mie"
-size = 64
-[bake.aerial_perspective]
-orders = "single"
-size = [12, 12, 12]
-altitude = "500 m"
-sun_elevation = "20 deg"
-heading = "40 deg"
-formats = ["bin"]
-)");
-}
-
-TEST(FileFaults, AreToldInSolvedTables) {
-    expect_told(R"(
-preset = "earth_hillaire"
-[bake.twilight]
-asset = "multiple_scattering"
-method = "solved"
-mapping = "twilight"
-size = [16, 16]
-[bake.moments]
-asset = "multiple_scattering"
-method = "solved"
-content = "moments"
-degree = 2
-mapping = "twilight"
-size = [16, 16]
-)");
-}
-
-TEST(FileFaults, AreToldInBrunetonsTables) {
-    expect_told(R"(
-preset = "earth_hillaire"
-[bake.b_transmittance]
-asset = "bruneton"
-table = "transmittance"
-size = [64, 16, 1]
-formats = ["bin"]
-[bake.b_irradiance]
-asset = "bruneton"
-table = "irradiance"
-orders = 1
-size = [16, 8, 1]
-formats = ["bin"]
-[bake.b_scattering]
-asset = "bruneton"
-table = "scattering"
-combined = true
-orders = 1
-size = [32, 16, 8]
-nu_size = 4
-formats = ["bin"]
-[bake.b_single_mie]
-asset = "bruneton"
-table = "single_mie"
-size = [32, 16, 8]
-nu_size = 4
-formats = ["bin"]
-mips = 2
-)");
-}
+TEST(EveryAsset, TellsFaultsOfItsFiles) { expect_told(every_asset().folder.path()); }
 
 // Colours need not be above 0.
 TEST(FileFaults, AreToldInBrunetonsTablesOfColours) {
-    expect_told(R"(
+    expect_told(BakedRecipe(R"(
 preset = "earth"
 [bake.b_transmittance]
 asset = "bruneton"
@@ -337,105 +239,31 @@ orders = 1
 size = [32, 16, 8]
 nu_size = 4
 formats = ["bin"]
-)");
+)")
+                    .folder.path());
 }
 
-TEST(FileFaults, AreToldInColumns) {
-    expect_told(R"(
-preset = "earth_hillaire"
-[atmosphere.layers.fog]
-preset = "fog"
-[bake.to_top]
-asset = "optical_depth"
-kinds = ["rayleigh", "fog"]
-size = [32, 16, 1]
-formats = ["bin"]
-[bake.between]
-asset = "optical_depth"
-table = "between"
-kinds = ["rayleigh", "fog"]
-size = [16, 16, 16]
-formats = ["bin"]
-[bake.along]
-asset = "optical_depth"
-table = "between"
-coordinates = "distance"
-kinds = ["rayleigh", "fog"]
-size = [16, 8, 8]
-formats = ["bin"]
-[bake.density]
-asset = "optical_depth"
-table = "density"
-kinds = ["rayleigh", "fog"]
-formats = ["bin"]
-[bake.phases]
-asset = "optical_depth"
-table = "phase"
-kinds = ["rayleigh", "mie"]
-formats = ["bin"]
-)");
-}
-
-TEST(FileFaults, AreToldInNoisesAndClouds) {
-    expect_told(R"(
-[noise.shape]
-preset = "nubis_shape"
-pack = "shape"
-[noise.detail]
-preset = "nubis_detail"
-pack = "detail"
-[bake.shape]
-asset = "noise_volume"
-noise = "shape"
-size = [32, 32, 32]
-formats = ["bin"]
-pixel_type = "unorm8"
-mips = 3
-[noise.corners]
-sampling = "corners"
-[noise.corners.channels.Y]
-type = "perlin"
-frequency = 4
-[bake.corners]
-asset = "noise_volume"
-noise = "corners"
-size = [16, 16, 16]
-formats = ["bin"]
-[clouds.congestus]
-preset = "cumulus_congestus"
-[clouds.stratus]
-preset = "stratus"
-[bake.congestus]
-asset = "cloud_volume"
-cloud = "congestus"
-size = [80, 80, 40]
-formats = ["bin"]
-[bake.stratus]
-asset = "cloud_volume"
-cloud = "stratus"
-size = [64, 64, 16]
-formats = ["bin"]
-mips = 2
-[bake.congestus_cells]
-asset = "occupancy"
-of = "congestus"
-cell = 4
-contents = ["leap"]
-formats = ["bin"]
-mips = 2
-[bake.stratus_cells]
-asset = "occupancy"
-of = "stratus"
-cell = 2
-formats = ["bin"]
-)");
+TEST(FileFaults, AreToldInColumnsOfFog) {
+    const std::string fog = "preset = 'earth_hillaire'\n[atmosphere.layers.fog]\npreset = 'fog'\n";
+    std::string columns;
+    for (const char* keys :
+         {"to_top]\nsize = [32, 16, 1]\n", "between]\ntable = 'between'\nsize = [16, 16, 16]\n",
+          "along]\ntable = 'between'\ncoordinates = 'distance'\nsize = [16, 8, 8]\n",
+          "density]\ntable = 'density'\n"}) {
+        columns += fmt::format(
+            "[bake.{}asset = 'optical_depth'\nkinds = ['rayleigh', 'fog']\nformats = ['bin']\n",
+            keys);
+    }
+    columns +=
+        "[bake.phases]\nasset = 'optical_depth'\ntable = 'phase'\nkinds = ['rayleigh', 'mie']\n"
+        "formats = ['bin']\n";
+    expect_told(BakedRecipe(fog + columns).folder.path());
 }
 
 // A picture towards the sun is the same mirrored, and a vacuum lets everything pass everywhere: no
 // probe can tell, and the manifest does not say that one does.
 TEST(FileFaults, ThatChangeNothingAreNotSaidToBeTold) {
-    const TemporaryFolder folder;
-    bake(R"(
+    const BakedRecipe baked(R"(
 preset = "earth_hillaire"
 [bake.aerial_perspective]
 orders = "single"
@@ -444,17 +272,15 @@ altitude = "500 m"
 sun_elevation = "20 deg"
 heading = "0 deg"
 formats = ["bin"]
-)",
-         folder.path());
-    const BakedFile picture = files_of(folder.path()).front();
+)");
+    const BakedFile picture = files_of(baked.folder.path()).front();
     EXPECT_EQ(failed_by_fault(picture).at("flip_u"), 0);
     EXPECT_GE(failed_by_fault(picture).at("flip_v"), 3);
     EXPECT_EQ(std::count(picture.catches.begin(), picture.catches.end(), "flip_u"), 0);
     EXPECT_EQ(std::count(picture.catches.begin(), picture.catches.end(), "flip_v"), 1);
 
-    const TemporaryFolder empty;
-    bake("preset = \"vacuum\"\n[bake.transmittance]\nsize = [16, 16]\n", empty.path());
-    const BakedFile vacuum = files_of(empty.path()).front();
+    const BakedRecipe empty("preset = \"vacuum\"\n[bake.transmittance]\nsize = [16, 16]\n");
+    const BakedFile vacuum = files_of(empty.folder.path()).front();
     EXPECT_EQ(vacuum.catches, std::vector<std::string>{"zeros"});
     EXPECT_GE(failed_by_fault(vacuum).at("zeros"), 3);
 }
@@ -491,8 +317,7 @@ std::map<std::string, int> failed_checks(const fs::path& folder) {
 }
 
 TEST(FileFaults, AreToldByVerifyWhereAllHashesAgree) {
-    const TemporaryFolder folder;
-    bake(R"(
+    const BakedRecipe baked(R"(
 [noise.shape.channels.Y]
 type = "perlin"
 frequency = 4
@@ -502,11 +327,11 @@ noise = "shape"
 size = [16, 16, 16]
 formats = ["bin"]
 pixel_type = "float"
-)",
-         folder.path());
-    const BakedFile file = files_of(folder.path()).front();
-    forge(folder.path(), file.texels);
-    EXPECT_TRUE(failed_checks(folder.path()).empty());
+)");
+    const fs::path& folder = baked.folder.path();
+    const BakedFile file = files_of(folder).front();
+    forge(folder, file.texels);
+    EXPECT_TRUE(failed_checks(folder).empty());
     std::map<std::string, Texels> wrong = {{"zeros", zeros(file.texels)},
                                            {"swap_uw", exchanged(file.texels, 0, 2)}};
     for (std::size_t a = 0; a < 3; ++a) {
@@ -514,8 +339,8 @@ pixel_type = "float"
         wrong[fmt::format("shift {}", a)] = shifted(file.texels, file.sampler, a, 1);
     }
     for (const auto& [fault, texels] : wrong) {
-        forge(folder.path(), texels);
-        std::map<std::string, int> failed = failed_checks(folder.path());
+        forge(folder, texels);
+        std::map<std::string, int> failed = failed_checks(folder);
         EXPECT_GE(failed["probe"], 3) << fault;
         failed.erase("probe");
         failed.erase("catches");  // of a file turned round, turning it round again is right
@@ -525,13 +350,12 @@ pixel_type = "float"
 
 // Each packet of wavelengths has its own probes, which tell one from the other.
 TEST(FileFaults, AreToldByVerifyWherePacketsAreExchanged) {
-    const TemporaryFolder folder;
-    bake(
+    const BakedRecipe baked(
         "preset = 'earth'\nwavelengths = 'best 8'\n[color]\nspace = 'none'\n"
-        "[bake.transmittance]\nsize = [16, 16]\n",
-        folder.path());
-    EXPECT_TRUE(failed_checks(folder.path()).empty());
-    Manifest manifest = *read_manifest(folder.path()).value;
+        "[bake.transmittance]\nsize = [16, 16]\n");
+    const fs::path& folder = baked.folder.path();
+    EXPECT_TRUE(failed_checks(folder).empty());
+    Manifest manifest = baked.manifest;
     ASSERT_EQ(manifest.assets.size(), 2u);
     // Files, hashes and statistics change places; probes, wavelengths and places do not.
     std::swap(manifest.assets[0].files, manifest.assets[1].files);
@@ -540,21 +364,21 @@ TEST(FileFaults, AreToldByVerifyWherePacketsAreExchanged) {
     ManifestLevel& second = manifest.assets[1].levels[0];
     std::swap(first.content_hash, second.content_hash);
     std::swap(first.statistics, second.statistics);
-    write_bytes(folder.path() / manifest_name, manifest_json(manifest));
-    EXPECT_GE(failed_checks(folder.path())["probe"], 10);
+    write_bytes(folder / manifest_name, manifest_json(manifest));
+    EXPECT_GE(failed_checks(folder)["probe"], 10);
 }
 
 // Probes that would pass anything are no proof, and verify says so.
 TEST(FileFaults, AreToldByVerifyWhereProbesTellNothing) {
-    const TemporaryFolder folder;
-    bake("preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 16]\n", folder.path());
-    Manifest manifest = *read_manifest(folder.path()).value;
-    ASSERT_TRUE(failed_checks(folder.path()).empty());
+    const BakedRecipe baked("preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 16]\n");
+    const fs::path& folder = baked.folder.path();
+    Manifest manifest = baked.manifest;
+    ASSERT_TRUE(failed_checks(folder).empty());
     for (Probe& probe : manifest.assets[0].levels[0].probes) {
         for (double& tolerance : probe.tolerance) tolerance = 10;
     }
-    write_bytes(folder / std::string(manifest_name), manifest_json(manifest));
-    EXPECT_EQ(failed_checks(folder.path())["catches"],
+    write_bytes(folder / manifest_name, manifest_json(manifest));
+    EXPECT_EQ(failed_checks(folder)["catches"],
               static_cast<int>(manifest.assets[0].levels[0].catches.size()));
     EXPECT_GE(manifest.assets[0].levels[0].catches.size(), 6u);
 }

@@ -3,29 +3,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/solver/solve_light.h"
 #include "tests/light/sky_media.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
 namespace {
 
 std::vector<std::vector<double>> rows_of(const std::string& name) {
-    std::ifstream file(std::string(SKYBAKE_TEST_DATA "/") + name);
-    std::vector<std::vector<double>> rows;
-    std::string line;
-    while (std::getline(file, line)) {
-        if (line.empty() || line[0] == '#' || line[0] == 'h') continue;
-        std::istringstream cells(line);
-        std::string cell;
-        rows.emplace_back();
-        while (std::getline(cells, cell, ',')) rows.back().push_back(std::stod(cell));
-    }
+    auto rows = test::number_rows(SKYBAKE_TEST_DATA "/" + name);
     EXPECT_GT(rows.size(), 50U) << name;
     return rows;
 }

@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 using skybake::testing::files_below;
 using skybake::testing::small_recipe;
 using testing::contains;
+using testing::expect_has;
+using testing::expect_said;
 using testing::count_lines;
 using testing::Result;
 using testing::run_words;
@@ -83,8 +85,8 @@ TEST(SweepCommand, ListsWithoutMaking) {
     const Result result = folder.sweep(
         {"--vary", "clouds.c.coverage=0.5,1.5", "--dry-run", "--diagnostics", "short"});
     EXPECT_EQ(result.code, 4);
-    EXPECT_TRUE(contains(result.out, "0000_coverage=0.5  n: not baked yet; c: not baked yet\n"));
-    EXPECT_TRUE(contains(result.out, "0001_coverage=1.5  cannot be baked: E0110: ")) << result.out;
+    expect_has(result.out, {"0000_coverage=0.5  n: not baked yet; c: not baked yet\n",
+                            "0001_coverage=1.5  cannot be baked: E0110: "});
     EXPECT_FALSE(fs::exists(folder.out()));
 }
 
@@ -127,8 +129,7 @@ TEST(SweepCommand, MentionsFoldersOfEarlierValues) {
     const Result merged = folder.sweep({fewer[0], fewer[1], "--merge"});
     EXPECT_TRUE(contains(merged.error, note)) << merged.error;
     const Result all = folder.sweep({"--vary", "noise.n.seed=1,2,3"});
-    EXPECT_TRUE(contains(all.error, "1 folder is no longer in the sweep; kept: 0001_seed=5\n"))
-        << all.error;
+    expect_has(all.error, {"1 folder is no longer in the sweep; kept: 0001_seed=5\n"});
 }
 
 // A pipe would be empty for the second variant, or wait for ever.
@@ -136,10 +137,7 @@ TEST(SweepCommand, RefusesAPipe) {
     const Folder folder;
     fs::remove(folder.recipe);
     ASSERT_EQ(::mkfifo(folder.recipe.c_str(), 0600), 0);
-    const Result result = folder.sweep({"--vary", "noise.n.seed=1,2"});
-    EXPECT_EQ(result.code, 3);
-    EXPECT_TRUE(contains(result.error, "E0300")) << result.error;
-    EXPECT_TRUE(contains(result.error, "not a regular file")) << result.error;
+    expect_said(folder.sweep({"--vary", "noise.n.seed=1,2"}), 3, {"E0300", "not a regular file"});
 }
 
 TEST(SweepCommand, NamesTheOptionOfAValueAtFault) {
@@ -152,10 +150,8 @@ TEST(SweepCommand, NamesTheOptionOfAValueAtFault) {
 
 TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
     const Folder folder;
-    const Result result = folder.sweep({"--vary", "clouds.c.coverage=0.5,1.5"});
-    EXPECT_EQ(result.code, 4);
-    EXPECT_TRUE(contains(result.error, "1 of 2 variants failed: 0001_coverage=1.5"))
-        << result.error;
+    expect_said(folder.sweep({"--vary", "clouds.c.coverage=0.5,1.5"}), 4,
+                {"1 of 2 variants failed: 0001_coverage=1.5"});
     EXPECT_TRUE(fs::exists(folder.out() + "/0000_coverage=0.5/manifest.json"));
     EXPECT_TRUE(fs::exists(folder.out() + "/0001_coverage=1.5/error.json"));
 }
@@ -163,9 +159,7 @@ TEST(SweepCommand, AFailingVariantEndsInExitCode4) {
 // A fault of all variants is a fault of the recipe, and said once.
 TEST(SweepCommand, AFaultOfTheRecipeIsNoFailureOfItsVariants) {
     const Folder folder(small_recipe + "nonsense = 1\n");
-    const Result result = folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"});
-    EXPECT_EQ(result.code, 2);
-    EXPECT_TRUE(contains(result.error, "E0102"));
+    expect_said(folder.sweep({"--vary", "clouds.c.coverage=0.5,0.6"}), 2, {"E0102"});
     EXPECT_FALSE(fs::exists(folder.out()));
 }
 
@@ -203,10 +197,7 @@ TEST(SweepCommand, RefusesTheFolderOfABake) {
     for (const Strings& more : {Strings{}, Strings{"--shard", "1/2"}, Strings{"--dry-run"}}) {
         Strings words = vary;
         words.insert(words.end(), more.begin(), more.end());
-        const Result refused = folder.sweep(words);
-        EXPECT_EQ(refused.code, 3);
-        EXPECT_TRUE(contains(refused.error, "E0303")) << refused.error;
-        EXPECT_TRUE(contains(refused.error, "holds a bake")) << refused.error;
+        expect_said(folder.sweep(words), 3, {"E0303", "holds a bake"});
     }
     EXPECT_FALSE(fs::exists(folder.out("out/0000_seed=1")));
     EXPECT_EQ(folder.sweep({vary[0], vary[1], "--force"}).code, 0);
@@ -220,13 +211,9 @@ TEST(SweepCommand, ShardsThenMerge) {
         words.insert(words.end(), more.begin(), more.end());
         return folder.sweep(words);
     };
-    const Result first = with({"--shard", "1/2"});
-    EXPECT_EQ(first.code, 0);
-    EXPECT_TRUE(contains(first.error, "3 variants, 2 in this shard")) << first.error;
+    expect_said(with({"--shard", "1/2"}), 0, {"3 variants, 2 in this shard"});
     EXPECT_FALSE(fs::exists(folder.out() + "/index.csv"));
-    const Result early = with({"--merge"});
-    EXPECT_EQ(early.code, 4);
-    EXPECT_TRUE(contains(early.error, "1 of 3 variants is not baked yet: 0001_seed=2"));
+    expect_said(with({"--merge"}), 4, {"1 of 3 variants is not baked yet: 0001_seed=2"});
     EXPECT_EQ(with({"--shard", "2/2"}).code, 0);
     EXPECT_EQ(with({"--merge"}).code, 0);
 }
@@ -324,8 +311,8 @@ TEST(SweepScripts, KubernetesLeavesDollarsAlone) {
         if (command.substr(i, 2) == "$$") ++i;
         expanded += command[i];
     }
-    EXPECT_TRUE(contains(expanded, shell_word(folder.out("a$(HOME) $$b $c")))) << expanded;
-    EXPECT_TRUE(contains(expanded, "$((JOB_COMPLETION_INDEX + 1))")) << expanded;
+    expect_has(expanded,
+               {shell_word(folder.out("a$(HOME) $$b $c")), "$((JOB_COMPLETION_INDEX + 1))"});
 }
 
 // Its containers find the program in PATH and their number in JOB_COMPLETION_INDEX.
@@ -432,15 +419,11 @@ TEST(SweepScripts, NinjaEscapesPaths) {
     script.inputs = {"a $b.toml", "c:d.png"};
     script.names = {"0_a", "1_b", "2_c"};
     const std::string text = ninja_file(script);
-    EXPECT_TRUE(contains(text, "command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && "));
-    EXPECT_TRUE(contains(text,
-                         "build out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp: task |"
-                         " a$ $$b.toml c$:d.png\n  task = 1\n"))
-        << text;
-    EXPECT_TRUE(contains(text,
-                         ": merge | out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp"
-                         " out$ $$1/1_b/ninja.stamp\n"))
-        << text;
+    expect_has(text, {"command = skybake sweep 'a $$b.toml' -j 1 --shard $task/2 && ",
+                      "build out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp: task |"
+                      " a$ $$b.toml c$:d.png\n  task = 1\n",
+                      ": merge | out$ $$1/0_a/ninja.stamp out$ $$1/2_c/ninja.stamp"
+                      " out$ $$1/1_b/ninja.stamp\n"});
 }
 
 struct NinjaRun {
@@ -500,8 +483,7 @@ TEST(SweepScripts, NinjaFailsUntilEveryVariantIsMade) {
     const auto fails = [&] {
         const NinjaRun result = run_ninja(folder, script);
         EXPECT_FALSE(result.succeeded) << result.out;
-        EXPECT_TRUE(contains(testing::read_bytes(folder.out("it's $out") + "/index.csv"),
-                             "failed,\"E0402"));
+        expect_has(testing::read_bytes(folder.out("it's $out") + "/index.csv"), {"failed,\"E0402"});
     };
     const std::string as_float = "pixel_type = \"float\"\n";
     std::string fitting = small_recipe + as_float;
