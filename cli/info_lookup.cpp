@@ -21,6 +21,7 @@
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/asset_parameters.h"
+#include "config/sections/files.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {

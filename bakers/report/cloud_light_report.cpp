@@ -15,6 +15,7 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/sweeps/volume_sweep.h"

@@ -11,6 +11,8 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/traced_light.h"
+#include "bakers/field/baked.h"
 #include "bakers/report/cloud_light_report.h"
 #include "bakers/report/occupancy_report.h"
 #include "bakers/report/sweeps/table_sweeps.h"

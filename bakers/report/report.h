@@ -8,10 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -9,6 +9,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "bakers/report/truth/sky_truth_store.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

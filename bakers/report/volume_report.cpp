@@ -16,6 +16,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
+#include "bakers/field/baked.h"
 #include "bakers/noise/noise_plan.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/report/sweeps/bruneton_sweep.h"

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "config/assets/environment.h"
+#include "config/sections/cloud.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

@@ -1,4 +1,6 @@
 #include "config/recipe/recipe_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/recipe/recipe.h"
+#include "config/sections/layer.h"
 
 namespace skybake::config::testing {
 

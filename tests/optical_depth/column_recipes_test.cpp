@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/report/report.h"
 #include "tests/support/atmospheres.h"
 

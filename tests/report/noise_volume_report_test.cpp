@@ -1,3 +1,4 @@
+#include "bakers/field/baked.h"
 #include "bakers/report/volume_report.h"
 
 #include <gtest/gtest.h>

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
@@ -15,6 +14,8 @@
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The air at the wavelengths that are computed together, and the weights of all of them: tables hold
 // their colours, or the wavelengths of one packet without weights.

@@ -8,6 +8,7 @@
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
 #include "bakers/assets/registry/baker.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/phase.h"

@@ -7,10 +7,12 @@
 #pragma once
 
 #include "bakers/assets/sky/traced_light.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns |found / traced - 1| over all places and channels; of colours, whose channels may be 0 or
 // below, the difference over the brightest channel. Channels where no path finds light do not count,

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/plot/chart.h"
 #include "config/sections/parameters.h"

@@ -7,13 +7,14 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/report/report.h"
 #include "bakers/report/sweeps/table_sweeps.h"
 #include "bakers/report/sweeps/volume_sweep.h"
 
 namespace skybake {
+
+struct Baked;
 
 struct VolumeRepetitions {
     int voxels = 1;  // each time is the median of this many

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/noise/noise_plan.h"
 #include "bakers/report/sweeps/volume_sweep.h"
 #include "config/assets/noise_volume.h"

@@ -1,3 +1,4 @@
+#include "bakers/field/baked.h"
 #include "bakers/report/sweeps/table_sweeps.h"
 
 #include <fmt/format.h>

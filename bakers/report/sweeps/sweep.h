@@ -16,7 +16,7 @@
 #include "bakers/field/table_model.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/report/report.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

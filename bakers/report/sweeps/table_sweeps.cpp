@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/survey_volume.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/report/sweeps/sweep.h"

@@ -5,7 +5,6 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/field/baked.h"
 #include "bakers/report/report.h"
 #include "bakers/report/sweeps/sweep.h"
 #include "config/assets/multiple_scattering.h"
@@ -13,6 +12,8 @@
 #include "config/assets/transmittance.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns variants of the table that `bake` asks for, which has the size `size`: other sizes, pixel
 // types, contents and mappings with the exact kernel, and the rules of the papers with several

@@ -7,6 +7,8 @@
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/report/sweeps/sweep.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 

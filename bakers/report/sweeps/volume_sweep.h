@@ -9,9 +9,12 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/forward.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -15,6 +15,7 @@
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/optics/standard_profiles.h"
+#include "config/sections/layer.h"
 #include "config/sections/spectral_air.h"
 
 namespace skybake {
