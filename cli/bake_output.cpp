@@ -8,8 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string>
-#include <vector>
 
 #include "bakers/assets/description/certificate_warnings.h"
 #include "bakers/field/finish_volume.h"

@@ -10,7 +10,6 @@
 #include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/nvdb/nvdb_reader.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/io/manifest/metadata.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/table_printer.h"

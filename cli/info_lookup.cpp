@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,7 +12,6 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/load_assets.h"
@@ -21,6 +19,7 @@
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/asset_parameters.h"
+#include "config/sections/files.h"
 #include "config/text/key_path.h"
 
 namespace skybake::cli {
@@ -41,15 +40,6 @@ Outcome<DescribedFile> described(const fs::path& path) {
     auto found = fs::exists(path, error) ? described_by_manifest(path) : std::nullopt;
     if (!found) return {{}, std::move(entry.diagnostics)};
     return {std::move(found), {}};
-}
-
-// The section of the asset among its parameters, which are a recipe and name it as the recipe did,
-// whatever the file is called now. A kind may say more than its asset: multiple_scattering_moments.
-const config::Bake* own_section(const config::Parameters& parameters, const ManifestAsset& asset) {
-    const auto own = std::find_if(
-        parameters.bakes.begin(), parameters.bakes.end(),
-        [&](const config::Bake& bake) { return asset.kind.starts_with(baker_of(bake).asset); });
-    return own != parameters.bakes.end() ? &*own : nullptr;
 }
 
 // --- What is said of it -------------------------------------------------------------------------
@@ -192,7 +182,8 @@ ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, 
     if (!file.value) return console.report(file.diagnostics);
     const auto& [asset, shape] = *file.value;
     const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
-    const config::Bake* own = recipe.value ? own_section(recipe.value->parameters, asset) : nullptr;
+    const config::Bake* own =
+        recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
     if (own == nullptr) {
         const config::Diagnostic unreadable = file_error(
             "E0304", path.string(),

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <system_error>
-#include <utility>
 
 #include "cli/console.h"
 #include "cli/table_printer.h"

@@ -16,6 +16,7 @@
 #include "cli/table_printer.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/layer.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 #include "config/text/units.h"

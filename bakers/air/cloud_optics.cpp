@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/sections/cloud.h"
+
 namespace skybake {
 
 CloudOptics cloud_optics(const config::Cloud& cloud) {

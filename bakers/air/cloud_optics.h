@@ -1,7 +1,7 @@
 // How the value that a lookup of a cloud volume returns becomes density and extinction.
 #pragma once
 
-#include "config/sections/cloud.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
 

@@ -5,7 +5,6 @@
 #include <memory>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/optical_depth.h"
 

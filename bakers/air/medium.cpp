@@ -7,6 +7,8 @@
 
 #include "bakers/math/transcendental-inl.h"
 #include "bakers/math/transcendental.h"
+#include "config/sections/atmosphere.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"
-#include "config/sections/atmosphere.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
 

@@ -1,10 +1,8 @@
 #include "bakers/air/quadrature_rules.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 
 #include "bakers/math/quadrature.h"
 #include "bakers/math/transcendental.h"

@@ -1,8 +1,6 @@
 #include "bakers/air/ray.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <cstddef>
 
 namespace skybake {

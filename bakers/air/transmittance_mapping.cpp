@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/air/ray.h"
-
 namespace skybake {
 
 TransmittanceRay transmittance_ray(const Shell& shell, UnitCoordinates x) {

@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "bakers/clouds/column_field.h"
 #include "bakers/clouds/shape_kernel.h"
 #include "bakers/math/memory.h"
 

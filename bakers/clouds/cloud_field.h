@@ -7,7 +7,7 @@
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/column_field.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 
 namespace skybake::cloud {
 

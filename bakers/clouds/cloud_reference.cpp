@@ -7,7 +7,6 @@
 #include <numbers>
 #include <utility>
 
-#include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/tower_life.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_reference.h"

@@ -16,7 +16,7 @@
 
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/math/bake_options.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake::cloud {
 

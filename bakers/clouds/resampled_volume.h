@@ -15,7 +15,7 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/field/source_voxels.h"
 #include "config/sections/volume.h"
 

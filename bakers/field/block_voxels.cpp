@@ -5,6 +5,7 @@
 #include <cstring>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/field/leaf_codes.h"

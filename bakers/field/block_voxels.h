@@ -13,10 +13,12 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
-#include "config/sections/files.h"
+#include "bakers/field/level.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the bytes of a block of 4 x 4 texels, with all its channels: 8 for bc4, else 16.
 constexpr std::size_t bytes_per_block(config::PixelType type) {

@@ -8,10 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/quadrature.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +11,6 @@
 #include <map>
 #include <memory>
 #include <set>
-#include <utility>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"

@@ -17,11 +17,11 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/field/wrong_lookups.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

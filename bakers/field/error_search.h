@@ -16,7 +16,7 @@
 #include <functional>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/field/search_grid.h"
 #include "bakers/math/bake_options.h"
 

@@ -9,6 +9,7 @@
 #include <memory>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/held_voxels.h"
 #include "bakers/field/stored_voxels.h"

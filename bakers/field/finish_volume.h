@@ -8,14 +8,17 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/choose_probes.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Has the voxels of level 0 held in memory by the first pass over them, as far as
 // options.held_voxel_bytes allows it. Call it before levels are added.

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
-#include "config/sections/files.h"
+#include "bakers/field/conventions.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 
 namespace skybake {
 

@@ -7,8 +7,9 @@
 #include <memory>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
+#include "bakers/field/level.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

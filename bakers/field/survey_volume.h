@@ -5,11 +5,12 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 inline constexpr int kHistogramBins = 32;
 

@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

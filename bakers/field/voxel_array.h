@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {

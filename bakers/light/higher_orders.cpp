@@ -7,12 +7,9 @@
 #include <memory>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
-#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

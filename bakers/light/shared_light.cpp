@@ -6,6 +6,7 @@
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/solver/solution_levels.h"
 #include "bakers/math/bake_clock.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstddef>
 #include <glm/common.hpp>
 #include <utility>
 
 #include "bakers/color/color_weights_fit.h"
 #include "bakers/color/spectral_color.h"
-#include "bakers/light/sky_spectra.h"
 #include "bakers/math/bake_clock.h"
 #include "config/fields/fields.h"
+#include "config/sections/layer.h"
 #include "config/sections/spectral_air.h"
 
 namespace skybake {

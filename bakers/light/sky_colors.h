@@ -17,7 +17,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/light/sky_spectra.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <vector>
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_row.h"

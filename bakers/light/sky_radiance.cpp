@@ -1,16 +1,12 @@
 #include "bakers/light/sky_radiance.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/air/ray.h"
-#include "bakers/light/ray_pieces.h"
-#include "bakers/light/sky_ray.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -13,6 +13,7 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "config/sections/layer.h"
 #include "config/sections/spectral_air.h"
 
 namespace skybake {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
 

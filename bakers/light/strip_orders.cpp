@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <numbers>
 
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_radiance.h"

@@ -1,9 +1,5 @@
 #include "bakers/math/quadrature.h"
 
-#include <cassert>
-#include <cmath>
-#include <cstddef>
-
 #include "bakers/math/transcendental.h"
 
 namespace skybake {

@@ -6,7 +6,7 @@
 // greatest bumps do not depend on the order of the points, nor on bumps that have ended.
 #pragma once
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/memory.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/lattice_hash.h"

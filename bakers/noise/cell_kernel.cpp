@@ -5,9 +5,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cstdint>
 #include <limits>
 
 #include "bakers/noise/cell_kernel.h"

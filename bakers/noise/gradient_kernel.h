@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/memory.h"
 #include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/noise_plan.h"

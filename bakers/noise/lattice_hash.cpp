@@ -1,6 +1,5 @@
 #include "bakers/noise/lattice_hash.h"
 
-#include <algorithm>
 #include <cassert>
 #include <limits>
 

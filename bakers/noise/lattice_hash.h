@@ -12,7 +12,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/memory.h"
 #include "bakers/noise/noise_plan.h"
 

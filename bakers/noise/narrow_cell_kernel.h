@@ -9,7 +9,7 @@
 // made again with another ring of cells.
 #pragma once
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/memory.h"
 #include "bakers/noise/cell_kernel.h"
 #include "bakers/noise/lattice_hash.h"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

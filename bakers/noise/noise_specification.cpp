@@ -7,7 +7,6 @@
 #include "bakers/noise/cell_value.h"
 #include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/moving_gradient.h"
-#include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {
 

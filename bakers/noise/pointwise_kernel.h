@@ -4,7 +4,7 @@
 // compare the other kernels with it. The result equals noise_specification.h bit for bit.
 #pragma once
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/scratch_floats.h"
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/noise_plan.h"

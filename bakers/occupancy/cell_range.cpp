@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "bakers/occupancy/cell_blocks.h"
-#include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cell_row_kernel.h"
 #include "bakers/occupancy/exact_extremes.h"
 #include "config/assets/occupancy_filter.h"

@@ -27,10 +27,10 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake::occupancy {
 

@@ -4,8 +4,6 @@
 // Highway wants its own header after foreach_target.h.
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <limits>

@@ -10,7 +10,6 @@
 
 #include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/scratch_floats.h"
 #include "bakers/occupancy/envelope_kernel.h"
 
 namespace skybake::occupancy {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "config/assets/cloud_distance.h"
 #include "bakers/occupancy/cell_blocks.h"
 
 namespace skybake::occupancy {

@@ -5,12 +5,15 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cloud_bits.h"
 #include "bakers/occupancy/distance_transform.h"
 #include "bakers/occupancy/stored_distance.h"
-#include "config/assets/cloud_distance.h"
+
+namespace skybake::config {
+enum class DistanceContent;
+}  // namespace skybake::config
 
 namespace skybake::occupancy {
 

@@ -4,7 +4,6 @@
 // Highway wants its own header after foreach_target.h.
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 

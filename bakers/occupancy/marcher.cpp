@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {

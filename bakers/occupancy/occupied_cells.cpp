@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "config/assets/occupancy.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/half_conversion.h"
 #include "bakers/occupancy/cell_blocks.h"

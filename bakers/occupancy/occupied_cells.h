@@ -5,11 +5,14 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/cell_range.h"
-#include "config/assets/occupancy.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
+
+namespace skybake::config {
+enum class OccupancyContent;
+}  // namespace skybake::config
 
 namespace skybake::occupancy {
 

@@ -31,7 +31,7 @@
 #include <array>
 #include <cstddef>
 
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake::occupancy {
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/metadata.h"

@@ -11,7 +11,6 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/asset_files.h"
-#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/report/report_files.h"
 #include "config/recipe/asset_parameters.h"

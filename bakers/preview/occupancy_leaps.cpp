@@ -5,7 +5,6 @@
 
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/leap_distance.h"
-#include "config/assets/occupancy.h"
 
 namespace skybake {
 

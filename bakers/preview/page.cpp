@@ -3,13 +3,12 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "bakers/io/files/to_string.h"
-#include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
+#include "config/sections/cloud.h"
 
 namespace skybake {
 namespace {

@@ -15,7 +15,6 @@
 #include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
-#include "bakers/preview/make_preview.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/preview/sweep_plots.h"

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/field/image.h"
 
 namespace skybake {

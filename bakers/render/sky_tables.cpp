@@ -9,10 +9,11 @@
 #include <utility>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/image.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/transmittance.h"
+#include "config/recipe/asset_parameters.h"
 
 namespace skybake {
 
@@ -66,10 +67,14 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
     const auto refuse = [&](const PreviewAsset& asset, const std::string& reason) {
         outcome.diagnostics.push_back(not_wanted(asset, reason));
     };
+    const auto bake = config::recorded_bake<config::TransmittanceBake>(
+        transmittance.entry.parameters, transmittance.entry.name);
     if (!is_table(transmittance, "transmittance")) {
         refuse(transmittance, "it is not a table of transmittance");
     } else if (transmittance_mapping != "bruneton" && transmittance_mapping != "ue") {
         refuse(transmittance, fmt::format("its mapping `{}` is unknown", transmittance_mapping));
+    } else if (!bake) {
+        refuse(transmittance, "its parameters cannot be read as a recipe");
     }
     if (!is_table(multiple_scattering, "multiple_scattering")) {
         refuse(multiple_scattering, "it is not a table of multiple scattering");
@@ -85,14 +90,13 @@ config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
         make_lookup_table(transmittance.table, transmittance_mapping == "ue"
                                                    ? TexelConvention::end_points_on_edges
                                                    : TexelConvention::end_points_on_texel_centres);
-    // The manifest's content begins with what a texel is (transmittance_table.cpp).
-    tables.holds_optical_depth = transmittance.entry.content.starts_with("optical depth");
+    tables.holds_optical_depth = bake->content == config::TransmittanceContent::optical_depth;
     tables.multiple_scattering =
         make_lookup_table(multiple_scattering.table, TexelConvention::end_points_on_texel_centres);
     tables.twilight = sun_mapping == "twilight";
     tables.wavelengths_nm = transmittance.entry.conventions.wavelengths_nm;
-    tables.screen = ScreenColor(multiple_scattering.entry.conventions,
-                                multiple_scattering.table.channels);
+    tables.screen =
+        ScreenColor(multiple_scattering.entry.conventions, multiple_scattering.table.channels);
     // A scene may have cropped the sun's axis to the cosines that the manifest gives.
     const AxisMapping& axis = multiple_scattering.entry.axes[0];
     const auto mapping = tables.twilight ? config::MultipleScatteringMapping::twilight

@@ -46,8 +46,8 @@ struct SkyTables {
 };
 
 // Makes the tables from two assets of the same atmosphere. The manifest tells what an asset's
-// mapping and content are. E0304 if an asset is of another kind, its mapping is unknown, or the
-// numbers of channels differ.
+// mapping and parameters are. E0304 if an asset is of another kind, its mapping is unknown, its
+// parameters are no recipe, or the numbers of channels differ.
 config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
                                            const PreviewAsset& multiple_scattering);
 

@@ -8,8 +8,8 @@ namespace skybake {
 
 std::optional<SolvedSky> SolvedSky::of(const PreviewAsset& sky_view, const Shell& shell,
                                        const Place& place) {
-    const bool is_one = sky_view.entry.kind == "sky_view" && sky_view.entry.mapping == "hillaire" &&
-                        sky_view.table.width > 1 && sky_view.table.height > 1;
+    const bool is_one =
+        sky_view.entry.kind == "sky_view" && sky_view.table.width > 1 && sky_view.table.height > 1;
     if (!is_one) return std::nullopt;
     return SolvedSky(sky_view.table, shell, place);
 }

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/traced_light.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/report/measurement.h"

@@ -8,11 +8,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/report/variants.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -13,6 +13,7 @@
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/report/measurement.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

@@ -6,8 +6,6 @@
 #include <stdexcept>
 #include <utility>
 
-#include "bakers/shading/dialect.h"
-
 namespace skybake::shading {
 namespace {
 

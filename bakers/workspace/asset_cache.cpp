@@ -10,12 +10,12 @@
 #include <system_error>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/system_call.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/workspace/cache_folder.h"
-#include "bakers/workspace/copy_asset.h"
 
 namespace skybake {
 namespace {

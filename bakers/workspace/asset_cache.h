@@ -19,11 +19,12 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/workspace/copy_asset.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 class AssetCache : public AssetSource {
   public:

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <iterator>
-#include <optional>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/temporary_file.h"

@@ -10,7 +10,6 @@
 #include <atomic>
 #include <cerrno>
 #include <memory>
-#include <string>
 #include <string_view>
 
 #include "bakers/io/files/atomic_file.h"

@@ -14,6 +14,7 @@
 #include "bakers/io/targets/sidecar.h"
 #include "bakers/math/hash.h"
 #include "config/assets/asset_kind.h"
+#include "config/sections/files.h"
 #include "config/sections/targets.h"
 
 namespace skybake {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <utility>
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/math/hash.h"

@@ -14,6 +14,8 @@
 #include "config/assets/file_decoder.h"
 #include "config/assets/output_files.h"
 #include "config/assets/target_decoder.h"
+#include "config/sections/layer.h"
+#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 

@@ -14,12 +14,12 @@
 #include "config/fields/fields.h"
 #include "config/fields/roles.h"
 #include "config/fields/section_decoder.h"
-#include "config/sections/files.h"
-#include "config/sections/frames.h"
-#include "config/sections/packets.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {
+
+struct LightFiles;
+struct VolumeFrames;
 
 // This is what is known of a recipe while its [bake.*] sections are resolved.
 struct RecipeSoFar {

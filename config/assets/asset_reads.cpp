@@ -4,6 +4,9 @@
 
 #include "config/assets/asset_kind.h"
 #include "config/sections/cloud.h"
+#include "config/sections/layer.h"
+#include "config/sections/noise.h"
+#include "config/sections/particles.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

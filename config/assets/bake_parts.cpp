@@ -8,6 +8,9 @@
 #include <string_view>
 #include <utility>
 
+#include "config/sections/file_formats.h"
+#include "config/sections/frames.h"
+#include "config/sections/packets.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

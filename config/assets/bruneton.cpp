@@ -7,6 +7,7 @@
 #include "config/assets/bruneton_checks.h"
 #include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
+#include "config/sections/layer.h"
 
 namespace skybake::config {
 namespace {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "config/assets/takram_layers.h"
+#include "config/sections/file_formats.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

@@ -2,9 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <span>
-#include <vector>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <numbers>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/file_decoder.h"
 #include "config/assets/octave_checks.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
-#include "config/sections/cloud.h"
+#include "config/sections/frames.h"
 #include "config/sections/parameters.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"

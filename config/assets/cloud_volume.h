@@ -11,7 +11,7 @@
 
 #include "config/assets/asset.h"
 #include "config/sections/cloud.h"
-#include "config/sections/frames.h"
+#include "config/sections/files.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {

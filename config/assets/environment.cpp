@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "config/assets/sheet_decoder.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
 #include "config/sections/targets.h"
 #include "config/text/key_path.h"
 
@@ -124,11 +124,10 @@ void check_flip(const DecodedSection& bake, Decoder& decoder) {
     const std::vector<FileFormat> formats = formats_of(bake);
     const auto is_image = [](FileFormat format) { return facts_of(format).is_image; };
     if (formats.empty() || std::any_of(formats.begin(), formats.end(), is_image)) return;
-    decoder.diagnostics.error(
-        "E0131", flip.source->place,
-        fmt::format("`{}` turns images upside down, and [{}] has none",
-                    join_path(bake.path, "flip"), bake.path),
-        "leave it out, or add an image, such as \"exr\", to the formats");
+    decoder.diagnostics.error("E0131", flip.source->place,
+                              fmt::format("`{}` turns images upside down, and [{}] has none",
+                                          join_path(bake.path, "flip"), bake.path),
+                              "leave it out, or add an image, such as \"exr\", to the formats");
 }
 
 // Reports axes that the table does not have, and axes with fewer than the two texels that their

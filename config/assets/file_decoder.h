@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "config/fields/section_decoder.h"
-#include "config/sections/files.h"
+#include "config/sections/forward.h"
 
 namespace skybake::config {
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -18,7 +17,7 @@
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/frames.h"
-#include "config/sections/parameters.h"
+#include "config/sections/noise.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/packets.h"
+#include "config/sections/files.h"
 #include "config/sections/scene.h"
 
 namespace skybake::config {

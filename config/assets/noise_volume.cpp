@@ -6,6 +6,7 @@
 #include "config/assets/octave_checks.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
+#include "config/sections/frames.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {

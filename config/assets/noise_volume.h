@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/assets/asset.h"
-#include "config/sections/frames.h"
+#include "config/sections/files.h"
 
 namespace skybake::config {
 

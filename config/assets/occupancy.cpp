@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
-#include <vector>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"

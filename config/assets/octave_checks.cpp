@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "config/assets/file_decoder.h"
-#include "config/sections/noise.h"
 
 namespace skybake::config {
 namespace {

@@ -6,6 +6,7 @@
 #include "config/assets/asset_kind.h"
 #include "config/assets/file_decoder.h"
 #include "config/fields/fields.h"
+#include "config/sections/layer.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

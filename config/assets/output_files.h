@@ -7,11 +7,12 @@
 #include <string_view>
 #include <vector>
 
-#include "config/fields/section_decoder.h"
-#include "config/sections/files.h"
-#include "config/sections/parameters.h"
+#include "config/sections/forward.h"
 
 namespace skybake::config {
+
+struct Decoder;
+struct Place;
 
 // The file of each folder that says what is in it.
 inline constexpr std::string_view manifest_file = "manifest.json";

@@ -8,6 +8,8 @@
 #include "config/assets/asset_kind.h"
 #include "config/fields/fields.h"
 #include "config/fields/section_decoder.h"
+#include "config/sections/layer.h"
+#include "config/sections/particles.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

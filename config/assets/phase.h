@@ -5,7 +5,7 @@
 #include <string>
 
 #include "config/assets/asset.h"
-#include "config/sections/packets.h"
+#include "config/sections/files.h"
 
 namespace skybake::config {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/assets/asset.h"
-#include "config/sections/packets.h"
+#include "config/sections/files.h"
 #include "config/sections/scene.h"
 #include "config/text/quantity.h"
 

@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
-#include <string_view>
-#include <vector>
 
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
 #include "config/sections/frames.h"
+#include "config/sections/noise.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "config/sections/layer.h"
+
 namespace skybake::config {
 namespace {
 

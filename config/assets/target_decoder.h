@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "config/fields/section_decoder.h"
-#include "config/sections/files.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {

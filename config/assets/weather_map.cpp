@@ -12,6 +12,7 @@
 #include "config/fields/fields.h"
 #include "config/fields/number_reader.h"
 #include "config/fields/section_decoder.h"
+#include "config/sections/frames.h"
 #include "config/sections/parameters.h"
 #include "config/text/key_path.h"
 

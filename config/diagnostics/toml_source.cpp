@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <span>
-#include <string>
 
 #include "config/text/key_path.h"
 #include "config/text/text.h"

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cassert>
-#include <utility>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "config/fields/key.h"
 #include "config/fields/number_reader.h"
 #include "config/text/key_path.h"
 #include "config/text/quantity.h"

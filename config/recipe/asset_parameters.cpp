@@ -1,5 +1,6 @@
 #include "config/recipe/asset_parameters.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace skybake::config {
@@ -17,6 +18,14 @@ Outcome<Recipe> parse_asset_parameters(std::string_view text, const std::string&
         settings.push_back(std::string(section.substr(1, section.find(']') - 1)) + ".formats=bin");
     }
     return parse_recipe(text, name, {}, settings);
+}
+
+const Bake* own_bake(const Parameters& parameters, std::string_view name) {
+    const std::vector<Bake>& bakes = parameters.bakes;
+    const auto own = std::find_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
+        return bakes.size() == 1 || bake.name == name;
+    });
+    return own != bakes.end() ? &*own : nullptr;
 }
 
 }  // namespace skybake::config

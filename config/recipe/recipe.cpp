@@ -8,12 +8,12 @@
 #include <utility>
 
 #include "config/assets/cloud_volume.h"
-#include "config/diagnostics/diagnostic.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/recipe/merge.h"
 #include "config/recipe/named_bakes.h"
 #include "config/recipe/recipe_decoder.h"
 #include "config/recipe/recipe_sources.h"
+#include "config/sections/volume.h"
 #include "config/sweep/sweep_decoder.h"
 #include "config/text/key_path.h"
 

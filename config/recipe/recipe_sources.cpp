@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <optional>
 #include <set>
-#include <string>
-#include <vector>
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/fields.h"

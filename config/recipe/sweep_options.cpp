@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "config/diagnostics/toml_source.h"
+#include "config/sections/particles.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <utility>
 
+#include "config/fields/section_decoder.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 #include "config/text/units.h"
@@ -90,8 +91,8 @@ class TableFile {
             Value density{*number_of(row[*chosen]), asked_.place};
             pairs.push_back({Array{std::move(altitude), std::move(density)}, asked_.place});
         }
-        const bool falls = rows_.size() > 1 && *number_of(rows_.front().front()) >
-                                                   *number_of(rows_.back().front());
+        const bool falls = rows_.size() > 1 &&
+                           *number_of(rows_.front().front()) > *number_of(rows_.back().front());
         if (falls) std::reverse(pairs.begin(), pairs.end());
         return pairs;
     }
@@ -151,18 +152,19 @@ class TableFile {
         if (chosen.unit.empty() || is_per_volume(chosen.unit)) {
             return static_cast<std::size_t>(&chosen - columns_.data());
         }
-        return report(fmt::format("has `{}` in `{}`, which is no density",
-                                  shorten(chosen.name), shorten(chosen.unit)),
+        return report(fmt::format("has `{}` in `{}`, which is no density", shorten(chosen.name),
+                                  shorten(chosen.unit)),
                       "give a column without a unit, or in one per volume, such as /cm3");
     }
 
     std::nullopt_t report_columns(std::string_view wanted) {
         Words names;
-        for (std::size_t i = 1; i < columns_.size(); ++i) names.push_back(shorten(columns_[i].name));
+        for (std::size_t i = 1; i < columns_.size(); ++i)
+            names.push_back(shorten(columns_[i].name));
         if (wanted.empty()) {
-            return report("has several columns",
-                          fmt::format("name one: [{}, {}]", toml_string(name_),
-                                      toml_string(names.back())));
+            return report(
+                "has several columns",
+                fmt::format("name one: [{}, {}]", toml_string(name_), toml_string(names.back())));
         }
         return report(fmt::format("has no column `{}`", shorten(wanted)),
                       fmt::format("there are {}", fmt::join(names, ", ")));

@@ -51,6 +51,13 @@ double tabulated_column(const std::vector<DensityPoint>& table, double thickness
 
 }  // namespace
 
+Atmosphere::Atmosphere() = default;
+Atmosphere::Atmosphere(const Atmosphere&) = default;
+Atmosphere::Atmosphere(Atmosphere&&) noexcept = default;
+Atmosphere& Atmosphere::operator=(const Atmosphere&) = default;
+Atmosphere& Atmosphere::operator=(Atmosphere&&) noexcept = default;
+Atmosphere::~Atmosphere() = default;
+
 double density_column(const Layer& layer, Length thickness) {
     const double top = thickness.meters;
     switch (layer.profile) {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/noise.h"
+#include "config/sections/forward.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -117,7 +117,7 @@ struct Cloud {
     std::array<double, 2> erosion{};  // strength at the base and at the top
     double wisp_height = 0;           // below this height the erosion turns from wisps to billows
     std::array<Length, 3> extent;     // along x, y and height
-    std::array<Length, 2> corner;  // where the tile begins along x and y
+    std::array<Length, 2> corner;     // where the tile begins along x and y
     Length base_altitude;
     HeightProfile height_profile;
     double coverage = 1;    // 1: as noise and profile give it, 0: no cloud

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "config/fields/section_decoder.h"
-#include "config/sections/cloud.h"
 #include "config/sections/sections.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"

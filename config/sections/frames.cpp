@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
 
+#include "config/fields/section_decoder.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

@@ -5,18 +5,12 @@
 #include <span>
 #include <string>
 
-#include "config/fields/section_decoder.h"
-#include "config/sections/cloud.h"
-#include "config/sections/files.h"
-#include "config/sections/noise.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {
 
-// These are the keys of an asset that may be one of many frames.
-struct VolumeFrames : AssetFiles {
-    int frame = 0;  // counted from 1; 0: the time that noises and clouds have themselves
-};
+struct DecodedSection;
+struct Decoder;
 
 // Returns the parameters half-way between a frame and the next one: those of a loop of twice as many
 // frames. Noises and clouds move in both alike.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "config/fields/section_decoder.h"
 #include "config/text/key_path.h"
 
 namespace skybake::config {

@@ -9,9 +9,10 @@
 #include <string_view>
 #include <vector>
 
-#include "config/fields/section_decoder.h"
-
 namespace skybake::config {
+
+struct DecodedSection;
+struct Decoder;
 
 enum class NoiseType { constant, perlin, worley, perlin_worley, curl, alligator, curly_alligator };
 inline bool is_alligator(NoiseType type) {

@@ -7,7 +7,6 @@
 #include <array>
 #include <tuple>
 
-#include "config/sections/noise.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 

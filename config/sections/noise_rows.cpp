@@ -1,11 +1,6 @@
 #include "config/sections/noise_rows.h"
 
 #include <array>
-#include <span>
-#include <string_view>
-
-#include "config/fields/fields.h"
-#include "config/sections/sections.h"
 
 namespace skybake::config {
 namespace {

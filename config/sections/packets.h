@@ -5,17 +5,11 @@
 
 #include <cstddef>
 
-#include "config/sections/files.h"
 #include "config/sections/parameters.h"
 
 namespace skybake::config {
 
 inline constexpr std::size_t wavelengths_per_packet = 4;
-
-// These are the keys of an asset whose channels are wavelengths.
-struct LightFiles : AssetFiles {
-    int packet = 0;  // counted from 1; 0: the asset holds all wavelengths
-};
 
 // Returns the number of packets of a recipe: 1 if a texture has a channel for each wavelength.
 int packet_count(const Parameters& parameters);

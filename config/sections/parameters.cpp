@@ -2,6 +2,13 @@
 
 #include <algorithm>
 
+#include "config/sections/cloud.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/layer.h"
+#include "config/sections/noise.h"
+#include "config/sections/particles.h"
+#include "config/sections/volume.h"
+
 namespace skybake::config {
 
 namespace {
@@ -13,6 +20,13 @@ const Section& named(const std::vector<Section>& sections, std::string_view name
 }
 
 }  // namespace
+
+Parameters::Parameters() : target(Target::none) {}
+Parameters::Parameters(const Parameters&) = default;
+Parameters::Parameters(Parameters&&) noexcept = default;
+Parameters& Parameters::operator=(const Parameters&) = default;
+Parameters& Parameters::operator=(Parameters&&) noexcept = default;
+Parameters::~Parameters() = default;
 
 bool holds_colors(const Parameters& parameters) {
     return parameters.color && parameters.color->space != ColorSpace::none;

@@ -12,13 +12,9 @@
 #include <vector>
 
 #include "config/sections/atmosphere.h"
-#include "config/sections/cloud.h"
 #include "config/sections/color.h"
-#include "config/sections/files.h"
-#include "config/sections/noise.h"
-#include "config/sections/particles.h"
+#include "config/sections/forward.h"
 #include "config/sections/scene.h"
-#include "config/sections/volume.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -53,7 +49,14 @@ struct Bake {
 };
 
 struct Parameters {
-    Target target = Target::none;     // of bakes that name none
+    Parameters();
+    Parameters(const Parameters&);
+    Parameters(Parameters&&) noexcept;
+    Parameters& operator=(const Parameters&);
+    Parameters& operator=(Parameters&&) noexcept;
+    ~Parameters();
+
+    Target target;                    // of bakes that name none
     std::vector<Length> wavelengths;  // without `color`, one per channel: Y, or R, G, B
     std::optional<Color> color;       // of the sky's tables of light
     Atmosphere atmosphere;            // has no radii and no layers if a recipe has only noises

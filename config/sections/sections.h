@@ -10,6 +10,7 @@
 #include "config/sections/atmosphere.h"
 #include "config/sections/cloud.h"
 #include "config/sections/color.h"
+#include "config/sections/layer.h"
 #include "config/sections/noise.h"
 #include "config/sections/parameters.h"
 #include "config/sections/particles.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstddef>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -12,6 +11,8 @@
 #include "config/fields/fields.h"
 #include "config/optics/elementary.h"
 #include "config/optics/ground_spectra.h"
+#include "config/sections/layer.h"
+#include "config/sections/particles.h"
 #include "config/text/units.h"
 
 namespace skybake::config {

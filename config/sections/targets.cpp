@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "config/sections/files.h"
+
 namespace skybake::config {
 namespace {
 

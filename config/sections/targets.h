@@ -1,8 +1,8 @@
 // This header lists the programs that `target` names: which assets each of them loads from which
 // files, and the program's own files that are written beside them.
 //
-// To add a target, add its enumerator in files.h, a row in target_table.cpp, and a text for each of its
-// sidecars in bakers/io/targets.
+// To add a target, add its enumerator in file_formats.h, a row in target_table.cpp, and a text for
+// each of its sidecars in bakers/io/targets.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "config/fields/fields.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
+#include "config/sections/forward.h"
 
 namespace skybake::config {
 

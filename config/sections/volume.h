@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 #include "config/text/quantity.h"
 
 namespace skybake::config {
@@ -26,7 +26,7 @@ enum class AxisOrder { xyz, xzy, yxz, yzx, zxy, zyx };
 struct VolumeShape {
     std::array<int, 3> size{};             // voxels
     std::array<double, 3> voxel_size_m{};  // edges of a voxel
-    std::array<double, 3> corner_m{};      // of its lowest voxel in the file's space; 0 if it has none
+    std::array<double, 3> corner_m{};  // of its lowest voxel in the file's space; 0 if it has none
 
     bool operator==(const VolumeShape&) const = default;
 };
@@ -37,9 +37,9 @@ struct VolumeFile {
     std::string file;                          // as the recipe spells it
     std::vector<std::filesystem::path> paths;  // the file, or the slices in their order
     VolumeFormat format = VolumeFormat::vdb;
-    std::string grid;                     // vdb and nvdb; empty: density, or the only one of numbers
-    std::string channel;                  // slices; empty: the first channel
-    std::array<int, 3> size{};            // raw
+    std::string grid;           // vdb and nvdb; empty: density, or the only one of numbers
+    std::string channel;        // slices; empty: the first channel
+    std::array<int, 3> size{};  // raw
     PixelType type = PixelType::float32;  // raw
     ByteOrder byte_order = ByteOrder::little;
     AxisOrder axis_order = AxisOrder::xyz;

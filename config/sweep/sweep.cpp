@@ -3,6 +3,8 @@
 #include <array>
 #include <cassert>
 
+#include "config/fields/key.h"
+
 namespace skybake::config {
 
 int variant_count(const Sweep& sweep) {

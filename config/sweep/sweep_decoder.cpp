@@ -8,7 +8,6 @@
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
 #include "config/sweep/sobol.h"
-#include "config/sweep/sweep.h"
 #include "config/sweep/sweep_path.h"
 #include "config/sweep/sweep_range.h"
 #include "config/text/key_path.h"

@@ -9,7 +9,6 @@
 
 #include "config/diagnostics/toml_source.h"
 #include "config/fields/field_reader.h"
-#include "config/sweep/sweep.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 

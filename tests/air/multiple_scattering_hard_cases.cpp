@@ -7,6 +7,7 @@
 
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/multiple_scattering_reference.h"

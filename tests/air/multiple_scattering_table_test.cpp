@@ -1,4 +1,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
+#include "bakers/field/baked.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/field/image.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/hard_case.h"

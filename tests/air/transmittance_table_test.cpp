@@ -1,4 +1,5 @@
 #include "bakers/assets/transmittance/transmittance_table.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,6 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"
 

@@ -19,6 +19,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/bake_clock.h"

@@ -13,6 +13,7 @@
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/field/baked.h"
 #include "config/assets/cloud_volume.h"
 #include "config/recipe/recipe.h"
 

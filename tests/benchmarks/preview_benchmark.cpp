@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"

@@ -20,6 +20,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/parallel.h"

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "config/assets/sky_view.h"
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/irradiance/irradiance_table.h"

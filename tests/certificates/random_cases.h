@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "config/sections/atmosphere.h"
+#include "config/sections/layer.h"
 
 namespace skybake::test {
 

@@ -1,5 +1,6 @@
 // `max_error` chooses the largest cell that is near enough, by the certificate of each cell.
 #include "bakers/assets/cloud_light/cell_search.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 

@@ -12,6 +12,7 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/sky_light.h"
 #include "config/recipe/recipe.h"
 #include "tests/cloud_light/layers.h"

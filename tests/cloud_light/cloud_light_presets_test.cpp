@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
 #include "config/recipe/recipe.h"

@@ -1,6 +1,7 @@
 // The paths of light through a layer, against published slabs, doubling, exact single scattering and the
 // conservation of energy.
 #include "bakers/assets/cloud_light/cloud_paths.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 

@@ -18,6 +18,7 @@
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/sources/source_volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"

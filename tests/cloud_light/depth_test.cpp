@@ -6,6 +6,7 @@
 #include <numbers>
 #include <vector>
 
+#include "config/assets/cloud_light.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_light/light_values.h"

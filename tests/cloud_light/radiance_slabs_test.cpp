@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bakers/assets/cloud_light/radiance_solver.h"
+#include "config/sections/layer.h"
 #include "tests/cloud_light/layers.h"
 #include "tests/cloud_light/radiance_view.h"
 #include "tests/published/published_slabs.h"

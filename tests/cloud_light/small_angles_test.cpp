@@ -13,6 +13,7 @@
 #include "bakers/assets/forward_scattering/small_angles.h"
 #include "bakers/light/path_tracer/phase_sampling.h"
 #include "bakers/math/quadrature.h"
+#include "config/sections/layer.h"
 
 namespace skybake::forward_scattering {
 namespace {

@@ -1,4 +1,6 @@
 #include "config/recipe/init_text.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "config/assets/noise_volume.h"
+#include "config/sections/noise.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config::testing {

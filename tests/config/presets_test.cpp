@@ -1,4 +1,5 @@
 #include "config/presets/presets.h"
+#include "config/sections/cloud.h"
 
 #include <gtest/gtest.h>
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "config/recipe/recipe.h"
+#include "config/sections/layer.h"
 #include "tests/support/temporary_folder.h"
 
 namespace skybake::config::testing {

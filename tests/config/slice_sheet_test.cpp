@@ -1,3 +1,4 @@
+#include "config/fields/section_decoder.h"
 #include "config/sections/files.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
 // [sweep] and --vary: what varies, in which order, how it is spelled, and what is refused.
 #include "config/sweep/sweep.h"
+#include "config/sections/cloud.h"
+#include "config/sections/noise.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

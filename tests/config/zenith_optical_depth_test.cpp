@@ -1,4 +1,5 @@
 #include "config/sections/atmosphere.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 
@@ -59,7 +60,10 @@ TEST(ZenithOpticalDepth, MultipliesByExtinction) {
     layer.bottom_altitude = {0};
     layer.top_altitude = {1000};
     layer.extinction = {{1e-3}, {2e-3}, {0}};
-    const Atmosphere atmosphere{{1e6}, {1.1e6}, {0, 0, 0}, {}, {}};
+    Atmosphere atmosphere;
+    atmosphere.ground_radius = {1e6};
+    atmosphere.top_radius = {1.1e6};
+    atmosphere.ground_albedo = {0, 0, 0};
     EXPECT_EQ(zenith_optical_depth(layer, atmosphere), (std::vector<double>{1, 2, 0}));
 }
 

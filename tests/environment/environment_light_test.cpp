@@ -7,6 +7,7 @@
 
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_table.h"
+#include "bakers/field/baked.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"
 #include "tests/preview/clouds.h"

@@ -9,6 +9,7 @@
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/environment/sphere_harmonics.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/sky_irradiance.h"
 #include "tests/environment/maps.h"
 #include "tests/light/sky_media.h"

@@ -1,4 +1,5 @@
 #include "bakers/assets/environment/environment_mapping.h"
+#include "config/assets/environment.h"
 
 #include <gtest/gtest.h>
 

@@ -10,6 +10,7 @@
 
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/field/image.h"
+#include "config/assets/environment.h"
 
 namespace skybake::test {
 

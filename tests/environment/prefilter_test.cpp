@@ -1,4 +1,5 @@
 #include "bakers/assets/environment/prefilter.h"
+#include "config/assets/environment.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,5 @@
 #include "bakers/assets/environment/sphere_harmonics.h"
+#include "config/assets/environment.h"
 
 #include <gtest/gtest.h>
 

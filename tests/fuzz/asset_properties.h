@@ -24,6 +24,7 @@
 #include "config/assets/phase.h"
 #include "config/assets/sky_view.h"
 #include "config/assets/weather_map.h"
+#include "config/sections/noise.h"
 #include "tests/fuzz/section_properties.h"
 
 namespace skybake::config::fuzzing {

@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "config/recipe/recipe.h"
+#include "config/sections/layer.h"
+#include "config/sections/noise.h"
 #include "tests/fuzz/asset_properties.h"
 
 namespace skybake::config::fuzzing {

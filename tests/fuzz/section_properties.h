@@ -8,7 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "config/sections/cloud.h"
+#include "config/sections/layer.h"
+#include "config/sections/noise.h"
 #include "config/sections/parameters.h"
+#include "config/sections/particles.h"
+#include "config/sections/volume.h"
 
 namespace skybake::config::fuzzing {
 

@@ -1,4 +1,5 @@
 #include "bakers/io/manifest/metadata.h"
+#include "config/sections/layer.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "bakers/assets/description/certificate_warnings.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 

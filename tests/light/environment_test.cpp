@@ -1,4 +1,5 @@
 #include "bakers/assets/environment/environment_table.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 

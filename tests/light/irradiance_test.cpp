@@ -3,6 +3,7 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/multiple_scattering_quadrature.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_irradiance.h"

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "config/presets/presets.h"
+#include "config/sections/layer.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/shared_bakes.h"
 

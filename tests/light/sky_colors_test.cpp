@@ -1,5 +1,6 @@
 // Colours made of a few wavelengths, against those of whole spectra.
 #include "bakers/light/sky_colors.h"
+#include "config/sections/layer.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,5 @@
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 

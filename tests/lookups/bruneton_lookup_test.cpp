@@ -2,6 +2,7 @@
 #include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/field/image.h"
 #include "bakers/math/relative_error.h"
+#include "config/sections/layer.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

@@ -2,6 +2,7 @@
 #include <set>
 
 #include "bakers/field/image.h"
+#include "config/sections/cloud.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {

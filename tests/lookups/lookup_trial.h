@@ -22,6 +22,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/field/baked.h"
 #include "tests/lookups/gpu.h"
 #include "tests/support/atmospheres.h"
 

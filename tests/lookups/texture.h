@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 

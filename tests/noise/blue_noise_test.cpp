@@ -9,6 +9,7 @@
 
 #include "bakers/assets/blue_noise/blue_noise_volume.h"
 #include "bakers/assets/blue_noise/mask_figures.h"
+#include "bakers/field/baked.h"
 #include "config/assets/blue_noise.h"
 
 namespace skybake {

@@ -11,6 +11,7 @@
 #include "bakers/math/quadrature.h"
 #include "bakers/occupancy/distance_volume.h"
 #include "bakers/occupancy/stored_distance.h"
+#include "config/assets/cloud_distance.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::test {

@@ -1,5 +1,6 @@
 // Tests the promise of a texture of distances: no lookup of it is farther from 0 than the distance to the
 // cloud of the filtered volume.
+#include "config/assets/cloud_distance.h"
 #include "bakers/occupancy/stored_distance.h"
 
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy_filter.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake::test {
 

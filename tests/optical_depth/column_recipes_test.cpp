@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/report/report.h"
 #include "tests/support/atmospheres.h"
 

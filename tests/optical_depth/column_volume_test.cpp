@@ -1,4 +1,5 @@
 #include "bakers/assets/optical_depth/column_volume.h"
+#include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // OPAC's components and mixtures, against its data files and its published totals.
 #include "config/optics/aerosol_components.h"
+#include "config/fields/section_decoder.h"
 
 #include <gtest/gtest.h>
 

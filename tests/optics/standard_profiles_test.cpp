@@ -1,6 +1,7 @@
 // Profiles of gases, against the US Standard Atmosphere 1976 as its definition computes it and
 // against rows of AFGL-TR-86-0110.
 #include "config/optics/standard_profiles.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 

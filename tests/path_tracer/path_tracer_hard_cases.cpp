@@ -8,6 +8,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/particles/phase_function.h"
+#include "config/sections/layer.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/hard_case.h"
 

@@ -1,4 +1,5 @@
 #include "bakers/light/path_tracer/phase_sampling.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,5 @@
 #include "bakers/air/particles/phase_function.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

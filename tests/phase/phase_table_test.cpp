@@ -1,4 +1,6 @@
 #include "bakers/assets/phase/phase_table.h"
+#include "bakers/field/baked.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -13,7 +15,6 @@
 #include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "config/assets/phase.h"
 #include "tests/support/atmospheres.h"

@@ -1,4 +1,5 @@
 #include "bakers/air/particles/tabulated_phase.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,5 @@
 #include "tests/preview/closure_sky.h"
+#include "config/sections/layer.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -81,7 +82,7 @@ TEST(ClosureSky, SingleScatteringAgreesWithAdaptiveQuadrature) {
         {"earth_hillaire", 0.2, -4, 85, 0},  {"earth_hillaire", 0.2, -4, 60, 180},
         {"earth_hillaire", 0.2, -8, 88, 20}, {"earth_hillaire", 5, 30, 130, 40},
         {"earth_hillaire", 100, 20, 97, 0},  {"earth_hillaire", 100, -5, 95, 30},
-        {"mars_rgb", 0.2, 2, 70, 120},           {"mars", 0.2, -3, 89, 0},
+        {"mars_rgb", 0.2, 2, 70, 120},       {"mars", 0.2, -3, 89, 0},
         {"tiny_planet", 0.2, 5, 85, 0},      {"tiny_planet", 3, -20, 90, 0},
         {"dense_earth", 0.2, 50, 60, 0},     {"dense_earth", 0.2, 2, 88, 90},
     };

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/render/sky_view.h"
 #include "tests/support/atmospheres.h"

@@ -243,6 +243,22 @@ TEST(SkyTables, LookupsReturnTheProbes) {
     }
 }
 
+TEST(SkyTables, KnowsWhatATableHoldsByItsKeyAndNotByItsWords) {
+    for (const bool is_depth : {false, true}) {
+        const std::string content = is_depth ? "optical_depth" : "transmittance";
+        test::Sky sky =
+            test::sky_of("earth_hillaire", {"bake.transmittance.content=\"" + content + "\""});
+        for (const char* words : {"optical depth", "transmittance", "light"}) {
+            sky.transmittance.entry.content = words;
+            const auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);
+            ASSERT_TRUE(tables.value) << words;
+            EXPECT_EQ(tables.value->holds_optical_depth, is_depth) << words;
+        }
+        sky.transmittance.entry.parameters = "[bake.transmittance]\ncontent = \"shade\"\n";
+        EXPECT_FALSE(make_sky_tables(sky.transmittance, sky.multiple_scattering).value);
+    }
+}
+
 TEST(SkyTables, RefusesWhatIsNoPair) {
     const test::Sky& sky = earth();
     EXPECT_FALSE(make_sky_tables(sky.multiple_scattering, sky.transmittance).value);

@@ -33,7 +33,7 @@ PreviewAsset phase_asset(const std::string& mapping) {
 }
 
 TEST(PhasePictures, ShowTheFunctionAndItsPeak) {
-    for (const char* mapping : {"angle", "cosine", "peaks"}) {
+    for (const char* mapping : {"angle", "cosine", "peaks", "cosine_from_back"}) {
         const auto pictures = phase_pictures(phase_asset(mapping));
         ASSERT_EQ(pictures.size(), 2u) << mapping;
         EXPECT_NE(pictures[0].name, pictures[1].name);
@@ -42,6 +42,22 @@ TEST(PhasePictures, ShowTheFunctionAndItsPeak) {
         }
     }
     EXPECT_EQ(phase_pictures(phase_asset("share")).size(), 1u);
+}
+
+TEST(PhasePictures, ShowTheSameCurveFromEitherEnd) {
+    PreviewAsset forward = phase_asset("cosine"), backward = phase_asset("cosine_from_back");
+    for (int i = 0; i < 64; ++i) {
+        std::copy_n(forward.table.texel(63 - i, 0), 3, backward.table.texel(i, 0));
+    }
+    const auto seen = phase_pictures(forward), turned = phase_pictures(backward);
+    ASSERT_EQ(turned.size(), seen.size());
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        EXPECT_EQ(turned[i].picture.rgb, seen[i].picture.rgb) << seen[i].name;
+    }
+}
+
+TEST(PhasePictures, OfAnUnknownSpacingAreNone) {
+    EXPECT_TRUE(phase_pictures(phase_asset("by_moonlight")).empty());
 }
 
 PreviewAsset scattering_asset(int channels, int depth) {

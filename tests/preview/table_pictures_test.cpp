@@ -1,3 +1,4 @@
+#include "bakers/field/baked.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/hash.h"
+#include "config/sections/layer.h"
 #include "tests/probes/baked_recipe.h"
 #include "tests/probes/texels.h"
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/intermediates.h"
 
 namespace skybake::test {

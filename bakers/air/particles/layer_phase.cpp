@@ -8,9 +8,10 @@
 #include <utility>
 
 #include "bakers/air/particles/particle_scattering.h"
-#include "bakers/air/particles/phase_function.h"
 #include "bakers/air/particles/size_distribution.h"
 #include "bakers/air/particles/sphere_mixture.h"
+#include "config/sections/layer.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

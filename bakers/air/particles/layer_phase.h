@@ -8,8 +8,7 @@
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/math/vectors.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/atmosphere.h"
-#include "config/sections/parameters.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
 

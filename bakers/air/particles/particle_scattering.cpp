@@ -13,9 +13,7 @@
 #include <vector>
 
 #include "bakers/air/particles/angle_nodes.h"
-#include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/size_distribution.h"
-#include "bakers/air/particles/tabulated_phase.h"
 #include "bakers/air/particles/water_refractive_index.h"
 #include "bakers/math/transcendental.h"
 

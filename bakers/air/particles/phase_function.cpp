@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "bakers/air/particles/phase_function-inl.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "bakers/air/particles/tabulated_phase.h"
-#include "config/sections/atmosphere.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
 

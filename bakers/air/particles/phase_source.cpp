@@ -8,7 +8,7 @@
 
 #include "bakers/air/particles/particle_scattering.h"
 #include "bakers/air/particles/sphere_mixture.h"
-#include "config/assets/phase.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

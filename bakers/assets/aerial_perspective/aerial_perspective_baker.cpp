@@ -12,6 +12,7 @@
 #include "bakers/assets/aerial_perspective/aerial_perspective_volume.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_asset.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"

@@ -5,7 +5,6 @@
 #include <glm/geometric.hpp>
 
 #include "bakers/light/sky_view_mapping.h"
-#include "config/assets/aerial_perspective.h"
 
 namespace skybake {
 

@@ -15,7 +15,6 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
-#include "config/assets/aerial_perspective.h"
 
 namespace skybake {
 

@@ -5,13 +5,14 @@
 
 #include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
 #include "bakers/assets/sky/sky_lights.h"
-#include "bakers/field/baked.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/aerial_perspective.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the light that the air adds to a picture and the transmittance by which it dims it, up to
 // each of the distances, which ascend, along the ray at (u, v). The light is that scattered into

@@ -5,6 +5,7 @@
 
 #include "bakers/assets/blue_noise/blue_noise_volume.h"
 #include "bakers/assets/registry/baker.h"
+#include "bakers/field/baked.h"
 #include "config/assets/blue_noise.h"
 
 namespace skybake {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bakers/assets/blue_noise/mask_figures.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/voxel_array.h"

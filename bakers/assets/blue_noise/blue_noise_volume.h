@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/blue_noise.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the value of rank `rank` of `pixels`. A unorm type with codes 0 to m has the code
 // floor((m + 1) rank / pixels), so that each code is as frequent as any other, but for one pixel;

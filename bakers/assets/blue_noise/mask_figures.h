@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 
 namespace skybake {
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/flat_tables.h"
@@ -15,13 +14,14 @@
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/energy_balance.h"
-#include "bakers/light/solver/solve_light.h"
 #include "config/assets/takram_layers.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/assets/bruneton.h"
@@ -13,6 +12,8 @@
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The air at the wavelengths that are computed together, and the weights of all of them: tables hold
 // their colours, or the wavelengths of one packet without weights.

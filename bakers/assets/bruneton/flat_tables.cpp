@@ -1,24 +1,19 @@
 #include "bakers/assets/bruneton/flat_tables.h"
 
 #include <algorithm>
-#include <cstddef>
-#include <functional>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/image.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/light/solver/sun_axis.h"
 #include "bakers/math/parallel.h"
-#include "config/assets/bruneton.h"
 
 namespace skybake {
 

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "bakers/assets/bruneton/scattering_table.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
@@ -17,6 +16,8 @@
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Computes values at coordinates x of one y, with interleaved colours.
 using FlatRow = std::function<void(double y, const std::vector<double>& x, double* values)>;

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bakers/air/optical_depth.h"
-#include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_radiance.h"

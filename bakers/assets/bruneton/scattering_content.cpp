@@ -4,7 +4,6 @@
 #include <numbers>
 
 #include "bakers/air/particles/phase_function.h"
-#include "config/assets/bruneton.h"
 
 namespace skybake {
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/sun_bundle.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/error_search.h"

@@ -11,10 +11,11 @@
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/table_content.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/bake_options.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

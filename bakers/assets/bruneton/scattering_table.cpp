@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/scattering_row.h"
 #include "bakers/assets/description/estimate.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

@@ -23,6 +23,7 @@
 #include "bakers/math/intermediates.h"
 #include "config/assets/bruneton.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

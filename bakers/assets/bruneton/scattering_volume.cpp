@@ -8,15 +8,14 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/table_content.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/image.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/shared_light.h"
 

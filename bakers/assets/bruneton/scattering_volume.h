@@ -8,7 +8,6 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
@@ -17,6 +16,8 @@
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The air at the wavelengths that are computed together, and its light; null: no higher orders.
 struct ScatteringPacket {

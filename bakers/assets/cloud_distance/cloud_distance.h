@@ -2,13 +2,14 @@
 #pragma once
 
 #include "bakers/assets/occupancy/occupancy_grid.h"
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/stored_distance.h"
 #include "config/assets/cloud_distance.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Height over which the detail type goes from 0 to 1 where the cloud has no detail, as a share of the
 // cloud's height: Schneider & Vos 2015.

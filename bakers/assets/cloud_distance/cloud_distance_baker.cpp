@@ -11,6 +11,7 @@
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sources/source_volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/cloud_distance.h"
 #include "config/assets/cloud_volume.h"

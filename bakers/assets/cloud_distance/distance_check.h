@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/occupancy/nearest_voxel.h"
 #include "bakers/occupancy/stored_distance.h"

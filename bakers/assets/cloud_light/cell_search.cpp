@@ -14,6 +14,7 @@
 #include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/finish_volume.h"

@@ -1,5 +1,6 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"

@@ -12,12 +12,15 @@
 
 #include "bakers/air/cloud_optics.h"
 #include "bakers/assets/cloud_light/sky_parts.h"
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/math/memory.h"
 #include "bakers/math/vectors.h"
 #include "config/sections/cloud.h"
+
+namespace skybake {
+struct Baked;
+}  // namespace skybake
 
 namespace skybake::cloud_light {
 

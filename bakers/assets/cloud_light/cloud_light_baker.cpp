@@ -18,6 +18,7 @@
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sources/source_volume.h"
+#include "bakers/field/baked.h"
 #include "config/assets/cloud_light.h"
 #include "config/assets/cloud_volume.h"
 #include "config/sections/parameters.h"

@@ -5,16 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <memory>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "bakers/assets/cloud_light/texel_fit.h"
 #include "bakers/assets/description/asset_label.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/occupancy/cell_grid.h"

@@ -8,13 +8,15 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/facts.h"
 #include "config/assets/cloud_light.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Fills all of `volume` except its name and parameters. `of` is the cloud's volume, of which `layer` is
 // a channel. Returns E0401 and E0402 as for volumes, and neither value nor diagnostics after an

@@ -11,6 +11,7 @@
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_range.h"
 #include "config/assets/occupancy_filter.h"
+#include "config/sections/layer.h"
 
 namespace skybake::cloud_light {
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "bakers/march/cloud_light.h"
+#include "config/sections/layer.h"
 
 namespace skybake::cloud_light {
 

@@ -19,7 +19,6 @@
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/parallel.h"
-#include "config/sections/cloud.h"
 
 namespace skybake::cloud_light {
 

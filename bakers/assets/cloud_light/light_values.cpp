@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "config/assets/cloud_light.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"

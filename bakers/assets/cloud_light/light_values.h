@@ -8,7 +8,10 @@
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_light/harmonics.h"
 #include "bakers/math/bake_options.h"
-#include "config/assets/cloud_light.h"
+
+namespace skybake::config {
+struct CloudLightBake;
+}  // namespace skybake::config
 
 namespace skybake::cloud_light {
 

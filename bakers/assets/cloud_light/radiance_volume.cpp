@@ -1,7 +1,6 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>

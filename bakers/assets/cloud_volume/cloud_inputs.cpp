@@ -11,8 +11,6 @@
 #include "bakers/clouds/cover_search.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/volume_reader.h"
-#include "config/assets/cloud_volume.h"
-#include "config/sections/parameters.h"
 
 namespace skybake {
 

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "bakers/clouds/cloud_field.h"
-#include "bakers/clouds/cloud_reference.h"
 #include "bakers/clouds/cloud_specification.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_plan.h"

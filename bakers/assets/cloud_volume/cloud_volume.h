@@ -8,7 +8,6 @@
 #include "bakers/assets/registry/baker.h"
 #include "bakers/clouds/cloud_plan.h"
 #include "bakers/clouds/cloud_reference.h"
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
@@ -17,6 +16,8 @@
 #include "config/sections/volume.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The inputs of a cloud besides its own parameters.
 struct CloudInputs {

@@ -7,6 +7,7 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/draft_size.h"
+#include "bakers/field/baked.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/field/baked.h"
+#include "config/sections/parameters.h"
+
 namespace skybake {
 
 using config::Parameters;

@@ -5,11 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/facts.h"
-#include "config/sections/parameters.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
+
+struct Baked;
 
 struct AssetLabel {
     std::string name;

@@ -6,8 +6,9 @@
 #include <cmath>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/math/facts.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

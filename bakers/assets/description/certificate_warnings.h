@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/parameters.h"
+#include "config/sections/forward.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns a share in percent to two digits, which prints as 190 and not as 1.9e+02.
 double to_percent(double share);

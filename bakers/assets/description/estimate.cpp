@@ -5,6 +5,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
+#include "config/sections/noise.h"
 
 namespace skybake {
 

@@ -5,8 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "config/sections/files.h"
-#include "config/sections/noise.h"
+#include "config/sections/forward.h"
 #include "config/sections/scene.h"
 
 namespace skybake {

@@ -9,7 +9,7 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/description/probe_places.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 
 namespace skybake {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bakers/air/ray.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
+#include "bakers/field/level.h"
 #include "bakers/field/wrong_lookups.h"
 #include "config/sections/atmosphere.h"
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <numbers>
 #include <optional>
-#include <vector>
 
 #include "bakers/assets/environment/wide_sky.h"
 #include "bakers/math/parallel.h"

@@ -15,6 +15,7 @@
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_asset.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/cloud_volume.h"

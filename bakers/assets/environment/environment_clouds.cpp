@@ -5,15 +5,17 @@
 #include <limits>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
+#include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/cloud_volume.h"
+#include "config/assets/environment.h"
 
 namespace skybake {
 

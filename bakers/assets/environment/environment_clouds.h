@@ -15,9 +15,12 @@
 #include "bakers/march/layer_march.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/facts.h"
-#include "config/assets/environment.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
+
+namespace skybake::config {
+struct EnvironmentBake;
+}  // namespace skybake::config
 
 namespace skybake {
 

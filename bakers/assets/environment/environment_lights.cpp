@@ -10,6 +10,7 @@
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/color/color_space.h"
 #include "bakers/color/spectral_color.h"
+#include "bakers/field/baked.h"
 #include "bakers/light/sky_ray.h"
 
 namespace skybake {

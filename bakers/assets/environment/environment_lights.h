@@ -11,10 +11,12 @@
 #include <vector>
 
 #include "bakers/assets/environment/sphere_harmonics.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "config/assets/environment.h"
 
 namespace skybake {
+
+struct Baked;
 
 struct EnvironmentLights {
     std::vector<double> sun_facing;  // irradiance of a surface that faces the sun, by its disc

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bakers/math/transcendental.h"
+#include "config/assets/environment.h"
 
 namespace skybake {
 
@@ -128,6 +129,8 @@ MapAngles angles_of(const glm::dvec3& direction) {
 
 EnvironmentLayout::EnvironmentLayout(EnvironmentMapping mapping, std::array<int, 2> size)
     : mapping_(mapping), size_(size) {}
+
+int EnvironmentLayout::parts() const { return mapping_ == EnvironmentMapping::cube ? 6 : 1; }
 
 glm::dvec3 EnvironmentLayout::direction(int part, double x, double y) const {
     switch (mapping_) {

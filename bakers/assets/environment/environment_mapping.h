@@ -16,7 +16,9 @@
 #include <array>
 #include <glm/ext/vector_double3.hpp>
 
-#include "config/assets/environment.h"
+namespace skybake::config {
+enum class EnvironmentMapping;
+}  // namespace skybake::config
 
 namespace skybake {
 
@@ -38,7 +40,7 @@ class EnvironmentLayout {
     EnvironmentLayout(config::EnvironmentMapping mapping, std::array<int, 2> size);
 
     config::EnvironmentMapping mapping() const { return mapping_; }
-    int parts() const { return mapping_ == config::EnvironmentMapping::cube ? 6 : 1; }
+    int parts() const;
     // The width and height of a part.
     std::array<int, 2> part_size() const { return {size_[0], size_[1] / parts()}; }
 

@@ -10,6 +10,7 @@
 
 #include "bakers/assets/environment/wide_sky.h"
 #include "bakers/math/relative_error.h"
+#include "config/assets/environment.h"
 
 namespace skybake {
 

@@ -16,7 +16,10 @@
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/bake_options.h"
-#include "config/assets/environment.h"
+
+namespace skybake::config {
+struct EnvironmentBake;
+}  // namespace skybake::config
 
 namespace skybake {
 

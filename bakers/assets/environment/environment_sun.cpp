@@ -10,6 +10,7 @@
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/environment.h"
 
 namespace skybake {
 

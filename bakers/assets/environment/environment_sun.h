@@ -12,7 +12,10 @@
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"
-#include "config/assets/environment.h"
+
+namespace skybake::config {
+struct EnvironmentBake;
+}  // namespace skybake::config
 
 namespace skybake {
 

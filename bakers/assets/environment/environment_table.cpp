@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/environment/environment_lights.h"
@@ -17,6 +16,7 @@
 #include "bakers/assets/sky/sky_asset.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/light/sky_ray.h"
+#include "config/sections/packets.h"
 
 namespace skybake {
 

@@ -7,13 +7,14 @@
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/assets/environment/environment_model.h"
 #include "bakers/assets/sky/sky_lights.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/environment.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the place of coordinates x and y in [0, 1] of a part, as probes have it: the azimuth to the
 // right of ahead and the elevation, in degrees. By longitude and latitude the azimuth grows from -180

@@ -7,6 +7,7 @@
 
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/environment.h"
 
 namespace skybake {
 

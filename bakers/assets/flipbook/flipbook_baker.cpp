@@ -7,6 +7,7 @@
 #include "bakers/assets/flipbook/flipbook_volume.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
 #include "config/assets/flipbook.h"
 
 namespace skybake {

@@ -5,13 +5,14 @@
 // have between them.
 #pragma once
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/flipbook.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Fills all of `volume` except its name and parameters. Returns what the baker of the frames reports,
 // E0401 or E0402 for a texel that the pixel type cannot hold, and neither value nor diagnostics after an

@@ -5,7 +5,7 @@
 
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/assets/registry/baker.h"
-#include "bakers/field/image.h"
+#include "bakers/field/baked.h"
 #include "config/assets/forward_scattering.h"
 
 namespace skybake {

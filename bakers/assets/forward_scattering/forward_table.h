@@ -6,11 +6,14 @@
 #pragma once
 
 #include "bakers/assets/forward_scattering/small_angles.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/forward_scattering.h"
 #include "config/diagnostics/diagnostic.h"
+
+namespace skybake {
+struct Baked;
+}  // namespace skybake
 
 namespace skybake::forward_scattering {
 

@@ -12,6 +12,7 @@
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_asset.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/image.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_light.h"

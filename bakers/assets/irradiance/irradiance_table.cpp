@@ -10,12 +10,10 @@
 #include <string>
 #include <utility>
 
-#include "bakers/air/ray.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/sky_irradiance.h"
 #include "bakers/math/relative_error.h"
-#include "config/assets/irradiance.h"
 
 namespace skybake {
 

@@ -3,7 +3,6 @@
 
 #include "bakers/air/ray.h"
 #include "bakers/assets/sky/sky_lights.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/bake_options.h"
@@ -12,6 +11,8 @@
 #include "config/sections/scene.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Convert between altitude and y = sqrt(altitude / thickness) in [0, 1]. Rows are densest at the
 // ground, where most of the air is.

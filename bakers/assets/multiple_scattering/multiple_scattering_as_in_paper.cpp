@@ -10,7 +10,6 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/field/image.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental-inl.h"

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <vector>
 
 #include "bakers/air/quadrature_rules.h"
 #include "bakers/air/transmittance_row-inl.h"

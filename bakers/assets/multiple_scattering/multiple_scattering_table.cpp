@@ -15,7 +15,6 @@
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/math/relative_error.h"
-#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

@@ -2,13 +2,14 @@
 #pragma once
 
 #include "bakers/air/medium.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The table as a function: Psi (1/sr) at the sun's cosine and altitude of (x, y). The reference is
 // the same integral with many more nodes and a finer table of sunlight; tests compare it with

@@ -8,7 +8,6 @@
 #include <limits>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/field/finish_table.h"
@@ -16,7 +15,6 @@
 #include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/math/relative_error.h"
-#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 

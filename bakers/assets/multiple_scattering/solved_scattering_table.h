@@ -17,7 +17,6 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/assets/multiple_scattering.h"
@@ -26,6 +25,8 @@
 #include "config/sections/scene.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the solved light of the table, and the finer one that its certificate compares it with.
 std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmosphere,

@@ -9,12 +9,12 @@
 #include <string>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"
-#include "config/assets/noise_volume.h"
 
 namespace skybake {
 

@@ -4,13 +4,14 @@
 #include <array>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/noise_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/noise.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the range in which the values of each channel lie, but for a few.
 std::vector<std::array<double, 2>> usual_ranges(const config::Noise& noise);

@@ -8,6 +8,7 @@
 #include "bakers/assets/noise_volume/noise_volume.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/registry/draft_size.h"
+#include "bakers/field/baked.h"
 #include "config/assets/noise_volume.h"
 #include "config/sections/parameters.h"
 

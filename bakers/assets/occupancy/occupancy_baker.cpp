@@ -13,6 +13,7 @@
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sources/source_volume.h"
+#include "bakers/field/baked.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"

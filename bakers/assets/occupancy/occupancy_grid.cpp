@@ -4,9 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
-#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -14,9 +12,9 @@
 #include "bakers/assets/description/asset_label.h"
 #include "bakers/assets/occupancy/occupancy_proof.h"
 #include "bakers/assets/sources/voxel_blocks.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy.h"
 #include "config/fields/fields.h"
 
 namespace skybake {

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <string>
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/occupancy.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The volume of which an occupancy grid is made.
 struct OccupiedVolume {

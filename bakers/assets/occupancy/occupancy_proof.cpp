@@ -9,7 +9,6 @@
 
 #include "bakers/occupancy/cell_blocks.h"
 #include "bakers/occupancy/cell_grid.h"
-#include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
 

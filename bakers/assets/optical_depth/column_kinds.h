@@ -12,8 +12,11 @@
 #include "bakers/air/medium.h"
 #include "bakers/assets/optical_depth/column_mapping.h"
 #include "bakers/assets/optical_depth/column_table.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/layer.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "config/assets/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"

@@ -21,7 +21,11 @@
 
 #include "bakers/assets/optical_depth/column_mapping.h"
 #include "bakers/field/choose_probes.h"
-#include "config/assets/optical_depth.h"
+
+namespace skybake::config {
+enum class BetweenCoordinates;
+struct OpticalDepthBake;
+}  // namespace skybake::config
 
 namespace skybake {
 

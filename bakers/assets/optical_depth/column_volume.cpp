@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -14,13 +13,12 @@
 #include "bakers/air/ray.h"
 #include "bakers/assets/optical_depth/column_kinds.h"
 #include "bakers/assets/optical_depth/column_table.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
-#include "bakers/field/image.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/transcendental.h"
-#include "config/assets/optical_depth.h"
 
 namespace skybake {
 

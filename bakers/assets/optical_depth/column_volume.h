@@ -4,14 +4,16 @@
 
 #include <memory>
 
-#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/optical_depth.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Bakes the volume. The channels are the kinds, in their order: Y for one, R, G, B for two (B is 0)
 // or three, R, G, B, A for four. column_table.h defines the texels of columns; tables of densities

@@ -12,7 +12,7 @@
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/assets/optical_depth/column_volume.h"
 #include "bakers/assets/registry/baker.h"
-#include "bakers/field/image.h"
+#include "bakers/field/baked.h"
 #include "config/assets/optical_depth.h"
 
 namespace skybake {

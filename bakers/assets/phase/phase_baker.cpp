@@ -8,7 +8,7 @@
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/phase/phase_table.h"
 #include "bakers/assets/registry/baker.h"
-#include "bakers/field/image.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/transcendental.h"
 #include "config/assets/phase.h"
 
@@ -28,24 +28,20 @@ Estimate estimate(const Parameters&, const config::PhaseBake& asset) {
     return estimate_texels(asset, {asset.max_error ? 0 : asset.size, 1}, 1e-6, 1);
 }
 
-// Returns the place in a table by the spacing that suited it best, which its file names.
-double share_of_table(const std::string& spacing, double at) {
+// Returns the place in a table by the spacing that its file names; none names shares of the light.
+double share_of_table(std::optional<config::PhaseSpacing> spacing, double at) {
+    if (!spacing) return at;  // a share of the light
+    if (*spacing == config::PhaseSpacing::angle) return at / 180;
     const double half_sine = cosine_of_pi(0.5 - at / 360);
     const double half_cosine = cosine_of_pi(at / 360);
     const ScatteringAngle angle = {2 * half_sine * half_sine, 2 * half_cosine * half_cosine};
-    if (spacing == "angle") return at / 180;
-    if (spacing == "cosine") return phase_coordinate(config::PhaseSpacing::cosine, angle);
-    if (spacing == "cosine_from_back") {
-        return phase_coordinate(config::PhaseSpacing::cosine_from_back, angle);
-    }
-    if (spacing == "peaks") return phase_coordinate(config::PhaseSpacing::peaks, angle);
-    return at;  // a share of the light
+    return phase_coordinate(*spacing, angle);
 }
 
 AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
     const bool inverse = asset.content == config::PhaseContent::inverse_cumulative;
     return single_lookup({inverse ? "share" : "scattering_angle_deg"}, [=](const Place& at) {
-        const double x = share_of_table(stored.mapping, at[0].second);
+        const double x = share_of_table(spacing_named(stored.mapping), at[0].second);
         return Uvw{
             texture_coordinate(TexelConvention::end_points_on_texel_centres, x, stored.size[0]),
             0.5, 0.5};

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <utility>
 
-#include "bakers/air/particles/phase_function.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -18,6 +18,17 @@ struct Range {
     double low = 0;
     double high = 0;
 };
+
+struct SpacingWord {
+    config::PhaseSpacing spacing;
+    std::string_view name;
+};
+
+constexpr std::array kWords = {
+    SpacingWord{config::PhaseSpacing::angle, "angle"},
+    SpacingWord{config::PhaseSpacing::cosine, "cosine"},
+    SpacingWord{config::PhaseSpacing::cosine_from_back, "cosine_from_back"},
+    SpacingWord{config::PhaseSpacing::peaks, "peaks"}};
 
 constexpr Range kAsymmetry = {-0.9999, 0.9999};
 
@@ -182,6 +193,19 @@ namespace {
 double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
 
 }  // namespace
+
+std::string_view spacing_name(PhaseSpacing spacing) {
+    return std::find_if(kWords.begin(), kWords.end(),
+                        [=](const SpacingWord& word) { return word.spacing == spacing; })
+        ->name;
+}
+
+std::optional<PhaseSpacing> spacing_named(std::string_view mapping) {
+    for (const SpacingWord& word : kWords) {
+        if (word.name == mapping) return word.spacing;
+    }
+    return std::nullopt;
+}
 
 ScatteringAngle scattering_angle(PhaseSpacing spacing, double x) {
     if (spacing == PhaseSpacing::angle) {

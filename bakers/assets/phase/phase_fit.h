@@ -10,6 +10,7 @@
 //                             (Draine 2003; alpha 0 is Henyey-Greenstein, 1 Cornette-Shanks)
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -43,6 +44,10 @@ double fitted_value(std::string_view form, const std::vector<double>& parameters
 //   cosine   cos theta = 1 - 2 x
 //   peaks    1 - cos theta = (2 x)^4 up to 90 degrees, 1 + cos theta = (2 - 2 x)^4 beyond: about
 //            uniform in the square root of the angle from either pole
+
+// The words for spacings in files, and back: none for another mapping. `best` has no word.
+std::string_view spacing_name(config::PhaseSpacing spacing);
+std::optional<config::PhaseSpacing> spacing_named(std::string_view mapping);
 
 // For any spacing but `best`.
 ScatteringAngle scattering_angle(config::PhaseSpacing spacing, double x);

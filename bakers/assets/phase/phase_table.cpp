@@ -13,11 +13,9 @@
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/field/smallest_table.h"
-#include "config/assets/phase.h"
 
 namespace skybake {
 
@@ -30,21 +28,6 @@ namespace {
 constexpr std::array kSpacings = {PhaseSpacing::angle, PhaseSpacing::cosine, PhaseSpacing::peaks};
 
 constexpr PointCounts kChoice = {4096, 1};
-
-std::string_view spacing_name(PhaseSpacing spacing) {
-    switch (spacing) {
-        case PhaseSpacing::angle:
-            return "angle";
-        case PhaseSpacing::cosine:
-            return "cosine";
-        case PhaseSpacing::cosine_from_back:
-            return "cosine_from_back";
-        case PhaseSpacing::peaks:
-        case PhaseSpacing::best:
-            break;
-    }
-    return "peaks";
-}
 
 std::string_view formula_of(PhaseSpacing spacing) {
     switch (spacing) {

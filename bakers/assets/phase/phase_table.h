@@ -3,7 +3,6 @@
 #pragma once
 
 #include "bakers/air/particles/phase_source.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/phase.h"
@@ -11,6 +10,8 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Bakes the table. `table` comes with name, channels, parameters and details.
 config::Outcome<Baked> bake_phase(const config::Parameters& parameters,

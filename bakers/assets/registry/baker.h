@@ -15,14 +15,15 @@
 #include "bakers/assets/description/estimate.h"
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/assets/description/probe_places.h"
-#include "bakers/assets/sky/traced_light.h"
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
+
+struct Baked;
+struct TracedLight;
 
 // A file besides the recipe that an asset is made from.
 struct InputFile {

@@ -7,9 +7,6 @@
 #include <cstddef>
 #include <iterator>
 #include <memory>
-#include <optional>
-#include <span>
-#include <string>
 #include <utility>
 
 #include "bakers/air/particles/layer_phase.h"
@@ -17,10 +14,12 @@
 #include "bakers/assets/sky/sky_comparison.h"
 #include "bakers/assets/sky/sky_lights.h"
 #include "bakers/assets/sky/solvable_air.h"
+#include "bakers/field/baked.h"
 #include "bakers/math/bake_clock.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/assets.h"
 #include "config/sections/frames.h"
+#include "config/sections/layer.h"
 #include "config/sections/packets.h"
 #include "config/text/key_path.h"
 

@@ -1,7 +1,5 @@
 #include "bakers/assets/sky/sky_asset.h"
 
-#include <utility>
-
 #include "bakers/light/shared_light.h"
 #include "bakers/math/relative_error.h"
 

@@ -12,10 +12,12 @@
 #include <vector>
 
 #include "bakers/assets/sky/traced_light.h"
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake {
+
+struct Baked;
 
 // One place's light by paths.
 struct TracedPlace {

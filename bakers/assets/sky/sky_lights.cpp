@@ -1,8 +1,8 @@
 #include "bakers/assets/sky/sky_lights.h"
 
-#include <cstddef>
 #include <limits>
-#include <utility>
+
+#include "bakers/field/baked.h"
 
 namespace skybake {
 

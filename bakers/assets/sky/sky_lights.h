@@ -19,6 +19,8 @@
 
 namespace skybake {
 
+struct Baked;
+
 // Returns the air at the wavelengths that are computed together: all of them, unless tables of light
 // hold colours.
 std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters);

@@ -10,6 +10,8 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/math/vectors.h"
+#include "config/assets/assets.h"
+#include "config/sections/layer.h"
 
 namespace skybake {
 

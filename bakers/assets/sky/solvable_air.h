@@ -3,9 +3,8 @@
 
 #include <optional>
 
-#include "config/assets/assets.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/atmosphere.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 

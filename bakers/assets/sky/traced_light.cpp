@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bakers/assets/sky/sky_lights.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/certify.h"
 #include "bakers/light/sky_radiance.h"
 

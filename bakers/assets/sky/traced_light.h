@@ -11,15 +11,16 @@
 
 #include "bakers/assets/description/probe_places.h"
 #include "bakers/assets/sky/sky_samples.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/choose_probes.h"
+#include "bakers/field/conventions.h"
 #include "bakers/light/path_tracer/path_tracer.h"
 #include "bakers/math/bake_options.h"
-#include "config/sections/atmosphere.h"
 #include "config/sections/parameters.h"
 #include "config/sections/scene.h"
 
 namespace skybake {
+
+struct Baked;
 
 // An atmosphere for paths of light: all its layers scatter, by their whole phase functions.
 class TracedAir {

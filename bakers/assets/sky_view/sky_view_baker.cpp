@@ -13,6 +13,7 @@
 
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_asset.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/assets/sky_view/sky_view_table.h"
 #include "bakers/field/image.h"
 #include "bakers/light/sky_light.h"

@@ -2,15 +2,19 @@
 #pragma once
 
 #include "bakers/assets/sky/sky_lights.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/bake_options.h"
-#include "config/assets/sky_view.h"
 #include "config/diagnostics/diagnostic.h"
 
+namespace skybake::config {
+struct SkyViewBake;
+}  // namespace skybake::config
+
 namespace skybake {
+
+struct Baked;
 
 // The table of one sun as a function: radiance (1/sr) at azimuth and angle of (x, y), computed by
 // sky_row.h. The reference is SkyIntegrator, ray by ray. All arguments must outlive the model.

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/block_voxels.h"
 
 namespace skybake {

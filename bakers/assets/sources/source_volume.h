@@ -6,13 +6,14 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/baker.h"
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/cloud_volume.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the bake that `of` names. A recipe that was read has it.
 const config::CloudVolumeBake& source_volume(const config::Parameters& parameters,

@@ -5,6 +5,8 @@
 #include <array>
 #include <cstddef>
 
+#include "bakers/field/baked.h"
+
 namespace skybake {
 
 void place_blocks(const Baked& of, const occupancy::CellGrid& grid, const BlockWords& words,

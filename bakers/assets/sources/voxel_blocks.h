@@ -4,10 +4,12 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake {
+
+struct Baked;
 
 // How files speak of the blocks.
 struct BlockWords {

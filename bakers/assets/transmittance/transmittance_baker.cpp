@@ -9,7 +9,7 @@
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/registry/draft_size.h"
 #include "bakers/assets/transmittance/transmittance_table.h"
-#include "bakers/field/image.h"
+#include "bakers/field/baked.h"
 #include "config/assets/transmittance.h"
 
 namespace skybake {

@@ -4,13 +4,14 @@
 #include <string>
 
 #include "bakers/air/medium.h"
-#include "bakers/field/baked.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/transmittance.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The table as a function: transmittance, or optical depth, of the ray at (x_mu, x_r). The
 // reference is optical_depth.h. `medium` must outlive the model.

@@ -8,6 +8,7 @@
 
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/weather_map/weather_map_table.h"
+#include "bakers/field/baked.h"
 #include "config/assets/weather_map.h"
 #include "config/sections/parameters.h"
 

@@ -12,6 +12,7 @@
 
 #include "bakers/assets/weather_map/covered_share.h"
 #include "bakers/assets/weather_map/wind_streaks.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/noise/noise_field.h"

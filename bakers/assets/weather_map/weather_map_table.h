@@ -1,13 +1,14 @@
 // The asset weather_map: a plane of noise as amounts of clouds, or as directions.
 #pragma once
 
-#include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/weather_map.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/noise.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns `table`, which comes with name and parameters, with its texels and all else that the map's
 // files state, except levels of detail and what finish_volume adds. Returns E0411 if a share cannot

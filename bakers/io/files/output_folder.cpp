@@ -11,7 +11,6 @@
 #include <thread>
 #include <utility>
 
-#include "bakers/io/files/file_io.h"
 #include "bakers/io/files/system_call.h"
 #include "bakers/io/files/temporary_file.h"
 #include "bakers/io/manifest/claimed_files.h"

@@ -18,7 +18,6 @@
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/files/system_call.h"

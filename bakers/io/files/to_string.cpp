@@ -7,6 +7,7 @@
 #include <span>
 
 #include "config/fields/fields.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 namespace {

@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/field/baked.h"
-#include "config/sections/files.h"
+#include "bakers/field/conventions.h"
+#include "config/sections/forward.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -13,14 +13,16 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/sheet.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/forward.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The content of a file that is to be written: one level of an asset, or all its levels. They have
 // been surveyed.

@@ -6,9 +6,9 @@
 #include <exception>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
-#include "config/sections/files.h"
 
 namespace skybake {
 

@@ -9,21 +9,24 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/memory.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/forward.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Slices z = 0, 1, ... fill the cells of a grid row by row from the top left. Each slice has its
 // row y = 0 on top. A stack is a grid of one column; a table is a stack of one slice.
 struct SheetGrid {
-    config::SheetLayout kind = config::SheetLayout::stack;
-    int columns = 1;       // of cells
-    int rows = 1;          // of cells
-    bool flipped = false;  // the whole image is upside down: its last row is stored first
+    config::SheetLayout kind{};  // a stack
+    int columns = 1;             // of cells
+    int rows = 1;                // of cells
+    bool flipped = false;        // the whole image is upside down: its last row is stored first
 };
 
 // Returns the grid for a volume of `size` voxels. If the recipe does not give an atlas's columns,

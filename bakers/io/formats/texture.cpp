@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/bc4.h"
 #include "bakers/field/bc6h.h"
 #include "bakers/field/block_voxels.h"

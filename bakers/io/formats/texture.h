@@ -9,10 +9,12 @@
 #include <string>
 #include <string_view>
 
-#include "bakers/field/baked.h"
 #include "bakers/io/formats/format.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns how many channels a texture stores: GPUs have no numbers in threes, so these have a
 // fourth, which is 1. Blocks of bc6h count as such.

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/stopwatch.h"

@@ -5,13 +5,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/io/files/atomic_file.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The result for each file of the asset, in the order of ManifestAsset::files.
 using StagedFiles = std::vector<WriteResult>;

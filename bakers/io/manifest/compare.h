@@ -8,6 +8,7 @@
 
 #include "bakers/io/formats/exr/exr_file.h"
 #include "config/diagnostics/diagnostic.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

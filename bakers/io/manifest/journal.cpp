@@ -7,7 +7,6 @@
 #include <cerrno>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/system_call.h"

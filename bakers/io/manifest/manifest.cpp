@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <map>
-#include <utility>
 
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/manifest/claimed_files.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/math/hash.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 
@@ -77,7 +77,8 @@ Manifest merge_manifests(const Manifest& previous, Manifest fresh) {
     }
     for (ManifestAsset& asset : fresh.assets) {
         const auto left = replacements.find(asset.name);
-        if (left != replacements.end() && left->second == &asset) merged.push_back(std::move(asset));
+        if (left != replacements.end() && left->second == &asset)
+            merged.push_back(std::move(asset));
     }
     fresh.assets = std::move(merged);
     return fresh;

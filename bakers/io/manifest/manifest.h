@@ -13,11 +13,13 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
+#include "bakers/field/level.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/math/bake_clock.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -14,6 +14,7 @@
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/io/targets/sidecar.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/release.h"

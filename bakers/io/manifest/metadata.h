@@ -11,12 +11,14 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns everything that a manifest says about an asset except its files and timing.
 ManifestAsset describe(const Baked& baked);

@@ -9,6 +9,7 @@
 #include <map>
 #include <numbers>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
 #include "bakers/io/formats/vdb/vdb_file.h"

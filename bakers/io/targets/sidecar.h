@@ -11,10 +11,11 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/io/manifest/manifest.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The word that manifests have for the format of a sidecar.
 inline constexpr std::string_view sidecar_format = "sidecar";

@@ -4,7 +4,7 @@
 #include <array>
 #include <memory>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/io/volumes/value_faults.h"
 
 namespace skybake {

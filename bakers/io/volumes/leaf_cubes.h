@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 
 namespace skybake {
 

@@ -1,7 +1,6 @@
 #include "bakers/light/path_tracer/path_tracer.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>

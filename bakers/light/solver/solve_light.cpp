@@ -6,10 +6,8 @@
 #include <cstddef>
 #include <functional>
 #include <utility>
-#include <vector>
 
 #include "bakers/air/forward_peak.h"
-#include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/accelerated_orders.h"
 #include "bakers/light/solver/coarse_orders.h"
 #include "bakers/light/solver/first_light.h"

@@ -1,10 +1,7 @@
 #include "bakers/light/solver/solved_light.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <cmath>
-#include <cstddef>
 #include <numbers>
 
 namespace skybake {

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <vector>
 
 #include "bakers/assets/registry/registry.h"
 #include "bakers/march/cloud_light.h"

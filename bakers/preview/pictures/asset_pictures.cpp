@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <string_view>
 
-#include "bakers/render/tone_curve.h"
-
 namespace skybake {
 namespace {
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -15,7 +13,6 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_lighting.h"
 #include "bakers/render/stage_progress.h"
-#include "bakers/render/tone_curve.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 

@@ -13,10 +13,13 @@
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/sky_tables.h"
 #include "bakers/render/tone_curve.h"
-#include "config/assets/cloud_volume.h"
-#include "config/assets/occupancy.h"
 #include "config/recipe/recipe.h"
-#include "config/sections/cloud.h"
+
+namespace skybake::config {
+struct Cloud;
+struct CloudVolumeBake;
+struct OccupancyBake;
+}  // namespace skybake::config
 
 namespace skybake {
 

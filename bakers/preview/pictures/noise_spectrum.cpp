@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstddef>
 #include <cstdint>
 #include <numbers>
 

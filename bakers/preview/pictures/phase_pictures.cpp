@@ -27,16 +27,9 @@ std::array<std::uint8_t, 3> line_colour(const std::string& channel) {
     return {0x1f, 0x23, 0x28};
 }
 
-double angle_deg(const std::string& mapping, double x) {
-    const config::PhaseSpacing spacing = mapping == "angle"    ? config::PhaseSpacing::angle
-                                         : mapping == "cosine" ? config::PhaseSpacing::cosine
-                                                               : config::PhaseSpacing::peaks;
-    return radians(scattering_angle(spacing, x)) * degrees;
-}
-
 std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
     const Image2<float>& table = asset.table;
-    const bool inverse = asset.entry.mapping == "share";
+    const auto spacing = spacing_named(asset.entry.mapping);
     std::vector<ChartLine> lines;
     for (std::size_t c = 0; c < asset.entry.channels.size(); ++c) {
         ChartLine line;
@@ -46,10 +39,10 @@ std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
             const double x =
                 texel_coordinate(TexelConvention::end_points_on_texel_centres, i, table.width);
             const double value = table.texel(i, 0)[c];
-            const double at = inverse ? x : angle_deg(asset.entry.mapping, x);
+            const double at = spacing ? radians(scattering_angle(*spacing, x)) * degrees : x;
             if (at < least_angle) continue;
             line.x.push_back(at);
-            line.y.push_back(inverse ? radians({value, 2 - value}) * degrees : value);
+            line.y.push_back(spacing ? value : radians({value, 2 - value}) * degrees);
         }
         lines.push_back(std::move(line));
     }
@@ -60,7 +53,9 @@ std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
 
 std::vector<PreviewPicture> phase_pictures(const PreviewAsset& asset) {
     const std::string& name = asset.entry.name;
-    if (asset.entry.mapping == "share") {
+    const bool inverse = asset.entry.mapping == "share";
+    if (!inverse && !spacing_named(asset.entry.mapping)) return {};  // of another release
+    if (inverse) {
         return {as_plot({name, "Scattering angle by share of light",
                          "The curve shows the angle below which a share of the light is scattered, "
                          "from the file's texels.",

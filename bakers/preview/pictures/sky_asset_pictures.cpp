@@ -17,6 +17,7 @@
 #include "bakers/render/tone_curve.h"
 #include "config/assets/aerial_perspective.h"
 #include "config/assets/environment.h"
+#include "config/assets/irradiance.h"
 #include "config/assets/sky_view.h"
 #include "config/recipe/asset_parameters.h"
 
@@ -27,19 +28,9 @@ constexpr int view_width = 512;
 constexpr int slice_width = 240;
 constexpr int shown_slices = 4;
 
-// Returns the bake from an asset's parameters, which are themselves a recipe; they may hold the bakes
-// from which the asset is made too. Returns nothing if they are those of another kind of asset or of
-// another release.
 template <class Asset>
 std::optional<Asset> bake_of(const ManifestAsset& entry) {
-    const auto recipe = config::parse_asset_parameters(entry.parameters, entry.name);
-    if (!recipe.value) return std::nullopt;
-    const auto& bakes = recipe.value->parameters.bakes;
-    const auto found = std::find_if(bakes.begin(), bakes.end(), [&](const config::Bake& bake) {
-        return bakes.size() == 1 || bake.name == entry.name;
-    });
-    const auto* asset = found == bakes.end() ? nullptr : found->template find<Asset>();
-    return asset ? std::optional(*asset) : std::nullopt;
+    return config::recorded_bake<Asset>(entry.parameters, entry.name);
 }
 
 // Returns rows of a table as an image, with the first row at the bottom.
@@ -173,9 +164,11 @@ class AerialPictures {
     std::vector<int> slices_;
 };
 
+using EnvironmentMapping = config::EnvironmentMapping;
+
 // Returns the axes of an environment's texels. Those of a cube and of an octahedron are no angles.
-std::array<ChartAxis, 2> environment_axes(std::string_view mapping) {
-    if (mapping != "longitude_latitude") {
+std::array<ChartAxis, 2> environment_axes(EnvironmentMapping mapping) {
+    if (mapping != EnvironmentMapping::longitude_latitude) {
         return {ChartAxis{"u", [](double t) { return t; }},
                 ChartAxis{"1 − v", [](double t) { return t; }}};
     }
@@ -185,26 +178,24 @@ std::array<ChartAxis, 2> environment_axes(std::string_view mapping) {
 }
 
 // Says where directions are in the file.
-std::string_view environment_layout(std::string_view mapping) {
-    if (mapping == "cube") {
+std::string_view environment_layout(EnvironmentMapping mapping) {
+    if (mapping == EnvironmentMapping::cube) {
         return ", with the faces right, left, up, down, ahead and behind from the top";
     }
-    if (mapping == "octahedral") {
+    if (mapping == EnvironmentMapping::octahedral) {
         return ", with the zenith in the middle and straight down in the corners";
     }
     return ", with straight ahead in the middle";
 }
 
-std::string sun_of_environment(const ManifestAsset& entry) {
-    const auto bake = bake_of<config::EnvironmentBake>(entry);
-    if (!bake) return "";
-    const double degrees = bake->sun_azimuth.radians * 180 / std::numbers::pi;
+std::string sun_of_environment(const config::EnvironmentBake& bake) {
+    const double degrees = bake.sun_azimuth.radians * 180 / std::numbers::pi;
     const std::string place = degrees == 0
                                   ? "straight ahead"
                                   : fmt::format("{:.4g} degrees to the {}", std::fabs(degrees),
                                                 degrees > 0 ? "right" : "left");
     return fmt::format(" The sun is {}; its disc is {}in the file.", place,
-                       bake->sun == config::SunInMap::disc ? "" : "not ");
+                       bake.sun == config::SunInMap::disc ? "" : "not ");
 }
 
 }  // namespace
@@ -242,12 +233,15 @@ std::vector<PreviewPicture> sky_view_pictures(const PreviewAsset& asset) {
 
 std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
-    if (asset.table.width <= 0 || asset.table.height <= 0 || entry.axes.size() != 2) return {};
+    const auto bake = bake_of<config::IrradianceBake>(entry);
+    if (!bake || asset.table.width <= 0 || asset.table.height <= 0 || entry.axes.size() != 2) {
+        return {};
+    }
     const Image2<float> view = shown(asset, upwards(asset.table, 0, asset.table.height));
     const double exposure = exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
-    const bool twilight = entry.mapping == "twilight";
+    const bool twilight = bake->mapping == config::MultipleScatteringMapping::twilight;
     const ChartAxis sun{"cosine of the sun's zenith angle",
                         [twilight](double t) {
                             const double centred = 2 * t - 1;
@@ -268,17 +262,18 @@ std::vector<PreviewPicture> irradiance_pictures(const PreviewAsset& asset) {
 
 std::vector<PreviewPicture> environment_pictures(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;
-    if (asset.table.width <= 0 || asset.table.height <= 0) return {};
+    const auto bake = bake_of<config::EnvironmentBake>(entry);
+    if (!bake || asset.table.width <= 0 || asset.table.height <= 0) return {};
     const Image2<float> view = shown(asset, asset.table);
     const double exposure = sky_exposure_for(view);
     const std::string title =
         fmt::format("{}: {} × {} texels", entry.name, asset.table.width, asset.table.height);
-    const auto [across, up] = environment_axes(entry.mapping);
+    const auto [across, up] = environment_axes(bake->mapping);
     return {
         {entry.name + "_texels", title,
          fmt::format("The picture shows the file upright{}; {}.{}",
-                     environment_layout(entry.mapping), tone_text(exposure),
-                     sun_of_environment(entry)),
+                     environment_layout(bake->mapping), tone_text(exposure),
+                     sun_of_environment(*bake)),
          framed(tone_mapped(fitted(view, view_width, 2 * view_width), exposure), title, across, up),
          exposure}};
 }

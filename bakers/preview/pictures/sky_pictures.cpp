@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,7 +18,6 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/sky_reference.h"
 #include "bakers/render/sky_view.h"
-#include "bakers/render/tone_curve.h"
 #include "bakers/render/white_balance.h"
 
 namespace skybake {

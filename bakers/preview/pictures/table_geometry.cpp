@@ -50,6 +50,8 @@ std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
     const config::Bake& bake = parameters.bakes.front();
     if (const auto* transmittance = bake.find<config::TransmittanceBake>()) {
         geometry.is_transmittance_ = true;
+        geometry.holds_optical_depth_ =
+            transmittance->content == config::TransmittanceContent::optical_depth;
         if (transmittance->mapping == config::TransmittanceMapping::ue) {
             geometry.convention_ = TexelConvention::end_points_on_edges;
         }

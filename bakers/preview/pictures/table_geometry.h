@@ -21,6 +21,8 @@ class TableGeometry {
     static std::optional<TableGeometry> of(const ManifestAsset& asset);
 
     bool is_transmittance() const { return is_transmittance_; }
+    // Whether its texels are optical depths in place of transmittances.
+    bool holds_optical_depth() const { return holds_optical_depth_; }
     double thickness_km() const { return shell_.thickness_km; }
     // One per channel.
     const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
@@ -45,6 +47,7 @@ class TableGeometry {
     double altitude_at(double y) const;
 
     bool is_transmittance_ = false;
+    bool holds_optical_depth_ = false;
     Shell shell_;
     TexelConvention convention_ = TexelConvention::end_points_on_texel_centres;
     SunColumns suns_;  // of multiple scattering

@@ -72,15 +72,11 @@ struct Quantity {
     bool logarithmic = false;
 };
 
-bool holds_optical_depth(const ManifestAsset& entry) {
-    return entry.content.starts_with("optical depth");
-}
-
-Quantity quantity_of(const ManifestAsset& entry, const TableGeometry& geometry) {
+Quantity quantity_of(const TableGeometry& geometry) {
     if (!geometry.is_transmittance()) {
         return {"Multiple scattering", "Ψ (1/sr)", "sun zenith angle (deg)", true};
     }
-    if (holds_optical_depth(entry)) {
+    if (geometry.holds_optical_depth()) {
         return {"Optical depth", "optical depth to the top", "zenith angle of the ray (deg)", true};
     }
     return {"Transmittance", "transmittance to the top", "zenith angle of the ray (deg)", false};
@@ -158,9 +154,9 @@ Image2<float> upside_down(const Image2<float>& image) {
 }
 
 // Returns a table's texels as light: optical depths become transmittances.
-Image2<float> light_of(const Image2<float>& table, const ManifestAsset& entry) {
+Image2<float> light_of(const Image2<float>& table, const TableGeometry& geometry) {
     Image2<float> light = table;
-    if (!holds_optical_depth(entry)) return light;
+    if (!geometry.holds_optical_depth()) return light;
     for (float& value : light.texels) value = std::exp(-value);
     return light;
 }
@@ -202,9 +198,9 @@ class TablePictures {
     TablePictures(const PreviewAsset& asset, const TableGeometry& geometry)
         : entry_(asset.entry),
           table_(asset.table),
-          light_(light_of(asset.table, asset.entry)),
+          light_(light_of(asset.table, geometry)),
           geometry_(geometry),
-          quantity_(quantity_of(asset.entry, geometry)),
+          quantity_(quantity_of(geometry)),
           channels_(channel_names(asset.entry, geometry)),
           view_(physical_view(asset.table, geometry)),
           screen_(asset.entry.conventions, asset.table.channels),
@@ -250,7 +246,7 @@ class TablePictures {
         add("view", title,
             fmt::format("The picture shows bilinear lookups; {}.{}", tone_text(exposure_),
                         where_grey()),
-            framed(shown(screen_.shown(light_of(view_, entry_)), exposure_), title, angle_axis(),
+            framed(shown(screen_.shown(light_of(view_, geometry_)), exposure_), title, angle_axis(),
                    altitude_axis()));
     }
 

@@ -19,8 +19,6 @@
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
 #include "bakers/workspace/folder_plan.h"
-#include "bakers/workspace/sweep/sweep_plan.h"
-#include "bakers/workspace/sweep/variants.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {

@@ -8,7 +8,6 @@
 
 #include "bakers/math/parallel.h"
 #include "bakers/workspace/bake_folder.h"
-#include "bakers/workspace/sweep/variants.h"
 #include "config/diagnostics/diagnostic_codes.h"
 #include "config/recipe/recipe.h"
 

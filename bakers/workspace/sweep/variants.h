@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/conventions.h"
 #include "bakers/io/manifest/manifest.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sweep/sweep.h"
@@ -60,7 +60,7 @@ struct VariantAsset {
     std::optional<SkyError> sky_error;  // none if it was not measured, or is too noisy to tell
     std::optional<ErrorFigures> lookup_error;  // none if it was not measured
     std::optional<ErrorFigures> texel_error;
-    std::uint64_t bytes = 0;  // of all its files
+    std::uint64_t bytes = 0;      // of all its files
     std::optional<double> cover;  // the share of a cloud volume's columns that hold cloud
     std::string content_hash;
     std::vector<std::string> files;  // relative to the variant's folder

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/format.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 namespace {

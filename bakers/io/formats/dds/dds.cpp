@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/texture.h"
 
 namespace skybake {

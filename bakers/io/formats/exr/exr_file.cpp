@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_chunks.h"

@@ -11,7 +11,8 @@
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/format.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/forward.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

@@ -11,7 +11,7 @@
 
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/little_endian.h"
 

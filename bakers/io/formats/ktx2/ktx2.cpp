@@ -8,10 +8,10 @@
 #include <string_view>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/ktx2/ktx2_head.h"
 #include "bakers/io/formats/ktx2/zstd_stream.h"
 #include "bakers/io/formats/texture.h"

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 
 namespace skybake {

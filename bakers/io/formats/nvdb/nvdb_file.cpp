@@ -3,6 +3,7 @@
 #include "bakers/io/formats/nvdb/nvdb_reader.h"
 #include "bakers/io/formats/nvdb/nvdb_writer.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

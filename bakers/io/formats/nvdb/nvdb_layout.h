@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

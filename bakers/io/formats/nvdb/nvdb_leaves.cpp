@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/leaf_codes.h"
 #include "bakers/field/pixel_type.h"
-#include "bakers/io/formats/nvdb/nvdb_layout.h"
 
 namespace skybake {
 namespace {

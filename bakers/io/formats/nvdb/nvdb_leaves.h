@@ -9,12 +9,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"
 #include "bakers/math/memory.h"
-#include "config/sections/files.h"
 
 namespace skybake {
+
+struct Baked;
 
 // The active voxels of some nodes.
 struct NvdbActive {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 #include "bakers/io/formats/nvdb/nvdb_tree.h"

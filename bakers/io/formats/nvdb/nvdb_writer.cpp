@@ -7,6 +7,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/nvdb/nvdb_checksum.h"
 #include "bakers/io/formats/nvdb/nvdb_layout.h"

@@ -10,9 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/png/png_chunks.h"
 
 namespace skybake {

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/little_endian.h"

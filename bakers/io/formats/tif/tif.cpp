@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/little_endian.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/formats/vdb/vdb_file.h"

@@ -16,13 +16,13 @@
 #include <string_view>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "config/diagnostics/diagnostic.h"
-#include "config/sections/files.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 

@@ -1,4 +1,5 @@
 #include "bakers/io/formats/vdb/vdb_library.h"
+#include "config/sections/file_formats.h"
 
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/GridDescriptor.h>

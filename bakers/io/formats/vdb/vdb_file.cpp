@@ -7,10 +7,10 @@
 #include <set>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/load_module.h"
 #include "bakers/io/files/to_string.h"
-#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_writer.h"

@@ -27,13 +27,14 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
 #include "bakers/io/formats/exr/attribute_pieces.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/math/bake_options.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the names of the grids in a volume's files, one per channel.
 std::vector<std::string> vdb_grid_names(const Baked& volume);
@@ -79,7 +80,7 @@ struct VdbGrid {
     bool half = false;
     bool states_active = false;  // it has the bounds of its active voxels
     bool empty = false;          // it says that no voxel is active
-    Attributes metadata;  // all metadata of the grid, as text, by name
+    Attributes metadata;         // all metadata of the grid, as text, by name
 };
 
 struct VdbFile {

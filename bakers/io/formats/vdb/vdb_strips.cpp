@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/value_kernel.h"
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/formats/vdb/vdb_tree.h"
 
 namespace skybake {
 namespace {

@@ -8,13 +8,15 @@
 #include <optional>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/memory.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns the strips of a volume in the order of its tree, node after node.
 std::vector<VoxelBox> vdb_strips(const std::array<int, 3>& size);

@@ -10,8 +10,8 @@
 #include <span>
 #include <vector>
 
-#include "bakers/field/baked.h"
-#include "config/sections/files.h"
+#include "bakers/field/level.h"
+#include "config/sections/pixel_types.h"
 
 namespace skybake {
 

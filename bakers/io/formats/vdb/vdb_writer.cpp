@@ -9,9 +9,7 @@
 #include <utility>
 
 #include "bakers/field/baked.h"
-#include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
-#include "bakers/io/formats/vdb/vdb_tree.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {

@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "bakers/field/baked.h"
+#include "bakers/field/level.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_strips.h"
@@ -25,6 +25,8 @@
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
+
+struct Baked;
 
 // Returns E0301 with the reason.
 config::Diagnostic cannot_write_vdb(const std::filesystem::path& path, const std::string& reason);

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
 
