@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "config/sections/noise.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "config/sections/cloud.h"
 #include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/environment.h"

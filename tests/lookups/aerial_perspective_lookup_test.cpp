@@ -1,9 +1,9 @@
 #include "bakers/assets/aerial_perspective/aerial_perspective_mapping.h"
+#include "config/assets/aerial_perspective.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
 namespace gpu::aerial_lookups {
-#include "config/assets/aerial_perspective.h"
 #include "lookups/aerial_perspective.glsl.h"
 }  // namespace gpu::aerial_lookups
 

@@ -1,9 +1,9 @@
 #include "bakers/assets/optical_depth/column_kinds.h"
+#include "config/assets/optical_depth.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
 namespace gpu::column_lookups {
-#include "config/assets/optical_depth.h"
 #include "lookups/columns.glsl.h"
 }  // namespace gpu::column_lookups
 

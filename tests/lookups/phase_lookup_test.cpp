@@ -1,10 +1,10 @@
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/field/image.h"
+#include "config/assets/phase.h"
 #include "tests/lookups/lookup_trial.h"
 
 namespace skybake {
 namespace gpu::phase_lookups {
-#include "config/assets/phase.h"
 #include "lookups/phase.glsl.h"
 }  // namespace gpu::phase_lookups
 // Lookups by 1 - cos and 1 + cos of a cosine, which the manifest once said.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/field/baked.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/table_content.h"
 
