@@ -40,10 +40,11 @@ Outcome<double> read_share(const std::string& text) {
     const char* const end = text.data() + text.size();
     const auto [after, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
     const std::string_view unit(after, static_cast<std::size_t>(end - after));
-    if (error == std::errc{} && number > 0 && (unit.empty() || unit == "%" || unit == " %")) {
-        return {unit.empty() ? number : number / 100, {}};
-    }
-    return {{}, {bad_value("--max-sky-error", text, "it takes a share such as 2% or 0.02")}};
+    const double share = unit.empty() ? number : number / 100;
+    const bool has_unit = unit.empty() || unit == "%" || unit == " %";
+    if (error == std::errc{} && has_unit && share > 0 && share <= 1) return {share, {}};
+    return {{},
+            {bad_value("--max-sky-error", text, "it takes a share up to 1, such as 2% or 0.02")}};
 }
 
 Outcome<std::int64_t> read_fetches(const std::string& text) {
@@ -53,8 +54,10 @@ Outcome<std::int64_t> read_fetches(const std::string& text) {
 
 Outcome<std::uint64_t> read_size(const std::string& text) {
     const auto bytes = parse_byte_size(text);
-    if (bytes && *bytes > 0) return {*bytes, {}};
-    return {{}, {bad_value("--max-size", text, std::string(byte_size_words))}};
+    constexpr std::uint64_t fewest = 1024;
+    if (bytes && *bytes >= fewest) return {*bytes, {}};
+    return {{},
+            {bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words))}};
 }
 
 const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, read_share};
@@ -102,8 +105,9 @@ std::vector<std::size_t> shown_ways(const SkyPlan& plan) {
 
 std::string remark_of(const SkyPlan& plan, std::size_t index) {
     const MeasuredWay& way = plan.ways[index];
-    std::string remark = index == plan.chosen ? "chosen" : way.on_front ? "front" : "";
-    if (index == plan.knee && index != plan.chosen) remark = "knee";
+    std::string remark = way.on_front ? "front" : "";
+    if (index == plan.knee) remark = "knee";
+    if (index == plan.chosen) remark = plan.keeps_limits ? "chosen" : "least error";
     if (way.way.baseline.empty()) return remark;
     return fmt::format("{}{}baseline: {}", remark, remark.empty() ? "" : ", ", way.way.baseline);
 }
@@ -111,8 +115,7 @@ std::string remark_of(const SkyPlan& plan, std::size_t index) {
 std::string table_text(const SkyPlan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
                      Align::right, Align::right, Align::right, Align::left});
-    table.add_row(
-        {"way", "", "sky median %", "ninth decile %", "max %", "fetches", "textures", "bake", ""});
+    table.add_row({"way", "", "median %", "9 in 10 %", "max %", "fetches", "textures", "bake", ""});
     for (const std::size_t i : shown_ways(plan)) {
         const MeasuredWay& way = plan.ways[i];
         table.add_row(
@@ -123,11 +126,16 @@ std::string table_text(const SkyPlan& plan) {
              time_text(way.bake_s), remark_of(plan, i)});
     }
     std::string text = fmt::format(
-        "the sky of {}\n  error: of radiance, relative to paths of light ({}, standard error {} "
-        "%)\n"
-        "  fetches: of a pixel of the sky; front: no other way is as good in error, fetches and "
-        "size\n\n",
-        views_text(plan), plan.reference, to_percent(plan.ways.front().error.standard_error));
+        "the sky of {}\n"
+        "  error: of {} against paths of light, in the median, in nine of ten views, and the "
+        "largest\n"
+        "  paths: {}; their standard error is {} %\n"
+        "  fetches: of a pixel of the sky; textures: in memory; bake: wall time, here, on all "
+        "cores\n"
+        "  front: no other way is as good in error, fetches and size\n"
+        "  knee: the least error x root of fetches x fourth root of bytes\n\n",
+        views_text(plan), plan.has_colors ? "colours" : "radiance", plan.reference,
+        to_percent(plan.ways.front().error.standard_error));
     text += table.text();
     for (const std::string& note : plan.notes) text += fmt::format("  {}\n", note);
     return text + fmt::format("\n  {} of {} ways; plan.csv has all\n", shown_ways(plan).size(),
@@ -142,15 +150,21 @@ std::vector<ReportFile> files_of(const SkyPlan& plan) {
             {"plan.png", plan.sheet}};
 }
 
-ExitCode write_recipe(const SkyPlan& plan, const config::Recipe& recipe,
-                      const std::filesystem::path& path, bool force, Console& console) {
+// Returns E0303 if the recipe is to be written over a file.
+std::optional<config::Diagnostic> existing_recipe(const Invocation& invocation) {
     std::error_code error;
-    if (!force && std::filesystem::exists(path, error)) {
-        config::Diagnostic problem =
-            file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()));
-        problem.label = "overwrite it with --force, or choose another name";
-        return console.report(std::array{std::move(problem)});
+    const std::filesystem::path path = invocation[options::write];
+    if (path.empty() || invocation[options::force] || !std::filesystem::exists(path, error)) {
+        return std::nullopt;
     }
+    config::Diagnostic problem =
+        file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()));
+    problem.label = "overwrite it with --force, or choose another name";
+    return problem;
+}
+
+ExitCode write_recipe(const SkyPlan& plan, const config::Recipe& recipe,
+                      const std::filesystem::path& path, Console& console) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
     return write_report_files({{path.filename().string(), planned_recipe(plan, recipe)}}, folder,
@@ -164,8 +178,11 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
     }
     const std::filesystem::path folder = invocation[options::output];
     const bool force = invocation[options::force];
-    const auto problems = check_report_folder(folder, {"plan.csv", "plan.json", "plan.svg", "plan.png"}, force);
+    const auto problems =
+        check_report_folder(folder, {"plan.csv", "plan.json", "plan.svg", "plan.png"}, force);
     if (!problems.empty()) return console.report(problems);
+    if (const auto problem = existing_recipe(invocation))
+        return console.report(std::array{*problem});
     if (const auto problem = chart_problem()) {
         const ExitCode code = console.report(std::array{*problem});
         if (code != ExitCode::done) return code;
@@ -196,7 +213,7 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
     if (!plan.value) return outcome;
     ExitCode code = write_report_files(files_of(*plan.value), folder, console);
     if (code == ExitCode::done && outcome == ExitCode::done && invocation.has(options::write)) {
-        code = write_recipe(*plan.value, *recipe.value, invocation[options::write], force, console);
+        code = write_recipe(*plan.value, *recipe.value, invocation[options::write], console);
     }
     if (code != ExitCode::done) return code;
     console.result(invocation[options::json]  ? plan_json(*plan.value)

@@ -120,7 +120,9 @@ std::string asset_text(const AssetReport& asset) {
                "or "
                "in as few bytes; errors have two digits\n\n",
                title_of(asset), sky_text(asset.sky), asset.scale, asset.reference,
-               asset.lookup_points, asset.texel_points, asset.timing, asset.repetitions) +
+               asset.lookup_points, asset.texel_points, asset.timing,
+               asset.repetitions == 1 ? "one run"
+                                      : fmt::format("median of {}", asset.repetitions)) +
            rows_text(asset) + notes_text(asset);
 }
 

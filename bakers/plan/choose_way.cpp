@@ -50,13 +50,21 @@ std::vector<bool> front_of(std::span<const WayFigures> ways) {
     return front;
 }
 
-std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways) {
-    std::optional<std::size_t> best;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (!keeps(limits, ways[i])) continue;
-        if (!best || order_of(limits, ways[i]) < order_of(limits, ways[*best])) best = i;
-    }
-    return best;
+std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways,
+                                       double noise) {
+    const auto least = [&](const WayLimits& within, const WayLimits& order) {
+        std::optional<std::size_t> best;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            if (!keeps(within, ways[i])) continue;
+            if (!best || order_of(order, ways[i]) < order_of(order, ways[*best])) best = i;
+        }
+        return best;
+    };
+    const std::optional<std::size_t> best = least(limits, limits);
+    if (!best || limits.error) return best;
+    WayLimits near = limits;
+    near.error = ways[*best].error + noise;
+    return least(near, near);
 }
 
 std::size_t knee_of(std::span<const WayFigures> ways) {

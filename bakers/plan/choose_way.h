@@ -30,9 +30,10 @@ bool keeps(const WayLimits& limits, const WayFigures& way);
 std::vector<bool> front_of(std::span<const WayFigures> ways);
 
 // Returns the way that keeps the limits and is least in what has no limit, compared in the order
-// error, fetches, bytes; if all have limits, least in error. It is on the front. None keeps them: no
-// way.
-std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways);
+// error, fetches, bytes; if all have limits, least in error. Without a limit of error, errors that are
+// within `noise` of the least count as equal. It is on the front. None keeps them: no way.
+std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways,
+                                       double noise);
 
 // Returns the knee of the front: the way with the least product of its error, the root of its fetches
 // and the fourth root of its bytes. Half the error is so worth four times the fetches, as it is of a sum

@@ -1,8 +1,10 @@
 #include "bakers/plan/plan_files.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -51,8 +53,10 @@ const std::vector<Column>& columns() {
         {"sky_median", [](const MeasuredWay& way) { return Json(figure(way.error.median)); }},
         {"sky_p90", [](const MeasuredWay& way) { return Json(figure(way.error.ninth_decile)); }},
         {"sky_max", [](const MeasuredWay& way) { return Json(figure(way.error.max)); }},
-        {"fetches", [](const MeasuredWay& way) { return Json(way.figures.fetches); }},
-        {"bytes", [](const MeasuredWay& way) { return Json(way.figures.bytes); }},
+        {"standard_error",
+         [](const MeasuredWay& way) { return Json(figure(way.error.standard_error)); }},
+        {"fetches", [](const MeasuredWay& way) { return Json(std::llround(way.figures.fetches)); }},
+        {"bytes", [](const MeasuredWay& way) { return Json(std::llround(way.figures.bytes)); }},
         {"bake_s", [](const MeasuredWay& way) { return Json(figure(way.bake_s)); }},
         {"on_front", [](const MeasuredWay& way) { return Json(way.on_front); }},
     };
@@ -74,7 +78,7 @@ ChartPoint point_of(const SkyPlan& plan, std::size_t index, double cost,
     point.family = family_index(families, way.way.family);
     point.tooltip = fmt::format("{}: {}", full_name(way.way), figures_text(way.figures));
     point.emphasised = index == plan.chosen;
-    if (index == plan.chosen) point.label = "chosen";
+    if (index == plan.chosen) point.label = plan.keeps_limits ? "chosen" : "least error";
     return point;
 }
 
@@ -118,9 +122,9 @@ std::string suns_text(const SceneRange& range) {
         return fmt::format("suns from {:.3g} to {:.3g} degrees", range.lowest_sun_deg,
                            range.highest_sun_deg);
     }
-    std::string text = "suns at";
-    for (const double sun : range.suns_deg) text += fmt::format(" {:.3g}", sun);
-    return text + " degrees";
+    std::vector<std::string> suns;
+    for (const double sun : range.suns_deg) suns.push_back(fmt::format("{:.3g}", sun));
+    return fmt::format("suns at {} degrees", fmt::join(suns, ", "));
 }
 
 std::string asset_text(const WayAsset& asset) {
@@ -143,9 +147,9 @@ std::string views_text(const SkyPlan& plan) {
 }
 
 std::string figures_text(const WayFigures& figures) {
-    return fmt::format("{} % in nine of ten, {:.0f} {}, {}", to_percent(figures.error),
-                       figures.fetches, figures.fetches == 1 ? "fetch" : "fetches",
-                       byte_size_text(figures.bytes));
+    return fmt::format("at most {} % off in nine of ten views, {:.0f} {}, {}",
+                       to_percent(figures.error), figures.fetches,
+                       figures.fetches == 1 ? "fetch" : "fetches", byte_size_text(figures.bytes));
 }
 
 std::string full_name(const SkyWay& way) { return fmt::format("{}, {}", way.family, way.name); }
@@ -169,7 +173,7 @@ std::string plan_csv(const SkyPlan& plan) {
     text += ",chosen\n";
     for (std::size_t i = 0; i < plan.ways.size(); ++i) {
         for (const Column& column : columns()) text += dump(column.value(plan.ways[i]), -1) + ",";
-        text += i == plan.chosen ? "true\n" : "false\n";
+        text += i == plan.chosen && plan.keeps_limits ? "true\n" : "false\n";
     }
     return text;
 }
@@ -181,7 +185,8 @@ std::string plan_json(const SkyPlan& plan) {
         for (const Column& column : columns()) entry[std::string(column.name)] = column.value(way);
         Json assets = Json::object();
         for (const WayAsset& asset : way.way.assets) {
-            for (const auto& [key, value] : asset.keys) assets[asset.name][key] = value;
+            for (const auto& [key, value] : asset.keys)
+                assets[asset.name][key] = Json::parse(value);  // TOML that is JSON too
         }
         entry["assets"] = std::move(assets);
         ways.push_back(std::move(entry));
@@ -193,7 +198,7 @@ std::string plan_json(const SkyPlan& plan) {
                         {{"sky_p90", limit(plan.limits.error)},
                          {"fetches", limit(plan.limits.fetches)},
                          {"bytes", limit(plan.limits.bytes)}}},
-                       {"chosen", plan.chosen},
+                       {"chosen", plan.keeps_limits ? Json(plan.chosen) : Json(nullptr)},
                        {"knee", plan.knee},
                        {"notes", plan.notes},
                        {"ways", std::move(ways)}};
@@ -203,7 +208,8 @@ std::string plan_json(const SkyPlan& plan) {
 Figure plan_figure(const SkyPlan& plan) {
     Figure chart;
     chart.title = "Ways to draw the sky";
-    chart.subtitles = {"error of nine in ten views against " + plan.reference, views_text(plan)};
+    chart.subtitles = {"the error that nine in ten views stay below, against " + plan.reference,
+                       views_text(plan)};
     chart.front_name = "front";
     chart.charts.push_back(
         chart_of(plan, "textures (KiB)", &WayFigures::bytes, 1024, chart.families));
@@ -224,9 +230,10 @@ std::string planned_recipe(const SkyPlan& plan, const config::Recipe& recipe) {
     if (chosen.way.steps > 0) {
         text += fmt::format("# The runtime marches in {} steps.\n", chosen.way.steps);
     }
+    text += "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
     std::vector<config::Read> reads =
         config::reads_of_light(recipe.parameters, config::Roles::all());
-    reads.push_back({"scene"});
+    reads.push_back({"scene", config::Roles::all()});
     text += "\n" + config::parameters_toml(recipe, reads);
     for (const WayAsset& asset : chosen.way.assets) text += asset_text(asset);
     return text;

@@ -21,7 +21,7 @@ Figure plan_figure(const SkyPlan& plan);
 // it costs, and what its neighbours on the front would.
 std::string planned_recipe(const SkyPlan& plan, const config::Recipe& recipe);
 
-// Returns "2.3 % in nine of ten, 48 fetches, 160 KiB".
+// Returns "at most 2.3 % off in nine of ten views, 48 fetches, 160 KiB".
 std::string figures_text(const WayFigures& figures);
 
 // Returns "cameras from 0 to 3 km, suns from -6 to 90 degrees".

@@ -42,6 +42,19 @@ std::optional<config::Diagnostic> obstacle(const config::Parameters& parameters)
     return problem;
 }
 
+// Only sky views are left out, and those by their suns.
+config::Diagnostic no_ways(std::size_t suns) {
+    config::Diagnostic problem;
+    problem.code = suns == 0 ? "E0105" : "E0110";
+    problem.message = fmt::format(
+        "`sky_by` allows nothing but sky views, which `plan` compares for one to {} suns; the "
+        "scene "
+        "has {}",
+        kMostViewedSuns, suns);
+    problem.label = "state `suns` in [scene], or allow \"march\" or \"fetch\" too";
+    return problem;
+}
+
 WayLimits limits_of(const PlanRequest& request, const config::Scene& scene) {
     WayLimits limits = request.limits;
     if (!limits.error) limits.error = scene.max_sky_error;
@@ -78,6 +91,7 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
         suns.push_back(fmt::format("\"{} deg\"", sun_deg));
     const double middle_km = (scene.range.lowest_altitude_km + scene.range.highest_altitude_km) / 2;
     scene.ways = sky_ways(parameters.scene->sky_by, suns, fmt::format("\"{} km\"", middle_km));
+    if (scene.ways.empty()) return {{}, {no_ways(scene.range.suns_deg.size())}};
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};
 }
@@ -117,6 +131,7 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedS
         text += fmt::format("{} {}\n", baker.asset, baker.version);
     std::vector<config::Read> reads =
         config::reads_of_light(recipe.parameters, config::Roles::all());
+    reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
     text += config::parameters_toml(recipe, reads);
     for (const std::string& setting : assets.settings()) text += setting + '\n';
     for (const SkyWay& way : scene.ways) text += fmt::format("{}, {}\n", way.family, way.name);
@@ -186,8 +201,8 @@ config::Diagnostic unreached(const std::vector<WayFigures>& figures) {
     config::Diagnostic problem;
     problem.code = "E0408";
     problem.message = fmt::format(
-        "no way to draw the sky keeps the limits: the least error is {:.3g} %, the fewest fetches "
-        "are {:.0f} and the least size is {}, but not together",
+        "no way to draw the sky keeps the limits; each by itself, the least error is {:.3g} %, the "
+        "fewest fetches are {:.0f} and the least size is {}",
         100 * least.error, least.fetches, byte_size_text(least.bytes));
     problem.label = "raise a limit; the table shows what each way has";
     return problem;
@@ -224,18 +239,21 @@ Outcome<SkyPlan> plan_sky(const PlanRequest& request) {
     const std::vector<bool> front = front_of(figures);
     for (std::size_t i = 0; i < front.size(); ++i) plan.ways[i].on_front = front[i];
     plan.knee = knee_of(figures);
-    const auto best = best_within(plan.limits, figures);
+    plan.has_colors = holds_colors(scene.value->recipe.parameters);
+    const auto best = best_within(plan.limits, figures, of_first.standard_error);
+    plan.keeps_limits = best.has_value();
     if (!best) outcome.diagnostics.push_back(unreached(figures));
-    plan.chosen = !plan.limits.any() ? plan.knee : best.value_or(*best_within({}, figures));
+    plan.chosen = !plan.limits.any() ? plan.knee : best.value_or(*best_within({}, figures, 0));
     if (of_first.left_out > 0) {
         plan.notes.push_back(
             fmt::format("{} of {} values are left out: paths find too little light there",
                         of_first.left_out, of_first.left_out + of_first.points));
     }
-    if (plan.range.suns_deg.empty()) {
-        plan.notes.emplace_back(
-            "sky views are left out: they need the suns that the runtime shows (`suns` in "
-            "[scene])");
+    const std::size_t suns = plan.range.suns_deg.size();
+    if (suns == 0 || suns > kMostViewedSuns) {
+        plan.notes.push_back(fmt::format(
+            "sky views are left out: they are compared for one to {} suns (`suns` in [scene])",
+            kMostViewedSuns));
     }
     outcome.value = std::move(plan);
     return outcome;

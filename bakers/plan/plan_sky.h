@@ -33,7 +33,9 @@ struct SkyPlan {
     std::string reference;  // the paths
     std::vector<MeasuredWay> ways;
     WayLimits limits;
-    std::size_t chosen = 0;  // what keeps the limits, or the knee if there are none
+    std::size_t chosen = 0;    // what keeps the limits, or the knee if there are none
+    bool keeps_limits = true;  // false: no way does, and `chosen` has the least error
+    bool has_colors = false;   // errors are those of colours
     std::size_t knee = 0;
     std::vector<std::string> notes;  // what was left out, and why
     std::string sheet;               // a PNG: the sky by paths, and by each family (sky_sheet.h)
@@ -49,9 +51,10 @@ struct PlanRequest {
 };
 
 // Measures all ways and chooses one. Diagnostics are those of bake_asset; E0105 for a recipe without
-// air; E0147 for one of more than four wavelengths; E0409 where paths find no light;
-// E0408, beside the plan, if no way keeps the limits: `chosen` is then the way of least error; W0301 if the cache cannot be written. After an interruption
-// there is neither a value nor a diagnostic.
+// air; E0147 for one of more than four wavelengths; E0105 and E0110 if only sky views are allowed and
+// there are no suns or too many; E0409 where paths find no light; E0408, beside the plan, if no way
+// keeps the limits: `chosen` is then the way of least error; W0301 if the cache cannot be written.
+// After an interruption there is neither a value nor a diagnostic.
 config::Outcome<SkyPlan> plan_sky(const PlanRequest& request);
 
 // Returns the ninth decile of a way's error in views that begin with number `first` of the scene,

@@ -173,13 +173,11 @@ config::Outcome<std::string> sky_sheet(const config::Recipe& recipe, const Scene
     const Screen screen(parameters, !weights.empty());
     const std::vector<glm::dvec3> traced = screen.colors(truth.light());
     SheetBlock block;
-    block.title = fmt::format(
-        "The sky by paths of light, and by the best way of each family; "
-        "differences from -{0:.0f} % (blue) to +{0:.0f} % (red)",
-        100 * kShownDifference);
+    block.title =
+        fmt::format("Paths of light, and the best way of each family, from {:.3g} km", altitude_km);
     for (const double sun : suns) {
         block.columns.push_back(fmt::format("sun at {:.3g} degrees", sun));
-        block.columns.emplace_back("difference");
+        block.columns.push_back(fmt::format("-{0:.0f} % to +{0:.0f} %", 100 * kShownDifference));
     }
     block.rows.emplace_back("paths of light");
     for (std::size_t s = 0; s < suns.size(); ++s) {

@@ -15,7 +15,6 @@ using config::SkyBy;
 namespace {
 
 constexpr std::array kSteps = {8, 16, 32, 64};
-constexpr std::size_t kMostSuns = 4;
 
 // How finely the two tables of a march are stored.
 struct Grade {
@@ -125,7 +124,7 @@ std::vector<SkyWay> sky_ways(const std::vector<SkyBy>& by, const std::vector<std
     std::vector<SkyWay> ways;
     if (allows(SkyBy::march)) add_marches(ways);
     if (allows(SkyBy::fetch)) add_fetches(ways);
-    if (allows(SkyBy::picture) && !suns.empty() && suns.size() <= kMostSuns) {
+    if (allows(SkyBy::picture) && !suns.empty() && suns.size() <= kMostViewedSuns) {
         add_pictures(suns, camera, ways);
     }
     return ways;

@@ -1,6 +1,7 @@
 // The ways in which a runtime may draw a clear sky, each with the assets that it needs.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,8 +26,11 @@ struct SkyWay {
     int steps = 0;  // of a march
 };
 
+// A sky view has a table for each of at most so many suns.
+inline constexpr std::size_t kMostViewedSuns = 4;
+
 // Returns all ways that `by` allows; empty: all. Pictures need suns, whose elevations are
-// `suns` as TOML, and a camera; they are left out if there are none or more than four.
+// `suns` as TOML, and a camera; they are left out if there are none or more than kMostViewedSuns.
 std::vector<SkyWay> sky_ways(const std::vector<config::SkyBy>& by,
                              const std::vector<std::string>& suns, const std::string& camera);
 

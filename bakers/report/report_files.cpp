@@ -206,7 +206,8 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
         if (has_plan && name.ends_with(".png")) continue;
         config::Diagnostic diagnostic = file_error(
             "E0303", path.string(),
-            fmt::format("`{}` already exists and is not a report of skybake", path.string()));
+            fmt::format("`{}` already exists, and is neither a report nor a plan of skybake",
+                        path.string()));
         diagnostic.label = "overwrite it with --force, or choose another folder with -o";
         diagnostics.push_back(std::move(diagnostic));
     }

@@ -51,7 +51,7 @@ def main():
         asset = json.loads((folder / "baked" / "manifest.json").read_text())["assets"][0]
         assert asset["kind"] == "sky_view", asset
         size = result["ways"][chosen]["assets"]["sky_view"]["size"]
-        assert asset["size"] == json.loads(size), (asset["size"], size)
+        assert asset["size"] == size, (asset["size"], size)
 
         # Figures are kept, standard input is read once, and choices are limited.
         again = plan("-", "--json", "--force", text=SCENE)
@@ -68,7 +68,8 @@ def main():
         (out / "plan.csv").write_text("mine")
         assert plan("scene.toml").returncode == 3
         assert (out / "plan.csv").read_text() == "mine"
-        for wrong in (["--max-sky-error", "much"], ["--max-fetches", "0"], ["--max-size", "1 lightyear"],
+        for wrong in (["--max-sky-error", "much"], ["--max-fetches", "0"], ["--max-size", "1 lightyear"], ["--max-size", "1"],
+                      ["--max-sky-error", "2"],
                       ["--json", "--csv"]):
             assert plan("scene.toml", *wrong).returncode == 2, wrong
         (folder / "cells.toml").write_text("format = 1\n")

@@ -29,7 +29,7 @@ RC_GTEST_PROP(ChooseWay, NoBeatenWayIsChosen, ()) {
     const std::vector<WayFigures> ways = some_ways();
     RC_PRE(!ways.empty());
     const WayLimits limits{some_limit(0.01), some_limit(1), some_limit(1024)};
-    const auto best = best_within(limits, ways);
+    const auto best = best_within(limits, ways, 0);
     const std::size_t knee = knee_of(ways);
     for (const WayFigures& way : ways) {
         RC_ASSERT(!beats(way, ways[knee]));
@@ -42,8 +42,8 @@ RC_GTEST_PROP(ChooseWay, NoBeatenWayIsChosen, ()) {
 RC_GTEST_PROP(ChooseWay, ALooserErrorNeverTakesMoreFetches, ()) {
     const std::vector<WayFigures> ways = some_ways();
     const double error = 0.01 * *rc::gen::inRange(1, 20);
-    const auto tight = best_within({error, {}, {}}, ways);
-    const auto loose = best_within({1.5 * error, {}, {}}, ways);
+    const auto tight = best_within({error, {}, {}}, ways, 0);
+    const auto loose = best_within({1.5 * error, {}, {}}, ways, 0);
     if (!tight) return;
     RC_ASSERT(loose.has_value());
     RC_ASSERT(ways[*loose].fetches <= ways[*tight].fetches);
@@ -70,13 +70,22 @@ RC_GTEST_PROP(ChooseWay, TheFrontIsWhatNoOtherBeats, ()) {
 TEST(ChooseWay, TakesTheLeastOfWhatHasNoLimit) {
     const std::vector<WayFigures> ways = {
         {0.01, 500, 1000}, {0.02, 100, 3000}, {0.02, 100, 2000}, {0.06, 1, 8000}, {0.5, 8, 10}};
-    EXPECT_EQ(best_within({}, ways), 0u);
-    EXPECT_EQ(best_within({0.03, {}, {}}, ways), 2u);
-    EXPECT_EQ(best_within({0.1, {}, {}}, ways), 3u);
-    EXPECT_EQ(best_within({{}, 50, {}}, ways), 3u);
-    EXPECT_EQ(best_within({{}, 50, 100}, ways), 4u);
-    EXPECT_EQ(best_within({0.03, {}, 1500}, ways), 0u);
-    EXPECT_EQ(best_within({0.03, 50, {}}, ways), std::nullopt);
+    EXPECT_EQ(best_within({}, ways, 0), 0u);
+    EXPECT_EQ(best_within({0.03, {}, {}}, ways, 0), 2u);
+    EXPECT_EQ(best_within({0.1, {}, {}}, ways, 0), 3u);
+    EXPECT_EQ(best_within({{}, 50, {}}, ways, 0), 3u);
+    EXPECT_EQ(best_within({{}, 50, 100}, ways, 0), 4u);
+    EXPECT_EQ(best_within({0.03, {}, 1500}, ways, 0), 0u);
+    EXPECT_EQ(best_within({0.03, 50, {}}, ways, 0), std::nullopt);
+}
+
+// Twice the fetches for less than the noise are not taken.
+TEST(ChooseWay, ErrorsWithinTheNoiseAreEqual) {
+    const std::vector<WayFigures> ways = {
+        {0.0085, 2944, 3000}, {0.0088, 1472, 1500}, {0.02, 64, 100}};
+    EXPECT_EQ(best_within({{}, {}, 4000}, ways, 0.0024), 1u);
+    EXPECT_EQ(best_within({{}, {}, 4000}, ways, 0.0001), 0u);
+    EXPECT_EQ(best_within({0.01, {}, {}}, ways, 0.0024), 1u);
 }
 
 // Sixteen times the bytes or four times the fetches are worth half the error, and no more.

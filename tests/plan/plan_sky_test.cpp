@@ -158,6 +158,14 @@ TEST(PlanSky, NeedsAirAndFewWavelengths) {
     EXPECT_EQ(many.diagnostics.at(0).code, "E0147");
 }
 
+TEST(PlanSky, SkyViewsNeedSuns) {
+    const auto none =
+        plan_sky(request_of("preset = \"earth_hillaire\"\n[scene]\nsky_by = [\"picture\"]\n"));
+    EXPECT_FALSE(none.value);
+    ASSERT_EQ(none.diagnostics.size(), 1u);
+    EXPECT_EQ(none.diagnostics[0].code, "E0105");
+}
+
 // Night has no error of 0: nothing can be told of it.
 TEST(PlanSky, NightsAreTooDarkToPlanWith) {
     const auto night =
