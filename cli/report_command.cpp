@@ -114,11 +114,11 @@ std::string sky_text(const std::optional<SkyError>& sky) {
 
 std::string asset_text(const AssetReport& asset) {
     return fmt::format(
-               "{}\n{}  lookup error: {}, against {} ({} lookups, {} texels)\n  time: {}, median "
-               "of "
-               "{}\n  front: no other variant has a smaller error in as little time (within 5 %), "
-               "or "
-               "in as few bytes; errors have two digits\n\n",
+               "{}\n{}  lookup error: {}, against {} ({} lookups, {} texels)\n"
+               "  time: {}, {}\n"
+               "  front: no other variant has a smaller error (RMS) in as little time (within 5 "
+               "%), "
+               "or in as few bytes; errors have two digits\n\n",
                title_of(asset), sky_text(asset.sky), asset.scale, asset.reference,
                asset.lookup_points, asset.texel_points, asset.timing,
                asset.repetitions == 1 ? "one run"

@@ -36,7 +36,7 @@ ColumnErrors errors_of(const config::Atmosphere& atmosphere, const config::Optic
                            bake.pixel_type, points);
 }
 
-// The bars of the issue, for each kind alone and all together, at the default sizes.
+// The bars, for each kind alone and all together, at the default sizes.
 TEST(ColumnVolume, TablesOfTheEarthHoldTheirBars) {
     const config::Atmosphere atmosphere = earth_with_presets();
     for (const char* last : {"rain", "snow"}) {
