@@ -29,8 +29,14 @@ WayAssets::WayAssets(const std::vector<SkyWay>& ways) {
     }
 }
 
-std::size_t WayAssets::index_of(const WayAsset& asset) const {
-    return static_cast<std::size_t>(std::find(all_.begin(), all_.end(), asset) - all_.begin());
+std::vector<const BakedAsset*> WayAssets::of(const SkyWay& way,
+                                             const std::vector<BakedAsset>& baked) const {
+    std::vector<const BakedAsset*> own;
+    for (const WayAsset& asset : way.assets) {
+        const auto at = std::find(all_.begin(), all_.end(), asset);
+        own.push_back(&baked[static_cast<std::size_t>(at - all_.begin())]);
+    }
+    return own;
 }
 
 std::vector<std::string> WayAssets::settings() const {

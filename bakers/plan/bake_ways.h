@@ -13,26 +13,28 @@
 
 namespace skybake {
 
+// An asset in memory and what it took.
+struct BakedAsset {
+    const config::Bake* bake = nullptr;  // of the recipe
+    Baked baked;
+    double seconds = 0;  // light that others made first included, since each way needs it
+};
+
 // The assets of all ways, each once.
 class WayAssets {
   public:
     explicit WayAssets(const std::vector<SkyWay>& ways);
 
     std::size_t size() const { return all_.size(); }
-    std::size_t index_of(const WayAsset& asset) const;
+    // Returns those of a way among all, which stand in the same order.
+    std::vector<const BakedAsset*> of(const SkyWay& way,
+                                      const std::vector<BakedAsset>& baked) const;
 
     // Returns the settings that add them to a recipe.
     std::vector<std::string> settings() const;
 
   private:
     std::vector<WayAsset> all_;
-};
-
-// An asset in memory and what it took.
-struct BakedAsset {
-    const config::Bake* bake = nullptr;  // of the recipe
-    Baked baked;
-    double seconds = 0;  // light that others made first included, since each way needs it
 };
 
 // Bakes all assets, without certificates. `recipe` has the settings of `assets` and must outlive the

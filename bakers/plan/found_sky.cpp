@@ -1,6 +1,5 @@
 #include "bakers/plan/found_sky.h"
 
-#include <array>
 #include <memory>
 #include <utility>
 
@@ -15,13 +14,8 @@ namespace skybake {
 
 namespace {
 
-StoredTexels stored_of(const Baked& baked) {
-    const std::array<int, 3>& size = baked.levels.front().size;
-    return {baked.mapping, {size.begin(), size.end()}, baked.channel_names.size()};
-}
-
 AssetPlaces places_of(const config::Parameters& parameters, const BakedAsset& asset) {
-    return baker_of(*asset.bake).places(parameters, *asset.bake, stored_of(asset.baked));
+    return baker_of(*asset.bake).places(parameters, *asset.bake, stored_texels(asset.baked));
 }
 
 }  // namespace
@@ -71,7 +65,7 @@ std::vector<Spectrum> SkyOfWay::fetch(const BakedAsset& asset) const {
         asset.baked, threads_);
 }
 
-// The picture that has the nearest sun; it has no parallax, so that cameras at other altitudes see
+// The picture of the view's sun has no parallax, so that cameras at other altitudes see
 // it where the same share of their sky is.
 std::vector<Spectrum> SkyOfWay::look_up(const BakedAsset& asset) const {
     std::vector<Place> at;
@@ -80,9 +74,8 @@ std::vector<Spectrum> SkyOfWay::look_up(const BakedAsset& asset) const {
                       {"above_horizon_deg", view.above_horizon_deg},
                       {"sun_elevation_deg", view.sun_elevation_deg}});
     }
-    const AssetPlaces own = places_of(parameters_, asset);
-    return light_looked_up([own](const StoredTexels&) { return own; }, std::move(at))(asset.baked,
-                                                                                      threads_);
+    const auto places = [&](const StoredTexels&) { return places_of(parameters_, asset); };
+    return light_looked_up(places, std::move(at))(asset.baked, threads_);
 }
 
 }  // namespace skybake

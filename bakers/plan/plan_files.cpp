@@ -16,6 +16,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/math/facts.h"
+#include "bakers/report/measurement.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
@@ -84,12 +85,10 @@ ChartPoint point_of(const SkyPlan& plan, std::size_t index, double cost,
 
 // Marks the front of a chart's own two figures, which is what its line joins.
 void mark_front(std::vector<ChartPoint>& points) {
-    for (ChartPoint& point : points) {
-        point.on_front = std::none_of(points.begin(), points.end(), [&](const ChartPoint& other) {
-            return (other.x <= point.x && other.y < point.y) ||
-                   (other.x < point.x && other.y <= point.y);
-        });
-    }
+    std::vector<CostAndError> choices;
+    for (const ChartPoint& point : points) choices.push_back({point.x, point.y});
+    const std::vector<bool> front = pareto_front(choices);
+    for (std::size_t i = 0; i < points.size(); ++i) points[i].on_front = front[i];
 }
 
 // Names each baseline once, at its least error.

@@ -107,17 +107,11 @@ Outcome<Recipe> load_assets(const PlanRequest& request, const WayAssets& assets)
 // The weights of colours, if tables of light hold colours; any asset of light states them.
 std::vector<glm::dvec3> weights_of(const config::Parameters& parameters,
                                    const std::vector<BakedAsset>& assets) {
-    std::vector<glm::dvec3> weights;
-    if (!holds_colors(parameters)) return weights;
-    for (const BakedAsset& asset : assets) {
-        const auto& color = asset.baked.conventions.color;
-        if (!color) continue;
-        for (std::size_t i = 0; i + 2 < color->weights.size(); i += 3) {
-            weights.emplace_back(color->weights[i], color->weights[i + 1], color->weights[i + 2]);
-        }
-        break;
-    }
-    return weights;
+    const auto stated = std::find_if(assets.begin(), assets.end(), [](const BakedAsset& asset) {
+        return asset.baked.conventions.color.has_value();
+    });
+    if (!holds_colors(parameters) || stated == assets.end()) return {};
+    return weights_of(*stated->baked.conventions.color);
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
@@ -145,11 +139,10 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedS
 // Measures a way in the truth's views.
 void measure_way(const SkyOfWay& sky, const SceneTruth& truth, const WayAssets& assets,
                  const std::vector<BakedAsset>& baked, MeasuredWay& measured) {
-    std::vector<const BakedAsset*> own;
-    for (const WayAsset& asset : measured.way.assets) {
-        own.push_back(&baked[assets.index_of(asset)]);
-        measured.figures.bytes += texture_bytes(own.back()->baked);
-        measured.bake_s += own.back()->seconds;
+    const std::vector<const BakedAsset*> own = assets.of(measured.way, baked);
+    for (const BakedAsset* asset : own) {
+        measured.figures.bytes += texture_bytes(asset->baked);
+        measured.bake_s += asset->seconds;
     }
     measured.error = truth.error(sky.find(measured.way, own, measured.figures.fetches));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
@@ -234,7 +227,7 @@ Outcome<SkyPlan> plan_sky(const PlanRequest& request) {
     plan.sheet = std::move(measured.value->sheet);
     const SkyError& of_first = plan.ways.front().error;
     if (auto problem = darkness(of_first)) return {{}, {std::move(*problem)}};
-    plan.reference = plan.ways.front().error.reference;
+    plan.reference = of_first.reference;
     const std::vector<WayFigures> figures = figures_of(plan.ways);
     const std::vector<bool> front = front_of(figures);
     for (std::size_t i = 0; i < front.size(); ++i) plan.ways[i].on_front = front[i];

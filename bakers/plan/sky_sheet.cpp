@@ -187,10 +187,9 @@ config::Outcome<std::string> sky_sheet(const config::Recipe& recipe, const Scene
     }
     const SkyOfWay found(parameters, truth, options.threads);
     for (const MeasuredWay* way : best_of_families(ways)) {
-        std::vector<const BakedAsset*> own;
-        for (const WayAsset& asset : way->way.assets) own.push_back(&baked[assets.index_of(asset)]);
         double fetches = 0;
-        const auto colors = screen.colors(found.find(way->way, own, fetches));
+        const auto colors =
+            screen.colors(found.find(way->way, assets.of(way->way, baked), fetches));
         block.rows.push_back(full_name(way->way));
         for (std::size_t s = 0; s < suns.size(); ++s) {
             const HalfSky wanted = sky_under(traced, s);

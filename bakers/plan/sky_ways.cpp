@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <string_view>
 
+#include "bakers/report/variants.h"
+
 namespace skybake {
 
 using config::SkyBy;
@@ -26,21 +28,11 @@ constexpr std::array<Grade, 3> kGrades = {{{"[256, 64]", "[64, 64]", "float"},
 
 // What a march finds of the light that was scattered before.
 struct Closure {
-    std::string_view family, baseline;
+    std::string family, baseline;
     std::vector<std::pair<std::string, std::string>> keys;  // empty: no table
 };
 
 std::string text(std::string_view word) { return fmt::format("\"{}\"", word); }
-
-// Returns "64x64" for "[64, 64]".
-std::string extent(std::string_view size) {
-    std::string text;
-    for (const char letter : size) {
-        if (letter == ',') text += 'x';
-        if (letter >= '0' && letter <= '9') text += letter;
-    }
-    return text;
-}
 
 std::vector<Closure> closures() {
     std::vector<Closure> all = {
@@ -50,10 +42,7 @@ std::vector<Closure> closures() {
          {{"method", text("as_in_paper")}, {"mapping", text("hillaire")}}},
         {"mean radiance of all orders", "", {{"content", text("hillaire")}}}};
     for (const int degree : {2, 4, 8}) {
-        static constexpr std::array<std::string_view, 9> kNames = {
-            "", "", "moments of degree 2", "", "moments of degree 4", "",
-            "", "", "moments of degree 8"};
-        all.push_back({kNames[static_cast<std::size_t>(degree)],
+        all.push_back({fmt::format("moments of degree {}", degree),
                        "",
                        {{"content", text("moments")}, {"degree", std::to_string(degree)}}});
     }
@@ -82,9 +71,9 @@ void add_marches(std::vector<SkyWay>& ways) {
                 closure.keys.empty() ? grade.transmittance : grade.multiple_scattering;
             for (const int steps : kSteps) {
                 ways.push_back(
-                    {SkyBy::march, std::string(closure.family),
-                     fmt::format("{}, {}, {} steps", extent(size), grade.pixel_type, steps),
-                     std::string(closure.baseline), assets, steps});
+                    {SkyBy::march, closure.family,
+                     fmt::format("{}, {}, {} steps", plain_value(size), grade.pixel_type, steps),
+                     closure.baseline, assets, steps});
             }
         }
     }
@@ -97,7 +86,7 @@ void add_fetches(std::vector<SkyWay>& ways) {
         asset.keys.emplace_back("combined", "true");
         ways.push_back({SkyBy::fetch,
                         "scattering along rays",
-                        fmt::format("{}, half", extent(size)),
+                        fmt::format("{}, half", plain_value(size)),
                         size == kSizes[1] ? "Bruneton 2017, all orders" : "",
                         {asset}});
     }
@@ -110,7 +99,7 @@ void add_pictures(const std::vector<std::string>& suns, const std::string& camer
         asset.keys.emplace_back("altitude", camera);
         asset.keys.emplace_back("sun_elevations", fmt::format("[{}]", fmt::join(suns, ", ")));
         ways.push_back(
-            {SkyBy::picture, "sky views", fmt::format("{}, half", extent(size)), "", {asset}});
+            {SkyBy::picture, "sky views", fmt::format("{}, half", plain_value(size)), "", {asset}});
     }
 }
 

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <cstddef>
 
+#include "bakers/air/ray.h"
 #include "bakers/assets/sky/traced_light.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/math/parallel.h"
-#include "bakers/math/transcendental.h"
 
 namespace skybake {
 
@@ -52,7 +52,9 @@ class RuntimeMarch {
         Spectrum radiance{};
         Spectrum throughput(1.0);
         for (const Step& step : steps_of(ray.length_km, densest_km, steps)) {
-            const double altitude_km = altitude_on(ray, step.middle_km);
+            const double altitude_km =
+                std::clamp(altitude_along_km(shell_, ray.altitude_km, ray.s_km, step.middle_km),
+                           0.0, shell_.thickness_km);
             const Spectrum depth = extinction_at(tables_.medium.air, altitude_km) * step.width_km;
             const Spectrum source = source_at(ray, altitude_km, step.middle_km, phases);
             for (std::size_t c = 0; c < kMaxChannels; ++c) {
@@ -66,13 +68,6 @@ class RuntimeMarch {
     }
 
   private:
-    double altitude_on(const SkyRay& ray, double distance_km) const {
-        const double r = shell_.ground_radius_km + ray.altitude_km;
-        const double q = distance_km * (distance_km + 2 * ray.s_km);
-        const double altitude_km = ray.altitude_km + q / (std::sqrt(std::max(r * r + q, 0.0)) + r);
-        return std::clamp(altitude_km, 0.0, shell_.thickness_km);
-    }
-
     // Returns what a km of air sends towards the eye.
     Spectrum source_at(const SkyRay& ray, double altitude_km, double distance_km,
                        const std::vector<Spectrum>& phases) const {

@@ -58,7 +58,16 @@ std::vector<std::string> other_values(const config::Field& field, const std::str
     return values;
 }
 
-std::string plain(std::string_view toml) {
+const config::ResolvedValue* find_value(const config::Recipe& recipe, const std::string& path) {
+    const auto found =
+        std::find_if(recipe.values.begin(), recipe.values.end(),
+                     [&](const config::ResolvedValue& value) { return value.path == path; });
+    return found == recipe.values.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string plain_value(std::string_view toml) {
     std::string text;
     for (const char letter : toml) {
         if (letter == ',') text += 'x';
@@ -68,15 +77,6 @@ std::string plain(std::string_view toml) {
     }
     return text;
 }
-
-const config::ResolvedValue* find_value(const config::Recipe& recipe, const std::string& path) {
-    const auto found =
-        std::find_if(recipe.values.begin(), recipe.values.end(),
-                     [&](const config::ResolvedValue& value) { return value.path == path; });
-    return found == recipe.values.end() ? nullptr : &*found;
-}
-
-}  // namespace
 
 std::vector<Variant> variants_of(const config::Recipe& recipe, const config::Bake& bake) {
     std::vector<Variant> variants = {{"this recipe", "", "", {}}};
@@ -89,9 +89,9 @@ std::vector<Variant> variants_of(const config::Recipe& recipe, const config::Bak
         const config::Field* field = config::find_field(*section, key.name);
         if (own == nullptr || field == nullptr) continue;
         for (const std::string& value : other_values(*field, own->canonical)) {
-            const bool is_published = !key.published.empty() && plain(value) == key.published;
+            const bool is_published = !key.published.empty() && plain_value(value) == key.published;
             variants.push_back({std::string(key.name),
-                                plain(value),
+                                plain_value(value),
                                 std::string(is_published ? key.baseline : ""),
                                 {fmt::format("{}={}", path, value)}});
         }

@@ -5,6 +5,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/diagnostics/diagnostic.h"
@@ -15,6 +16,9 @@ namespace skybake {
 // Reads a recipe with more settings than those that its user gave, "bake.sky.size=[192, 108]".
 using LoadRecipe =
     std::function<config::Outcome<config::Recipe>(std::span<const std::string> settings)>;
+
+// Returns a TOML value as tables show it: "256x64" for "[256, 64]", "half" for a text in quotes.
+std::string plain_value(std::string_view toml);
 
 struct Variant {
     std::string family;    // the key that differs: "pixel_type"; of the recipe itself "this recipe"

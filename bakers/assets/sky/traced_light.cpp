@@ -13,11 +13,6 @@ namespace skybake {
 
 namespace {
 
-StoredTexels stored_texels(const Baked& baked) {
-    const std::array<int, 3>& size = baked.levels.front().size;
-    return {baked.mapping, {size.begin(), size.end()}, baked.channel_names.size()};
-}
-
 // The light scattered once into a view from the air.
 Spectrum first_order(const SkyMedium& medium, const SkySample& sample) {
     const CameraRay ray =
@@ -60,6 +55,11 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
     };
 }
 
+StoredTexels stored_texels(const Baked& baked) {
+    const std::array<int, 3>& size = baked.levels.front().size;
+    return {baked.mapping, {size.begin(), size.end()}, baked.channel_names.size()};
+}
+
 std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetPlaces& places,
                                                 const std::vector<Place>& at) {
     std::vector<std::vector<double>> found;
@@ -92,14 +92,17 @@ LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> pl
     };
 }
 
-std::vector<glm::dvec3> weights_of(const Conventions& conventions) {
+std::vector<glm::dvec3> weights_of(const ColorConvention& color) {
     std::vector<glm::dvec3> weights;
-    const auto& color = conventions.color;
-    if (!color || !color->is_applied) return weights;
-    for (std::size_t i = 0; i + 2 < color->weights.size(); i += 3) {
-        weights.emplace_back(color->weights[i], color->weights[i + 1], color->weights[i + 2]);
+    for (std::size_t i = 0; i + 2 < color.weights.size(); i += 3) {
+        weights.emplace_back(color.weights[i], color.weights[i + 1], color.weights[i + 2]);
     }
     return weights;
+}
+
+std::vector<glm::dvec3> weights_of(const Conventions& conventions) {
+    const auto& color = conventions.color;
+    return color && color->is_applied ? weights_of(*color) : std::vector<glm::dvec3>{};
 }
 
 std::vector<TraceOfPlace> traces_of_packets(

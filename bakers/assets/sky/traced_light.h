@@ -49,6 +49,9 @@ TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkyS
 // Returns the light at all places, as a runtime finds it in the stored texels.
 using LightAtPlaces = std::function<std::vector<Spectrum>(const Baked& baked, int threads)>;
 
+// Returns the facts of an asset in memory as a file would state them.
+StoredTexels stored_texels(const Baked& baked);
+
 // Returns the channels of lookups at probes' coordinates, one vector per entry of `at`.
 std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetPlaces& places,
                                                 const std::vector<Place>& at);
@@ -68,6 +71,9 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
 std::vector<TraceOfPlace> traces_of_packets(
     const config::Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of);
+
+// Returns the weight of each wavelength in colours.
+std::vector<glm::dvec3> weights_of(const ColorConvention& color);
 
 // Returns the weight of each wavelength in channels that are colours; none if channels are wavelengths.
 std::vector<glm::dvec3> weights_of(const Conventions& conventions);
