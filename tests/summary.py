@@ -7,7 +7,7 @@
 
 Prints the time of each label and of each folder of tests/, the slowest tests, the steps of the run, and
 last, so that nobody overlooks it, every test that was skipped or left out, with the reason that it
-gave. Ends with 1 if the second tier names a test that is none.
+gave. Ends with 1 if the second tier names a test that is none, or if --failed finds none that failed.
 """
 
 import json
@@ -132,8 +132,9 @@ def main():
     build, path, *steps = sys.argv[1:]
     results = [Result(case) for case in xml.parse(path).getroot().iter("testcase")]
     if build == "--failed":
-        print("\n".join(failures(results)))
-        return 0
+        failed = failures(results)
+        print("\n".join(failed))
+        return 0 if failed else 1
     tests = known_tests(build)
     print("\n".join(times(tests, results) + slowest(results) + steps_table(steps)
                     + not_tested(tests, results)))

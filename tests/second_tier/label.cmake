@@ -17,8 +17,5 @@ set_tests_properties(
     pipelines.killed_sweep
     pipelines.several_processes
     preview.LiveScene.HoldsSeveralCloudsWithTheirCopies
-    report.ColorReport.EndsWhenItIsInterrupted
-    report.ColorReport.ListsOfTheRecipeAreCompared
-    report.ColorReport.RowOfTheRecipeHasTheErrorOfItsBake
     report.program
     PROPERTIES LABELS more)
