@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/intermediates.h"
 
@@ -19,23 +21,44 @@ namespace {
 // The name in the recipe of the bake that makes an asset of a way.
 std::string bake_name(std::size_t index) { return fmt::format("plan_{}", index); }
 
+// Returns an asset whose `of` names the bake of another one of its way. `numbers` are those of the
+// way's assets before it.
+WayAsset resolved(const Way& way, const std::vector<std::size_t>& numbers) {
+    WayAsset asset = way.assets[numbers.size()];
+    for (auto& [key, value] : asset.keys) {
+        for (std::size_t i = 0; key == "of" && i < numbers.size(); ++i) {
+            if (value != fmt::format("\"{}\"", way.assets[i].name)) continue;
+            value = fmt::format("\"{}\"", bake_name(numbers[i]));
+            break;
+        }
+    }
+    return asset;
+}
+
 }  // namespace
 
-WayAssets::WayAssets(const std::vector<SkyWay>& ways) {
-    for (const SkyWay& way : ways) {
-        for (const WayAsset& asset : way.assets) {
-            if (std::find(all_.begin(), all_.end(), asset) == all_.end()) all_.push_back(asset);
-        }
+std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
+    std::vector<std::size_t> numbers;
+    while (numbers.size() < way.assets.size()) {
+        const auto at = std::find(all_.begin(), all_.end(), resolved(way, numbers));
+        if (at == all_.end()) break;
+        numbers.push_back(static_cast<std::size_t>(at - all_.begin()));
+    }
+    return numbers;
+}
+
+void WayAssets::add(const Way& way) {
+    for (;;) {
+        const std::vector<std::size_t> numbers = numbers_of(way);
+        if (numbers.size() == way.assets.size()) return;
+        all_.push_back(resolved(way, numbers));
     }
 }
 
-std::vector<const BakedAsset*> WayAssets::of(const SkyWay& way,
+std::vector<const BakedAsset*> WayAssets::of(const Way& way,
                                              const std::vector<BakedAsset>& baked) const {
     std::vector<const BakedAsset*> own;
-    for (const WayAsset& asset : way.assets) {
-        const auto at = std::find(all_.begin(), all_.end(), asset);
-        own.push_back(&baked[static_cast<std::size_t>(at - all_.begin())]);
-    }
+    for (const std::size_t number : numbers_of(way)) own.push_back(&baked[number]);
     return own;
 }
 
@@ -120,6 +143,17 @@ class AssetBakery {
 Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
                                            BakeOptions options) {
     return AssetBakery(recipe, assets.size(), options).bake();
+}
+
+double texture_bytes(const Baked& baked) {
+    const std::size_t channels = baked.channel_names.size();
+    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
+    if (config::is_block_coded(baked.pixel_type)) {
+        constexpr double kTexelsOfBlock = 16;
+        return texels * static_cast<double>(bytes_per_block(baked.pixel_type)) / kTexelsOfBlock;
+    }
+    return texels * static_cast<double>(channels == 3 ? 4 : channels) *
+           bytes_per_value(baked.pixel_type);
 }
 
 }  // namespace skybake

@@ -67,7 +67,7 @@ int run(std::uint32_t scenes, std::uint32_t first) {
             continue;
         }
         const MeasuredWay& chosen = plan.value->ways[plan.value->chosen];
-        const auto judged = judge_way(request, chosen.way, 4096);
+        const auto judged = judge_sky(request, chosen.way, 4096);
         if (!judged.value) return 1;
         const double ratio = judged.value->ninth_decile / chosen.figures.error;
         ratios.push_back(ratio);
