@@ -101,7 +101,9 @@ class AssetBakery {
             Outcome<Baked> one = bake_asset(recipe_, *bake, options_);
             if (options_.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
-            assets.push_back({bake, std::move(*one.value), seconds_of(*bake, clock.seconds())});
+            const BakeSeconds seconds = clock.seconds();
+            assets.push_back({bake, std::move(*one.value), seconds.texels,
+                              shared_by(*bake, seconds.light)});
         }
         outcome.value = std::move(assets);
         return outcome;
@@ -112,30 +114,30 @@ class AssetBakery {
         return baker_of(bake).needs(recipe_.parameters, bake, Certification::off);
     }
 
-    // Adds the time of light that another asset made.
-    double seconds_of(const config::Bake& bake, const BakeSeconds& booked) {
-        double light_s = 0;
-        const std::vector<Need> needs = needs_of(bake);
-        for (const Need& need : needs) {
-            const auto known = std::find_if(light_.begin(), light_.end(), [&](const auto& one) {
-                return one.first.key == need.key;
+    // Returns what a bake shares with others. The time that it took to make some of it is booked evenly
+    // to what no other bake had made.
+    std::vector<SharedWork> shared_by(const config::Bake& bake, double seconds) {
+        std::vector<SharedWork> shared;
+        std::vector<std::size_t> made;
+        for (const Need& need : needs_of(bake)) {
+            const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& one) {
+                return one.key == need.key;
             });
-            if (known != light_.end()) light_s += known->second;
+            if (known == known_.end()) made.push_back(shared.size());
+            shared.push_back(known == known_.end() ? SharedWork{need.key, 0} : *known);
         }
-        if (light_s == 0 && !needs.empty()) {
-            light_s = booked.light;
-            for (const Need& need : needs) {
-                light_.emplace_back(need, booked.light / static_cast<double>(needs.size()));
-            }
+        for (const std::size_t i : made) {
+            shared[i].seconds = seconds / static_cast<double>(made.size());
+            known_.push_back(shared[i]);
         }
-        return booked.texels + light_s;
+        return shared;
     }
 
     const Recipe& recipe_;
     BakeOptions options_;
     Intermediates shared_;
     std::vector<const config::Bake*> bakes_;
-    std::vector<std::pair<Need, double>> light_;
+    std::vector<SharedWork> known_;
 };
 
 }  // namespace
@@ -143,6 +145,21 @@ class AssetBakery {
 Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
                                            BakeOptions options) {
     return AssetBakery(recipe, assets.size(), options).bake();
+}
+
+double bake_seconds(const std::vector<const BakedAsset*>& assets) {
+    double seconds = 0;
+    std::vector<SharedWork> counted;
+    for (const BakedAsset* asset : assets) {
+        seconds += asset->seconds;
+        for (const SharedWork& work : asset->shared) {
+            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
+            if (std::any_of(counted.begin(), counted.end(), is_same)) continue;
+            seconds += work.seconds;
+            counted.push_back(work);
+        }
+    }
+    return seconds;
 }
 
 double texture_bytes(const Baked& baked) {

@@ -7,18 +7,29 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "bakers/plan/way.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
 
+// What assets share, such as a solution of light, and the time that it took.
+struct SharedWork {
+    NeedKey key;
+    double seconds = 0;
+};
+
 // An asset in memory and what it took.
 struct BakedAsset {
     const config::Bake* bake = nullptr;  // of the recipe
     Baked baked;
-    double seconds = 0;  // light that others made first included, since each way needs it
+    double seconds = 0;  // of its texels alone
+    std::vector<SharedWork> shared;
 };
+
+// Returns the time of a way's assets. What they share counts once, whoever made it first.
+double bake_seconds(const std::vector<const BakedAsset*>& assets);
 
 // The assets of all ways, each once.
 class WayAssets {

@@ -28,10 +28,10 @@ constexpr double kPitch_deg = 28;
 // The camera looks along +y.
 std::vector<CloudView> pixels_of(const config::Cloud& cloud, const CloudRange& range,
                                  std::size_t sun) {
-    const double altitude_m = (range.lowest_altitude_m + range.highest_altitude_m) / 2;
     const bool looks_up = range.lowest_altitude_m < range.base_m + range.height_m / 2;
-    const double height_m = looks_up ? std::min(altitude_m, range.base_m)
-                                     : std::max(altitude_m, range.base_m + range.height_m);
+    const double height_m = looks_up
+                                ? std::min(range.lowest_altitude_m, range.base_m)
+                                : std::max(range.highest_altitude_m, range.base_m + range.height_m);
     const double to_layer_m =
         looks_up ? range.base_m - height_m : height_m - range.base_m - range.height_m;
     const glm::dvec3 ahead = cloud_light::towards(

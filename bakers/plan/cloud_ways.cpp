@@ -53,8 +53,7 @@ class CloudWays {
                 add_marches();
                 if (has_suns()) add_depths();
                 if (grade.pixel_type != "unorm8") continue;
-                add_harmonics(1);
-                if (grade.coarser == 1) add_harmonics(2);
+                if (grade.coarser > 1) add_harmonics();
                 if (has_suns() && grade.coarser <= 2) add_radiance();
             }
         }
@@ -146,17 +145,13 @@ class CloudWays {
         asset.keys.emplace_back("part", std::to_string(part));
     }
 
-    void add_harmonics(int degree) {
+    // Degree 2 and texels of finer voxels cost 20 times as much and are no nearer to the paths.
+    void add_harmonics() {
         CloudWay way = base_;
         way.lighting = CloudLighting::harmonics;
         way.first = way.assets.size();
-        for (int part = 1; part <= parts_of(degree); ++part) {
-            way.assets.push_back(
-                light(fmt::format("depth_part_{}", part), "optical_depth_harmonics", 4));
-            add_part(way.assets.back(), degree, part);
-        }
-        push(way, "harmonics", "octaves, depths for any sun",
-             fmt::format("harmonics of degree {}", degree));
+        way.assets.push_back(light("depths", "optical_depth_harmonics", 4));
+        push(way, "harmonics", "octaves, depths for any sun", "harmonics of degree 1");
     }
 
     static int parts_of(int degree) { return ((degree + 1) * (degree + 1) + 3) / 4; }
@@ -173,7 +168,8 @@ class CloudWays {
                                    {"pixel_type", text("half")},
                                    {"formats", "[\"ktx2\"]"}}});
             way.per_sun = 1 + static_cast<std::size_t>(parts_of(degree));
-            const int cell = grade_.coarser == 1 ? 4 : 2;
+            // Texels of degree 3 of half the edge take a minute for 512x512x64 voxels.
+            const int cell = grade_.coarser == 1 || degree == 3 ? 4 : 2;
             for (std::size_t sun = 0; sun < subject_.suns.size(); ++sun) {
                 way.assets.push_back(light(fmt::format("depth_{}", sun + 1), "optical_depth", cell));
                 add_sun(way.assets.back(), sun);

@@ -157,10 +157,8 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
                          const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured;
     measured.way = way;
-    for (const BakedAsset* asset : own) {
-        measured.figures.bytes += texture_bytes(asset->baked);
-        measured.bake_s += asset->seconds;
-    }
+    for (const BakedAsset* asset : own) measured.figures.bytes += texture_bytes(asset->baked);
+    measured.bake_s = bake_seconds(own);
     double rms = 0;
     measured.error = truth.error(found.radiance, rms);
     measured.figures.error = to_digits(rms, 2);

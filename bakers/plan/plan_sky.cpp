@@ -119,10 +119,8 @@ MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyW
                         const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured;
     measured.way = way;
-    for (const BakedAsset* asset : own) {
-        measured.figures.bytes += texture_bytes(asset->baked);
-        measured.bake_s += asset->seconds;
-    }
+    for (const BakedAsset* asset : own) measured.figures.bytes += texture_bytes(asset->baked);
+    measured.bake_s = bake_seconds(own);
     measured.error = truth.error(sky.find(way, own, measured.figures.fetches));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
     return measured;

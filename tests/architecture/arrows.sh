@@ -80,7 +80,7 @@ room bakers/shading
 room bakers/workspace math field io assets
 room bakers/plot field io
 room bakers/render math color field io air light occupancy march plot
-room bakers/report math field io occupancy assets plot
+room bakers/report math field io assets plot
 room bakers/plan math field io air light occupancy march assets workspace plot report
 room bakers/preview math color field io air light occupancy march assets workspace plot render report
 
