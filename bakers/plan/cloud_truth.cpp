@@ -93,7 +93,8 @@ SkyError CloudTruth::error(const std::vector<double>& found, double& rms) const 
     for (const std::size_t i : covered_) {
         const cloud_light::TracedRadiance& traced = light_[i];
         const double shown = std::exp(-k * traced.sum());
-        errors.push_back(std::fabs(std::exp(-k * found[i]) - shown));
+        // Few harmonics may add up to less than nothing, which a picture shows as black.
+        errors.push_back(std::fabs(std::exp(-k * std::max(found[i], 0.0)) - shown));
         squares += errors.back() * errors.back();
         noise += std::pow(shown * k * traced.standard_error, 2);
     }

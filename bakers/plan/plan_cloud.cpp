@@ -31,8 +31,8 @@ using config::Recipe;
 
 namespace {
 
-constexpr int kViews = 384;
-constexpr double kPaths = 1 << 18;
+constexpr int kViews = 768;
+constexpr double kPaths = 3 << 17;
 constexpr int kUsualVoxels = 256;  // along the longest edge
 constexpr double kMostVoxels = 1 << 25;
 

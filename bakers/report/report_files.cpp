@@ -163,7 +163,7 @@ std::vector<std::string> report_file_names(const std::vector<std::string>& asset
 bool is_report_text(std::string_view name, std::string_view text) {
     if (name.ends_with(".csv")) {
         return text.starts_with("asset,family,variant,baseline,") ||
-               text.starts_with("by,family,variant,baseline,");
+               text.starts_with("subject,by,family,variant,baseline,");
     }
     if (name.ends_with(".json")) {
         return text.starts_with("{\n  \"report\": {\n    \"tool\": \"skybake\"") ||

@@ -142,21 +142,5 @@ TEST_F(CloudBake, CheckOpensMapsOfTypes) {
     expect_said(run_words({"check", recipe_}), 3, {"cannot read the map `", "recipe.toml:7:21"});
 }
 
-TEST_F(CloudBake, ReportsWhatSkippingSaves) {
-    const std::string report = (folder_ / "report").string();
-    const Result result =
-        run_words({"report", recipe_, "--quick", "--only", "g", "-o", report, "--json"});
-    ASSERT_EQ(result.code, 0) << result.error;
-    const auto json = nlohmann::json::parse(read_bytes(report + "/report.json"));
-    const auto& rows = json["assets"][0]["skipping"]["rows"];
-    ASSERT_EQ(rows.size(), 4u);
-    for (const auto& row : rows) {
-        if (row["structure"] == "thesis rule, cell by cell") continue;
-        EXPECT_EQ(row["lost_samples"], 0) << row;
-        EXPECT_EQ(row["changed_rays"], 0) << row;
-    }
-    EXPECT_LT(rows[3]["fetches_down"], rows[0]["fetches_down"]);
-}
-
 }  // namespace
 }  // namespace skybake::cli

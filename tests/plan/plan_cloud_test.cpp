@@ -37,7 +37,7 @@ PlanRequest request_with_sun() {
     return request;
 }
 
-// The plan of one scene for all tests that look at it.
+// The plan of one scene, made once.
 const Plan& plan() {
     static const Plan plan = *plan_cloud(request_with_sun(), "c").value;
     return plan;
@@ -51,14 +51,14 @@ double least_error(const std::string& family) {
     return least;
 }
 
-TEST(PlanCloud, SolvedLightIsNearerToThePaths) {
+void expect_solved_light_is_nearest() {
     EXPECT_LT(least_error("radiance for each sun"), 0.1);
     EXPECT_LT(least_error("radiance for each sun"), least_error("octaves, depths for each sun"));
     EXPECT_LT(least_error("octaves, a march to the sun"), least_error("single scattering") / 1.5);
     EXPECT_GT(least_error("single scattering"), 0.2);
 }
 
-TEST(PlanCloud, EachWayHasWhatItCosts) {
+void expect_costs_of_textures() {
     bool found = false;
     for (const MeasuredWay& way : plan().ways) {
         if (way.way.family != "octaves, depths for each sun") continue;
@@ -76,7 +76,7 @@ TEST(PlanCloud, EachWayHasWhatItCosts) {
 }
 
 // Ways that show the same picture appear once, with the cells that cost least.
-TEST(PlanCloud, ChoosesTheCells) {
+void expect_each_drawing_once() {
     for (const MeasuredWay& way : plan().ways) {
         const auto others = std::count_if(
             plan().ways.begin(), plan().ways.end(), [&](const MeasuredWay& other) {
@@ -90,7 +90,7 @@ TEST(PlanCloud, ChoosesTheCells) {
     }
 }
 
-TEST(PlanCloud, TheRecipeBakesWhatWasChosen) {
+void expect_recipe_of_choice() {
     const auto scene = request_with_sun().load({});
     const std::string text = planned_recipe({&plan(), 1}, *scene.value);
     const auto recipe = config::parse_recipe(text, "planned");
@@ -100,12 +100,21 @@ TEST(PlanCloud, TheRecipeBakesWhatWasChosen) {
 }
 
 // Other views and other paths find the error that the plan claims.
-TEST(PlanCloud, OtherViewsFindTheClaimedError) {
+void expect_claimed_error_in_other_views() {
     const MeasuredWay& chosen = plan().ways[plan().chosen];
     const auto judged = judge_cloud(request_with_sun(), "c", chosen.way, 4096);
     ASSERT_TRUE(judged.value);
     EXPECT_LT(*judged.value, 1.3 * chosen.figures.error);
     EXPECT_GT(*judged.value, chosen.figures.error / 1.3);
+}
+
+// One test, since a plan takes seconds.
+TEST(PlanCloud, MeasuresWaysAndChooses) {
+    expect_solved_light_is_nearest();
+    expect_costs_of_textures();
+    expect_each_drawing_once();
+    expect_recipe_of_choice();
+    expect_claimed_error_in_other_views();
 }
 
 // Without suns of its own a scene has those of a day, and no light of one sun alone.
