@@ -140,7 +140,7 @@ std::string any_scatter() {
 std::string any_grown_cloud() {
     std::string text = "[clouds.c]\nshape = 'convection'\nextent = " + any_lengths(4, 9) +
                        fmt::format("\n[clouds.c.convection]\ncells = [{}, 30, {}]\n",
-                                   *rc::gen::element(8, 100, 480), *rc::gen::inRange(8, 513));
+                                   *rc::gen::element(8, 30, 40), *rc::gen::inRange(8, 65));
     if (coin()) text += fmt::format("mixed_layer = '{} m'\n", any_number(1, 99));
     if (coin()) text += fmt::format("inversion = '{} km'\n", any_number(0.001, 9));
     if (coin()) text += fmt::format("instability = {}\n", any_number(-20, 20));
