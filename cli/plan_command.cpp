@@ -1,5 +1,5 @@
 // skybake plan: measures the ways to draw the sky of a recipe, and writes the recipe of the best one.
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/plan.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +19,9 @@
 #include "bakers/assets/description/certificate_warnings.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/plan/plan_cloud.h"
 #include "bakers/plan/plan_files.h"
+#include "bakers/plan/plan_sky.h"
 #include "bakers/plot/drawing.h"
 #include "cli/command.h"
 #include "cli/console.h"
@@ -35,7 +37,7 @@ using config::Outcome;
 namespace options {
 namespace {
 
-Outcome<double> read_share(const std::string& text) {
+Outcome<double> read_share(const std::string& text, std::string_view option) {
     double number = 0;
     const char* const end = text.data() + text.size();
     const auto [after, error] = std::from_chars(text.data(), end, number, std::chars_format::fixed);
@@ -44,7 +46,15 @@ Outcome<double> read_share(const std::string& text) {
     const bool has_unit = unit.empty() || unit == "%" || unit == " %";
     if (error == std::errc{} && has_unit && share > 0 && share <= 1) return {share, {}};
     return {{},
-            {bad_value("--max-sky-error", text, "it takes a share up to 1, such as 2% or 0.02")}};
+            {bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02")}};
+}
+
+Outcome<double> read_sky_share(const std::string& text) {
+    return read_share(text, "--max-sky-error");
+}
+
+Outcome<double> read_cloud_share(const std::string& text) {
+    return read_share(text, "--max-cloud-error");
 }
 
 Outcome<std::int64_t> read_fetches(const std::string& text) {
@@ -60,7 +70,8 @@ Outcome<std::uint64_t> read_size(const std::string& text) {
             {bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words))}};
 }
 
-const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, read_share};
+const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, read_sky_share};
+const Option<double> max_cloud_error{"max-cloud-error", 0, "SHARE", {}, read_cloud_share};
 const Option<std::int64_t> max_fetches{"max-fetches", 0, "N", {}, read_fetches};
 const Option<std::uint64_t> max_size{"max-size", 0, "SIZE", {}, read_size};
 const Option<std::filesystem::path> write{"write", 0, "FILE"};
@@ -70,9 +81,11 @@ const Option<std::filesystem::path> write{"write", 0, "FILE"};
 
 namespace {
 
-WayLimits limits_of(const Invocation& invocation) {
+WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
     WayLimits limits;
-    if (invocation.has(options::max_sky_error)) limits.error = invocation[options::max_sky_error];
+    const auto& error = subject.draws == config::Draws::sky ? options::max_sky_error
+                                                            : options::max_cloud_error;
+    if (invocation.has(error)) limits.error = invocation[error];
     if (invocation.has(options::max_fetches)) {
         limits.fetches = static_cast<double>(invocation[options::max_fetches]);
     }
@@ -83,7 +96,7 @@ WayLimits limits_of(const Invocation& invocation) {
 }
 
 // Returns the front, and the least error of each baseline that has no way on it.
-std::vector<std::size_t> shown_ways(const SkyPlan& plan) {
+std::vector<std::size_t> shown_ways(const Plan& plan) {
     std::vector<std::size_t> shown = front_by_error(plan);
     std::map<std::string_view, std::size_t> baselines;
     for (std::size_t i = 0; i < plan.ways.size(); ++i) {
@@ -103,7 +116,7 @@ std::vector<std::size_t> shown_ways(const SkyPlan& plan) {
     return shown;
 }
 
-std::string remark_of(const SkyPlan& plan, std::size_t index) {
+std::string remark_of(const Plan& plan, std::size_t index) {
     const MeasuredWay& way = plan.ways[index];
     std::string remark = way.on_front ? "front" : "";
     if (index == plan.knee) remark = "knee";
@@ -112,29 +125,28 @@ std::string remark_of(const SkyPlan& plan, std::size_t index) {
     return fmt::format("{}{}baseline: {}", remark, remark.empty() ? "" : ", ", way.way.baseline);
 }
 
-std::string table_text(const SkyPlan& plan) {
+std::string table_text(const Plan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
                      Align::right, Align::right, Align::right, Align::left});
-    table.add_row({"way", "", "median %", "9 in 10 %", "max %", "fetches", "textures", "bake", ""});
+    table.add_row({"way", "", "median %", plan.words.column, "max %", "fetches", "textures", "bake", ""});
     for (const std::size_t i : shown_ways(plan)) {
         const MeasuredWay& way = plan.ways[i];
         table.add_row(
             {way.way.family, way.way.name, fmt::format("{}", to_percent(way.error.median)),
-             fmt::format("{}", to_percent(way.error.ninth_decile)),
+             fmt::format("{}", to_percent(way.figures.error)),
              fmt::format("{}", to_percent(way.error.max)),
              fmt::format("{:.0f}", way.figures.fetches), byte_size_text(way.figures.bytes),
              time_text(way.bake_s), remark_of(plan, i)});
     }
     std::string text = fmt::format(
-        "the sky of {}\n"
-        "  error: of {} against paths of light, in the median, in nine of ten views, and the "
-        "largest\n"
+        "{} from {}\n"
+        "  error: {}\n"
         "  paths: {}; their standard error is {} %\n"
-        "  fetches: of a pixel of the sky; textures: in memory; bake: wall time, here, on all "
+        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all "
         "cores\n"
         "  front: no other way is as good in error, fetches and size\n"
         "  knee: the least error x root of fetches x fourth root of bytes\n\n",
-        views_text(plan), plan.has_colors ? "colours" : "radiance", plan.reference,
+        name_of(plan.subject), plan.scene, plan.words.meaning, plan.reference,
         to_percent(plan.ways.front().error.standard_error));
     text += table.text();
     for (const std::string& note : plan.notes) text += fmt::format("  {}\n", note);
@@ -142,12 +154,28 @@ std::string table_text(const SkyPlan& plan) {
                               plan.ways.size());
 }
 
+// The name of a subject's files, without their extension.
+std::string file_name_of(const PlanSubject& subject) {
+    return subject.draws == config::Draws::sky ? "plan" : "plan_" + subject.cloud;
+}
+
 // A plan's files carry the sign of a report, which guards what others have written.
-std::vector<ReportFile> files_of(const SkyPlan& plan) {
-    return {{"plan.csv", plan_csv(plan)},
-            {"plan.json", plan_json(plan)},
-            {"plan.svg", report_svg(plan_figure(plan))},
-            {"plan.png", plan.sheet}};
+std::vector<ReportFile> files_of(const std::vector<Plan>& plans) {
+    std::vector<ReportFile> files = {{"plan.csv", plan_csv(plans)}, {"plan.json", plan_json(plans)}};
+    for (const Plan& plan : plans) {
+        files.push_back({file_name_of(plan.subject) + ".svg", report_svg(plan_figure(plan))});
+        files.push_back({file_name_of(plan.subject) + ".png", plan.sheet});
+    }
+    return files;
+}
+
+std::vector<std::string> file_names_of(const std::vector<PlanSubject>& subjects) {
+    std::vector<std::string> names = {"plan.csv", "plan.json"};
+    for (const PlanSubject& subject : subjects) {
+        names.push_back(file_name_of(subject) + ".svg");
+        names.push_back(file_name_of(subject) + ".png");
+    }
+    return names;
 }
 
 // Returns E0303 if the recipe is to be written over a file.
@@ -163,62 +191,92 @@ std::optional<config::Diagnostic> existing_recipe(const Invocation& invocation) 
     return problem;
 }
 
-ExitCode write_recipe(const SkyPlan& plan, const config::Recipe& recipe,
+ExitCode write_recipe(const std::vector<Plan>& plans, const config::Recipe& recipe,
                       const std::filesystem::path& path, Console& console) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
-    return write_report_files({{path.filename().string(), planned_recipe(plan, recipe)}}, folder,
+    return write_report_files({{path.filename().string(), planned_recipe(plans, recipe)}}, folder,
                               console);
 }
 
-ExitCode run_plan(const Invocation& invocation, Console& console) {
-    if (invocation[options::json] && invocation[options::csv]) {
-        return console.report(std::array{usage_error("--json and --csv exclude each other",
-                                                     "the folder gets both in any case")});
-    }
-    const std::filesystem::path folder = invocation[options::output];
-    const bool force = invocation[options::force];
-    const auto problems =
-        check_report_folder(folder, {"plan.csv", "plan.json", "plan.svg", "plan.png"}, force);
-    if (!problems.empty()) return console.report(problems);
-    if (const auto problem = existing_recipe(invocation))
-        return console.report(std::array{*problem});
-    if (const auto problem = chart_problem()) {
-        const ExitCode code = console.report(std::array{*problem});
-        if (code != ExitCode::done) return code;
-    }
-    auto cache = cache_folder(invocation);
-    if (!cache.value) return console.report(cache.diagnostics);
-    auto recipe = recipe_of(invocation);
-    if (const ExitCode code = console.report(recipe.diagnostics); !recipe.value) return code;
-    auto plan = [&] {
-        BakeProgress progress("sky", console);
-        PlanRequest request;
-        request.load = [&](std::span<const std::string> settings) {
-            return recipe_of(invocation, settings);
-        };
-        request.cache = *cache.value;
-        request.limits = limits_of(invocation);
-        request.threads = invocation[options::jobs];
-        request.progress = &progress;
-        return plan_sky(request);
-    }();
-    if (interrupted()) return ExitCode::interrupted;
+config::Diagnostic nothing_to_draw(const Invocation& invocation) {
+    config::Diagnostic problem;
+    problem.code = "E0105";
+    problem.message =
+        "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws";
+    problem.where.source = recipe_name(invocation.arguments()[0]);
+    return problem;
+}
+
+Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::path& cache,
+                           const PlanSubject& subject, Console& console) {
+    BakeProgress progress(subject.draws == config::Draws::sky ? "sky" : subject.cloud, console);
+    PlanRequest request;
+    request.load = [&](std::span<const std::string> settings) {
+        return recipe_of(invocation, settings);
+    };
+    request.cache = cache;
+    request.limits = limits_of(invocation, subject);
+    request.threads = invocation[options::jobs];
+    request.progress = &progress;
+    Outcome<Plan> plan = subject.draws == config::Draws::sky ? plan_sky(request)
+                                                             : plan_cloud(request, subject.cloud);
     for (config::Diagnostic& found : plan.diagnostics) {
         if (found.where.source.empty()) {
             found.where.source = recipe_name(invocation.arguments()[0]);
         }
     }
-    const ExitCode outcome = console.report(plan.diagnostics);
-    if (!plan.value) return outcome;
-    ExitCode code = write_report_files(files_of(*plan.value), folder, console);
+    return plan;
+}
+
+// What forbids a plan before any work is done.
+std::vector<config::Diagnostic> obstacles(const Invocation& invocation,
+                                          const std::vector<PlanSubject>& subjects) {
+    if (invocation[options::json] && invocation[options::csv]) {
+        return {usage_error("--json and --csv exclude each other",
+                            "the folder gets both in any case")};
+    }
+    if (subjects.empty()) return {nothing_to_draw(invocation)};
+    auto problems = check_report_folder(invocation[options::output], file_names_of(subjects),
+                                        invocation[options::force]);
+    if (!problems.empty()) return problems;
+    if (auto problem = existing_recipe(invocation)) return {*std::move(problem)};
+    if (auto problem = chart_problem()) return {*std::move(problem)};
+    return {};
+}
+
+std::string result_text(const Invocation& invocation, const std::vector<Plan>& plans) {
+    if (invocation[options::json]) return plan_json(plans);
+    if (invocation[options::csv]) return plan_csv(plans);
+    std::string text;
+    for (const Plan& plan : plans) text += (text.empty() ? "" : "\n") + table_text(plan);
+    return text;
+}
+
+ExitCode run_plan(const Invocation& invocation, Console& console) {
+    auto cache = cache_folder(invocation);
+    if (!cache.value) return console.report(cache.diagnostics);
+    const auto recipe = recipe_of(invocation);
+    if (const ExitCode code = console.report(recipe.diagnostics); !recipe.value) return code;
+    const std::vector<PlanSubject> subjects = subjects_of(recipe.value->parameters);
+    const auto problems = obstacles(invocation, subjects);
+    if (const ExitCode code = console.report(problems); code != ExitCode::done) return code;
+    std::vector<Plan> plans;
+    ExitCode outcome = ExitCode::done;
+    for (const PlanSubject& subject : subjects) {
+        auto plan = plan_subject(invocation, *cache.value, subject, console);
+        if (interrupted()) return ExitCode::interrupted;
+        const ExitCode code = console.report(plan.diagnostics);
+        if (!plan.value) return code;
+        if (outcome == ExitCode::done) outcome = code;
+        plans.push_back(std::move(*plan.value));
+    }
+    ExitCode code = write_report_files(files_of(plans), invocation[options::output], console);
     if (code == ExitCode::done && outcome == ExitCode::done && invocation.has(options::write)) {
-        code = write_recipe(*plan.value, *recipe.value, invocation[options::write], console);
+        code = write_recipe(plans, *recipe.value, invocation[options::write], console);
     }
     if (code != ExitCode::done) return code;
-    console.result(invocation[options::json]  ? plan_json(*plan.value)
-                   : invocation[options::csv] ? plan_csv(*plan.value)
-                                              : table_text(*plan.value));
+    console.result(result_text(invocation, plans));
     return outcome;
 }
 
@@ -227,17 +285,18 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
 Command plan_command() {
     return {
         .name = "plan",
-        .brief = "choose what the sky needs",
-        .summary = "measure the ways to draw a recipe's sky, and choose by error, fetches and size",
+        .brief = "choose what a scene needs",
+        .summary = "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches and size",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {options::output("write plan.csv, .json, .svg and .png into this folder",
-                                    "plan"),
+        .options = {options::output("write plan.csv, .json and pictures into this folder", "plan"),
                     set_row(),
                     options::max_sky_error("choose among ways with at most this error in nine of "
-                                           "ten views"),
+                                           "ten views of the sky"),
+                    options::max_cloud_error("choose among ways with at most this RMS error of a "
+                                             "cloud's picture, in shares of white"),
                     options::max_fetches("choose among ways with at most N fetches per pixel"),
                     options::max_size("choose among ways whose textures take at most this (2MiB)"),
-                    options::write("write the recipe of the chosen way"), cache_row(),
+                    options::write("write the recipe of the chosen ways"), cache_row(),
                     options::jobs("use N threads (default: all)"),
                     options::force("overwrite files that no plan has written"),
                     options::csv("print CSV instead of the table (--json: plan.json)")},

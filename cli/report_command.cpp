@@ -70,31 +70,6 @@ std::string notes_text(const AssetReport& asset) {
     return text;
 }
 
-std::string skipping_text(const AssetReport& asset) {
-    const SkippingFacts& skipping = *asset.skipping;
-    TextTable table({Align::left, Align::right, Align::right, Align::right, Align::right,
-                     Align::right, Align::right, Align::right, Align::right});
-    table.add_row({"structure", "occupied", "lost samples", "rays changed", "up", "within", "down",
-                   "bytes", "time"});
-    for (const SkippingRow& row : skipping.rows) {
-        table.add_row({row.structure, fmt::format("{:.2f} %", 100 * row.occupied_share),
-                       fmt::format("{} of {}", row.lost_samples, row.samples),
-                       fmt::format("{}", row.changed_rays), fmt::format("{:.1f}", row.fetches[0]),
-                       fmt::format("{:.1f}", row.fetches[1]), fmt::format("{:.1f}", row.fetches[2]),
-                       byte_size_text(static_cast<double>(row.structure_bytes)),
-                       duration_text(row.time_ms)});
-    }
-    return fmt::format(
-        "{} ({})\n"
-        "  cells of {} voxels over {}; the smallest safe share of occupied cells is {:.2f} %\n"
-        "  up, within, down: lookups of density and structure per ray, mean of {} rays each, up to "
-        "500 steps of 1/600 tile\n"
-        "  time: {}, median of {}\n\n{}",
-        asset.name, asset.kind, skipping.cell, size_text(skipping.size),
-        100 * skipping.smallest_safe_share, skipping.rays, asset.timing, asset.repetitions,
-        table.text());
-}
-
 std::string title_of(const AssetReport& asset) {
     return asset.kind == asset.name ? asset.name : fmt::format("{} ({})", asset.name, asset.kind);
 }
@@ -113,21 +88,25 @@ std::string sky_text(const std::optional<SkyError>& sky) {
 }
 
 std::string asset_text(const AssetReport& asset) {
+    const std::string error =
+        asset.scale.empty()
+            ? "it has none: it is right, or is not baked"
+            : fmt::format("{}, against {} ({} lookups, {} texels)", asset.scale, asset.reference,
+                          asset.lookup_points, asset.texel_points);
     return fmt::format(
-               "{}\n{}  lookup error: {}, against {} ({} lookups, {} texels)\n"
+               "{}\n{}  lookup error: {}\n"
                "  time: {}, {}\n"
                "  front: no other variant has a smaller error (RMS) in as little time (within 5 "
                "%), "
                "or in as few bytes; errors have two digits\n\n",
-               title_of(asset), sky_text(asset.sky), asset.scale, asset.reference,
-               asset.lookup_points, asset.texel_points, asset.timing,
+               title_of(asset), sky_text(asset.sky), error, asset.timing,
                asset.repetitions == 1 ? "one run"
                                       : fmt::format("median of {}", asset.repetitions)) +
            rows_text(asset) + notes_text(asset);
 }
 
 std::string report_text(const AssetReport& asset) {
-    return asset.skipping ? skipping_text(asset) + notes_text(asset) : asset_text(asset);
+    return asset_text(asset);
 }
 
 using config::Bake;

@@ -61,10 +61,8 @@ class March {
         }
     }
 
-    // Fetches above and below the volume count too: nothing shows that they are unnecessary.
     MarchResult straight() {
         sample_until(0, samples_);
-        density_fetches_ = static_cast<int>(samples_);
         return result();
     }
 
@@ -87,21 +85,6 @@ class March {
             const std::int64_t end = first_beyond(k, cell, reach);
             if (!empty) sample_until(k, end);
             k = end;
-        }
-        return result();
-    }
-
-    MarchResult tracing(const DistanceLookup& distance) {
-        std::int64_t k = 0;
-        while (k < samples_) {
-            if (!within_height(k)) {
-                ++k;
-                continue;
-            }
-            ++structure_fetches_;
-            const double steps = distance({position(0, k), position(1, k), position(2, k)}) / step_;
-            if (steps < 1) sample_until(k, k + 1);
-            k += std::max<std::int64_t>(1, static_cast<std::int64_t>(steps));
         }
         return result();
     }
@@ -195,12 +178,6 @@ MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, do
     March march(volume, ray, length, step);
     if (skipping == Skipping::none) return march.straight();
     return march.skipping(skipping, cells, leaps);
-}
-
-MarchResult march_by_distance(const MarchedVolume& volume, const Ray& ray, double length,
-                              double step, const DistanceLookup& distance) {
-    assert(step > 0 && length >= 0);
-    return March(volume, ray, length, step).tracing(distance);
 }
 
 }  // namespace skybake::occupancy

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "bakers/occupancy/cell_grid.h"
@@ -39,7 +38,7 @@ enum class Skipping {
 
 struct MarchResult {
     double optical_depth = 0;
-    int density_fetches = 0;    // without skipping, one for every sample of the ray
+    int density_fetches = 0;    // without skipping, one for every sample within the volume's height
     int structure_fetches = 0;  // one for each cell that is looked at
 };
 
@@ -55,14 +54,5 @@ struct MarchResult {
 MarchResult march(const MarchedVolume& volume, const Ray& ray, double length, double step,
                   Skipping skipping, const OccupiedCells& cells,
                   const std::vector<std::uint8_t>& leaps);
-
-// Returns the looked-up distance to cloud in the units of rays, at a place in voxels; <= 0 within it.
-using DistanceLookup = std::function<double(const std::array<double, 3>& place)>;
-
-// Does the same by a distance field: from a sample it goes on by the distance there, in whole steps, but
-// by one at least, and samples where the distance is less than a step. Distances that are never too far
-// give the same bits again.
-MarchResult march_by_distance(const MarchedVolume& volume, const Ray& ray, double length,
-                              double step, const DistanceLookup& distance);
 
 }  // namespace skybake::occupancy

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/intermediates.h"
 
@@ -19,23 +21,44 @@ namespace {
 // The name in the recipe of the bake that makes an asset of a way.
 std::string bake_name(std::size_t index) { return fmt::format("plan_{}", index); }
 
+// Returns an asset whose `of` names the bake of another one of its way. `numbers` are those of the
+// way's assets before it.
+WayAsset resolved(const Way& way, const std::vector<std::size_t>& numbers) {
+    WayAsset asset = way.assets[numbers.size()];
+    for (auto& [key, value] : asset.keys) {
+        for (std::size_t i = 0; key == "of" && i < numbers.size(); ++i) {
+            if (value != fmt::format("\"{}\"", way.assets[i].name)) continue;
+            value = fmt::format("\"{}\"", bake_name(numbers[i]));
+            break;
+        }
+    }
+    return asset;
+}
+
 }  // namespace
 
-WayAssets::WayAssets(const std::vector<SkyWay>& ways) {
-    for (const SkyWay& way : ways) {
-        for (const WayAsset& asset : way.assets) {
-            if (std::find(all_.begin(), all_.end(), asset) == all_.end()) all_.push_back(asset);
-        }
+std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
+    std::vector<std::size_t> numbers;
+    while (numbers.size() < way.assets.size()) {
+        const auto at = std::find(all_.begin(), all_.end(), resolved(way, numbers));
+        if (at == all_.end()) break;
+        numbers.push_back(static_cast<std::size_t>(at - all_.begin()));
+    }
+    return numbers;
+}
+
+void WayAssets::add(const Way& way) {
+    for (;;) {
+        const std::vector<std::size_t> numbers = numbers_of(way);
+        if (numbers.size() == way.assets.size()) return;
+        all_.push_back(resolved(way, numbers));
     }
 }
 
-std::vector<const BakedAsset*> WayAssets::of(const SkyWay& way,
+std::vector<const BakedAsset*> WayAssets::of(const Way& way,
                                              const std::vector<BakedAsset>& baked) const {
     std::vector<const BakedAsset*> own;
-    for (const WayAsset& asset : way.assets) {
-        const auto at = std::find(all_.begin(), all_.end(), asset);
-        own.push_back(&baked[static_cast<std::size_t>(at - all_.begin())]);
-    }
+    for (const std::size_t number : numbers_of(way)) own.push_back(&baked[number]);
     return own;
 }
 
@@ -78,7 +101,9 @@ class AssetBakery {
             Outcome<Baked> one = bake_asset(recipe_, *bake, options_);
             if (options_.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
-            assets.push_back({bake, std::move(*one.value), seconds_of(*bake, clock.seconds())});
+            const BakeSeconds seconds = clock.seconds();
+            assets.push_back({bake, std::move(*one.value), seconds.texels,
+                              shared_by(*bake, seconds.light)});
         }
         outcome.value = std::move(assets);
         return outcome;
@@ -89,30 +114,30 @@ class AssetBakery {
         return baker_of(bake).needs(recipe_.parameters, bake, Certification::off);
     }
 
-    // Adds the time of light that another asset made.
-    double seconds_of(const config::Bake& bake, const BakeSeconds& booked) {
-        double light_s = 0;
-        const std::vector<Need> needs = needs_of(bake);
-        for (const Need& need : needs) {
-            const auto known = std::find_if(light_.begin(), light_.end(), [&](const auto& one) {
-                return one.first.key == need.key;
+    // Returns what a bake shares with others. The time that it took to make some of it is booked evenly
+    // to what no other bake had made.
+    std::vector<SharedWork> shared_by(const config::Bake& bake, double seconds) {
+        std::vector<SharedWork> shared;
+        std::vector<std::size_t> made;
+        for (const Need& need : needs_of(bake)) {
+            const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& one) {
+                return one.key == need.key;
             });
-            if (known != light_.end()) light_s += known->second;
+            if (known == known_.end()) made.push_back(shared.size());
+            shared.push_back(known == known_.end() ? SharedWork{need.key, 0} : *known);
         }
-        if (light_s == 0 && !needs.empty()) {
-            light_s = booked.light;
-            for (const Need& need : needs) {
-                light_.emplace_back(need, booked.light / static_cast<double>(needs.size()));
-            }
+        for (const std::size_t i : made) {
+            shared[i].seconds = seconds / static_cast<double>(made.size());
+            known_.push_back(shared[i]);
         }
-        return booked.texels + light_s;
+        return shared;
     }
 
     const Recipe& recipe_;
     BakeOptions options_;
     Intermediates shared_;
     std::vector<const config::Bake*> bakes_;
-    std::vector<std::pair<Need, double>> light_;
+    std::vector<SharedWork> known_;
 };
 
 }  // namespace
@@ -120,6 +145,32 @@ class AssetBakery {
 Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
                                            BakeOptions options) {
     return AssetBakery(recipe, assets.size(), options).bake();
+}
+
+double bake_seconds(const std::vector<const BakedAsset*>& assets) {
+    double seconds = 0;
+    std::vector<SharedWork> counted;
+    for (const BakedAsset* asset : assets) {
+        seconds += asset->seconds;
+        for (const SharedWork& work : asset->shared) {
+            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
+            if (std::any_of(counted.begin(), counted.end(), is_same)) continue;
+            seconds += work.seconds;
+            counted.push_back(work);
+        }
+    }
+    return seconds;
+}
+
+double texture_bytes(const Baked& baked) {
+    const std::size_t channels = baked.channel_names.size();
+    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
+    if (config::is_block_coded(baked.pixel_type)) {
+        constexpr double kTexelsOfBlock = 16;
+        return texels * static_cast<double>(bytes_per_block(baked.pixel_type)) / kTexelsOfBlock;
+    }
+    return texels * static_cast<double>(channels == 3 ? 4 : channels) *
+           bytes_per_value(baked.pixel_type);
 }
 
 }  // namespace skybake

@@ -7,35 +7,56 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/plan/sky_ways.h"
+#include "bakers/math/intermediates.h"
+#include "bakers/plan/way.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
 
+// What assets share, such as a solution of light, and the time that it took.
+struct SharedWork {
+    NeedKey key;
+    double seconds = 0;
+};
+
 // An asset in memory and what it took.
 struct BakedAsset {
     const config::Bake* bake = nullptr;  // of the recipe
     Baked baked;
-    double seconds = 0;  // light that others made first included, since each way needs it
+    double seconds = 0;  // of its texels alone
+    std::vector<SharedWork> shared;
 };
+
+// Returns the time of a way's assets. What they share counts once, whoever made it first.
+double bake_seconds(const std::vector<const BakedAsset*>& assets);
 
 // The assets of all ways, each once.
 class WayAssets {
   public:
-    explicit WayAssets(const std::vector<SkyWay>& ways);
+    // Ways are of any kind that is a Way.
+    template <class OneWay>
+    explicit WayAssets(const std::vector<OneWay>& ways) {
+        for (const Way& way : ways) add(way);
+    }
 
     std::size_t size() const { return all_.size(); }
     // Returns those of a way among all, which stand in the same order.
-    std::vector<const BakedAsset*> of(const SkyWay& way,
-                                      const std::vector<BakedAsset>& baked) const;
+    std::vector<const BakedAsset*> of(const Way& way, const std::vector<BakedAsset>& baked) const;
 
     // Returns the settings that add them to a recipe.
     std::vector<std::string> settings() const;
 
   private:
-    std::vector<WayAsset> all_;
+    void add(const Way& way);
+    // Returns the numbers of a way's assets, or of those that are among all.
+    std::vector<std::size_t> numbers_of(const Way& way) const;
+
+    std::vector<WayAsset> all_;  // `of` names the bake of one before it
 };
+
+// Returns the bytes of an asset's texture, in which three channels take the room of four.
+double texture_bytes(const Baked& baked);
 
 // Bakes all assets, without certificates. `recipe` has the settings of `assets` and must outlive the
 // result. After an interruption there is neither a value nor a diagnostic.

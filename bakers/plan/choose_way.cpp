@@ -68,8 +68,9 @@ std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const 
 }
 
 std::size_t knee_of(std::span<const WayFigures> ways) {
-    const auto order = [&](const WayFigures& way) {
-        return way.error * std::sqrt(way.fetches * std::sqrt(way.bytes));
+    const auto order = [](const WayFigures& way) {
+        const double cost = way.fetches * std::sqrt(std::max(way.bytes, kCachedBytes));
+        return std::array{way.error * std::sqrt(cost), way.error, way.fetches, way.bytes};
     };
     const auto knee = std::min_element(
         ways.begin(), ways.end(),

@@ -37,7 +37,9 @@ std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const 
 
 // Returns the knee of the front: the way with the least product of its error, the root of its fetches
 // and the fourth root of its bytes. Half the error is so worth four times the fetches, as it is of a sum
-// of random samples, or sixteen times the bytes, of a table along four axes.
+// of random samples, or sixteen times the bytes, of a table along four axes. Fewer bytes than a first
+// cache holds, such as the 128 KiB of a multiprocessor of NVIDIA's GA102, are worth nothing.
+inline constexpr double kCachedBytes = 1 << 17;
 std::size_t knee_of(std::span<const WayFigures> ways);
 
 }  // namespace skybake

@@ -20,17 +20,10 @@ AssetPlaces places_of(const config::Parameters& parameters, const BakedAsset& as
 
 }  // namespace
 
-double texture_bytes(const Baked& baked) {
-    const std::size_t channels = baked.channel_names.size();
-    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
-    const std::size_t bytes = baked.pixel_type == config::PixelType::half ? 2 : 4;
-    return texels * static_cast<double>((channels == 3 ? 4 : channels) * bytes);
-}
-
 std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
                                      const std::vector<const BakedAsset*>& assets,
                                      double& fetches) const {
-    switch (way.by) {
+    switch (way.how) {
         case config::SkyBy::march:
             return march(way, assets, fetches);
         case config::SkyBy::fetch:

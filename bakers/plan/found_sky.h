@@ -10,9 +10,6 @@
 
 namespace skybake {
 
-// Returns the bytes of an asset's texture, in which three channels take the room of four.
-double texture_bytes(const Baked& baked);
-
 class SkyOfWay {
   public:
     // The arguments must outlive it. The assets are those of the recipe.

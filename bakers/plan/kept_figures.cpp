@@ -48,7 +48,7 @@ void read(const Json& row, MeasuredWay& way) {
 
 }  // namespace
 
-bool find_figures(const fs::path& cache, const std::string& key, KeptPlan& plan) {
+bool find_figures(const fs::path& cache, const std::string& key, MeasuredWays& plan) {
     if (cache.empty()) return false;
     const auto text = read_file(path_of(cache, key, ".json"), kLargestFile);
     auto sheet = read_file(path_of(cache, key, ".png"), kLargestFile);
@@ -66,7 +66,7 @@ bool find_figures(const fs::path& cache, const std::string& key, KeptPlan& plan)
 }
 
 std::vector<config::Diagnostic> keep_figures(const fs::path& cache, const std::string& key,
-                                             const KeptPlan& plan) {
+                                             const MeasuredWays& plan) {
     if (cache.empty()) return {};
     Json rows = Json::array();
     for (const MeasuredWay& way : plan.ways) rows.push_back(to_json(way));

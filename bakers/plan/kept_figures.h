@@ -5,23 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/way.h"
 #include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
-// The figures of all ways, and the sheet of their pictures.
-struct KeptPlan {
-    std::vector<MeasuredWay> ways;
-    std::string sheet;
-};
-
 // Fills in a plan's figures and its sheet from the cache. Returns false if it has none under this key,
 // which must tell all that they depend on.
-bool find_figures(const std::filesystem::path& cache, const std::string& key, KeptPlan& plan);
+bool find_figures(const std::filesystem::path& cache, const std::string& key, MeasuredWays& plan);
 
 // Keeps them. W0301 if the cache cannot be written; a plan goes on without it.
 std::vector<config::Diagnostic> keep_figures(const std::filesystem::path& cache,
-                                             const std::string& key, const KeptPlan& plan);
+                                             const std::string& key, const MeasuredWays& plan);
 
 }  // namespace skybake

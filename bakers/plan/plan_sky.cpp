@@ -1,19 +1,22 @@
 #include "bakers/plan/plan_sky.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "bakers/assets/registry/registry.h"
-#include "bakers/io/files/to_string.h"
 #include "bakers/math/facts.h"
 #include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/found_sky.h"
 #include "bakers/plan/kept_figures.h"
+#include "bakers/plan/plan_files.h"
+#include "bakers/plan/scene_views.h"
+#include "bakers/plan/sheet_pictures.h"
 #include "bakers/plan/sky_sheet.h"
 #include "bakers/plan/sky_truth.h"
+#include "bakers/plan/sky_ways.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
@@ -24,6 +27,7 @@ using config::Recipe;
 namespace {
 
 constexpr int kViews = 192;
+constexpr double kPaths = 3 << 19;
 
 std::optional<config::Diagnostic> obstacle(const config::Parameters& parameters) {
     if (!(parameters.atmosphere.top_radius.meters > 0)) {
@@ -55,14 +59,6 @@ config::Diagnostic no_ways(std::size_t suns) {
     return problem;
 }
 
-WayLimits limits_of(const PlanRequest& request, const config::Scene& scene) {
-    WayLimits limits = request.limits;
-    if (!limits.error) limits.error = scene.max_sky_error;
-    if (!limits.fetches) limits.fetches = scene.max_fetches;
-    if (!limits.bytes && scene.max_size_mib) limits.bytes = *scene.max_size_mib * 1024 * 1024;
-    return limits;
-}
-
 // A recipe with all that the ways need.
 struct PlannedScene {
     Recipe recipe;
@@ -70,17 +66,8 @@ struct PlannedScene {
     std::vector<SkyWay> ways;
 };
 
-// Reads the recipe's scene, or one that says nothing.
-Outcome<Recipe> load_scene(const PlanRequest& request, std::vector<std::string>& settings) {
-    Outcome<Recipe> recipe = request.load(settings);
-    if (!recipe.value || recipe.value->parameters.scene) return recipe;
-    settings.emplace_back("scene.view_distance=\"64 km\"");  // its default
-    return request.load(settings);
-}
-
 Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
-    std::vector<std::string> settings;
-    Outcome<Recipe> recipe = load_scene(request, settings);
+    Outcome<Recipe> recipe = load_scene(request);
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
     const config::Parameters& parameters = recipe.value->parameters;
     if (auto problem = obstacle(parameters)) return {{}, {std::move(*problem)}};
@@ -94,14 +81,6 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
     if (scene.ways.empty()) return {{}, {no_ways(scene.range.suns_deg.size())}};
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};
-}
-
-// Reads the recipe again with the assets of all ways.
-Outcome<Recipe> load_assets(const PlanRequest& request, const WayAssets& assets) {
-    std::vector<std::string> settings;
-    const Outcome<Recipe> scene = load_scene(request, settings);
-    for (std::string& setting : assets.settings()) settings.push_back(std::move(setting));
-    return request.load(settings);
 }
 
 // The weights of colours, if tables of light hold colours; any asset of light states them.
@@ -121,8 +100,7 @@ constexpr int kVersion = 1;
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
                    const std::vector<SkySample>& views, double paths) {
     std::string text = fmt::format("version {}, {} paths\n", kVersion, paths);
-    for (const AnyBaker& baker : bakers())
-        text += fmt::format("{} {}\n", baker.asset, baker.version);
+    text += versions_of_bakers();
     std::vector<config::Read> reads =
         config::reads_of_light(recipe.parameters, config::Roles::all());
     reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
@@ -137,126 +115,107 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedS
 }
 
 // Measures a way in the truth's views.
-void measure_way(const SkyOfWay& sky, const SceneTruth& truth, const WayAssets& assets,
-                 const std::vector<BakedAsset>& baked, MeasuredWay& measured) {
-    const std::vector<const BakedAsset*> own = assets.of(measured.way, baked);
-    for (const BakedAsset* asset : own) {
-        measured.figures.bytes += texture_bytes(asset->baked);
-        measured.bake_s += asset->seconds;
-    }
-    measured.error = truth.error(sky.find(measured.way, own, measured.figures.fetches));
+MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyWay& way,
+                        const std::vector<const BakedAsset*>& own) {
+    MeasuredWay measured;
+    measured.way = way;
+    for (const BakedAsset* asset : own) measured.figures.bytes += texture_bytes(asset->baked);
+    measured.bake_s = bake_seconds(own);
+    measured.error = truth.error(sky.find(way, own, measured.figures.fetches));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
+    return measured;
 }
 
 // Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
-Outcome<KeptPlan> measure(const PlanRequest& request, const PlannedScene& scene,
+Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene,
                           std::uint32_t first) {
     const WayAssets assets(scene.ways);
-    const Outcome<Recipe> recipe = load_assets(request, assets);
+    const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
     const config::Parameters& parameters = recipe.value->parameters;
     std::vector<SkySample> views =
         scene_views(scene.range, shell_of(parameters.atmosphere), kViews, first);
-    KeptPlan plan;
+    MeasuredWays plan;
     for (const SkyWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
-    const std::string key = key_of(*recipe.value, assets, scene, views, request.paths);
+    const double paths = request.paths > 0 ? request.paths : kPaths;
+    const std::string key = key_of(*recipe.value, assets, scene, views, paths);
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
     if (!baked.value) return {{}, baked.diagnostics};
     const std::vector<glm::dvec3> weights = weights_of(parameters, *baked.value);
     SceneTruth truth(parameters.atmosphere, std::move(views), weights, options);
-    truth.trace(request.paths);
+    truth.trace(paths);
     const SkyOfWay sky(parameters, truth, request.threads);
-    for (MeasuredWay& way : plan.ways) measure_way(sky, truth, assets, *baked.value, way);
-    auto sheet =
-        sky_sheet(*recipe.value, scene.range, plan.ways, assets, *baked.value, weights, options);
+    for (std::size_t i = 0; i < scene.ways.size(); ++i) {
+        const SkyWay& way = scene.ways[i];
+        plan.ways[i] = measure_way(sky, truth, way, assets.of(way, *baked.value));
+    }
+    std::vector<ShownSky> shown;
+    for (const std::size_t i : best_of_families(plan.ways)) {
+        shown.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
+    }
+    auto sheet = sky_sheet(parameters, scene.range, shown, weights, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
     std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
     return {std::move(plan), std::move(problems)};
 }
 
-std::vector<WayFigures> figures_of(const std::vector<MeasuredWay>& ways) {
-    std::vector<WayFigures> figures;
-    for (const MeasuredWay& way : ways) figures.push_back(way.figures);
-    return figures;
-}
-
-// Says which figures the best ways reach.
-config::Diagnostic unreached(const std::vector<WayFigures>& figures) {
-    WayFigures least = figures.front();
-    for (const WayFigures& way : figures) {
-        least.error = std::min(least.error, way.error);
-        least.fetches = std::min(least.fetches, way.fetches);
-        least.bytes = std::min(least.bytes, way.bytes);
+std::string suns_text(const SceneRange& range) {
+    if (range.suns_deg.empty()) {
+        return fmt::format("suns from {:.3g} to {:.3g} degrees", range.lowest_sun_deg,
+                           range.highest_sun_deg);
     }
-    config::Diagnostic problem;
-    problem.code = "E0408";
-    problem.message = fmt::format(
-        "no way to draw the sky keeps the limits; each by itself, the least error is {:.3g} %, the "
-        "fewest fetches are {:.0f} and the least size is {}",
-        100 * least.error, least.fetches, byte_size_text(least.bytes));
-    problem.label = "raise a limit; the table shows what each way has";
-    return problem;
+    std::vector<std::string> suns;
+    for (const double sun : range.suns_deg) suns.push_back(fmt::format("{:.3g}", sun));
+    return fmt::format("suns at {} degrees", fmt::join(suns, ", "));
 }
 
-// Returns E0409 where no path finds light enough to tell an error, as at night.
-std::optional<config::Diagnostic> darkness(const SkyError& error) {
-    if (error.points > 0 || error.left_out == 0) return std::nullopt;
-    config::Diagnostic problem;
-    problem.code = "E0409";
-    problem.message = "paths of light find too little light in this scene to compare skies with";
-    problem.label = "raise the suns of [scene], or its cameras above dense air";
-    return problem;
+ErrorWords words_of(bool has_colors) {
+    ErrorWords words;
+    words.compared = "sky error, ninth decile (%)";
+    words.claim = "at most {} % off in nine of ten views";
+    words.column = "9 in 10 %";
+    words.meaning =
+        fmt::format("of {} against paths of light, in the median, in nine of ten views, and the largest",
+                    has_colors ? "colours" : "radiance");
+    words.remark =
+        "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
+    return words;
 }
 
 }  // namespace
 
-Outcome<SkyPlan> plan_sky(const PlanRequest& request) {
+Outcome<Plan> plan_sky(const PlanRequest& request) {
     Outcome<PlannedScene> scene = planned_scene(request);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    Outcome<KeptPlan> measured = measure(request, *scene.value, 1);
-    Outcome<SkyPlan> outcome;
-    outcome.diagnostics = std::move(measured.diagnostics);
-    if (!measured.value) return outcome;
-    SkyPlan plan;
-    plan.range = scene.value->range;
-    plan.limits = limits_of(request, *scene.value->recipe.parameters.scene);
+    Outcome<MeasuredWays> measured = measure(request, *scene.value, 1);
+    if (!measured.value) return {{}, std::move(measured.diagnostics)};
+    const config::Parameters& parameters = scene.value->recipe.parameters;
+    const SceneRange& range = scene.value->range;
+    Plan plan;
+    plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, {}", range.lowest_altitude_km,
+                             range.highest_altitude_km, suns_text(range));
+    plan.words = words_of(holds_colors(parameters));
+    plan.reads = config::reads_of_light(parameters, config::Roles::all());
+    plan.limits = limits_of(request, *parameters.scene, parameters.scene->max_sky_error);
     plan.ways = std::move(measured.value->ways);
     plan.sheet = std::move(measured.value->sheet);
-    const SkyError& of_first = plan.ways.front().error;
-    if (auto problem = darkness(of_first)) return {{}, {std::move(*problem)}};
-    plan.reference = of_first.reference;
-    const std::vector<WayFigures> figures = figures_of(plan.ways);
-    const std::vector<bool> front = front_of(figures);
-    for (std::size_t i = 0; i < front.size(); ++i) plan.ways[i].on_front = front[i];
-    plan.knee = knee_of(figures);
-    plan.has_colors = holds_colors(scene.value->recipe.parameters);
-    const auto best = best_within(plan.limits, figures, of_first.standard_error);
-    plan.keeps_limits = best.has_value();
-    if (!best) outcome.diagnostics.push_back(unreached(figures));
-    plan.chosen = !plan.limits.any() ? plan.knee : best.value_or(*best_within({}, figures, 0));
-    if (of_first.left_out > 0) {
-        plan.notes.push_back(
-            fmt::format("{} of {} values are left out: paths find too little light there",
-                        of_first.left_out, of_first.left_out + of_first.points));
-    }
-    const std::size_t suns = plan.range.suns_deg.size();
-    if (suns == 0 || suns > kMostViewedSuns) {
+    if (range.suns_deg.empty() || range.suns_deg.size() > kMostViewedSuns) {
         plan.notes.push_back(fmt::format(
             "sky views are left out: they are compared for one to {} suns (`suns` in [scene])",
             kMostViewedSuns));
     }
-    outcome.value = std::move(plan);
-    return outcome;
+    return chosen(std::move(plan), std::move(measured.diagnostics));
 }
 
-Outcome<SkyError> judge_way(const PlanRequest& request, const SkyWay& way, std::uint32_t first) {
+Outcome<SkyError> judge_sky(const PlanRequest& request, const Way& way, std::uint32_t first) {
     Outcome<PlannedScene> scene = planned_scene(request);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    scene.value->ways = {way};
-    Outcome<KeptPlan> measured = measure(request, *scene.value, first);
+    std::erase_if(scene.value->ways,
+                  [&](const SkyWay& other) { return full_name(other) != full_name(way); });
+    Outcome<MeasuredWays> measured = measure(request, *scene.value, first);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     return {measured.value->ways.front().error, std::move(measured.diagnostics)};
 }

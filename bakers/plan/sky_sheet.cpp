@@ -3,15 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <set>
-#include <utility>
 
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/plan/found_sky.h"
 #include "bakers/plan/plan_files.h"
+#include "bakers/plan/sheet_pictures.h"
 #include "bakers/plan/sky_truth.h"
 #include "bakers/plot/chart.h"
 
@@ -22,13 +19,8 @@ namespace {
 // Half a picture, from the sun to the point opposite to it; the other half is its mirror image.
 constexpr int kHalfWidth = 32;
 constexpr int kHeight = 24;
-constexpr int kEnlarged = 3;
 constexpr double kPaths = 1 << 19;
 constexpr std::size_t kMostSuns = 3;
-constexpr double kShownDifference = 0.2;
-
-// A picture in linear sRGB, row 0 at the top, from the sun on.
-using HalfSky = std::vector<glm::dvec3>;
 
 std::vector<double> suns_of(const SceneRange& range) {
     std::vector<double> suns = range.suns_deg;
@@ -83,86 +75,25 @@ class Screen {
     bool is_grey_;
 };
 
-HalfSky sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
-    constexpr std::ptrdiff_t kPixels = kHalfWidth * kHeight;
-    const auto first = colors.begin() + kPixels * static_cast<std::ptrdiff_t>(sun);
-    return {first, first + kPixels};
-}
-
-double luminance(const glm::dvec3& color) {
-    return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;
-}
-
-// The exposure that makes the brightest tenth of the sky nearly white.
-double exposure_of(const HalfSky& truth) {
-    std::vector<double> values;
-    for (const glm::dvec3& color : truth) values.push_back(luminance(color));
-    std::sort(values.begin(), values.end());
-    const double bright = values[values.size() * 9 / 10];
-    return bright > 0 ? 1.5 / bright : 1;
-}
-
-std::uint8_t on_screen(double light) {
-    const double shown = 1 - std::exp(-std::max(light, 0.0));
-    const double coded =
-        shown <= 0.0031308 ? 12.92 * shown : 1.055 * std::pow(shown, 1 / 2.4) - 0.055;
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(coded, 0.0, 1.0)));
-}
-
-// Draws both halves, enlarged. `color_at` returns the colour of a pixel of the half.
-template <class ColorAt>
-Picture mirrored(const ColorAt& color_at) {
-    Picture picture(2 * kHalfWidth * kEnlarged, kHeight * kEnlarged);
-    std::uint8_t* to = picture.rgb.data();
-    for (int y = 0; y < picture.height; ++y) {
-        for (int x = 0; x < picture.width; ++x) {
-            const int column = x / kEnlarged;
-            const int half = column < kHalfWidth ? kHalfWidth - 1 - column : column - kHalfWidth;
-            const auto color =
-                color_at(static_cast<std::size_t>(y / kEnlarged * kHalfWidth + half));
-            to = std::copy(color.begin(), color.end(), to);
+// Returns the picture of the sky under one of the suns, both halves of it.
+LightPicture sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
+    LightPicture sky{2 * kHalfWidth, kHeight, {}};
+    const std::size_t first = sun * static_cast<std::size_t>(kHalfWidth * kHeight);
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < sky.width; ++x) {
+            const int half = x < kHalfWidth ? kHalfWidth - 1 - x : x - kHalfWidth;
+            sky.pixels.push_back(colors[first + static_cast<std::size_t>(y * kHalfWidth + half)]);
         }
     }
-    return picture;
-}
-
-Picture sky_picture(const HalfSky& sky, double exposure) {
-    return mirrored([&](std::size_t i) {
-        const glm::dvec3 light = exposure * sky[i];
-        return Colour{on_screen(light.x), on_screen(light.y), on_screen(light.z)};
-    });
-}
-
-Picture difference_picture(const HalfSky& sky, const HalfSky& truth) {
-    return mirrored([&](std::size_t i) {
-        const double wanted = luminance(truth[i]);
-        const double off = wanted > 0 ? luminance(sky[i]) / wanted - 1 : 0;
-        return diverging_colour(std::clamp(0.5 + 0.5 * off / kShownDifference, 0.0, 1.0));
-    });
-}
-
-// Returns the way of least error of each family, the best first.
-std::vector<const MeasuredWay*> best_of_families(const std::vector<MeasuredWay>& ways) {
-    std::vector<const MeasuredWay*> sorted;
-    for (const MeasuredWay& way : ways) sorted.push_back(&way);
-    std::stable_sort(sorted.begin(), sorted.end(), [](const MeasuredWay* a, const MeasuredWay* b) {
-        return a->error.ninth_decile < b->error.ninth_decile;
-    });
-    std::set<std::string> seen;
-    std::erase_if(sorted,
-                  [&](const MeasuredWay* way) { return !seen.insert(way->way.family).second; });
-    return sorted;
+    return sky;
 }
 
 }  // namespace
 
-config::Outcome<std::string> sky_sheet(const config::Recipe& recipe, const SceneRange& range,
-                                       const std::vector<MeasuredWay>& ways,
-                                       const WayAssets& assets,
-                                       const std::vector<BakedAsset>& baked,
+config::Outcome<std::string> sky_sheet(const config::Parameters& parameters,
+                                       const SceneRange& range, const std::vector<ShownSky>& skies,
                                        const std::vector<glm::dvec3>& weights,
                                        const BakeOptions& options) {
-    const config::Parameters& parameters = recipe.parameters;
     const std::vector<double> suns = suns_of(range);
     const double altitude_km = (range.lowest_altitude_km + range.highest_altitude_km) / 2;
     SceneTruth truth(parameters.atmosphere,
@@ -181,21 +112,20 @@ config::Outcome<std::string> sky_sheet(const config::Recipe& recipe, const Scene
     }
     block.rows.emplace_back("paths of light");
     for (std::size_t s = 0; s < suns.size(); ++s) {
-        const HalfSky sky = sky_under(traced, s);
-        block.pictures.push_back(sky_picture(sky, exposure_of(sky)));
+        const LightPicture sky = sky_under(traced, s);
+        block.pictures.push_back(shown_picture(sky, exposure_of(sky)));
         block.pictures.emplace_back();
     }
     const SkyOfWay found(parameters, truth, options.threads);
-    for (const MeasuredWay* way : best_of_families(ways)) {
+    for (const ShownSky& sky : skies) {
         double fetches = 0;
-        const auto colors =
-            screen.colors(found.find(way->way, assets.of(way->way, baked), fetches));
-        block.rows.push_back(full_name(way->way));
+        const auto colors = screen.colors(found.find(*sky.way, sky.assets, fetches));
+        block.rows.push_back(full_name(*sky.way));
         for (std::size_t s = 0; s < suns.size(); ++s) {
-            const HalfSky wanted = sky_under(traced, s);
-            const HalfSky sky = sky_under(colors, s);
-            block.pictures.push_back(sky_picture(sky, exposure_of(wanted)));
-            block.pictures.push_back(difference_picture(sky, wanted));
+            const LightPicture wanted = sky_under(traced, s);
+            const LightPicture one = sky_under(colors, s);
+            block.pictures.push_back(shown_picture(one, exposure_of(wanted)));
+            block.pictures.push_back(difference_picture(one, wanted));
         }
     }
     return png_bytes(contact_sheet({block}));

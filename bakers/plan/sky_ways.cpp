@@ -71,9 +71,10 @@ void add_marches(std::vector<SkyWay>& ways) {
                 closure.keys.empty() ? grade.transmittance : grade.multiple_scattering;
             for (const int steps : kSteps) {
                 ways.push_back(
-                    {SkyBy::march, closure.family,
-                     fmt::format("{}, {}, {} steps", plain_value(size), grade.pixel_type, steps),
-                     closure.baseline, assets, steps});
+                    {{"march", closure.family,
+                      fmt::format("{}, {}, {} steps", plain_value(size), grade.pixel_type, steps),
+                      closure.baseline, assets, steps},
+                     SkyBy::march});
             }
         }
     }
@@ -84,11 +85,12 @@ void add_fetches(std::vector<SkyWay>& ways) {
     for (const std::string_view size : kSizes) {
         WayAsset asset = asset_of("scattering", "bruneton", size, "half");
         asset.keys.emplace_back("combined", "true");
-        ways.push_back({SkyBy::fetch,
-                        "scattering along rays",
-                        fmt::format("{}, half", plain_value(size)),
-                        size == kSizes[1] ? "Bruneton 2017, all orders" : "",
-                        {asset}});
+        ways.push_back({{"fetch",
+                         "scattering along rays",
+                         fmt::format("{}, half", plain_value(size)),
+                         size == kSizes[1] ? "Bruneton 2017, all orders" : "",
+                         {asset}},
+                        SkyBy::fetch});
     }
 }
 
@@ -98,8 +100,12 @@ void add_pictures(const std::vector<std::string>& suns, const std::string& camer
         WayAsset asset = asset_of("sky_view", "sky_view", size, "half");
         asset.keys.emplace_back("altitude", camera);
         asset.keys.emplace_back("sun_elevations", fmt::format("[{}]", fmt::join(suns, ", ")));
-        ways.push_back(
-            {SkyBy::picture, "sky views", fmt::format("{}, half", plain_value(size)), "", {asset}});
+        ways.push_back({{"picture",
+                         "sky views",
+                         fmt::format("{}, half", plain_value(size)),
+                         "",
+                         {asset}},
+                        SkyBy::picture});
     }
 }
 

@@ -1,11 +1,8 @@
 // Measures what variants cost: processor time, the bytes of files, and who is on the front.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -14,22 +11,12 @@
 
 namespace skybake {
 
-// Returns the size, halved along all axes until it has at most `most_voxels`, at least 8.
-std::array<int, 3> size_within(std::array<int, 3> size, std::int64_t most_voxels);
-
 // "256x64"
 std::string size_text(std::span<const int> size);
 
 // Returns the processor time of the calling thread, which does not depend on what else the machine
 // does.
 double thread_cpu_seconds();
-
-// Returns the median time of each job in seconds. The jobs run in turn, in `repetitions` rounds, so
-// that a machine that slows down affects all of them. If `before_each(round, job)` returns false,
-// the function stops and the result is empty. repetitions >= 1.
-std::vector<double> interleaved_medians(
-    const std::vector<std::function<void()>>& jobs, int repetitions,
-    const std::function<bool(int round, std::size_t job)>& before_each);
 
 // A file in memory with a path that writers can open. It measures writing without the disk and
 // leaves nothing behind.

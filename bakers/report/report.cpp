@@ -13,10 +13,7 @@
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/report/measurement.h"
-#include "bakers/report/occupancy_report.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_distance.h"
-#include "config/assets/occupancy.h"
 
 namespace skybake {
 
@@ -196,8 +193,10 @@ Outcome<bool> add_row(const LoadRecipe& load, const Recipe& recipe, const Bake& 
     return {true, of_recipe ? std::move(baked.diagnostics) : std::vector<config::Diagnostic>{}};
 }
 
-Outcome<AssetReport> report_variants(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
-                                     const ReportOptions& options) {
+}  // namespace
+
+Outcome<AssetReport> report_asset(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
+                                  const ReportOptions& options) {
     Outcome<AssetReport> outcome;
     AssetReport report;
     report.name = bake.name;
@@ -215,15 +214,6 @@ Outcome<AssetReport> report_variants(const LoadRecipe& load, const Recipe& recip
         &ReportRow::on_bytes_front);
     outcome.value = std::move(report);
     return outcome;
-}
-
-}  // namespace
-
-Outcome<AssetReport> report_asset(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
-                                  const ReportOptions& options) {
-    if (bake.is<config::OccupancyBake>()) return report_occupancy(recipe, bake, options);
-    if (bake.is<config::CloudDistanceBake>()) return report_cloud_distance(recipe, bake, options);
-    return report_variants(load, recipe, bake, options);
 }
 
 }  // namespace skybake

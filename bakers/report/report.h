@@ -2,7 +2,6 @@
 // time, the error and the bytes that a bake of it has.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -37,27 +36,6 @@ struct ReportRow {
     bool on_bytes_front = false;  // bytes against lookup.rms
 };
 
-// The cost and savings of one way of skipping empty cells.
-struct SkippingRow {
-    std::string structure;            // "no skipping", "exact, Chebyshev leaps"
-    double occupied_share = 0;        // of the cells
-    std::int64_t samples = 0;         // number of filtered samples drawn
-    std::int64_t lost_samples = 0;    // skipped samples that are above the threshold
-    std::array<double, 3> fetches{};  // of density and structure, per ray: up, within, down
-    std::int64_t changed_rays = 0;    // optical depth differs from that without skipping
-    std::uint64_t structure_bytes = 0;
-    double time_ms = 0;
-};
-
-// Facts that are reported only for occupancy grids.
-struct SkippingFacts {
-    std::array<int, 3> size{};  // the volume's size in voxels
-    int cell = 0;               // voxels along each edge
-    int rays = 0;               // in each of the three sets
-    double smallest_safe_share = 0;
-    std::vector<SkippingRow> rows;
-};
-
 struct AssetReport {
     std::string name;
     std::string kind;       // "transmittance", "multiple_scattering", "noise_volume"
@@ -69,7 +47,6 @@ struct AssetReport {
     int repetitions = 0;                    // each time is the median of this many
     std::optional<SkyError> sky;            // of the recipe's asset, if its light is compared
     std::vector<std::string> notes;         // what was left out, and why
-    std::optional<SkippingFacts> skipping;  // only for occupancy grids, which have no rows
     std::vector<ReportRow> rows;
 };
 

@@ -81,27 +81,6 @@ Json to_json(const ReportRow& row) {
     return entry;
 }
 
-Json to_json(const SkippingFacts& skipping) {
-    Json rows = Json::array();
-    for (const SkippingRow& row : skipping.rows) {
-        rows.push_back({{"structure", row.structure},
-                        {"occupied_share", row.occupied_share},
-                        {"samples", row.samples},
-                        {"lost_samples", row.lost_samples},
-                        {"fetches_up", row.fetches[0]},
-                        {"fetches_within", row.fetches[1]},
-                        {"fetches_down", row.fetches[2]},
-                        {"changed_rays", row.changed_rays},
-                        {"structure_bytes", row.structure_bytes},
-                        {"time_ms", row.time_ms}});
-    }
-    return {{"size", skipping.size},
-            {"cell", skipping.cell},
-            {"rays", skipping.rays},
-            {"smallest_safe_share", skipping.smallest_safe_share},
-            {"rows", std::move(rows)}};
-}
-
 Json to_json(const AssetReport& asset) {
     Json rows = Json::array();
     for (const ReportRow& row : asset.rows) rows.push_back(to_json(row));
@@ -115,7 +94,6 @@ Json to_json(const AssetReport& asset) {
                  {"texel_points", asset.texel_points},
                  {"lookup_points", asset.lookup_points},
                  {"notes", asset.notes}};
-    if (asset.skipping) json["skipping"] = to_json(*asset.skipping);
     json["rows"] = std::move(rows);
     return json;
 }

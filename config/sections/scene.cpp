@@ -12,6 +12,11 @@ constexpr Choice sky_by_choices[] = {
     {SkyBy::picture, "picture", "a picture of the sky for each sun, seen from one altitude"},
 };
 
+constexpr Choice draws_choices[] = {
+    {Draws::sky, "sky", "the clear sky of [atmosphere]"},
+    {Draws::clouds, "clouds", "each of [clouds] in sunlight"},
+};
+
 constexpr Range size_range_mib{0, 1 << 20, true};
 constexpr Range fetch_range{1, 1e6};
 
@@ -25,6 +30,8 @@ const SceneField scene_table[] = {
     {"view_distance", Kind::length, &Scene::view_distance,
      "distance up to which the cameras see things on the ground", view_distance_range,
      Default{R"("64 km")"}, Role::usual},
+    {"draws", Kind::choice_list, &Scene::draws, "what `skybake plan` plans of what the recipe has",
+     draws_choices, Default{R"(["sky", "clouds"])"}, Role::usual},
     {"sky_by", Kind::choice_list, &Scene::sky_by,
      "how the runtime can draw the sky, for `skybake plan`", sky_by_choices,
      Default{R"(["march", "fetch", "picture"])"}, Role::usual},
@@ -35,11 +42,14 @@ const SceneField scene_table[] = {
     {"max_sky_error", Kind::fraction, &Scene::max_sky_error,
      "largest ninth decile of the sky's error that `skybake plan` may choose", lookup_error_range,
      Role::usual},
+    {"max_cloud_error", Kind::fraction, &Scene::max_cloud_error,
+     "largest RMS error of a cloud's picture, as a share of white, that `skybake plan` may choose",
+     lookup_error_range, Role::usual},
     {"max_size_mib", Kind::number, &Scene::max_size_mib,
-     "most MiB of textures that `skybake plan` may choose for the sky", size_range_mib,
+     "most MiB of textures that `skybake plan` may choose for each", size_range_mib,
      Role::usual},
     {"max_fetches", Kind::number, &Scene::max_fetches,
-     "most texture fetches per pixel of the sky that `skybake plan` may choose", fetch_range,
+     "most texture fetches per pixel that `skybake plan` may choose", fetch_range,
      Role::usual},
 };
 

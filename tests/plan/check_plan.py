@@ -15,6 +15,18 @@ suns = ["40 deg"]
 sky_by = ["picture"]
 """
 
+CLOUD = """
+[clouds.small]
+preset = "cumulus_humilis"
+extent = ["1.5 km", "1.5 km", "0.75 km"]
+[clouds.small.scatter]
+count = 4
+[bake.small]
+asset = "cloud_volume"
+cloud = "small"
+size = [32, 32, 16]
+"""
+
 
 def main():
     program = sys.argv[1]
@@ -37,12 +49,14 @@ def main():
         with open(out / "plan.csv", newline="") as file:
             rows = list(csv.DictReader(file))
         result = json.loads((out / "plan.json").read_text())
-        assert len(rows) == len(result["ways"]) == 3, rows
+        assert [plan["subject"] for plan in result["subjects"]] == ["sky"]
+        sky = result["subjects"][0]
+        assert len(rows) == len(sky["ways"]) == 3, rows
         chosen = [row["chosen"] for row in rows].index("true")
-        assert result["chosen"] == chosen and rows[chosen]["variant"] in run.stdout, run.stdout
-        for row, way in zip(rows, result["ways"]):
+        assert sky["chosen"] == chosen and rows[chosen]["variant"] in run.stdout, run.stdout
+        for row, way in zip(rows, sky["ways"]):
             assert None not in row and None not in row.values(), row
-            assert 0 < float(row["sky_median"]) <= float(row["sky_p90"]) == way["sky_p90"] < 1, row
+            assert 0 < float(row["median"]) <= float(row["p90"]) == way["p90"] < 1, row
 
         # The planned recipe is one, and bakes what was planned.
         bake = subprocess.run([program, "bake", "planned.toml", "-o", "baked", "--certify=off"],
@@ -50,7 +64,7 @@ def main():
         assert bake.returncode == 0, bake.stderr
         asset = json.loads((folder / "baked" / "manifest.json").read_text())["assets"][0]
         assert asset["kind"] == "sky_view", asset
-        size = result["ways"][chosen]["assets"]["sky_view"]["size"]
+        size = sky["ways"][chosen]["assets"]["sky_view"]["size"]
         assert asset["size"] == size, (asset["size"], size)
 
         # Figures are kept, standard input is read once, and choices are limited.
@@ -62,6 +76,19 @@ def main():
         none = plan("scene.toml", "--max-sky-error", "0.0001%", "--write", "none.toml")
         assert none.returncode == 4 and "E0408" in none.stderr, none.stderr
         assert not (folder / "none.toml").exists()
+
+        # A cloud is planned beside the sky, and one recipe bakes both.
+        (folder / "both.toml").write_text(SCENE + CLOUD)
+        both = plan("both.toml", "-o", "both", "--write", "both_planned.toml")
+        assert both.returncode == 0, both.stderr
+        subjects = json.loads((folder / "both/plan.json").read_text())["subjects"]
+        assert [plan["subject"] for plan in subjects] == ["sky", "clouds.small"], subjects
+        assert (folder / "both/plan_small.svg").exists() and (folder / "both/plan_small.png").exists()
+        bake = subprocess.run([program, "bake", "both_planned.toml", "-o", "both_baked", "--certify=off"],
+                              capture_output=True, text=True, cwd=folder)
+        assert bake.returncode == 0, bake.stderr
+        kinds = {asset["kind"] for asset in json.loads((folder / "both_baked/manifest.json").read_text())["assets"]}
+        assert {"sky_view", "cloud_volume"} <= kinds, kinds
 
         # Nobody's file is touched.
         assert plan("scene.toml", "--write", "planned.toml").returncode == 3

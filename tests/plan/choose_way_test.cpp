@@ -92,8 +92,9 @@ TEST(ChooseWay, ErrorsWithinTheNoiseAreEqual) {
 TEST(ChooseWay, TheKneeWeighsErrorAgainstCost) {
     EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 100}, {0.019, 400, 100}}), 1u);
     EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 100}, {0.021, 400, 100}}), 0u);
-    EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 100}, {0.019, 100, 1600}}), 1u);
-    EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 100}, {0.021, 100, 1600}}), 0u);
+    EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 1e6}, {0.019, 100, 16e6}}), 1u);
+    EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 1e6}, {0.021, 100, 16e6}}), 0u);
+    EXPECT_EQ(knee_of(std::vector<WayFigures>{{0.04, 100, 100}, {0.039, 100, 100e3}}), 1u);
 }
 
 }  // namespace

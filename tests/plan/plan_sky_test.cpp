@@ -30,8 +30,8 @@ PlanRequest request_of(const std::string& text) {
 }
 
 // The plan of one scene for all tests that look at it.
-const SkyPlan& plan() {
-    static const SkyPlan plan = *plan_sky(request_of(kScene)).value;
+const Plan& plan() {
+    static const Plan plan = *plan_sky(request_of(kScene)).value;
     return plan;
 }
 
@@ -76,11 +76,11 @@ TEST(PlanSky, WithoutLimitsItTakesTheKnee) {
 
 TEST(PlanSky, TheRecipeBakesWhatWasChosen) {
     const auto scene = request_of(kScene).load({});
-    const std::string text = planned_recipe(plan(), *scene.value);
+    const std::string text = planned_recipe({&plan(), 1}, *scene.value);
     const auto recipe = config::parse_recipe(text, "planned");
     ASSERT_TRUE(recipe.value) << text << recipe.diagnostics.front().message;
     const std::vector<config::Bake>& bakes = recipe.value->parameters.bakes;
-    const SkyWay& chosen = plan().ways[plan().chosen].way;
+    const Way& chosen = plan().ways[plan().chosen].way;
     ASSERT_EQ(bakes.size(), chosen.assets.size());
     for (std::size_t i = 0; i < bakes.size(); ++i) {
         EXPECT_EQ(bakes[i].name, chosen.assets[i].name);
@@ -90,10 +90,10 @@ TEST(PlanSky, TheRecipeBakesWhatWasChosen) {
 }
 
 TEST(PlanSky, FilesHaveAllWays) {
-    const auto json = nlohmann::json::parse(plan_json(plan()));
-    EXPECT_EQ(json["ways"].size(), plan().ways.size());
-    EXPECT_EQ(json["chosen"], plan().chosen);
-    const std::string csv = plan_csv(plan());
+    const auto json = nlohmann::json::parse(plan_json({&plan(), 1}));
+    EXPECT_EQ(json["subjects"][0]["ways"].size(), plan().ways.size());
+    EXPECT_EQ(json["subjects"][0]["chosen"], plan().chosen);
+    const std::string csv = plan_csv({&plan(), 1});
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), static_cast<long>(plan().ways.size()) + 1);
     const Figure figure = plan_figure(plan());
     ASSERT_EQ(figure.charts.size(), 2u);
@@ -122,7 +122,7 @@ TEST(PlanSky, FiguresAreTakenFromTheCache) {
     }
     ASSERT_FALSE(kept.empty());
     const auto second = plan_sky(request);
-    EXPECT_EQ(plan_json(*second.value), plan_json(*first.value)) << "times included";
+    EXPECT_EQ(plan_json({&*second.value, 1}), plan_json({&*first.value, 1})) << "times included";
     // Damaged figures, and those of another scene, are measured again.
     std::ofstream(kept, std::ios::app) << "x";
     const auto third = plan_sky(request);

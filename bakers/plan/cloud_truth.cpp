@@ -1,0 +1,117 @@
+#include "bakers/plan/cloud_truth.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "bakers/assets/cloud_light/cloud_scattering.h"
+#include "bakers/light/sky_ray.h"
+#include "bakers/march/cloud_light.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/vectors.h"
+#include "bakers/plan/marched_cloud.h"
+
+namespace skybake {
+
+namespace {
+
+constexpr double kCovered = 0.01;
+constexpr std::uint64_t kSeed = 29;
+
+glm::dvec3 towards_sun(double elevation_deg) {
+    return cloud_light::towards(elevation_deg / kDegreesPerRadian, 0);
+}
+
+}  // namespace
+
+CloudTruth::CloudTruth(const cloud_light::CloudLayer& layer, const CloudRange& range,
+                       std::vector<CloudView> views, const BakeOptions& options)
+    : layer_(layer),
+      range_(range),
+      options_(options),
+      views_(std::move(views)),
+      light_(views_.size()) {}
+
+glm::dvec3 CloudTruth::sun(const CloudView& view) const {
+    return towards_sun(range_.suns_deg[view.sun]);
+}
+
+bool CloudTruth::is_covered(const CloudView& view) const {
+    CloudWay plain;
+    plain.single = true;
+    plain.sun_samples = 1;
+    CloudTextures textures;
+    textures.layer = &layer_;
+    return march_cloud(plain, textures, view.place, view.look, sun(view)).passed < 1 - kCovered;
+}
+
+void CloudTruth::trace(double paths) {
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        if (is_covered(views_[i])) covered_.push_back(i);
+    }
+    if (covered_.empty()) return;
+    paths_ = static_cast<int>(std::ceil(paths / static_cast<double>(covered_.size())));
+    std::vector<cloud_light::CloudPaths> of_suns;
+    for (const double sun_deg : range_.suns_deg) {
+        cloud_light::LayerSources sources;
+        sources.sun = 1;
+        sources.sun_direction = towards_sun(sun_deg);
+        of_suns.emplace_back(layer_, cloud_light::droplet_scattering(kDropletDiameter_um, 1),
+                             sources, options_.threads);
+    }
+    const glm::dvec3 voxels(layer_.size[0], layer_.size[1], layer_.size[2]);
+    for_each_tile(static_cast<int>(covered_.size()), options_, "tracing paths", [&](int n) {
+        const std::size_t i = covered_[static_cast<std::size_t>(n)];
+        const CloudView& view = views_[i];
+        light_[i] = of_suns[view.sun].trace(view.place * voxels, view.look, paths_, kSeed,
+                                            static_cast<std::uint32_t>(i));
+    });
+}
+
+// Returns 0 where paths find no light.
+double CloudTruth::exposure() const {
+    std::vector<double> seen;
+    for (const std::size_t i : covered_) seen.push_back(light_[i].sum());
+    std::sort(seen.begin(), seen.end());
+    if (seen.empty() || !(seen[seen.size() * 9 / 10] > 0)) return 0;
+    return 1.5 / seen[seen.size() * 9 / 10];
+}
+
+SkyError CloudTruth::error(const std::vector<double>& found, double& rms) const {
+    SkyError error;
+    const double k = exposure();
+    if (k == 0) {
+        error.left_out = 1;
+        return error;
+    }
+    double squares = 0;
+    double noise = 0;
+    std::vector<double> errors;
+    for (const std::size_t i : covered_) {
+        const cloud_light::TracedRadiance& traced = light_[i];
+        const double shown = std::exp(-k * traced.sum());
+        errors.push_back(std::fabs(std::exp(-k * found[i]) - shown));
+        squares += errors.back() * errors.back();
+        noise += std::pow(shown * k * traced.standard_error, 2);
+    }
+    const auto count = static_cast<double>(errors.size());
+    std::sort(errors.begin(), errors.end());
+    rms = std::sqrt(std::max(squares - noise, 0.0) / count);
+    const auto decile = [&](double share) {
+        return errors[static_cast<std::size_t>(share * (count - 1))];
+    };
+    error.median = decile(0.5);
+    error.ninth_decile = decile(0.9);
+    error.max = decile(1);
+    error.points = static_cast<int>(errors.size());
+    error.standard_error = std::sqrt(noise / count);
+    error.reference = fmt::format("{} paths of light in {} of {} views, through {}x{}x{} voxels",
+                                  paths_ * error.points, error.points, views_.size(),
+                                  layer_.size[0], layer_.size[1], layer_.size[2]);
+    return error;
+}
+
+}  // namespace skybake

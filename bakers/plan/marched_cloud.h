@@ -1,0 +1,73 @@
+// A runtime's march through a cloud with the textures of a way: stored voxels, the published lookups
+// (examples/lookups/cloud_light.glsl), and the fetches that they take.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/ext/vector_double3.hpp>
+#include <vector>
+
+#include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/field/baked.h"
+#include "bakers/math/bake_options.h"
+#include "bakers/occupancy/occupied_cells.h"
+#include "bakers/plan/cloud_ways.h"
+
+namespace skybake {
+
+// A texture as it is stored: a volume that repeats along x and y, or a table with end points on the
+// centres of texels.
+class StoredTexture {
+  public:
+    explicit StoredTexture(const Baked& baked);
+
+    std::size_t channels() const { return channels_.size(); }
+    // Returns the trilinear lookup of a channel at a place in shares of the tile, or at coordinates of a
+    // table.
+    double at(const glm::dvec3& place, std::size_t channel) const;
+
+  private:
+    std::array<int, 3> size_{};
+    bool is_table_ = false;
+    std::vector<std::vector<float>> channels_;
+};
+
+// What rays find in a way's textures under one sun.
+struct CloudTextures {
+    const cloud_light::CloudLayer* layer = nullptr;  // its densities
+    const StoredTexture* small_angles = nullptr;     // of radiance
+    const StoredTexture* depth = nullptr;            // to the sun
+    std::vector<const StoredTexture*> parts;         // of harmonics or radiance
+};
+
+struct MarchedRay {
+    double radiance = 0;    // in 1/sr, of sunlight of the irradiance 1
+    double passed = 1;      // of what is behind the cloud
+    double length_m = 0;    // of the march, which ends where little is seen of what follows
+    double light_fetches = 0;
+};
+
+// Marches a ray from a place in shares of the tile. `sun` is a unit vector towards the sun.
+MarchedRay march_cloud(const CloudWay& way, const CloudTextures& textures, const glm::dvec3& place,
+                       const glm::dvec3& look, const glm::dvec3& sun);
+
+// The distance in metres between the samples of a way.
+double stride_m(const CloudWay& way, const cloud_light::CloudLayer& layer);
+
+// Finds the fetches of densities and cells along rays, with the cells of an occupancy grid or, with null,
+// without any.
+class CloudFetches {
+  public:
+    CloudFetches(const cloud_light::CloudLayer& layer, double stride_m, const Baked* cells, int cell);
+
+    double along(const glm::dvec3& place, const glm::dvec3& look, double length_m) const;
+
+  private:
+    const cloud_light::CloudLayer& layer_;
+    double stride_m_;
+    int cell_;  // 0: without cells
+    occupancy::OccupiedCells cells_;
+    std::vector<std::uint8_t> leaps_;
+};
+
+}  // namespace skybake

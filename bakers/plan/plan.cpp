@@ -1,0 +1,124 @@
+#include "bakers/plan/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "bakers/assets/registry/registry.h"
+#include "bakers/io/files/to_string.h"
+#include "config/sections/cloud.h"
+
+namespace skybake {
+
+using config::Outcome;
+using config::Recipe;
+
+Outcome<Recipe> load_scene(const PlanRequest& request, const std::vector<std::string>& settings) {
+    Outcome<Recipe> recipe = request.load(settings);
+    if (!recipe.value || recipe.value->parameters.scene) return recipe;
+    std::vector<std::string> all = settings;
+    all.emplace_back("scene.view_distance=\"64 km\"");  // its default
+    return request.load(all);
+}
+
+std::vector<PlanSubject> subjects_of(const config::Parameters& parameters) {
+    const auto draws = [&](config::Draws what) {
+        if (!parameters.scene) return true;
+        const std::vector<config::Draws>& all = parameters.scene->draws;
+        return std::find(all.begin(), all.end(), what) != all.end();
+    };
+    std::vector<PlanSubject> subjects;
+    if (draws(config::Draws::sky) && parameters.atmosphere.top_radius.meters > 0) {
+        subjects.push_back({config::Draws::sky, {}});
+    }
+    if (draws(config::Draws::clouds)) {
+        for (const config::Cloud& cloud : parameters.clouds) {
+            subjects.push_back({config::Draws::clouds, cloud.name});
+        }
+    }
+    return subjects;
+}
+
+std::string name_of(const PlanSubject& subject) {
+    return subject.draws == config::Draws::sky ? "the sky"
+                                               : fmt::format("the cloud `{}`", subject.cloud);
+}
+
+std::string versions_of_bakers() {
+    std::string text;
+    for (const AnyBaker& baker : bakers())
+        text += fmt::format("{} {}\n", baker.asset, baker.version);
+    return text;
+}
+
+WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
+                    const std::optional<double>& max_error) {
+    WayLimits limits = request.limits;
+    if (!limits.error) limits.error = max_error;
+    if (!limits.fetches) limits.fetches = scene.max_fetches;
+    if (!limits.bytes && scene.max_size_mib) limits.bytes = *scene.max_size_mib * 1024 * 1024;
+    return limits;
+}
+
+namespace {
+
+std::vector<WayFigures> figures_of(const std::vector<MeasuredWay>& ways) {
+    std::vector<WayFigures> figures;
+    for (const MeasuredWay& way : ways) figures.push_back(way.figures);
+    return figures;
+}
+
+// Says which figures the best ways reach.
+config::Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
+    WayFigures least = figures.front();
+    for (const WayFigures& way : figures) {
+        least.error = std::min(least.error, way.error);
+        least.fetches = std::min(least.fetches, way.fetches);
+        least.bytes = std::min(least.bytes, way.bytes);
+    }
+    config::Diagnostic problem;
+    problem.code = "E0408";
+    problem.message = fmt::format(
+        "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
+        "fewest fetches are {:.0f} and the least size is {}",
+        name_of(subject), 100 * least.error, least.fetches, byte_size_text(least.bytes));
+    problem.label = "raise a limit; the table shows what each way has";
+    return problem;
+}
+
+config::Diagnostic darkness(const PlanSubject& subject) {
+    config::Diagnostic problem;
+    problem.code = "E0409";
+    problem.message = fmt::format(
+        "paths of light find too little light in this scene to compare ways to draw {} with",
+        name_of(subject));
+    problem.label = "raise the suns of [scene], or its cameras above dense air";
+    return problem;
+}
+
+}  // namespace
+
+Outcome<Plan> without_light(const PlanSubject& subject) { return {{}, {darkness(subject)}}; }
+
+Outcome<Plan> chosen(Plan plan, std::vector<config::Diagnostic> diagnostics) {
+    const SkyError& of_first = plan.ways.front().error;
+    if (of_first.points == 0 && of_first.left_out > 0) return without_light(plan.subject);
+    plan.reference = of_first.reference;
+    const std::vector<WayFigures> figures = figures_of(plan.ways);
+    const std::vector<bool> front = front_of(figures);
+    for (std::size_t i = 0; i < front.size(); ++i) plan.ways[i].on_front = front[i];
+    plan.knee = knee_of(figures);
+    const auto best = best_within(plan.limits, figures, of_first.standard_error);
+    plan.keeps_limits = best.has_value();
+    plan.chosen = !plan.limits.any() ? plan.knee : best.value_or(*best_within({}, figures, 0));
+    if (of_first.left_out > 0) {
+        plan.notes.push_back(
+            fmt::format("{} of {} values are left out: paths find too little light there",
+                        of_first.left_out, of_first.left_out + of_first.points));
+    }
+    if (!best) diagnostics.push_back(unreached(plan.subject, figures));
+    return {std::move(plan), std::move(diagnostics)};
+}
+
+}  // namespace skybake

@@ -1,0 +1,83 @@
+// A plan: the measured ways to draw one thing, and the choice among them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bakers/math/bake_options.h"
+#include "bakers/plan/bake_ways.h"
+#include "bakers/plan/choose_way.h"
+#include "bakers/plan/way.h"
+#include "bakers/report/variants.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+
+// How the error of a way is told. Limits and the choice are of `compared`.
+struct ErrorWords {
+    std::string compared;  // "sky error, ninth decile (%)"
+    std::string claim;     // "at most {} % off in nine of ten views", with the figure in it
+    std::string column;    // "9 in 10 %", of tables
+    std::string meaning;   // of the errors, for the head of a table
+    std::string remark;    // a comment of the written recipe; or empty
+};
+
+// The sky, or a cloud of a recipe.
+struct PlanSubject {
+    config::Draws draws = config::Draws::sky;
+    std::string cloud;  // NAME of a [clouds.NAME]
+};
+
+struct Plan {
+    PlanSubject subject;
+    std::string scene;      // "cameras from 0 to 3 km, suns from -6 to 90 degrees"
+    std::string reference;  // the paths
+    ErrorWords words;
+    std::vector<config::Read> reads;  // what a recipe of the chosen way says besides its assets
+    std::vector<MeasuredWay> ways;
+    WayLimits limits;
+    std::size_t chosen = 0;    // what keeps the limits, or the knee if there are none
+    bool keeps_limits = true;  // false: no way does, and `chosen` has the least error
+    std::size_t knee = 0;
+    std::vector<std::string> notes;  // what was left out, and why
+    std::string sheet;               // a PNG: pictures by paths, and by each family
+};
+
+struct PlanRequest {
+    LoadRecipe load;
+    std::filesystem::path cache;  // where measured figures are kept; empty: nowhere
+    WayLimits limits;             // in place of those of the scene
+    double paths = 0;             // of light, in all views together; 0: as many as the scene needs
+    int threads = 0;
+    Progress* progress = nullptr;
+};
+
+// Reads the recipe with its [scene], or one that says nothing, and further settings.
+config::Outcome<config::Recipe> load_scene(const PlanRequest& request,
+                                           const std::vector<std::string>& settings = {});
+
+// Returns "the sky", or "the cloud `cumulus`".
+std::string name_of(const PlanSubject& subject);
+
+// Returns what the recipe has and its scene draws.
+std::vector<PlanSubject> subjects_of(const config::Parameters& parameters);
+
+// Returns the version of all bakers, on which figures of ways depend.
+std::string versions_of_bakers();
+
+// Returns limits of the request, or else those of the scene, with this bound on the error.
+WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
+                    const std::optional<double>& max_error);
+
+// Returns E0409, since no light reaches the subject.
+config::Outcome<Plan> without_light(const PlanSubject& subject);
+
+// Finds the front of a measured plan, its knee and the way to take. Adds E0408, beside the plan, if no way
+// keeps the limits: `chosen` is then the way of least error. Returns E0409 alone where paths find no
+// light to compare with.
+config::Outcome<Plan> chosen(Plan plan, std::vector<config::Diagnostic> diagnostics);
+
+}  // namespace skybake

@@ -1,0 +1,141 @@
+#include "bakers/plan/plan_cloud.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "bakers/plan/plan_files.h"
+#include "config/recipe/recipe.h"
+
+namespace skybake {
+namespace {
+
+const std::string kScene =
+    "[scene]\naltitude = [\"0 m\", \"400 m\"]\nview_distance = \"10 km\"\n"
+    "[clouds.c]\npreset = \"cumulus_humilis\"\nextent = [\"1.5 km\", \"1.5 km\", \"0.75 km\"]\n"
+    "noise_scale = [2, 2, 1]\ndetail_scale = [4, 4, 2]\n[clouds.c.scatter]\ncount = 4\n"
+    "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [64, 64, 32]\n";
+
+PlanRequest request_of(const std::string& text) {
+    PlanRequest request;
+    request.load = [text](std::span<const std::string> settings) {
+        return config::parse_recipe(text, "scene", {}, settings);
+    };
+    request.paths = 1 << 16;
+    return request;
+}
+
+PlanRequest request_with_sun() {
+    PlanRequest request = request_of(kScene);
+    request.load = [](std::span<const std::string> settings) {
+        std::vector<std::string> all(settings.begin(), settings.end());
+        all.emplace_back("scene.suns=[\"35 deg\"]");
+        return config::parse_recipe(kScene, "scene", {}, all);
+    };
+    return request;
+}
+
+// The plan of one scene for all tests that look at it.
+const Plan& plan() {
+    static const Plan plan = *plan_cloud(request_with_sun(), "c").value;
+    return plan;
+}
+
+double least_error(const std::string& family) {
+    double least = 1e9;
+    for (const MeasuredWay& way : plan().ways) {
+        if (way.way.family == family) least = std::min(least, way.figures.error);
+    }
+    return least;
+}
+
+TEST(PlanCloud, SolvedLightIsNearerToThePaths) {
+    EXPECT_LT(least_error("radiance for each sun"), 0.1);
+    EXPECT_LT(least_error("radiance for each sun"), least_error("octaves, depths for each sun"));
+    EXPECT_LT(least_error("octaves, a march to the sun"), least_error("single scattering") / 1.5);
+    EXPECT_GT(least_error("single scattering"), 0.2);
+}
+
+TEST(PlanCloud, EachWayHasWhatItCosts) {
+    bool found = false;
+    for (const MeasuredWay& way : plan().ways) {
+        if (way.way.family != "octaves, depths for each sun") continue;
+        if (way.way.name.rfind("64x64x32, bc4, texels of 4 voxels", 0) != 0) continue;
+        found = true;
+        double bytes = 64 * 64 * 32 / 2 + 16 * 16 * 8 * 2;
+        for (const WayAsset& asset : way.way.assets) {
+            if (asset.name == "c_cells") bytes += 32 * 32 * 16;  // cells of two voxels at most
+        }
+        EXPECT_LE(way.figures.bytes, bytes);
+        EXPECT_GT(way.figures.bytes, 64 * 64 * 32 / 2);
+        EXPECT_GT(way.figures.fetches, 1);
+    }
+    EXPECT_TRUE(found);
+}
+
+// Ways that show the same picture appear once, with the cells that cost least.
+TEST(PlanCloud, ChoosesTheCells) {
+    for (const MeasuredWay& way : plan().ways) {
+        const auto others = std::count_if(
+            plan().ways.begin(), plan().ways.end(), [&](const MeasuredWay& other) {
+                const auto drawn = [](const std::string& name) {
+                    return name.substr(0, name.find(", leaps over"));
+                };
+                return other.way.family == way.way.family &&
+                       drawn(other.way.name) == drawn(way.way.name);
+            });
+        EXPECT_EQ(others, 1) << full_name(way.way);
+    }
+}
+
+TEST(PlanCloud, TheRecipeBakesWhatWasChosen) {
+    const auto scene = request_with_sun().load({});
+    const std::string text = planned_recipe({&plan(), 1}, *scene.value);
+    const auto recipe = config::parse_recipe(text, "planned");
+    ASSERT_TRUE(recipe.value) << text << recipe.diagnostics.front().message;
+    const Way& chosen = plan().ways[plan().chosen].way;
+    ASSERT_EQ(recipe.value->parameters.bakes.size(), chosen.assets.size()) << text;
+}
+
+// Other views and other paths find the error that the plan claims.
+TEST(PlanCloud, OtherViewsFindTheClaimedError) {
+    const MeasuredWay& chosen = plan().ways[plan().chosen];
+    const auto judged = judge_cloud(request_with_sun(), "c", chosen.way, 4096);
+    ASSERT_TRUE(judged.value);
+    EXPECT_LT(*judged.value, 1.3 * chosen.figures.error);
+    EXPECT_GT(*judged.value, chosen.figures.error / 1.3);
+}
+
+// Without suns of its own a scene has those of a day, and no light of one sun alone.
+TEST(PlanCloud, AnySunLeavesOutTheLightOfOne) {
+    PlanRequest request = request_of(kScene);
+    request.paths = 1 << 12;
+    const auto any = plan_cloud(request, "c");
+    ASSERT_TRUE(any.value);
+    for (const MeasuredWay& way : any.value->ways) {
+        EXPECT_NE(way.way.by, "depth");
+        EXPECT_NE(way.way.by, "radiance");
+    }
+    ASSERT_EQ(any.value->notes.size(), 1u);
+}
+
+TEST(PlanCloud, NightsAndCloudsThatNobodySeesHaveNoPlan) {
+    for (const char* setting : {"scene.suns=[\"-5 deg\"]", "clouds.c.extinction_scale=\"1e-9 /km\""}) {
+        PlanRequest request = request_of(kScene);
+        request.paths = 1 << 12;
+        request.load = [&](std::span<const std::string> settings) {
+            std::vector<std::string> all(settings.begin(), settings.end());
+            all.emplace_back(setting);
+            return config::parse_recipe(kScene, "scene", {}, all);
+        };
+        const auto none = plan_cloud(request, "c");
+        EXPECT_FALSE(none.value) << setting;
+        ASSERT_EQ(none.diagnostics.size(), 1u) << setting;
+        EXPECT_EQ(none.diagnostics[0].code, "E0409") << setting;
+    }
+}
+
+}  // namespace
+}  // namespace skybake
