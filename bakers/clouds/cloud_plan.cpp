@@ -35,7 +35,7 @@ void scale_frequencies(NoiseOctaves& octaves, const std::array<int, 3>& scale) {
 
 SliceShape slice_shape(const Cloud& cloud, bool by_map, double h) {
     SliceShape shape;
-    if (!cloud.volume.empty()) {
+    if (cloud.noise.empty()) {
         shape.profile[0] = 1;
     } else if (by_map) {
         const std::array<double, 3> profiles = classic_profiles(h);

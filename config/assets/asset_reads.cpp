@@ -76,7 +76,7 @@ std::vector<Read> reads_of_cloud(const Parameters& parameters, const std::string
     std::vector<Read> reads = {{path}, {path + ".*"}, {path + ".towers.*"}};
     if (const Noise* base = noise_of(parameters, cloud)) {
         append(reads_of_noise(*base, used_channels(*base, cloud.channels)), reads);
-    } else {
+    } else if (!cloud.volume.empty()) {
         reads.push_back({join_path("volumes", cloud.volume)});
     }
     if (!cloud.detail.empty() && cloud.detail != cloud.noise) {

@@ -98,6 +98,54 @@ struct CloudReader {
                  cloud.coverage_map);
     }
 
+    void report_cells(const DecodedSection& section, std::string what, std::string label) const {
+        decoder.diagnostics.error(
+            "E0110", section.at("cells").source->place,
+            fmt::format("`{}` are {}", join_path(section.path, "cells"), what), std::move(label));
+    }
+
+    void check_cells(const DecodedSection& section) const {
+        const auto& [x, y, z] = cloud.convection.cells;
+        if (x == 0 || !(cloud.extent[2].meters > 0)) return;  // reported
+        const auto is_at_fault = [](int count) {
+            if (count % 2 != 0) return true;
+            for (const int prime : {2, 3, 5}) {
+                while (count % prime == 0) count /= prime;
+            }
+            return count != 1;
+        };
+        if (is_at_fault(x) || is_at_fault(y)) {
+            return report_cells(
+                section, fmt::format("{} along x and {} along y", x, y),
+                "give even products of 2, 3 and 5, such as 96, 100, 120, 128, 144 or 160");
+        }
+        constexpr double kMostCells = 1 << 26;  // take 5 GB
+        const double share = 1 + cloud.convection.mixed_layer.meters / cloud.extent[2].meters;
+        const double cells = double{1} * x * y * z * share;
+        if (cells <= kMostCells) return;
+        report_cells(section, fmt::format("{:.0f} with those of the mixed layer", cells),
+                     fmt::format("at most {:.0f} are allowed", kMostCells));
+    }
+
+    void read_convection() const {
+        const Entry* entry = find_entry(table, "convection");
+        if (cloud.shape != CloudShape::convection) {
+            if (!entry) return;
+            return decoder.diagnostics.error(
+                "E0111", entry->key_place,
+                fmt::format("`{}` belongs to shape convection", join_path(path, "convection")),
+                "give shape = \"convection\" in place of noise or volume, or leave it out");
+        }
+        DecodedSection section =
+            decode_section(*find_section("clouds.*.convection"), join_path(path, "convection"),
+                           place_of("convection"), subtable(table, "convection", path, decoder),
+                           Absent::filled_in, decoder);
+        derive(section.at("inversion"), 0.7 * cloud.extent[2].meters);
+        append_values(section, decoder);
+        bind_section(section, convection_fields(), cloud.convection);
+        check_cells(section);
+    }
+
     void check_type_map(const DecodedSection& profile) const {
         const DecodedField& type = profile.at("type");
         if (!find_entry(table, "type_map") || !type.value) return;
@@ -277,7 +325,8 @@ Cloud decode_cloud(const std::string& name, const Place& place, const Table& tab
     bind_section(section, cloud_fields(), cloud);
     check_noises(section, cloud, sources.noises, decoder);
     const CloudReader reader{path, place, table, decoder, cloud};
-    if (!cloud.volume.empty()) {
+    reader.read_convection();
+    if (!cloud.volume.empty() || cloud.shape == CloudShape::convection) {
         reader.read_coverage_map();
         return cloud;
     }

@@ -103,14 +103,39 @@ struct TowerScatter : DomeShape, TowerLife {
     bool operator==(const TowerScatter&) const = default;
 };
 
+// What a cloud's density is taken from where it is neither noise nor a volume of the recipe.
+enum class CloudShape { convection, given };
+
+// This is the air in which a cloud grows (bakers/convection/sounding.h). Its condensation level is the
+// cloud's base.
+struct Convection {
+    std::array<int, 3> cells{};    // over the cloud's extent; 0: the cloud does not grow
+    Length mixed_layer;            // its depth below the base
+    Length inversion;              // its height above the base
+    double instability = 0;        // K/km by which the air cools faster than what rises in cloud
+    double temperature = 0;        // K, at the base
+    double humidity = 0;           // relative, above the base
+    std::array<double, 2> wind{};  // m/s along x and y, up to the base
+    std::array<double, 2> wind_above{};  // m/s, at the inversion
+    int patches = 0;                     // of warm ground
+    std::array<Length, 2> patch_width;
+    double warmth = 0;  // K
+    std::uint64_t seed = 0;
+    double minutes = 0;  // for which the cloud grows
+
+    bool operator==(const Convection&) const = default;
+};
+
 enum class ThresholdAt { bake, runtime };
 enum class CloudChannels { density, noise };
 
 // This is one [clouds.NAME].
 struct Cloud {
     std::string name;
-    std::string noise;   // NAME of the [noise.NAME] that gives the base shape; or
-    std::string volume;  // NAME of the [volumes.NAME] that does
+    std::string noise;                     // NAME of the [noise.NAME] that gives the base shape; or
+    std::string volume;                    // NAME of the [volumes.NAME] that does; or
+    CloudShape shape = CloudShape::given;  // what grows it
+    Convection convection;
     std::array<int, 3> noise_scale{1, 1, 1};  // multiplies the frequencies along x, y, z
     std::string detail;                       // NAME of the [noise.NAME] that erodes; empty: none
     std::array<int, 3> detail_scale{1, 1, 1};

@@ -35,6 +35,10 @@ constexpr Choice channels_choices[] = {
     {CloudChannels::noise, "noise",
      "the channels of the noise: R and G are shaped, B and A are plain"},
 };
+constexpr Choice shape_choices[] = {
+    {CloudShape::convection, "convection",
+     "warm air that rises and condenses: the table convection"},
+};
 // This is the place of the threshold for which a key applies.
 constexpr std::string_view at_bake[] = {"bake"};
 
@@ -48,6 +52,9 @@ const CloudField cloud_table[] = {
      "NAME of the [volumes.NAME] whose density the cloud takes in place "
      "of noise, height profile and towers",
      Exclusive{"source", "volume"}},
+    {"shape", Kind::choice, &Cloud::shape,
+     "what grows the cloud, in place of noise, height profile and towers", shape_choices,
+     Exclusive{"source", "shape"}},
     {"noise_scale", Kind::frequency, &Cloud::noise_scale,
      "repeats of the noise across the cloud (x, y, z)", scale_range, Default{"[1, 1, 1]"},
      Hint{"it multiplies the noise's frequencies"}, Exclusive{"source", "noise"}},

@@ -11,25 +11,28 @@
 namespace skybake::config {
 namespace {
 
-// These tables shape noise. A cloud of a volume has its shape already.
+// These tables shape noise. A cloud that grows or is of a volume has its shape already.
 constexpr std::array<std::string_view, 4> noise_tables = {"height_profile", "type_map", "scatter",
                                                           "towers"};
 
-void report_beside_volume(const Place& place, const std::string& path, Decoder& decoder) {
-    decoder.diagnostics.error(
-        "E0111", place, fmt::format("`{}` shapes noise, and this cloud is made of a volume", path),
-        "leave it out, or give noise in place of volume");
+void report_beside(std::string_view source, const Place& place, const std::string& path,
+                   Decoder& decoder) {
+    const std::string_view made = source == "volume" ? "is made of a volume" : "grows";
+    decoder.diagnostics.error("E0111", place,
+                              fmt::format("`{}` shapes noise, and this cloud {}", path, made),
+                              fmt::format("leave it out, or give noise in place of {}", source));
 }
 
-void check_noise_keys(const DecodedSection& section, const Table& table, Decoder& decoder) {
+void check_noise_keys(const DecodedSection& section, std::string_view source, const Table& table,
+                      Decoder& decoder) {
     for (const std::string_view name : noise_tables) {
         const Entry* entry = find_entry(table, name);
         if (!entry) continue;
-        report_beside_volume(entry->key_place, join_path(section.path, name), decoder);
+        report_beside(source, entry->key_place, join_path(section.path, name), decoder);
     }
     const DecodedField& channels = section.at("channels");
     if (!channels.source || choice_of<CloudChannels>(channels) != CloudChannels::noise) return;
-    report_beside_volume(channels.source->place, join_path(section.path, "channels"), decoder);
+    report_beside(source, channels.source->place, join_path(section.path, "channels"), decoder);
 }
 
 void check_name(const DecodedField& volume, const std::string& path, Decoder& decoder) {
@@ -83,9 +86,9 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
     const VolumeFile* volume =
         find_named(section, "volume", sources.volumes, volume_reference, decoder);
     const bool is_of_volume = section.at("volume").source != nullptr;
-    if (is_of_volume) {
-        check_name(section.at("volume"), section.path, decoder);
-        check_noise_keys(section, table, decoder);
+    if (is_of_volume) check_name(section.at("volume"), section.path, decoder);
+    if (is_of_volume || section.at("shape").source != nullptr) {
+        check_noise_keys(section, is_of_volume ? "volume" : "shape", table, decoder);
         derive(section.at("edge_softness"), 0.0);
     }
     const DecodedField& extent = section.at("extent");

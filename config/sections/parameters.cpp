@@ -53,7 +53,7 @@ const Bake& bake_named(const Parameters& parameters, std::string_view name) {
 }
 
 const Noise* noise_of(const Parameters& parameters, const Cloud& cloud) {
-    return cloud.volume.empty() ? &noise_named(parameters, cloud.noise) : nullptr;
+    return cloud.noise.empty() ? nullptr : &noise_named(parameters, cloud.noise);
 }
 
 }  // namespace skybake::config

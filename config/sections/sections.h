@@ -37,6 +37,7 @@ using VolumeField = Row<VolumeFile>;
 using CloudField = Row<Cloud>;
 using HeightProfileField = Row<HeightProfile>;
 using CloudMapField = Row<CloudMap>;
+using ConvectionField = Row<Convection>;
 using TowerField = Row<Tower>;
 using TowerScatterField = Row<TowerScatter>;
 
@@ -55,6 +56,7 @@ std::span<const CloudField> cloud_fields();
 std::span<const HeightProfileField> height_profile_fields();
 std::span<const CloudMapField> coverage_map_fields();
 std::span<const CloudMapField> type_map_fields();
+std::span<const ConvectionField> convection_fields();
 std::span<const TowerField> tower_fields();
 std::span<const TowerScatterField> tower_scatter_fields();
 

@@ -72,10 +72,11 @@ room bakers/io math field
 room bakers/air math
 room bakers/light math color field air
 room bakers/noise math field
-room bakers/clouds math field noise
+room bakers/convection math
+room bakers/clouds math field noise convection
 room bakers/occupancy math field
 room bakers/march math field air occupancy
-room bakers/assets math color field io air light noise clouds occupancy march
+room bakers/assets math color field io air light noise convection clouds occupancy march
 room bakers/shading
 room bakers/workspace math field io assets
 room bakers/plot field io
@@ -155,7 +156,7 @@ forbid '(oneapi/)?tbb' 'config bakers cli' 'bakers/math/parallel_tbb\.cpp'
 forbid 'xxh' 'config bakers cli' 'bakers/math/hash\.cpp'
 forbid '(thread|mutex|OpenEXR)' config "$none"
 # The console, and the reading and writing of files, are not a baker's business.
-makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/clouds bakers/occupancy bakers/march bakers/assets'
+makers='bakers/math bakers/color bakers/field bakers/air bakers/light bakers/noise bakers/convection bakers/clouds bakers/occupancy bakers/march bakers/assets'
 forbid '(iostream|fstream)' "$makers" "$none"
 forbid 'bakers/io/' bakers/assets \
     'bakers/assets/(registry/probe_check\.(h|cpp)|occupancy/occupancy_check\.(h|cpp)|cloud_distance/distance_folder_check\.(h|cpp)|sources/source_files\.(h|cpp)|cloud_volume/cloud_(files|inputs)\.cpp)'

@@ -11,6 +11,7 @@
 
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_plan.h"
+#include "bakers/clouds/grown_volume.h"
 #include "config/assets/cloud_volume.h"
 #include "config/presets/presets.h"
 #include "config/recipe/init_text.h"
@@ -39,6 +40,7 @@ constexpr std::array ranges = {
     NaturalRange{"cirrus", {0.5, 3.6}, {cloudy, 3.6}, {0.2, 0.8}},
     NaturalRange{"cumulonimbus", {379, 2000}, {23, 379}, {0.1, 0.6}},
     NaturalRange{"cumulus_congestus", {60, 379}, {15, 150}, {0.1, 0.5}},
+    NaturalRange{"cumulus_grown", {30, 200}, {3.6, 60}, {0.1, 0.5}},
     NaturalRange{"cumulus_humilis", {15, 60}, {3.6, 23}, {0.1, 0.5}},
     NaturalRange{"cumulus_mediocris", {30, 150}, {3.6, 60}, {0.1, 0.5}},
     NaturalRange{"fog_bank", {2, 10}, {1, 6}, {0.9, 1}},
@@ -62,6 +64,11 @@ CloudField field_of(const config::Parameters& parameters, const std::array<int, 
     const config::Cloud& cloud = parameters.clouds.at(0);
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
+    if (cloud.shape == config::CloudShape::convection) {
+        const auto grown = convection::grow(convection::specification_of(cloud), {});
+        return CloudField(
+            make_cloud_plan(cloud, volume_of_grown(grown, cloud, size), detail, size, {}));
+    }
     return CloudField(
         make_cloud_plan(cloud, noise_named(parameters, cloud.noise), detail, size, {}));
 }

@@ -137,7 +137,26 @@ std::string any_scatter() {
         any_bounds(1, 10), any_bounds(0, 9));
 }
 
+std::string any_grown_cloud() {
+    std::string text = "[clouds.c]\nshape = 'convection'\nextent = " + any_lengths(4, 9) +
+                       fmt::format("\n[clouds.c.convection]\ncells = [{}, 30, {}]\n",
+                                   *rc::gen::element(8, 30, 40), *rc::gen::inRange(8, 65));
+    if (coin()) text += fmt::format("mixed_layer = '{} m'\n", any_number(1, 99));
+    if (coin()) text += fmt::format("inversion = '{} km'\n", any_number(0.001, 9));
+    if (coin()) text += fmt::format("instability = {}\n", any_number(-20, 20));
+    if (coin()) text += fmt::format("temperature = {}\n", any_number(240, 308));
+    if (coin()) text += fmt::format("humidity = '{} %'\n", any_number(0, 100));
+    if (coin()) text += "wind = " + any_pair(-200, 200) + "\n";
+    if (coin()) text += "wind_above = " + any_pair(-200, 200) + "\n";
+    if (coin()) text += fmt::format("patches = {}\n", *rc::gen::inRange(0, 10001));
+    if (coin()) text += "patch_width = ['3 m', '3 km']\n";
+    if (coin()) text += fmt::format("warmth = {}\n", any_number(0, 20));
+    if (coin()) text += fmt::format("seed = {}\n", *rc::gen::inRange(0, 1 << 30));
+    return text + (coin() ? fmt::format("minutes = {}\n", any_number(0.1, 600)) : "");
+}
+
 std::string any_cloud() {
+    if (*rc::gen::inRange(0, 4) == 0) return any_grown_cloud();
     std::string text = fmt::format(
         "[clouds.c]\nnoise = {}\nextent = ['{} km', '{} m', '{} cm']\nbase_altitude = '{} m'\n",
         any_of("n", "d"), any_number(4, 99), any_number(4e3, 9.9e4), any_number(0.1, 99),

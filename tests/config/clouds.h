@@ -49,6 +49,14 @@ inline std::string to_string(const TowerScatter& scatter) {
                        scatter.amplitude);
 }
 
+inline std::string to_string(const Convection& air) {
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", air.cells,
+                       air.mixed_layer.meters, air.inversion.meters, air.instability,
+                       air.temperature, air.humidity, air.wind, air.wind_above, air.patches,
+                       air.patch_width[0].meters, air.patch_width[1].meters, air.warmth, air.seed,
+                       air.minutes);
+}
+
 // Every member, so that equal texts mean equal clouds.
 inline std::string to_string(const Cloud& cloud) {
     std::string text = fmt::format(
@@ -60,6 +68,7 @@ inline std::string to_string(const Cloud& cloud) {
         cloud.extinction_scale.per_meter, cloud.full_at.value_or(0));
     text += "\n" + to_string(cloud.height_profile) + "\n" + to_string(cloud.coverage_map) + "\n" +
             to_string(cloud.type_map) + "\n" + to_string(cloud.scatter);
+    if (cloud.shape == CloudShape::convection) text += "\n" + to_string(cloud.convection);
     for (const Tower& tower : cloud.towers) text += "\n" + to_string(tower);
     return text;
 }

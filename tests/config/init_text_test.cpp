@@ -125,7 +125,8 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
             "noise.*.*", "preview.*", "preview.camera.*", "bake." + name + ".*"};
         EXPECT_EQ(parameters_toml(written, all), parameters_toml(alone, all));
         const std::string uncommented = without_marks(text, "# [clouds.");
-        EXPECT_NE(uncommented.find(".height_profile]\n"), std::string::npos);
+        const char* table = name == "cumulus_grown" ? ".convection]\n" : ".height_profile]\n";
+        EXPECT_NE(uncommented.find(table), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }
     const Recipe thesis = valid_with_warnings(cloud_init_text(*find_cloud_preset("thesis")));

@@ -284,7 +284,7 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
     change_every_value(
         "others", {"flip", "format", "profile", "pack", "asset", "cloud", "noise", "file", "type",
                    "sizes", "shape", "of", "frames", "bake.wave_0001.frame", "bake.wave_0002.frame",
-                   "bake.book.mips"});
+                   "bake.book.mips", "clouds.grown.channels"});
 }
 
 // A cloud of a volume has one channel.

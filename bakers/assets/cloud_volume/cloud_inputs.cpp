@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "bakers/clouds/cover_search.h"
+#include "bakers/clouds/grown_volume.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "bakers/io/volumes/volume_reader.h"
 
@@ -63,6 +64,20 @@ std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& det
     return cloud::CloudVolume{*source, file.wrap};
 }
 
+// Adds what has grown. None after an interruption.
+std::optional<cloud::CloudVolume> grown_volume(const config::Cloud& cloud,
+                                               const std::array<int, 3>& size, Facts& details,
+                                               const BakeOptions& options) {
+    const convection::Specification wanted = convection::specification_of(cloud);
+    const auto grown = shared_or_made<convection::GrownCloud>(
+        options.intermediates, NeedKey(wanted), [&] { return convection::grow(wanted, options); });
+    if (!grown) return std::nullopt;
+    const auto& [x, y, z] = wanted.grid.cells;
+    details.emplace_back("convection_cells", fmt::format("{} x {} x {}", x, y, z));
+    details.emplace_back("full_water_g_per_kg", double{grown->full_water});
+    return cloud::volume_of_grown(grown, cloud, size);
+}
+
 // Returns null after an interruption.
 std::shared_ptr<const cloud::FoundCover> found_cover(const config::Parameters& parameters,
                                                      const config::CloudVolumeBake& bake,
@@ -110,7 +125,10 @@ Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
     const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
     inputs.base = noise_of(parameters, cloud);
-    if (inputs.base == nullptr) {
+    if (cloud.shape == config::CloudShape::convection) {
+        inputs.volume = grown_volume(cloud, bake.size, details, options);
+        if (!inputs.volume) return {};
+    } else if (inputs.base == nullptr) {
         inputs.file = &volume_named(parameters, cloud.volume);
         inputs.volume =
             read_volume(*inputs.file, details, options.intermediates, outcome.diagnostics);

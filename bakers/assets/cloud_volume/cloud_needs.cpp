@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
+#include "bakers/convection/convection.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
@@ -47,7 +48,7 @@ VoxelRequest request_of(const config::Parameters& parameters, const CloudVolumeB
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
     const config::Noise* base = noise_of(parameters, cloud);
     const config::VolumeFile* volume =
-        base == nullptr ? &volume_named(parameters, cloud.volume) : nullptr;
+        cloud.volume.empty() ? nullptr : &volume_named(parameters, cloud.volume);
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
     return request_of(cloud, asset, base, volume, detail);
@@ -86,6 +87,13 @@ std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
         const double voxels = voxels_of(asset.size, 1);
         needs.push_back({NeedKey(*volume), "opened volume " + volume->name,
                          kSecondsPerVoxel * voxels, kBytesPerVoxel * voxels / kMebibyte});
+    }
+    if (cloud.shape == config::CloudShape::convection) {
+        const convection::Specification wanted = convection::specification_of(cloud);
+        const auto& [x, y, z] = cloud.convection.cells;
+        needs.push_back({NeedKey(wanted), "growth of " + cloud.name,
+                         convection::seconds_to_grow(wanted),
+                         double{1} * x * y * z * sizeof(float) / kMebibyte});
     }
     return needs;
 }

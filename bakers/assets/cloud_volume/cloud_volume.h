@@ -22,8 +22,8 @@ struct Baked;
 // The inputs of a cloud besides its own parameters.
 struct CloudInputs {
     const config::Noise* base = nullptr;       // null if the cloud is made of a volume
-    const config::VolumeFile* file = nullptr;  // null if it is made of noise
-    std::optional<cloud::CloudVolume> volume;  // of `file`
+    const config::VolumeFile* file = nullptr;  // null if it is made of noise, or has grown
+    std::optional<cloud::CloudVolume> volume;  // of `file`, or what has grown
     const config::Noise* detail = nullptr;     // null if the cloud names none
     cloud::CloudMaps maps;
     std::optional<double> coverage;  // the one that gives the cloud its cover
@@ -50,8 +50,8 @@ float filtered_threshold(const config::Cloud& cloud);
 Baked make_cloud_volume(const config::Cloud& cloud, const config::CloudVolumeBake& bake,
                         const CloudInputs& inputs, Baked volume);
 
-// The voxels of a volume, and the opened file that they come from, if they do. The volume shares both
-// with the assets that are made of it.
+// The voxels of a volume, and the opened file or the growth that they come from, if they do. The volume
+// shares both with the assets that are made of it.
 std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
                                   const config::CloudVolumeBake& asset);
 

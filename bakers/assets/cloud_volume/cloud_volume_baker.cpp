@@ -7,6 +7,7 @@
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/draft_size.h"
+#include "bakers/convection/convection.h"
 #include "bakers/field/baked.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
@@ -89,9 +90,13 @@ Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBa
     constexpr double kOctavesOfVolume = 4;  // what reading and resampling take
     double octaves = base != nullptr ? octaves_of(*base) : kOctavesOfVolume;
     if (!cloud.detail.empty()) octaves += octaves_of(noise_named(parameters, cloud.detail));
-    return estimate_volume(asset, asset.size,
-                           config::cloud_channel_names(base, cloud.channels).size(),
-                           octaves * kSecondsPerOctave + kSecondsPerShape);
+    Estimate estimate =
+        estimate_volume(asset, asset.size, config::cloud_channel_names(base, cloud.channels).size(),
+                        octaves * kSecondsPerOctave + kSecondsPerShape);
+    if (cloud.shape != config::CloudShape::convection) return estimate;
+    const convection::Specification wanted = convection::specification_of(cloud);
+    estimate.memory_mib += convection::bytes_to_grow(wanted) / kMebibyte;
+    return estimate;
 }
 
 std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,

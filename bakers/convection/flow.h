@@ -1,0 +1,46 @@
+// Moist convection: the flow in which a cloud grows.
+//
+//   du/dt = -grad p + b e_z,   div u = 0,   dh/dt = 0,   dq/dt = 0
+//
+// for incompressible air (Boussinesq) with the liquid-water potential temperature h and the total water q,
+// which condensation leaves as they are (Betts 1973, "Non-precipitating cumulus convection and its
+// parameterization"). Nothing rains, and nothing freezes. Steps are Runge and Kutta's of third order after
+// Wicker and Skamarock, each stage without divergence. A sponge below the lid calms what arrives there.
+#pragma once
+
+#include "bakers/convection/patches.h"
+#include "bakers/convection/projection.h"
+#include "bakers/convection/sounding.h"
+#include "bakers/math/bake_options.h"
+
+namespace skybake::convection {
+
+class Flow {
+  public:
+    Flow(const Specification& wanted, int threads);
+
+    // One step, of the longest time that the winds allow, but not beyond `end_s`.
+    void step(double end_s);
+    double time_s() const { return time_s_; }
+    State& state() { return now_; }
+    // The condensed water of a row in g/kg; below 0 it is what is lacking.
+    void condensed_row(int y, int z, float* out) const;
+    const Sounding& sounding() const { return sounding_; }
+
+  private:
+    double longest_step() const;
+    void push(float step_s);
+    void lift_level(int z, float step_s);
+
+    Specification wanted_;
+    int threads_;
+    Sounding sounding_;
+    PatchSource source_;
+    Projection projection_;
+    std::vector<float> own_heat_;  // virtual, of the levels
+    State before_, now_, next_;
+    Field buoyancy_;
+    double time_s_ = 0;
+};
+
+}  // namespace skybake::convection
