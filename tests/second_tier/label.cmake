@@ -1,4 +1,5 @@
 set_tests_properties(
+    CloudPresets.WhatGrowsIsAsThickAsNature
     HonestClaims.HoldOnTwelveAtmospheres
     TablesOfColors.OfFourWavelengthsLookLikeThoseOfEight
     bytes.compilers
