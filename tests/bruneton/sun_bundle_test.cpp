@@ -1,5 +1,5 @@
-// Solved light under a fan of suns against the same light sun by sun, where light falls too fast
-// for cubics and where it does not.
+// Solved light under a fan of suns, and under suns at one point, against the same light moment by
+// moment, where light falls too fast for cubics and where it does not.
 #include "bakers/assets/bruneton/sun_bundle.h"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <random>
 #include <vector>
 
-#include "bakers/light/higher_orders.h"
+#include "bakers/light/nearby_suns.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {
@@ -55,6 +55,28 @@ BundlePiece piece_of(const ScatteringView& view, double from_km, double to_km, D
     return piece;
 }
 
+// The light that is sent for one sun, moment by moment.
+Spectrum sent(const SolvedLight& light, double altitude_km, double mu,
+              const std::vector<Spectrum>& weights,
+              const std::vector<std::vector<Spectrum>>& phases, double sun, double azimuth_cosine) {
+    const auto count = static_cast<std::size_t>(moment_count(light.degree()));
+    std::vector<Spectrum> moments(count);
+    light.moments_at(altitude_km, sun, moments.data());
+    std::vector<double> harmonics(count);
+    zenith_harmonics(light.degree(), mu, harmonics.data());
+    Spectrum sum{};
+    for (int l = 0; l <= light.degree(); ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            const double harmonic = harmonics[lm] * std::cos(m * std::acos(azimuth_cosine));
+            for (std::size_t k = 0; k < weights.size(); ++k) {
+                sum += weights[k] * phases[k][static_cast<std::size_t>(l)] * harmonic * moments[lm];
+            }
+        }
+    }
+    return sum;
+}
+
 Spectrum sun_by_sun(const SolvedLight& light, const std::vector<std::vector<Spectrum>>& phases,
                     const ScatteringView& view, const BundlePiece& piece, double sun, double nu) {
     Spectrum sum{};
@@ -65,10 +87,8 @@ Spectrum sun_by_sun(const SolvedLight& light, const std::vector<std::vector<Spec
         const double mu = (view.s_km + node.distance_km) / r;
         const double there = (begin * sun + node.distance_km * nu) / r;
         const double sines = std::sqrt((1 - mu * mu) * (1 - there * there));
-        const Spectrum value =
-            SolvedSource(light, node.altitude_km, mu, node.coarse_weights, phases)
-                .scattered(there, (nu - mu * there) / sines);
-        sum += value;
+        sum += sent(light, node.altitude_km, mu, node.coarse_weights, phases, there,
+                    (nu - mu * there) / sines);
     }
     return sum;
 }
@@ -123,6 +143,40 @@ TEST(SunBundle, IsAsSunBySunForHighOrders) { expect_as_sun_by_sun(0, 13); }
 TEST(SunBundle, IsAsSunBySunWhereAllStencilsAreSteep) { expect_as_sun_by_sun(1); }
 
 TEST(SunBundle, IsAsSunBySunWhereSomeStencilsAreSteep) { expect_as_sun_by_sun(0.4); }
+
+TEST(NearbySuns, SendWhatTheirMomentsSend) {
+    constexpr int kDegree = 13;
+    constexpr double kMu = 0.3;
+    Dice dice;
+    SolvedLight light = light_of(kDegree, dice);
+    for (double& steep : light.steep) steep = dice.between(0, 1) < 0.4 ? 1 : 0;
+    std::vector<double> harmonics(static_cast<std::size_t>(moment_count(kDegree)));
+    zenith_harmonics(kDegree, kMu, harmonics.data());
+    std::vector<Spectrum> chi;
+    std::vector<Spectrum> factors;
+    const Spectrum weight = dice.spectrum();
+    for (int l = 0; l <= kDegree; ++l) {
+        chi.push_back(dice.spectrum());
+        for (int m = 0; m <= l; ++m)
+            factors.push_back(weight * chi.back() * harmonics[factors.size()]);
+    }
+    for (const double altitude_km : {0.0, 7.0, 100.0}) {
+        test::on_every_target([&](const char* target) {
+            NearbySuns suns(light, kDegree, light.level_at(altitude_km), factors);
+            for (const double sun : {1.0, 0.7, 0.71, 0.1, 0.0, -0.02, -0.05, -0.2, -0.6, 0.05}) {
+                for (const double azimuth : {-1.0, -0.2, 0.6, 1.0}) {
+                    const Spectrum wanted =
+                        sent(light, altitude_km, kMu, {weight}, {chi}, sun, azimuth);
+                    const Spectrum found = suns.scattered(sun, azimuth);
+                    for (std::size_t c = 0; c < kMaxChannels; ++c) {
+                        EXPECT_NEAR(found[c], wanted[c], 1e-9)
+                            << target << ", sun " << sun << " from " << altitude_km << " km";
+                    }
+                }
+            }
+        });
+    }
+}
 
 TEST(SunBundle, FillsUpVectorsWithCopies) {
     const SunBundle suns({0.5, 0.25, -0.1}, {0.1, 0.2, 0.3});
