@@ -17,21 +17,19 @@ void SendColumn(const SolvedLight& light, const LevelPlace& at, int sun, int deg
     send_column(light, at, sun, degree, factors, data(*sent));
 }
 
-// Computes the light for a sun between columns. `columns` has the values of its four columns, one after
-// the other.
+// Computes the light for a sun between four columns, whose values stand one after the other.
 void BetweenColumns(const SunStencil& stencil, const Spectrum* columns, std::size_t orders,
                     double sun_cos_zenith, double azimuth_cosine, Spectrum& sent) {
     const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
-    Channels weights[4];
-    for (std::size_t k = 0; k < 4; ++k) weights[k] = Channels(stencil.weights[k]);
     Channels sum(0.0);
     double last = 1;  // cos(m phi), by Chebyshev's recursion
     double before = azimuth_cosine;
     for (std::size_t m = 0; m < orders; ++m) {
         const double* of = data(columns[m]);
-        Channels light = weights[0] * Channels::load(of);
+        Channels light = Channels(stencil.weights[0]) * Channels::load(of);
         for (std::size_t k = 1; k < 4; ++k) {
-            light = light + weights[k] * Channels::load(of + k * orders * kChannelSlots);
+            const Channels column = Channels::load(of + k * orders * kChannelSlots);
+            light = light + Channels(stencil.weights[k]) * column;
         }
         const double power = powers[static_cast<std::size_t>(sine_power(static_cast<int>(m)))];
         sum = sum + Channels(power * last) * light;

@@ -1,6 +1,5 @@
-// The solved light that one point of a view ray sends along it, for any sun: SolvedOrders::scattered
-// with all sums that do not depend on the sun evaluated beforehand, once for each column of the sun
-// axis beside which a sun stood.
+// The solved light that one point of a view ray sends along it, for any sun. Sums that do not depend
+// on the sun are evaluated once for each column of the sun axis.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +12,8 @@ namespace skybake {
 
 class NearbySuns {
   public:
-    // `factors` multiply the moments up to `degree`, by moment_index: the sum over layers of what
-    // they scatter per km times the phase function's moment, times the view's harmonic. `light` must
-    // outlive this object.
+    // `factors` multiply the moments up to `degree`, by moment_index: what the layers scatter per km
+    // times their phase functions' moments and the view's harmonic. `light` must outlive this object.
     NearbySuns(const SolvedLight& light, int degree, LevelPlace at, std::vector<Spectrum> factors);
 
     // Returns the same as SolvedOrders::scattered, except for rounding. One thread at a time.
