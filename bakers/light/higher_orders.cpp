@@ -10,6 +10,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/field/interpolation.h"
+#include "bakers/light/nearby_suns.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
@@ -71,77 +72,6 @@ std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
     }
     return factors;
 }
-
-// Adds what the light of one column sends along the view, by azimuthal order, to values[m].
-void add_column(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
-                const std::vector<Spectrum>& factors, Spectrum* values) {
-    const double* below = light.light.at(at.level, sun);
-    const double* over = light.light.at(at.level + 1, sun);
-    for (int l = 0; l <= degree; ++l) {
-        for (int m = 0; m <= l; ++m) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            values[m] += factors[lm] * ((1 - at.fraction) * packet_at(below + lm * kChannelSlots) +
-                                        at.fraction * packet_at(over + lm * kChannelSlots));
-        }
-    }
-}
-
-// Returns the light for a sun between columns. `columns` has the values of its four columns, one
-// after the other.
-Spectrum between_columns(const SunStencil& stencil, const Spectrum* columns, std::size_t orders,
-                         double sun_cos_zenith, double azimuth_cosine) {
-    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
-    Spectrum sum{};
-    double last = 1;  // cos(m phi), by Chebyshev's recursion
-    double before = azimuth_cosine;
-    for (std::size_t m = 0; m < orders; ++m) {
-        const Spectrum* of = columns + m;
-        const double power = powers[static_cast<std::size_t>(sine_power(static_cast<int>(m)))];
-        sum += power * last *
-               (stencil.weights[0] * of[0] + stencil.weights[1] * of[orders] +
-                stencil.weights[2] * of[2 * orders] + stencil.weights[3] * of[3 * orders]);
-        const double next = 2 * azimuth_cosine * last - before;
-        before = last;
-        last = next;
-    }
-    return sum;
-}
-
-// SolvedSource for few suns: it evaluates the columns that they need.
-class NearbySuns {
-  public:
-    NearbySuns(const SolvedLight& light, int degree, LevelPlace at, std::vector<Spectrum> factors)
-        : light_(light),
-          degree_(degree),
-          at_(at),
-          factors_(std::move(factors)),
-          known_(static_cast<std::size_t>(light.suns.count())),
-          values_(std::make_unique_for_overwrite<Spectrum[]>(known_.size() * orders())) {}
-
-    Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) {
-        const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
-        const auto first = static_cast<std::size_t>(stencil.column);
-        for (std::size_t column = first; column < first + 4; ++column) {
-            if (known_[column]) continue;
-            known_[column] = true;
-            Spectrum* values = values_.get() + column * orders();
-            std::fill_n(values, orders(), Spectrum(0.0));
-            add_column(light_, at_, static_cast<int>(column), degree_, factors_, values);
-        }
-        return between_columns(stencil, values_.get() + first * orders(), orders(), sun_cos_zenith,
-                               azimuth_cosine);
-    }
-
-  private:
-    std::size_t orders() const { return static_cast<std::size_t>(degree_) + 1; }
-
-    const SolvedLight& light_;
-    int degree_;
-    LevelPlace at_;
-    std::vector<Spectrum> factors_;
-    std::vector<bool> known_;
-    std::unique_ptr<Spectrum[]> values_;  // [column * orders + m], of known columns
-};
 
 }  // namespace
 
@@ -254,30 +184,6 @@ Spectrum TableOrders::scattered(const ScatteringPoint& point,
 
 Spectrum TableOrders::sky_irradiance(double sun_cos_zenith) const {
     return mean_.sky_irradiance(sun_cos_zenith);
-}
-
-SolvedSource::SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
-                           const std::vector<Spectrum>& scattering,
-                           const std::vector<std::vector<Spectrum>>& phase_moments)
-    : light_(light), at_(light.level_at(altitude_km)) {
-    assert(scattering.size() == phase_moments.size());
-    const int degree = light.degree();
-    const auto orders = static_cast<std::size_t>(degree) + 1;
-    const std::vector<Spectrum> factors =
-        view_factors(degree, view_cos_zenith, scattering, phase_moments);
-    values_.resize(static_cast<std::size_t>(light.suns.count()) * orders);
-    for (int sun = 0; sun < light.suns.count(); ++sun) {
-        add_column(light, at_, sun, degree, factors,
-                   values_.data() + static_cast<std::size_t>(sun) * orders);
-    }
-}
-
-Spectrum SolvedSource::scattered(double sun_cos_zenith, double azimuth_cosine) const {
-    const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
-    const auto orders = static_cast<std::size_t>(light_.degree()) + 1;
-    return between_columns(stencil,
-                           values_.data() + static_cast<std::size_t>(stencil.column) * orders,
-                           orders, sun_cos_zenith, azimuth_cosine);
 }
 
 }  // namespace skybake

@@ -1,6 +1,5 @@
 // Light that has been scattered or reflected before, as a sky integrator asks for it: from the
-// texture that runtimes use, from the solution that the texture approximates, from a stored table,
-// or from the solution for one point under many suns.
+// texture that runtimes use, from the solution that the texture approximates, or from a stored table.
 #pragma once
 
 #include <functional>
@@ -128,28 +127,6 @@ class TableOrders : public HigherOrders {
     PlaceInTable place_;
     std::vector<std::vector<Spectrum>> phase_moments_;  // of each layer
     IsotropicOrders mean_;
-};
-
-// --- One point under many suns -------------------------------------------------------------------
-
-// The light that the solution sends along a view ray from one point of it, for any sun:
-// SolvedOrders with all sums that do not depend on the sun evaluated beforehand, for callers with
-// many suns.
-class SolvedSource {
-  public:
-    // `scattering` and `phase_moments` have one entry per layer; `phase_moments` are the
-    // legendre_moments up to the light's degree. `light` must outlive this object.
-    SolvedSource(const SolvedLight& light, double altitude_km, double view_cos_zenith,
-                 const std::vector<Spectrum>& scattering,
-                 const std::vector<std::vector<Spectrum>>& phase_moments);
-
-    // Returns the same as SolvedOrders::scattered, except for rounding.
-    Spectrum scattered(double sun_cos_zenith, double azimuth_cosine) const;
-
-  private:
-    const SolvedLight& light_;
-    LevelPlace at_;
-    std::vector<Spectrum> values_;  // [sun * (degree + 1) + m]
 };
 
 }  // namespace skybake

@@ -155,24 +155,11 @@ void SolvedNode::gather_rows(const BundleNode& node,
             factors[lm] = sum * harmonics[lm];
         }
     }
-    const Channels near(1 - at_level_.fraction);
-    const Channels far(at_level_.fraction);
     rows_.assign(static_cast<std::size_t>(light_.suns.count()) * orders_ * kChannelSlots, 0.0);
     const auto [first, last] = std::minmax_element(columns_.begin(), columns_.end());
     for (std::int64_t sun = *first; sun < *last + 4; ++sun) {
-        const double* under = light_.light.at(at_level_.level, static_cast<int>(sun));
-        const double* over = light_.light.at(at_level_.level + 1, static_cast<int>(sun));
-        double* row = rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots;
-        for (std::size_t m = 0; m < orders_; ++m) {
-            Channels sum(0.0);
-            for (std::size_t l = m; l < orders_; ++l) {
-                const std::size_t lm = l * (l + 1) / 2 + m;
-                const std::size_t at = lm * kChannelSlots;
-                sum = sum + Channels::load(data(factors[lm])) * (near * Channels::load(under + at) +
-                                                                 far * Channels::load(over + at));
-            }
-            sum.store(row + m * kChannelSlots);
-        }
+        send_column(light_, at_level_, static_cast<int>(sun), degree, factors.data(),
+                    rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots);
     }
 }
 

@@ -125,7 +125,7 @@ config::Outcome<Baked> bake_irradiance(const SkyLights& lights, const Irradiance
     request.max_texel_error = bake.max_texel_error;
     request.quick = {8, 8};
     request.full = {64, 16};
-    request.quick_search = {64, 32, 8, 8, 128};
+    request.quick_search = {24, 24, 4, 6, 32};
     request.full_search = {128, 64, 16, 16, 512};
     const auto place_of = [shell, mapping](double x, double y) {
         return Place{{"altitude_km", irradiance_altitude_km(shell, y)},

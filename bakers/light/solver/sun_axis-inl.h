@@ -97,6 +97,26 @@ class AzimuthRecursion {
     Reals twice_cosine_;
 };
 
+// Computes what the light of one column sends, by azimuthal order: sent[m * kChannelSlots + channel].
+// `factors` multiply the moments up to `degree`, by moment_index.
+HWY_INLINE void send_column(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
+                            const Spectrum* factors, double* sent) {
+    const double* under = light.light.at(at.level, sun);
+    const double* over = light.light.at(at.level + 1, sun);
+    const Channels near(1 - at.fraction);
+    const Channels far(at.fraction);
+    for (int m = 0; m <= degree; ++m) {
+        Channels sum(0.0);
+        for (int l = m; l <= degree; ++l) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            const std::size_t slot = lm * kChannelSlots;
+            sum = sum + Channels(factors[lm]) * (near * Channels::load(under + slot) +
+                                                 far * Channels::load(over + slot));
+        }
+        sum.store(sent + static_cast<std::size_t>(m) * kChannelSlots);
+    }
+}
+
 // Light by column and azimuthal order, and the suns for which it is looked up between the columns
 // of a sun axis.
 struct ColumnLookup {
