@@ -83,8 +83,8 @@ namespace {
 
 WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
     WayLimits limits;
-    const auto& error = subject.draws == config::Draws::sky ? options::max_sky_error
-                                                            : options::max_cloud_error;
+    const auto& error =
+        subject.draws == config::Draws::sky ? options::max_sky_error : options::max_cloud_error;
     if (invocation.has(error)) limits.error = invocation[error];
     if (invocation.has(options::max_fetches)) {
         limits.fetches = static_cast<double>(invocation[options::max_fetches]);
@@ -128,7 +128,8 @@ std::string remark_of(const Plan& plan, std::size_t index) {
 std::string table_text(const Plan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
                      Align::right, Align::right, Align::right, Align::left});
-    table.add_row({"way", "", "median %", plan.words.column, "max %", "fetches", "textures", "bake", ""});
+    table.add_row(
+        {"way", "", "median %", plan.words.column, "max %", "fetches", "textures", "bake", ""});
     for (const std::size_t i : shown_ways(plan)) {
         const MeasuredWay& way = plan.ways[i];
         table.add_row(
@@ -161,7 +162,8 @@ std::string file_name_of(const PlanSubject& subject) {
 
 // A plan's files carry the sign of a report, which guards what others have written.
 std::vector<ReportFile> files_of(const std::vector<Plan>& plans) {
-    std::vector<ReportFile> files = {{"plan.csv", plan_csv(plans)}, {"plan.json", plan_json(plans)}};
+    std::vector<ReportFile> files = {{"plan.csv", plan_csv(plans)},
+                                     {"plan.json", plan_json(plans)}};
     for (const Plan& plan : plans) {
         files.push_back({file_name_of(plan.subject) + ".svg", report_svg(plan_figure(plan))});
         files.push_back({file_name_of(plan.subject) + ".png", plan.sheet});
@@ -229,12 +231,12 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
     return plan;
 }
 
-// What forbids a plan before any work is done.
+// Returns all that forbids a plan before any work is done.
 std::vector<config::Diagnostic> obstacles(const Invocation& invocation,
                                           const std::vector<PlanSubject>& subjects) {
     if (invocation[options::json] && invocation[options::csv]) {
-        return {usage_error("--json and --csv exclude each other",
-                            "the folder gets both in any case")};
+        return {
+            usage_error("--json and --csv exclude each other", "the folder gets both in any case")};
     }
     if (subjects.empty()) return {nothing_to_draw(invocation)};
     auto problems = check_report_folder(invocation[options::output], file_names_of(subjects),
@@ -286,7 +288,9 @@ Command plan_command() {
     return {
         .name = "plan",
         .brief = "choose what a scene needs",
-        .summary = "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches and size",
+        .summary =
+            "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches and "
+            "size",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
         .options = {options::output("write plan.csv, .json and pictures into this folder", "plan"),
                     set_row(),

@@ -89,10 +89,9 @@ std::string sky_text(const std::optional<SkyError>& sky) {
 
 std::string asset_text(const AssetReport& asset) {
     const std::string error =
-        asset.scale.empty()
-            ? "it has none: it is right, or is not baked"
-            : fmt::format("{}, against {} ({} lookups, {} texels)", asset.scale, asset.reference,
-                          asset.lookup_points, asset.texel_points);
+        asset.scale.empty() ? "it has none: it is right, or is not baked"
+                            : fmt::format("{}, against {} ({} lookups, {} texels)", asset.scale,
+                                          asset.reference, asset.lookup_points, asset.texel_points);
     return fmt::format(
                "{}\n{}  lookup error: {}\n"
                "  time: {}, {}\n"
@@ -105,9 +104,7 @@ std::string asset_text(const AssetReport& asset) {
            rows_text(asset) + notes_text(asset);
 }
 
-std::string report_text(const AssetReport& asset) {
-    return asset_text(asset);
-}
+std::string report_text(const AssetReport& asset) { return asset_text(asset); }
 
 using config::Bake;
 using config::Outcome;

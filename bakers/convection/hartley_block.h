@@ -1,4 +1,4 @@
-// What the kernels of hartley.cpp work on.
+// The numbers that the kernels of hartley.cpp work on.
 #pragma once
 
 namespace skybake::convection {

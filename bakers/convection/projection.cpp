@@ -56,7 +56,7 @@ HWY_EXPORT(Subtract);
 
 namespace {
 
-// Those of less the second difference around a circle: (2 - 2 cos(2 pi k / n)) / edge^2.
+// The eigenvalues of less the second difference around a circle are (2 - 2 cos(2 pi k / n)) / edge^2.
 std::vector<float> eigenvalues(int n, float edge_m) {
     std::vector<float> values;
     for (int k = 0; k < n; ++k) {

@@ -47,7 +47,7 @@ double lapse_of(const Specification& wanted, const Climb& at) {
     return kDry - kInversionWarming * exner_of(at.pressure_pa);
 }
 
-// Of the air that has its own share of moisture at the height.
+// The air here has its own share of moisture at the height.
 double humidity_at(const Specification& wanted, double height_m) {
     constexpr double kBlend = 150;  // m over which the humidity of the mixed layer fades
     const double share = std::clamp(height_m / kBlend, 0.0, 1.0);

@@ -1,4 +1,4 @@
-// What the kernels of transport.cpp work on.
+// The rows that the kernels of transport.cpp work on.
 #pragma once
 
 #include <array>

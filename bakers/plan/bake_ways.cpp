@@ -102,8 +102,8 @@ class AssetBakery {
             if (options_.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
             const BakeSeconds seconds = clock.seconds();
-            assets.push_back({bake, std::move(*one.value), seconds.texels,
-                              shared_by(*bake, seconds.light)});
+            assets.push_back(
+                {bake, std::move(*one.value), seconds.texels, shared_by(*bake, seconds.light)});
         }
         outcome.value = std::move(assets);
         return outcome;
@@ -120,9 +120,8 @@ class AssetBakery {
         std::vector<SharedWork> shared;
         std::vector<std::size_t> made;
         for (const Need& need : needs_of(bake)) {
-            const auto known = std::find_if(known_.begin(), known_.end(), [&](const auto& one) {
-                return one.key == need.key;
-            });
+            const auto known = std::find_if(known_.begin(), known_.end(),
+                                            [&](const auto& one) { return one.key == need.key; });
             if (known == known_.end()) made.push_back(shared.size());
             shared.push_back(known == known_.end() ? SharedWork{need.key, 0} : *known);
         }

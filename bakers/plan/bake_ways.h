@@ -14,7 +14,7 @@
 
 namespace skybake {
 
-// What assets share, such as a solution of light, and the time that it took.
+// Work that assets share, such as a solution of light, and the time that it took.
 struct SharedWork {
     NeedKey key;
     double seconds = 0;

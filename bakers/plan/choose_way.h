@@ -10,7 +10,7 @@
 
 namespace skybake {
 
-// What a way costs a runtime, and how far its sky is off.
+// The costs of a way at run time, and how far its picture is off.
 struct WayFigures {
     double error = 0;  // ninth decile, relative
     double fetches = 0;

@@ -78,7 +78,8 @@ config::Outcome<std::string> cloud_sheet(const config::Cloud& cloud,
     block.pictures.resize(block.rows.size() * 2 * suns);
     for (std::size_t s = 0; s < suns; ++s) {
         block.columns.push_back(fmt::format("sun at {:.3g} degrees", range.suns_deg[s]));
-        block.columns.push_back(fmt::format("-{0:.0f} to +{0:.0f} % of white", 100 * kShownDifference));
+        block.columns.push_back(
+            fmt::format("-{0:.0f} to +{0:.0f} % of white", 100 * kShownDifference));
         CloudTruth truth(layer, range, pixels_of(cloud, range, s), options);
         truth.trace(kPathsOfPixel * kWidth * kHeight);
         if (options.cancelled()) return {};
@@ -89,8 +90,7 @@ config::Outcome<std::string> cloud_sheet(const config::Cloud& cloud,
         CloudOfWay found(cloud, truth, options);
         for (std::size_t c = 0; c < clouds.size(); ++c) {
             const FoundCloud one = found.find(*clouds[c].way, clouds[c].assets);
-            const LightPicture picture =
-                picture_of([&](std::size_t i) { return one.radiance[i]; });
+            const LightPicture picture = picture_of([&](std::size_t i) { return one.radiance[i]; });
             const std::size_t at = (c + 1) * 2 * suns + 2 * s;
             block.pictures[at] = shown_picture(picture, exposure);
             block.pictures[at + 1] = exposed_difference(picture, traced, exposure);

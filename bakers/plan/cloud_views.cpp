@@ -48,9 +48,8 @@ std::vector<CloudView> cloud_views(const CloudRange& range, int count, std::uint
     std::vector<CloudView> views;
     for (std::uint32_t i = first; i < first + static_cast<std::uint32_t>(count); ++i) {
         const auto share = [i](int dimension) { return config::sobol_coordinate(i, dimension); };
-        const double altitude_m =
-            range.lowest_altitude_m +
-            share(1) * (range.highest_altitude_m - range.lowest_altitude_m);
+        const double altitude_m = range.lowest_altitude_m +
+                                  share(1) * (range.highest_altitude_m - range.lowest_altitude_m);
         const double height = (altitude_m - range.base_m) / range.height_m;  // 0 to 1: within
         const bool looks_up = height <= 0 || (height < 1 && share(6) < 0.5);
         const double rise_m = (looks_up ? 1 - height : height) * range.height_m;

@@ -32,9 +32,9 @@ inline constexpr double kLowestCloudSun_deg = 2;
 CloudRange cloud_range(const config::Scene& scene, const config::Cloud& cloud);
 
 struct CloudView {
-    std::size_t sun = 0;   // its number in suns_deg
-    glm::dvec3 place{};    // where the ray meets the layer or begins within, in shares of the tile
-    glm::dvec3 look{};     // a unit vector, z up
+    std::size_t sun = 0;  // its number in suns_deg
+    glm::dvec3 place{};   // where the ray meets the layer or begins within, in shares of the tile
+    glm::dvec3 look{};    // a unit vector, z up
 };
 
 // Returns views number `first` and following. All of them cross the layer.

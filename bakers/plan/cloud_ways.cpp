@@ -61,9 +61,7 @@ class CloudWays {
     }
 
   private:
-    bool has_suns() const {
-        return !subject_.suns.empty() && subject_.suns.size() <= kMostLitSuns;
-    }
+    bool has_suns() const { return !subject_.suns.empty() && subject_.suns.size() <= kMostLitSuns; }
 
     std::string name(std::string_view suffix) const {
         return fmt::format("{}_{}", subject_.cloud, suffix);
@@ -75,8 +73,8 @@ class CloudWays {
         base_.stride = grade.stride;
         base_.cell = cell;
         base_.assets = {density(grade.coarser, grade.pixel_type)};
-        base_.name = fmt::format("{}, {}", plain_value(base_.assets[0].keys[2].second),
-                                 grade.pixel_type);
+        base_.name =
+            fmt::format("{}, {}", plain_value(base_.assets[0].keys[2].second), grade.pixel_type);
         if (grade.stride > 1) base_.name += fmt::format(", every {} voxels", grade.stride);
         if (cell == 0) return;
         base_.assets.push_back({name("cells"),
@@ -128,7 +126,8 @@ class CloudWays {
             way.first = way.assets.size();
             way.per_sun = 1;
             for (std::size_t sun = 0; sun < subject_.suns.size(); ++sun) {
-                way.assets.push_back(light(fmt::format("depth_{}", sun + 1), "optical_depth", cell));
+                way.assets.push_back(
+                    light(fmt::format("depth_{}", sun + 1), "optical_depth", cell));
                 add_sun(way.assets.back(), sun);
             }
             push(way, "depth", "octaves, depths for each sun",
@@ -171,11 +170,12 @@ class CloudWays {
             // Texels of degree 3 of half the edge take a minute for 512x512x64 voxels.
             const int cell = grade_.coarser == 1 || degree == 3 ? 4 : 2;
             for (std::size_t sun = 0; sun < subject_.suns.size(); ++sun) {
-                way.assets.push_back(light(fmt::format("depth_{}", sun + 1), "optical_depth", cell));
+                way.assets.push_back(
+                    light(fmt::format("depth_{}", sun + 1), "optical_depth", cell));
                 add_sun(way.assets.back(), sun);
                 for (int part = 1; part <= parts_of(degree); ++part) {
-                    way.assets.push_back(light(fmt::format("radiance_{}_{}", sun + 1, part),
-                                               "sun_radiance", cell));
+                    way.assets.push_back(
+                        light(fmt::format("radiance_{}_{}", sun + 1, part), "sun_radiance", cell));
                     add_sun(way.assets.back(), sun);
                     add_part(way.assets.back(), degree, part);
                 }

@@ -28,9 +28,9 @@ struct CloudWay : Way {
     std::size_t per_sun = 0;  // how many of the assets after it belong to each sun
 };
 
-// What all ways have in common.
+// All ways have this in common.
 struct CloudSubject {
-    std::string cloud;         // NAME of the [clouds.NAME]
+    std::string cloud;          // NAME of the [clouds.NAME]
     std::array<int, 3> size{};  // the finest voxels
     std::string cover;          // that of the recipe's volume as TOML; or empty
     // Elevations as TOML, at azimuth 0, if they are the only suns. Light of a sun is compared for one to

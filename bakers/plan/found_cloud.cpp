@@ -24,7 +24,8 @@ CloudTextures CloudOfWay::textures(const CloudWay& way,
     if (way.lighting == CloudLighting::march) return textures;
     std::size_t next = way.first;
     std::size_t end = assets.size();
-    if (way.lighting == CloudLighting::radiance) textures.small_angles = &texture_of(*assets[next++]);
+    if (way.lighting == CloudLighting::radiance)
+        textures.small_angles = &texture_of(*assets[next++]);
     if (way.lighting != CloudLighting::harmonics) {
         next += sun * way.per_sun;
         end = next + way.per_sun;
@@ -67,8 +68,8 @@ FoundCloud CloudOfWay::find(const CloudWay& way, const std::vector<const BakedAs
         const auto i = static_cast<std::size_t>(n);
         const CloudView& view = truth_.views()[i];
         found.radiance[i] = rays[i].radiance;
-        of_views[i] = rays[i].light_fetches +
-                      fetches.along(view.place, view.look, rays[i].length_m);
+        of_views[i] =
+            rays[i].light_fetches + fetches.along(view.place, view.look, rays[i].length_m);
     });
     for (const double one : of_views) found.fetches += one / static_cast<double>(rays.size());
     return found;

@@ -1,4 +1,4 @@
-// What a runtime finds of a cloud with the assets of a way, and what that costs it.
+// A runtime finds a cloud with the assets of a way: the light, and the fetches that it takes.
 #pragma once
 
 #include <map>

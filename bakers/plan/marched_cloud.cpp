@@ -136,9 +136,9 @@ class SampleLight {
 
   private:
     double small_angles(double depth) const {
-        return textures_.small_angles->at({std::sqrt(std::sqrt(offset_ / 2)),
-                                           forward_scattering::depth_coordinate(depth), 0.5},
-                                          0);
+        return textures_.small_angles->at(
+            {std::sqrt(std::sqrt(offset_ / 2)), forward_scattering::depth_coordinate(depth), 0.5},
+            0);
     }
 
     const CloudWay& way_;
@@ -170,8 +170,8 @@ double StoredTexture::at(const glm::dvec3& place, std::size_t channel) const {
     std::array<double, 3> uvw = {place.x, place.y, place.z};
     if (is_table_) {
         for (std::size_t a = 0; a < 2; ++a) {
-            uvw[a] = texture_coordinate(TexelConvention::end_points_on_texel_centres, uvw[a],
-                                        size_[a]);
+            uvw[a] =
+                texture_coordinate(TexelConvention::end_points_on_texel_centres, uvw[a], size_[a]);
         }
     }
     double sum = 0;

@@ -32,7 +32,7 @@ class StoredTexture {
     std::vector<std::vector<float>> channels_;
 };
 
-// What rays find in a way's textures under one sun.
+// The textures of a way that rays read under one sun.
 struct CloudTextures {
     const cloud_light::CloudLayer* layer = nullptr;  // its densities
     const StoredTexture* small_angles = nullptr;     // of radiance
@@ -41,9 +41,9 @@ struct CloudTextures {
 };
 
 struct MarchedRay {
-    double radiance = 0;    // in 1/sr, of sunlight of the irradiance 1
-    double passed = 1;      // of what is behind the cloud
-    double length_m = 0;    // of the march, which ends where little is seen of what follows
+    double radiance = 0;  // in 1/sr, of sunlight of the irradiance 1
+    double passed = 1;    // of what is behind the cloud
+    double length_m = 0;  // of the march, which ends where little is seen of what follows
     double light_fetches = 0;
 };
 
@@ -58,7 +58,8 @@ double stride_m(const CloudWay& way, const cloud_light::CloudLayer& layer);
 // without any.
 class CloudFetches {
   public:
-    CloudFetches(const cloud_light::CloudLayer& layer, double stride_m, const Baked* cells, int cell);
+    CloudFetches(const cloud_light::CloudLayer& layer, double stride_m, const Baked* cells,
+                 int cell);
 
     double along(const glm::dvec3& place, const glm::dvec3& look, double length_m) const;
 

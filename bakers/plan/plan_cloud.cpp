@@ -48,8 +48,8 @@ const CloudVolumeBake* volume_of(const config::Parameters& parameters, const std
 }
 
 std::array<int, 3> usual_size(const config::Cloud& cloud) {
-    const double longest_m = std::max({cloud.extent[0].meters, cloud.extent[1].meters,
-                                       cloud.extent[2].meters});
+    const double longest_m =
+        std::max({cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
     std::array<int, 3> size{};
     for (std::size_t a = 0; a < 3; ++a) {
         size[a] = std::max(
@@ -114,8 +114,8 @@ Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::strin
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedCloud& planned,
                    std::uint32_t first, double paths) {
-    std::string text = fmt::format("cloud, version {}, {} paths, views from {}\n", kVersion, paths,
-                                   first);
+    std::string text =
+        fmt::format("cloud, version {}, {} paths, views from {}\n", kVersion, paths, first);
     text += versions_of_bakers();
     std::vector<config::Read> reads =
         config::reads_of_cloud(recipe.parameters, planned.subject.cloud);
@@ -127,7 +127,7 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedC
     return xxh3_hex(text);
 }
 
-// Of ways that differ in their cells alone, which show the same, leaves the one of fewest fetches and says
+// Ways that differ in their cells alone show the same: this leaves the one of fewest fetches and says
 // what its leaps save.
 void keep_best_cells(const std::vector<CloudWay>& ways, MeasuredWays& measured) {
     std::map<std::string, std::size_t> best;
@@ -248,9 +248,9 @@ Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name,
                             std::uint32_t first) {
     Outcome<PlannedCloud> planned = planned_cloud(request, name);
     if (!planned.value) return {{}, std::move(planned.diagnostics)};
-    std::erase_if(planned.value->ways,
-                  [&](const CloudWay& other) { return other.assets != way.assets ||
-                             full_name(way).rfind(full_name(other), 0) != 0; });
+    std::erase_if(planned.value->ways, [&](const CloudWay& other) {
+        return other.assets != way.assets || full_name(way).rfind(full_name(other), 0) != 0;
+    });
     Outcome<MeasuredWays> measured = measure(request, *planned.value, first);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     return {measured.value->ways.front().figures.error, std::move(measured.diagnostics)};

@@ -150,9 +150,9 @@ Json to_json(const Plan& plan) {
 // Says what was chosen, at what cost, and what its neighbours on the front have.
 std::string choice_text(const Plan& plan) {
     const MeasuredWay& chosen = plan.ways[plan.chosen];
-    std::string text = fmt::format("# {}: {}.\n# {}, for {}.\n", name_of(plan.subject),
-                                   full_name(chosen.way), figures_text(plan, chosen.figures),
-                                   plan.scene);
+    std::string text =
+        fmt::format("# {}: {}.\n# {}, for {}.\n", name_of(plan.subject), full_name(chosen.way),
+                    figures_text(plan, chosen.figures), plan.scene);
     const std::vector<std::size_t> front = front_by_error(plan);
     const auto at = std::find(front.begin(), front.end(), plan.chosen);
     if (at != front.begin()) text += neighbour_text(plan, "better way", *(at - 1));
@@ -166,10 +166,9 @@ std::string choice_text(const Plan& plan) {
 }  // namespace
 
 std::string figures_text(const Plan& plan, const WayFigures& figures) {
-    return fmt::format("{}, {:.0f} {}, {}",
-                       fmt::format(fmt::runtime(plan.words.claim), to_percent(figures.error)),
-                       figures.fetches,
-                       figures.fetches == 1 ? "fetch" : "fetches", byte_size_text(figures.bytes));
+    return fmt::format(
+        "{}, {:.0f} {}, {}", fmt::format(fmt::runtime(plan.words.claim), to_percent(figures.error)),
+        figures.fetches, figures.fetches == 1 ? "fetch" : "fetches", byte_size_text(figures.bytes));
 }
 
 std::string full_name(const Way& way) { return fmt::format("{}, {}", way.family, way.name); }

@@ -128,7 +128,7 @@ MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyW
 
 // Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
 Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene,
-                          std::uint32_t first) {
+                              std::uint32_t first) {
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
@@ -177,9 +177,9 @@ ErrorWords words_of(bool has_colors) {
     words.compared = "sky error, ninth decile (%)";
     words.claim = "at most {} % off in nine of ten views";
     words.column = "9 in 10 %";
-    words.meaning =
-        fmt::format("of {} against paths of light, in the median, in nine of ten views, and the largest",
-                    has_colors ? "colours" : "radiance");
+    words.meaning = fmt::format(
+        "of {} against paths of light, in the median, in nine of ten views, and the largest",
+        has_colors ? "colours" : "radiance");
     words.remark =
         "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
     return words;

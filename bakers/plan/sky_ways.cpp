@@ -26,7 +26,7 @@ constexpr std::array<Grade, 3> kGrades = {{{"[256, 64]", "[64, 64]", "float"},
                                            {"[256, 64]", "[64, 64]", "half"},
                                            {"[128, 32]", "[32, 16]", "half"}}};
 
-// What a march finds of the light that was scattered before.
+// The light scattered before, as a march finds it.
 struct Closure {
     std::string family, baseline;
     std::vector<std::pair<std::string, std::string>> keys;  // empty: no table
@@ -100,12 +100,9 @@ void add_pictures(const std::vector<std::string>& suns, const std::string& camer
         WayAsset asset = asset_of("sky_view", "sky_view", size, "half");
         asset.keys.emplace_back("altitude", camera);
         asset.keys.emplace_back("sun_elevations", fmt::format("[{}]", fmt::join(suns, ", ")));
-        ways.push_back({{"picture",
-                         "sky views",
-                         fmt::format("{}, half", plain_value(size)),
-                         "",
-                         {asset}},
-                        SkyBy::picture});
+        ways.push_back(
+            {{"picture", "sky views", fmt::format("{}, half", plain_value(size)), "", {asset}},
+             SkyBy::picture});
     }
 }
 

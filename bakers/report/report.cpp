@@ -25,14 +25,14 @@ namespace {
 
 constexpr int kRepetitions = 5;
 constexpr int kQuickRepetitions = 1;
-// What takes longer is timed once.
+// Bakes that take longer are timed once.
 constexpr double kLongBake_s = 0.5;
 // Variants of more voxels are left out, unless the recipe itself has as many.
 constexpr double kMostVariantVoxels = 1 << 25;
 
 double milliseconds(double seconds) { return std::round(seconds * 1e9) / 1e6; }  // whole ns
 
-// What a variant's files take.
+// The bytes of a variant's files, and the time that they take.
 struct Written {
     std::uint64_t bytes = 0;
     double seconds = 0;

@@ -44,9 +44,9 @@ struct AssetReport {
     std::string timing;     // what the times mean
     int texel_points = 0;   // the most texels that were compared
     int lookup_points = 0;
-    int repetitions = 0;                    // each time is the median of this many
-    std::optional<SkyError> sky;            // of the recipe's asset, if its light is compared
-    std::vector<std::string> notes;         // what was left out, and why
+    int repetitions = 0;             // each time is the median of this many
+    std::optional<SkyError> sky;     // of the recipe's asset, if its light is compared
+    std::vector<std::string> notes;  // what was left out, and why
     std::vector<ReportRow> rows;
 };
 

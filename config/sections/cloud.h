@@ -103,7 +103,7 @@ struct TowerScatter : DomeShape, TowerLife {
     bool operator==(const TowerScatter&) const = default;
 };
 
-// What a cloud's density is taken from where it is neither noise nor a volume of the recipe.
+// The source of a cloud's density where it is neither noise nor a volume of the recipe.
 enum class CloudShape { convection, given };
 
 // This is the air in which a cloud grows (bakers/convection/sounding.h). Its condensation level is the

@@ -46,11 +46,9 @@ const SceneField scene_table[] = {
      "largest RMS error of a cloud's picture, as a share of white, that `skybake plan` may choose",
      lookup_error_range, Role::usual},
     {"max_size_mib", Kind::number, &Scene::max_size_mib,
-     "most MiB of textures that `skybake plan` may choose for each", size_range_mib,
-     Role::usual},
+     "most MiB of textures that `skybake plan` may choose for each", size_range_mib, Role::usual},
     {"max_fetches", Kind::number, &Scene::max_fetches,
-     "most texture fetches per pixel that `skybake plan` may choose", fetch_range,
-     Role::usual},
+     "most texture fetches per pixel that `skybake plan` may choose", fetch_range, Role::usual},
 };
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace skybake::config {
 // a picture of the whole sky for each sun.
 enum class SkyBy { march, fetch, picture };
 
-// What of the recipe a scene draws.
+// The parts of the recipe that a scene draws.
 enum class Draws { sky, clouds };
 
 // A scene gives the ranges of cameras and suns that a runtime will show, so that tables need not
@@ -23,13 +23,13 @@ struct Scene {
     std::array<Length, 2> altitude;      // of cameras
     std::array<Angle, 2> sun_elevation;  // at the camera
     Length view_distance;
-    std::vector<Draws> draws;             // all of it
-    std::vector<SkyBy> sky_by;            // empty: any
-    std::vector<Angle> suns;              // the only ones; empty: any in sun_elevation
-    std::optional<double> max_sky_error;  // ninth decile, relative
+    std::vector<Draws> draws;               // all of it
+    std::vector<SkyBy> sky_by;              // empty: any
+    std::vector<Angle> suns;                // the only ones; empty: any in sun_elevation
+    std::optional<double> max_sky_error;    // ninth decile, relative
     std::optional<double> max_cloud_error;  // RMS of the picture, of white
-    std::optional<double> max_size_mib;   // of the textures
-    std::optional<double> max_fetches;    // of a pixel
+    std::optional<double> max_size_mib;     // of the textures
+    std::optional<double> max_fetches;      // of a pixel
 };
 
 // The choices below are shared by several assets of the sky.

@@ -88,7 +88,7 @@ TEST(Flow, KeepsHeatAndWater) {
     const double water = total(wanted.grid, flow.state().water);
     run(flow, 600);
     EXPECT_GT(largest_change(wanted, flow, 2), 2);
-    // Of 14 400 cells whose values of about 10 have rounded 200 times.
+    // 14 400 cells have values of about 10, which have been rounded 200 times.
     EXPECT_NEAR(total(wanted.grid, flow.state().heat), heat, 1e-6 * 14400 * 10);
     EXPECT_NEAR(total(wanted.grid, flow.state().water), water, 1e-6 * 14400 * 10);
     EXPECT_LE(largest_divergence(wanted.grid, flow.state().velocity), 1e-6);

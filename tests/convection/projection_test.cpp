@@ -51,7 +51,7 @@ TEST(Projection, ChangesNothingTwice) {
     }
 }
 
-// What it takes away does no work on any wind without divergence, so that no other such wind is nearer.
+// The part that it takes away does no work on any wind without divergence, so that no other such wind is nearer.
 TEST(Projection, TakesTheNearestWind) {
     std::array<Field, 3> wind = random_wind(kGrid, 5);
     std::array<Field, 3> other = random_wind(kGrid, 6);

@@ -11,11 +11,11 @@
 #include <sstream>
 #include <string>
 
-#include "bakers/field/interpolation.h"
-#include "bakers/occupancy/cell_range.h"
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
+#include "bakers/field/interpolation.h"
+#include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/recipe/recipe.h"

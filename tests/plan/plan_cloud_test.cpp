@@ -78,8 +78,8 @@ void expect_costs_of_textures() {
 // Ways that show the same picture appear once, with the cells that cost least.
 void expect_each_drawing_once() {
     for (const MeasuredWay& way : plan().ways) {
-        const auto others = std::count_if(
-            plan().ways.begin(), plan().ways.end(), [&](const MeasuredWay& other) {
+        const auto others =
+            std::count_if(plan().ways.begin(), plan().ways.end(), [&](const MeasuredWay& other) {
                 const auto drawn = [](const std::string& name) {
                     return name.substr(0, name.find(", leaps over"));
                 };
@@ -131,7 +131,8 @@ TEST(PlanCloud, AnySunLeavesOutTheLightOfOne) {
 }
 
 TEST(PlanCloud, NightsAndCloudsThatNobodySeesHaveNoPlan) {
-    for (const char* setting : {"scene.suns=[\"-5 deg\"]", "clouds.c.extinction_scale=\"1e-9 /km\""}) {
+    for (const char* setting :
+         {"scene.suns=[\"-5 deg\"]", "clouds.c.extinction_scale=\"1e-9 /km\""}) {
         PlanRequest request = request_of(kScene);
         request.paths = 1 << 12;
         request.load = [&](std::span<const std::string> settings) {
