@@ -49,14 +49,6 @@ Outcome<double> read_share(const std::string& text, std::string_view option) {
             {bad_value(std::string(option), text, "it takes a share up to 1, such as 2% or 0.02")}};
 }
 
-Outcome<double> read_sky_share(const std::string& text) {
-    return read_share(text, "--max-sky-error");
-}
-
-Outcome<double> read_cloud_share(const std::string& text) {
-    return read_share(text, "--max-cloud-error");
-}
-
 Outcome<std::int64_t> read_fetches(const std::string& text) {
     if (const auto count = parse_count(text, 1, 1'000'000)) return {*count, {}};
     return {{}, {bad_value("--max-fetches", text, "it takes a number from 1 to 1000000")}};
@@ -70,8 +62,13 @@ Outcome<std::uint64_t> read_size(const std::string& text) {
             {bad_value("--max-size", text, fmt::format("{}, of 1 KiB at least", byte_size_words))}};
 }
 
-const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, read_sky_share};
-const Option<double> max_cloud_error{"max-cloud-error", 0, "SHARE", {}, read_cloud_share};
+const Option<double> max_sky_error{"max-sky-error", 0, "SHARE", {}, [](const std::string& text) {
+                                       return read_share(text, "--max-sky-error");
+                                   }};
+const Option<double> max_cloud_error{
+    "max-cloud-error", 0, "SHARE", {}, [](const std::string& text) {
+        return read_share(text, "--max-cloud-error");
+    }};
 const Option<std::int64_t> max_fetches{"max-fetches", 0, "N", {}, read_fetches};
 const Option<std::uint64_t> max_size{"max-size", 0, "SIZE", {}, read_size};
 const Option<std::filesystem::path> write{"write", 0, "FILE"};

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "bakers/math/transcendental.h"
+#include "bakers/math/wrapped.h"
 
 namespace skybake::cloud {
 
 namespace {
-
-int cell_around(int i, int period) { return (i % period + period) % period; }
 
 std::array<float, 4> cubic_weights(double t) {
     const double t2 = t * t;
@@ -62,7 +61,7 @@ const float* GrownVolume::row(int y, int z) const {
     const auto& cells = cloud_->cells;
     const auto at = static_cast<std::size_t>(std::clamp(z, 0, cells[2] - 1)) *
                         static_cast<std::size_t>(cells[1]) +
-                    static_cast<std::size_t>(cell_around(y, cells[1]));
+                    static_cast<std::size_t>(skybake::wrapped(y, cells[1]));
     return cloud_->water.data() + at * static_cast<std::size_t>(cells[0]);
 }
 
@@ -71,7 +70,7 @@ void GrownVolume::along_x(const VoxelBox& box, const float* cells, float* out) c
         const Taps& taps = taps_at(0, box.origin[0] + x);
         std::array<float, 4> taken;
         for (std::size_t i = 0; i < 4; ++i) {
-            taken[i] = cells[cell_around(taps.first + static_cast<int>(i), cloud_->cells[0])];
+            taken[i] = cells[skybake::wrapped(taps.first + static_cast<int>(i), cloud_->cells[0])];
         }
         out[x] = cubic_between(taps.weights, taken[0], taken[1], taken[2], taken[3]);
     }
@@ -124,7 +123,7 @@ bool GrownVolume::is_empty(const VoxelBox& asked) const {
         for (int y = 1; y + 1 < cells[1].count; ++y) {
             const float* water = row(cells[1].first + y, cells[2].first + z);
             for (int x = 1; x + 1 < cells[0].count; ++x) {
-                if (water[cell_around(cells[0].first + x, cloud_->cells[0])] > 0) return false;
+                if (water[skybake::wrapped(cells[0].first + x, cloud_->cells[0])] > 0) return false;
             }
         }
     }

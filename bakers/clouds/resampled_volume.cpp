@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <utility>
 
+#include "bakers/math/wrapped.h"
+
 namespace skybake::cloud {
 
 namespace {
@@ -168,7 +170,7 @@ struct AxisPiece {
 std::vector<AxisPiece> wrapped_pieces(int first, int count, int period) {
     std::vector<AxisPiece> pieces;
     for (int at = 0; at < count; at += pieces.back().size) {
-        const int source = ((first + at) % period + period) % period;
+        const int source = skybake::wrapped(first + at, period);
         pieces.push_back({at, source, std::min(count - at, period - source)});
     }
     return pieces;

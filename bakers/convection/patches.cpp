@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "bakers/math/mix64.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake::convection {
@@ -14,13 +15,7 @@ constexpr double kDrawn_s = 60;   // in which air above a patch takes on its war
 constexpr double kMoment_s = 20;  // for which the noise of the warming stays
 constexpr double kReach = 3;      // radii of a patch
 
-// Steele, Lea and Flood 2014, "Fast splittable pseudorandom number generators".
-std::uint64_t mixed(std::uint64_t x) {
-    x += 0x9e3779b97f4a7c15;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111eb;
-    return x ^ (x >> 31);
-}
+std::uint64_t mixed(std::uint64_t x) { return mix64(x + kGolden64); }
 
 // In [0, 1).
 double number(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }

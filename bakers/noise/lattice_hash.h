@@ -14,16 +14,13 @@
 
 #include "bakers/field/level.h"
 #include "bakers/math/memory.h"
+#include "bakers/math/mix64.h"
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake::noise {
 
-// The finaliser of splitmix64 (Steele, Lea and Flood 2014).
-inline std::uint64_t mix64(std::uint64_t h) {
-    h = (h ^ (h >> 30)) * 0xbf58476d1ce4e5b9u;
-    h = (h ^ (h >> 27)) * 0x94d049bb133111ebu;
-    return h ^ (h >> 31);
-}
+using skybake::kGolden64;
+using skybake::mix64;
 
 // The function lowbias32 of Wellons's hash-prospector, whose bias is 0.17.
 inline std::uint32_t mix32(std::uint32_t h) {
@@ -33,7 +30,6 @@ inline std::uint32_t mix32(std::uint32_t h) {
 }
 
 inline constexpr std::uint32_t kGolden32 = 0x9e3779b9u;
-inline constexpr std::uint64_t kGolden64 = 0x9e3779b97f4a7c15u;
 
 // The key of an octave's random numbers. Octaves of the same purpose, frequency and seed are the
 // same field wherever they occur, so that channels which share cellular octaves share their work. A

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstddef>
 
+#include "bakers/math/wrapped.h"
+
 namespace skybake::config {
 enum class OccupancyFilter;
 }
@@ -53,7 +55,7 @@ inline std::size_t index_of(const std::array<int, 3>& size, int x, int y, int z)
 
 // Return the voxel that a lookup finds at index `i` of an axis: that of the repeated tile, or the
 // nearest one.
-inline int wrapped(int i, int size) { return ((i % size) + size) % size; }
+using skybake::wrapped;
 inline int clamped(int i, int size) { return std::clamp(i, 0, size - 1); }
 
 // Returns how many voxels beyond a cell's faces lookups in the cell use: 0, 1 or 2.

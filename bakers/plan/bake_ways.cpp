@@ -10,6 +10,7 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/math/intermediates.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 
@@ -27,8 +28,8 @@ WayAsset resolved(const Way& way, const std::vector<std::size_t>& numbers) {
     WayAsset asset = way.assets[numbers.size()];
     for (auto& [key, value] : asset.keys) {
         for (std::size_t i = 0; key == "of" && i < numbers.size(); ++i) {
-            if (value != fmt::format("\"{}\"", way.assets[i].name)) continue;
-            value = fmt::format("\"{}\"", bake_name(numbers[i]));
+            if (value != config::toml_string(way.assets[i].name)) continue;
+            value = config::toml_string(bake_name(numbers[i]));
             break;
         }
     }
@@ -159,6 +160,14 @@ double bake_seconds(const std::vector<const BakedAsset*>& assets) {
         }
     }
     return seconds;
+}
+
+MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets) {
+    MeasuredWay measured;
+    measured.way = way;
+    for (const BakedAsset* asset : assets) measured.figures.bytes += texture_bytes(asset->baked);
+    measured.bake_s = bake_seconds(assets);
+    return measured;
 }
 
 double texture_bytes(const Baked& baked) {

@@ -58,6 +58,16 @@ class WayAssets {
 // Returns the bytes of an asset's texture, in which three channels take the room of four.
 double texture_bytes(const Baked& baked);
 
+// Returns the way with the size of its textures and the time of its bakes; all else is to be measured.
+MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets);
+
+// A way of any kind, and its assets.
+template <class OneWay>
+struct BakedWay {
+    const OneWay* way = nullptr;
+    std::vector<const BakedAsset*> assets;
+};
+
 // Bakes all assets, without certificates. `recipe` has the settings of `assets` and must outlive the
 // result. After an interruption there is neither a value nor a diagnostic.
 config::Outcome<std::vector<BakedAsset>> bake_ways(const config::Recipe& recipe,

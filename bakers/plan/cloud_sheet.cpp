@@ -68,12 +68,12 @@ LightPicture picture_of(const Values& value_at) {
 config::Outcome<std::string> cloud_sheet(const config::Cloud& cloud,
                                          const cloud_light::CloudLayer& layer,
                                          const CloudRange& range,
-                                         const std::vector<ShownCloud>& clouds,
+                                         const std::vector<BakedWay<CloudWay>>& clouds,
                                          const BakeOptions& options) {
     SheetBlock block;
     block.title = "The cloud in sunlight";
     block.rows.emplace_back("paths of light");
-    for (const ShownCloud& shown : clouds) block.rows.push_back(full_name(*shown.way));
+    for (const BakedWay<CloudWay>& shown : clouds) block.rows.push_back(full_name(*shown.way));
     const std::size_t suns = std::min(range.suns_deg.size(), kMostSuns);
     block.pictures.resize(block.rows.size() * 2 * suns);
     for (std::size_t s = 0; s < suns; ++s) {

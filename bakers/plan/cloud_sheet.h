@@ -14,12 +14,6 @@
 
 namespace skybake {
 
-// A way and its assets.
-struct ShownCloud {
-    const CloudWay* way = nullptr;
-    std::vector<const BakedAsset*> assets;
-};
-
 // Returns a PNG with a row for the truth and one for each of the clouds, under up to two suns of the
 // scene, which shine from the right. The camera looks up at the layer or, where all cameras are above
 // it, down. `layer` has the finest voxels. Diagnostics are those of png_bytes. After an interruption the
@@ -27,7 +21,7 @@ struct ShownCloud {
 config::Outcome<std::string> cloud_sheet(const config::Cloud& cloud,
                                          const cloud_light::CloudLayer& layer,
                                          const CloudRange& range,
-                                         const std::vector<ShownCloud>& clouds,
+                                         const std::vector<BakedWay<CloudWay>>& clouds,
                                          const BakeOptions& options);
 
 }  // namespace skybake

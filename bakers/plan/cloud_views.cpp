@@ -35,15 +35,6 @@ CloudRange cloud_range(const config::Scene& scene, const config::Cloud& cloud) {
     return range;
 }
 
-namespace {
-
-// The steepest angle of rays whose way to the far face is the view distance.
-double lowest_elevation(double rise_m, double view_distance_m) {
-    return std::asin(std::min(1.0, rise_m / view_distance_m));
-}
-
-}  // namespace
-
 std::vector<CloudView> cloud_views(const CloudRange& range, int count, std::uint32_t first) {
     std::vector<CloudView> views;
     for (std::uint32_t i = first; i < first + static_cast<std::uint32_t>(count); ++i) {
@@ -53,7 +44,7 @@ std::vector<CloudView> cloud_views(const CloudRange& range, int count, std::uint
         const double height = (altitude_m - range.base_m) / range.height_m;  // 0 to 1: within
         const bool looks_up = height <= 0 || (height < 1 && share(6) < 0.5);
         const double rise_m = (looks_up ? 1 - height : height) * range.height_m;
-        const double lowest = lowest_elevation(rise_m, range.view_distance_m);
+        const double lowest = std::asin(std::min(1.0, rise_m / range.view_distance_m));
         const double elevation = lowest + share(2) * (std::numbers::pi / 2 - lowest);
         CloudView view;
         view.sun = static_cast<std::size_t>(share(0) * static_cast<double>(range.suns_deg.size()));

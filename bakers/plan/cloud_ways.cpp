@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "bakers/report/variants.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 
-namespace {
+using config::toml_string;
 
-std::string text(std::string_view word) { return fmt::format("\"{}\"", word); }
+namespace {
 
 // How densities are stored and marched.
 struct Grade {
@@ -37,10 +38,10 @@ class CloudWays {
         std::array<int, 3> size = subject_.size;
         for (int& edge : size) edge = std::max(1, edge / coarser);
         WayAsset asset{subject_.cloud,
-                       {{"asset", text("cloud_volume")},
-                        {"cloud", text(subject_.cloud)},
+                       {{"asset", toml_string("cloud_volume")},
+                        {"cloud", toml_string(subject_.cloud)},
                         {"size", fmt::format("[{}, {}, {}]", size[0], size[1], size[2])},
-                        {"pixel_type", text(pixel_type)},
+                        {"pixel_type", toml_string(pixel_type)},
                         {"formats", pixel_type == "float" ? "[\"exr\"]" : "[\"ktx2\"]"}}};
         if (!subject_.cover.empty()) asset.keys.emplace_back("cover", subject_.cover);
         return asset;
@@ -78,19 +79,19 @@ class CloudWays {
         if (grade.stride > 1) base_.name += fmt::format(", every {} voxels", grade.stride);
         if (cell == 0) return;
         base_.assets.push_back({name("cells"),
-                                {{"asset", text("occupancy")},
-                                 {"of", text(subject_.cloud)},
+                                {{"asset", toml_string("occupancy")},
+                                 {"of", toml_string(subject_.cloud)},
                                  {"cell", std::to_string(cell)},
                                  {"contents", "[\"leap\"]"},
-                                 {"pixel_type", text("unorm8")},
+                                 {"pixel_type", toml_string("unorm8")},
                                  {"formats", "[\"ktx2\"]"}}});
     }
 
     WayAsset light(std::string suffix, std::string_view contents, int cell) const {
         return {name(suffix),
-                {{"asset", text("cloud_light")},
-                 {"of", text(subject_.cloud)},
-                 {"contents", text(contents)},
+                {{"asset", toml_string("cloud_light")},
+                 {"of", toml_string(subject_.cloud)},
+                 {"contents", toml_string(contents)},
                  {"cell", std::to_string(cell)},
                  {"formats", "[\"ktx2\"]"}}};
     }
@@ -162,9 +163,9 @@ class CloudWays {
             way.degree = degree;
             way.first = way.assets.size();
             way.assets.push_back({name("small_angles"),
-                                  {{"asset", text("forward_scattering")},
+                                  {{"asset", toml_string("forward_scattering")},
                                    {"degree", std::to_string(degree)},
-                                   {"pixel_type", text("half")},
+                                   {"pixel_type", toml_string("half")},
                                    {"formats", "[\"ktx2\"]"}}});
             way.per_sun = 1 + static_cast<std::size_t>(parts_of(degree));
             // Texels of degree 3 of half the edge take a minute for 512x512x64 voxels.

@@ -61,18 +61,17 @@ class SunDepth {
 
     double at(const glm::dvec3& place) const {
         if (way_.lighting == CloudLighting::march) return marched(place);
-        if (way_.lighting == CloudLighting::depth) return textures_.depth->at(place, 0);
+        if (way_.lighting == CloudLighting::depth) return textures_.depth->at(place);
         return std::fmax(sum_of_parts(textures_, values_, place), 0.0);
     }
 
     static double sum_of_parts(const CloudTextures& textures, const cloud_light::Harmonics& values,
                                const glm::dvec3& place) {
         double sum = 0;
-        std::size_t coefficient = 0;
+        const double* factors = values.data();
         for (const StoredTexture* part : textures.parts) {
-            for (std::size_t c = 0; c < part->channels(); ++c, ++coefficient) {
-                sum += values[coefficient] * part->at(place, c);
-            }
+            sum += part->sum_at(place, factors);
+            factors += part->channels();
         }
         return sum;
     }
@@ -129,7 +128,7 @@ class SampleLight {
             return way_.single ? phase_ * std::exp(-depth)
                                : sun_scattering(octaves, offset_, depth);
         }
-        const double depth = textures_.depth->at(place, 0);
+        const double depth = textures_.depth->at(place);
         const double first = phase_ / share_ * std::exp(-share_ * depth) * small_angles(depth);
         return first + SunDepth::sum_of_parts(textures_, values_, place);
     }
@@ -137,8 +136,7 @@ class SampleLight {
   private:
     double small_angles(double depth) const {
         return textures_.small_angles->at(
-            {std::sqrt(std::sqrt(offset_ / 2)), forward_scattering::depth_coordinate(depth), 0.5},
-            0);
+            {std::sqrt(std::sqrt(offset_ / 2)), forward_scattering::depth_coordinate(depth), 0.5});
     }
 
     const CloudWay& way_;
@@ -166,7 +164,7 @@ StoredTexture::StoredTexture(const Baked& baked) {
     }
 }
 
-double StoredTexture::at(const glm::dvec3& place, std::size_t channel) const {
+double StoredTexture::sum_at(const glm::dvec3& place, const double* factors) const {
     std::array<double, 3> uvw = {place.x, place.y, place.z};
     if (is_table_) {
         for (std::size_t a = 0; a < 2; ++a) {
@@ -177,8 +175,12 @@ double StoredTexture::at(const glm::dvec3& place, std::size_t channel) const {
     double sum = 0;
     const std::array<bool, 3> repeats = {!is_table_, !is_table_, false};
     for (const VoxelTap& tap : trilinear_taps(size_, uvw, repeats)) {
-        sum += tap.weight * double{channels_[channel][occupancy::index_of(
-                                size_, tap.voxel[0], tap.voxel[1], tap.voxel[2])]};
+        const std::size_t at = occupancy::index_of(size_, tap.voxel[0], tap.voxel[1], tap.voxel[2]);
+        double texel = 0;
+        for (std::size_t c = 0; c < channels_.size(); ++c) {
+            texel += factors[c] * double{channels_[c][at]};
+        }
+        sum += tap.weight * texel;
     }
     return sum;
 }

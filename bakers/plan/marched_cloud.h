@@ -22,9 +22,14 @@ class StoredTexture {
     explicit StoredTexture(const Baked& baked);
 
     std::size_t channels() const { return channels_.size(); }
-    // Returns the trilinear lookup of a channel at a place in shares of the tile, or at coordinates of a
-    // table.
-    double at(const glm::dvec3& place, std::size_t channel) const;
+    // Returns the sum of the channels' trilinear lookups, each times its factor, at a place in shares of
+    // the tile, or at coordinates of a table.
+    double sum_at(const glm::dvec3& place, const double* factors) const;
+    // Returns the lookup of the only channel.
+    double at(const glm::dvec3& place) const {
+        constexpr double kOnce = 1;
+        return sum_at(place, &kOnce);
+    }
 
   private:
     std::array<int, 3> size_{};

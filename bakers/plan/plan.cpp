@@ -87,19 +87,17 @@ config::Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFi
     return problem;
 }
 
-config::Diagnostic darkness(const PlanSubject& subject) {
+}  // namespace
+
+Outcome<Plan> without_light(const PlanSubject& subject) {
     config::Diagnostic problem;
     problem.code = "E0409";
     problem.message = fmt::format(
         "paths of light find too little light in this scene to compare ways to draw {} with",
         name_of(subject));
     problem.label = "raise the suns of [scene], or its cameras above dense air";
-    return problem;
+    return {{}, {std::move(problem)}};
 }
-
-}  // namespace
-
-Outcome<Plan> without_light(const PlanSubject& subject) { return {{}, {darkness(subject)}}; }
 
 Outcome<Plan> chosen(Plan plan, std::vector<config::Diagnostic> diagnostics) {
     const SkyError& of_first = plan.ways.front().error;

@@ -46,6 +46,9 @@ struct Plan {
     std::string sheet;               // a PNG: pictures by paths, and by each family
 };
 
+// Whether a measurement ends with pictures of what it measured.
+enum class Sheets { drawn, none };
+
 struct PlanRequest {
     LoadRecipe load;
     std::filesystem::path cache;  // where measured figures are kept; empty: nowhere

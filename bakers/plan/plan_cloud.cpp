@@ -58,8 +58,6 @@ std::array<int, 3> usual_size(const config::Cloud& cloud) {
     return size;
 }
 
-double voxels_of(const std::array<int, 3>& size) { return 1.0 * size[0] * size[1] * size[2]; }
-
 // A cloud of a recipe, with all that its ways need.
 struct PlannedCloud {
     Recipe recipe;
@@ -74,7 +72,7 @@ CloudSubject subject_of(const config::Cloud& cloud, const CloudVolumeBake* volum
     CloudSubject subject;
     subject.cloud = cloud.name;
     subject.size = volume != nullptr ? volume->size : usual_size(cloud);
-    while (voxels_of(subject.size) > kMostVoxels) {
+    while (voxels_of(subject.size, 1) > kMostVoxels) {
         for (int& edge : subject.size) edge = std::max(1, edge / 2);
     }
     if (volume != nullptr && subject.size != volume->size) {
@@ -155,10 +153,7 @@ void keep_best_cells(const std::vector<CloudWay>& ways, MeasuredWays& measured) 
 
 MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const FoundCloud& found,
                          const std::vector<const BakedAsset*>& own) {
-    MeasuredWay measured;
-    measured.way = way;
-    for (const BakedAsset* asset : own) measured.figures.bytes += texture_bytes(asset->baked);
-    measured.bake_s = bake_seconds(own);
+    MeasuredWay measured = costed(way, own);
     double rms = 0;
     measured.error = truth.error(found.radiance, rms);
     measured.figures.error = to_digits(rms, 2);
@@ -169,7 +164,7 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
 // Measures the ways of a cloud in views of the scene that begin with number `first`, and draws their
 // sheet.
 Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& planned,
-                              std::uint32_t first) {
+                              std::uint32_t first, Sheets sheets) {
     std::vector<Way> all(planned.ways.begin(), planned.ways.end());
     all.push_back(traced_cloud(planned.subject));
     const WayAssets assets(all);
@@ -197,11 +192,12 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
         plan.ways[i] = measured_way(truth, way, clouds.find(way, own), own);
         if (options.cancelled()) return {};
     }
-    std::vector<ShownCloud> shown;
+    if (sheets == Sheets::none) return {std::move(plan), {}};
+    std::vector<BakedWay<CloudWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
-        shown.push_back({&planned.ways[i], assets.of(planned.ways[i], *baked.value)});
+        best.push_back({&planned.ways[i], assets.of(planned.ways[i], *baked.value)});
     }
-    auto sheet = cloud_sheet(cloud, layer, planned.range, shown, options);
+    auto sheet = cloud_sheet(cloud, layer, planned.range, best, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
     std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
@@ -228,7 +224,7 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     Plan plan;
     plan.subject = {config::Draws::clouds, name};
     if (range.suns_deg.empty()) return without_light(plan.subject);
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, 1);
+    Outcome<MeasuredWays> measured = measure(request, *planned.value, 1, Sheets::drawn);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const config::Parameters& parameters = planned.value->recipe.parameters;
     plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, suns at {:.3g} degrees",
@@ -251,7 +247,7 @@ Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name,
     std::erase_if(planned.value->ways, [&](const CloudWay& other) {
         return other.assets != way.assets || full_name(way).rfind(full_name(other), 0) != 0;
     });
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, first);
+    Outcome<MeasuredWays> measured = measure(request, *planned.value, first, Sheets::none);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     return {measured.value->ways.front().figures.error, std::move(measured.diagnostics)};
 }

@@ -18,6 +18,7 @@
 #include "bakers/math/facts.h"
 #include "bakers/report/measurement.h"
 #include "config/assets/asset_kind.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 
@@ -105,7 +106,7 @@ Chart chart_of(const Plan& plan, const std::string& title, double WayFigures::*c
 }
 
 std::string asset_text(const WayAsset& asset) {
-    std::string text = fmt::format("\n[bake.{}]\n", asset.name);
+    std::string text = fmt::format("\n[{}]\n", config::join_path("bake", asset.name));
     for (const auto& [key, value] : asset.keys) text += fmt::format("{} = {}\n", key, value);
     return text;
 }

@@ -117,10 +117,7 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedS
 // Measures a way in the truth's views.
 MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyWay& way,
                         const std::vector<const BakedAsset*>& own) {
-    MeasuredWay measured;
-    measured.way = way;
-    for (const BakedAsset* asset : own) measured.figures.bytes += texture_bytes(asset->baked);
-    measured.bake_s = bake_seconds(own);
+    MeasuredWay measured = costed(way, own);
     measured.error = truth.error(sky.find(way, own, measured.figures.fetches));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
     return measured;
@@ -128,7 +125,7 @@ MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyW
 
 // Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
 Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene,
-                              std::uint32_t first) {
+                              std::uint32_t first, Sheets sheets) {
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
@@ -151,11 +148,12 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
         const SkyWay& way = scene.ways[i];
         plan.ways[i] = measure_way(sky, truth, way, assets.of(way, *baked.value));
     }
-    std::vector<ShownSky> shown;
+    if (sheets == Sheets::none) return {std::move(plan), {}};
+    std::vector<BakedWay<SkyWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
-        shown.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
+        best.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
     }
-    auto sheet = sky_sheet(parameters, scene.range, shown, weights, options);
+    auto sheet = sky_sheet(parameters, scene.range, best, weights, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
     std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
@@ -190,7 +188,7 @@ ErrorWords words_of(bool has_colors) {
 Outcome<Plan> plan_sky(const PlanRequest& request) {
     Outcome<PlannedScene> scene = planned_scene(request);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, 1);
+    Outcome<MeasuredWays> measured = measure(request, *scene.value, 1, Sheets::drawn);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const config::Parameters& parameters = scene.value->recipe.parameters;
     const SceneRange& range = scene.value->range;
@@ -215,7 +213,7 @@ Outcome<SkyError> judge_sky(const PlanRequest& request, const Way& way, std::uin
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     std::erase_if(scene.value->ways,
                   [&](const SkyWay& other) { return full_name(other) != full_name(way); });
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, first);
+    Outcome<MeasuredWays> measured = measure(request, *scene.value, first, Sheets::none);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     return {measured.value->ways.front().error, std::move(measured.diagnostics)};
 }

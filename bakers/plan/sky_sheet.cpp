@@ -91,7 +91,8 @@ LightPicture sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
 }  // namespace
 
 config::Outcome<std::string> sky_sheet(const config::Parameters& parameters,
-                                       const SceneRange& range, const std::vector<ShownSky>& skies,
+                                       const SceneRange& range,
+                                       const std::vector<BakedWay<SkyWay>>& skies,
                                        const std::vector<glm::dvec3>& weights,
                                        const BakeOptions& options) {
     const std::vector<double> suns = suns_of(range);
@@ -117,7 +118,7 @@ config::Outcome<std::string> sky_sheet(const config::Parameters& parameters,
         block.pictures.emplace_back();
     }
     const SkyOfWay found(parameters, truth, options.threads);
-    for (const ShownSky& sky : skies) {
+    for (const BakedWay<SkyWay>& sky : skies) {
         double fetches = 0;
         const auto colors = screen.colors(found.find(*sky.way, sky.assets, fetches));
         block.rows.push_back(full_name(*sky.way));

@@ -12,18 +12,13 @@
 
 namespace skybake {
 
-// A way and its assets.
-struct ShownSky {
-    const SkyWay* way = nullptr;
-    std::vector<const BakedAsset*> assets;
-};
-
 // Returns a PNG with a row for the truth and one for each of the skies. For up to three suns of the scene
 // it has the sky, the sun in the middle and the horizon below, and its relative difference from the
 // truth. `weights` are those of SceneTruth. Diagnostics are those of png_bytes. After an interruption
 // the picture must not be used.
 config::Outcome<std::string> sky_sheet(const config::Parameters& parameters,
-                                       const SceneRange& range, const std::vector<ShownSky>& skies,
+                                       const SceneRange& range,
+                                       const std::vector<BakedWay<SkyWay>>& skies,
                                        const std::vector<glm::dvec3>& weights,
                                        const BakeOptions& options);
 

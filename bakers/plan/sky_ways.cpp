@@ -9,10 +9,12 @@
 #include <string_view>
 
 #include "bakers/report/variants.h"
+#include "config/text/key_path.h"
 
 namespace skybake {
 
 using config::SkyBy;
+using config::toml_string;
 
 namespace {
 
@@ -32,28 +34,27 @@ struct Closure {
     std::vector<std::pair<std::string, std::string>> keys;  // empty: no table
 };
 
-std::string text(std::string_view word) { return fmt::format("\"{}\"", word); }
-
 std::vector<Closure> closures() {
     std::vector<Closure> all = {
         {"single scattering", "single scattering", {}},
         {"mean radiance of two orders",
          "Hillaire 2020",
-         {{"method", text("as_in_paper")}, {"mapping", text("hillaire")}}},
-        {"mean radiance of all orders", "", {{"content", text("hillaire")}}}};
+         {{"method", toml_string("as_in_paper")}, {"mapping", toml_string("hillaire")}}},
+        {"mean radiance of all orders", "", {{"content", toml_string("hillaire")}}}};
     for (const int degree : {2, 4, 8}) {
         all.push_back({fmt::format("moments of degree {}", degree),
                        "",
-                       {{"content", text("moments")}, {"degree", std::to_string(degree)}}});
+                       {{"content", toml_string("moments")}, {"degree", std::to_string(degree)}}});
     }
     return all;
 }
 
 WayAsset asset_of(std::string name, std::string_view asset, std::string_view size,
                   std::string_view pixel_type) {
-    return {
-        std::move(name),
-        {{"asset", text(asset)}, {"size", std::string(size)}, {"pixel_type", text(pixel_type)}}};
+    return {std::move(name),
+            {{"asset", toml_string(asset)},
+             {"size", std::string(size)},
+             {"pixel_type", toml_string(pixel_type)}}};
 }
 
 void add_marches(std::vector<SkyWay>& ways) {
