@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/render/scene_view.h"
 #include "tests/preview/scenes.h"
 
@@ -91,6 +92,37 @@ CloudMedium rolling_layer() {
     CloudMedium medium = medium_of({2400, 2400, 600}, 1500, kSize, voxels, 0.0065);
     medium.variation = varied_tiles(medium);
     return medium;
+}
+
+// Where light was solved for, marches towards the sun end soon, and the depth from there is looked up: the light
+// is that of whole marches.
+TEST(CloudSteps, SolvedDepthsGoOnWhereNearMarchesEnd) {
+    CloudMedium layer = rolling_layer();
+    layer.variation = {};
+    const BakeOptions options{.threads = 2};
+    const cloud_light::MarchLight within(layer, cloud_light::kCellsOfPicture, options);
+    const SceneFrame frame = frame_from({0, 0, 100}, 60, 32, 32);
+    for (const SunDirection& sun : {SunDirection{70, 70}, SunDirection{25, 160}}) {
+        const auto solved = within.under(sun, options);
+        ASSERT_TRUE(solved);
+        const auto seen_with = [&](int growth) {
+            return SceneMarch({{&layer, 20, 20, 30000, false, growth, &*solved}}, sun, true, true,
+                              1)
+                .march(frame, 1, nullptr)
+                .results;
+        };
+        const Image2<float> whole = seen_with(1);
+        const Image2<float> near = seen_with(kLightGrowth);
+        double squares = 0;
+        double sum = 0;
+        for (std::size_t i = 0; i < whole.texels.size(); i += 8) {
+            const double light = double{whole.texels[i]} + whole.texels[i + 1];
+            squares += std::pow(double{near.texels[i]} + near.texels[i + 1] - light, 2);
+            sum += light;
+        }
+        const double pixels = 32.0 * 32;
+        EXPECT_LT(std::sqrt(squares / pixels), 0.02 * sum / pixels) << sun.elevation_degrees;
+    }
 }
 
 // Bytes of a screen: white is 1 / exposure.
