@@ -25,7 +25,7 @@ using config::MultipleScatteringMapping;
 namespace {
 
 // The light of skies has moments of this degree at least.
-constexpr int kLeastSkyDegree = 8;
+constexpr int kLeastHarmonics = 8;
 // Air with spheres scatters light into peaks, which the sky's own light leaves out. Moments of this
 // degree feed its mean radiance.
 constexpr int kDegreeWithPeaks = 4;
@@ -136,7 +136,7 @@ LightRequest light_request(const config::Atmosphere& atmosphere,
     const int wanted = bake.content == MultipleScatteringContent::moments ? bake.degree : 0;
     if (has_spheres(atmosphere)) {
         request.degree = std::max(wanted, kDegreeWithPeaks);
-    } else if (wanted > kLeastSkyDegree) {
+    } else if (wanted > kLeastHarmonics) {
         request.degree = wanted;
     }
     return request;
