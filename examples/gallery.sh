@@ -218,7 +218,7 @@ cloud_sheets() {
     local layer="position=3km,1km,50m heading=63deg pitch=18deg fov=60deg"
     cloud_sheet cumulus_humilis "$below" "position=2km,0km,2.6km heading=63deg pitch=-14deg fov=60deg"
     cloud_sheet cumulus_mediocris "$below" "position=2km,0km,3.4km heading=63deg pitch=-12deg fov=60deg"
-    cloud_sheet cumulus_congestus "position=1km,1km,100m heading=45deg pitch=14deg fov=60deg" \
+    cloud_sheet cumulus_congestus "position=0.6km,0km,200m heading=60deg pitch=16deg fov=70deg" \
         "position=2km,0km,6km heading=63deg pitch=-14deg fov=60deg"
     cloud_sheet cumulonimbus "heading=75deg pitch=4deg fov=42deg" "heading=20deg pitch=-8deg fov=45deg" --single
     cloud_sheet stratus "position=3km,1km,20m heading=63deg pitch=18deg fov=60deg" \

@@ -165,7 +165,8 @@ inline void check_scaled(const Noise& noise, const std::array<int, 3>& scale) {
 inline void check_cloud(const Cloud& cloud, const Parameters& parameters) {
     const Noise* noise = find_by_name(parameters.noises, cloud.noise);
     const bool is_of_volume = find_by_name(parameters.volumes, cloud.volume) != nullptr;
-    require((noise != nullptr) != is_of_volume, "its noise or its volume is there");
+    const bool grows = cloud.shape == CloudShape::convection;
+    require((noise != nullptr) + is_of_volume + grows == 1, "one thing gives it its shape");
     if (noise) check_scaled(*noise, cloud.noise_scale);
     const Noise* detail = find_by_name(parameters.noises, cloud.detail);
     require(detail != nullptr || cloud.detail.empty(), "its detail is there");

@@ -74,8 +74,6 @@ std::optional<cloud::CloudVolume> grown_volume(const config::Cloud& cloud,
         return convection::kept_or_grown(wanted, shared ? shared->kept() : nullptr, options);
     });
     if (!grown) return std::nullopt;
-    const auto& [x, y, z] = wanted.grid.cells;
-    details.emplace_back("convection_cells", fmt::format("{} x {} x {}", x, y, z));
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});
     return cloud::volume_of_grown(grown, cloud, size);
 }
