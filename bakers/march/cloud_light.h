@@ -1,4 +1,5 @@
-// The light that reaches a point within a cloud, and the phase function of cloud droplets.
+// The light that reaches a point within a cloud where none is solved for (light_in_cloud.h), and the phase
+// function of cloud droplets.
 //
 // Sunlight follows Wrenninge, Kulla & Lundqvist, "Oz: The Great and Volumetric", SIGGRAPH Talks
 // 2013, and Hillaire, "Physically Based Sky, Atmosphere and Cloud Rendering in Frostbite", 2016.

@@ -18,6 +18,7 @@
 #include "bakers/air/particles/phase_function-inl.h"
 #include "bakers/march/cloud_path-inl.h"
 #include "bakers/march/cloud_rays.h"
+#include "bakers/march/light_in_cloud.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -32,7 +33,9 @@ struct LightPoints {
     std::vector<float> weight;          // the share of its light that reaches the eye
     std::vector<float> jitter;          // of samples towards the sun
     std::vector<float> extinction;      // at the point, in 1/m
+    std::vector<float> width;           // optical depth of what the point stands for, along the ray
     std::vector<float> tau;             // optical depth towards the sun
+    std::vector<float> beyond;  // the part of it that other layers have; set where light is solved
     std::vector<std::uint32_t> ray;
 
     std::size_t size() const { return jitter.size(); }
@@ -60,7 +63,12 @@ inline void place_points(const CloudMarch& march, const RayBlock& rays, LightPoi
                              FloatLanes::load(along[1]),
                              FloatLanes::load(along[2]),
                              {}};
-        const Place at = path.place(FloatLanes::load(along[3]));
+        Place at = path.place(FloatLanes::load(along[3]));
+        // Solved light is that of the copy whose cloud is seen.
+        if (march.solved != nullptr && march.medium->variation.varies()) {
+            const Place own = at;
+            varied_lookup(*march.medium, own, zero_unless(own.within, own.z), own.within, &at);
+        }
         at.x.store(&points.x[first]);
         at.y.store(&points.y[first]);
         at.z.store(&points.z[first]);
@@ -131,7 +139,8 @@ HWY_INLINE FloatLanes share_at(const std::array<int, 3>& voxels, const PaddedVol
 // Adds the light of each point to its ray, in the order of points.
 class Lighting {
   public:
-    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march) {
+    Lighting(const CloudMarch& march, const RayBlock& rays) : march_(march), rays_(rays) {
+        if (march.solved != nullptr) return;
         for (std::size_t i = 0; i < RayBlock::kCount; i += FloatLanes::kCount) {
             const OctaveLanes octaves = octaves_at(march, FloatLanes::load(&rays.sun_offset[i]));
             for (std::size_t n = 0; n < kOctaves; ++n) octaves.value[n].store(&octaves_[n][i]);
@@ -139,12 +148,53 @@ class Lighting {
     }
 
     void add(const LightPoints& points, RayResults& results) const {
+        if (march_.solved != nullptr) return add_solved(points, results);
         for (std::size_t first = 0; first < points.size(); first += FloatLanes::kCount) {
             add_packet(points, first, results);
         }
     }
 
   private:
+    // Points come in the order of packets of rays, so each ray is prepared where a point of it comes first.
+    void add_solved(const LightPoints& points, RayResults& results) const {
+        const LightInCloud& light = *march_.solved;
+        const CloudMedium& medium = *march_.medium;
+        std::vector<LitRay> rays(RayBlock::kCount);
+        std::array<bool, RayBlock::kCount> known{};
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const std::size_t ray = points.ray[i];
+            if (!known[ray]) {
+                glm::dvec3 look;
+                for (std::size_t a = 0; a < 3; ++a) {
+                    look[a] = double{rays_.direction[a][ray]} * medium.meters_per_voxel(a);
+                }
+                rays[ray] = lit_ray(light, look, double{rays_.sun_offset[ray]});
+                known[ray] = true;
+            }
+            LitPoint point{{points.x[i], points.y[i], points.z[i]},
+                           points.tau[i],
+                           points.beyond[i],
+                           points.width[i]};
+            for (std::size_t a = 0; a < 3; ++a) {
+                point.place[a] /= static_cast<float>(medium.volume.size[a]);
+            }
+            const PointLight found = light_of(light, rays[ray], point);
+            const float weight = points.weight[i];
+            const float high = weight * found.sun * point.place[2];
+            results.sun_at_base[ray] += weight * found.sun - high;
+            results.sun_at_top[ray] += high;
+            results.from_sky[ray] += weight * found.sky;
+            results.from_ground[ray] += weight * found.ground;
+        }
+        // Near the sun, behind thick cloud, parts below 0 cancel brighter ones before them; steps that miss some of
+        // a cloud's edge can leave less than nothing.
+        for (std::size_t ray = 0; ray < RayBlock::kCount; ++ray) {
+            if (results.sun_at_base[ray] + results.sun_at_top[ray] >= 0) continue;
+            results.sun_at_base[ray] = 0;
+            results.sun_at_top[ray] = 0;
+        }
+    }
+
     void add_packet(const LightPoints& points, std::size_t first, RayResults& results) const {
         alignas(64) float x[FloatLanes::kCount] = {};
         alignas(64) float y[FloatLanes::kCount] = {};
@@ -185,13 +235,14 @@ class Lighting {
     }
 
     const CloudMarch& march_;
+    const RayBlock& rays_;
     alignas(64) std::array<RayBlock::Floats, kOctaves> octaves_;
 };
 
-// Samples in cloud as their rays meet them: the number k, the distance, the extinction, and the share of
-// light from the eye that ends in the sample.
+// Samples in cloud as their rays meet them: the number k, the distance, the extinction, the optical depth, and
+// the share of light from the eye that ends in the sample.
 struct LitSample {
-    FloatLanes k, distance, extinction, weight;
+    FloatLanes k, distance, extinction, depth, weight;
 };
 
 // Gathers the samples of a packet of rays into groups, each of which has the light of one point: the mean
@@ -214,6 +265,7 @@ class PointCollector {
         weight_ = weight_ + weight;
         distance_ = distance_ + weight * sample.distance;
         extinction_ = extinction_ + weight * sample.extinction;
+        depth_ = depth_ + zero_unless(lit, sample.depth);
     }
     void end_all() { end(FloatLanes(0.0F) < weight_); }
 
@@ -222,15 +274,18 @@ class PointCollector {
         alignas(64) float weights[FloatLanes::kCount];
         alignas(64) float distances[FloatLanes::kCount];
         alignas(64) float extinctions[FloatLanes::kCount];
+        alignas(64) float depths[FloatLanes::kCount];
         zero_unless(groups, weight_).store(weights);
         distance_.store(distances);
         extinction_.store(extinctions);
+        depth_.store(depths);
         for (std::size_t lane = 0; lane < FloatLanes::kCount; ++lane) {
             const float weight = weights[lane];
             if (!(weight > 0)) continue;
             points_.weight.push_back(weight);
             points_.distance.push_back(distances[lane] / weight);
             points_.extinction.push_back(extinctions[lane] / weight);
+            points_.width.push_back(depths[lane]);
             points_.ray.push_back(static_cast<std::uint32_t>(first_ray_ + lane));
             points_.jitter.push_back(rays_.light_jitter[first_ray_ + lane]);
         }
@@ -238,6 +293,7 @@ class PointCollector {
         weight_ = select(groups, none, weight_);
         distance_ = select(groups, none, distance_);
         extinction_ = select(groups, none, extinction_);
+        depth_ = select(groups, none, depth_);
     }
 
     const RayBlock& rays_;
@@ -248,6 +304,7 @@ class PointCollector {
     FloatLanes weight_ = FloatLanes(0.0F);
     FloatLanes distance_ = FloatLanes(0.0F);
     FloatLanes extinction_ = FloatLanes(0.0F);
+    FloatLanes depth_ = FloatLanes(0.0F);
 };
 
 }  // namespace HWY_NAMESPACE

@@ -41,6 +41,7 @@ class LayerPacket {
           pace_{pace_of(path_.direction_x), pace_of(path_.direction_y), pace_of(path_.direction_z)},
           collector_(rays, points, first),
           end_(FloatLanes::load(&rays.end[first])),
+          share_(march.solved != nullptr ? static_cast<float>(march.solved->share) : 1.0F),
           progress_{FloatLanes::load(&rays.first[first]), FloatLanes(1.0F)} {}
 
     FloatMask going() const { return progress_.k < end_; }
@@ -81,9 +82,9 @@ class LayerPacket {
     void add(FloatLanes k, FloatLanes t, FloatLanes sigma, FloatMask lit,
              FloatLanes& transmittance) {
         const FloatLanes depth = sigma * path_.samples.length(k);
-        const FloatLanes through = exponential_of_negative(FloatLanes(0.0F) - depth);
+        const FloatLanes through = exponential_of_negative(depth * FloatLanes(0 - share_));
         const FloatLanes weight = transmittance * (FloatLanes(1.0F) - through);
-        collector_.add({k, t, sigma, weight}, lit);
+        collector_.add({k, t, sigma, depth, weight}, lit);
         opacity_ = opacity_ + zero_unless(lit, weight);
         distance_ = distance_ + zero_unless(lit, weight * t);
         transmittance = select(lit, transmittance * through, transmittance);
@@ -103,6 +104,7 @@ class LayerPacket {
     Pace pace_;
     PointCollector collector_;
     FloatLanes end_;
+    float share_;  // of the extinction, that rays meet
     Progress progress_;
     FloatLanes opacity_ = FloatLanes(0.0F);
     FloatLanes distance_ = FloatLanes(0.0F);
@@ -142,9 +144,25 @@ const CloudMarch& from_elsewhere(const CloudMarch& layer) {
     return layer.far_light.empty() ? layer : layer.far_light.front();
 }
 
+// Adds the optical depths from where marches of layer.own_samples end, half a step beyond their last samples.
+void add_solved_depths(const CloudMarch& layer, LightPoints& points) {
+    const std::array<int, 3>& voxels = layer.medium->volume.size;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const float length_m = (layer.own_samples - 0.5F + points.jitter[i]) * layer.light_step_m;
+        const std::array<float, 3> from = {points.x[i], points.y[i], points.z[i]};
+        std::array<float, 3> place;
+        for (std::size_t a = 0; a < 3; ++a) {
+            place[a] =
+                (from[a] + length_m * layer.light_direction[a]) / static_cast<float>(voxels[a]);
+        }
+        points.tau[i] += sun_depth_at(*layer.solved, place);
+    }
+}
+
 // Marches towards the sun from points of the same layer.
 void march_own_layer(const CloudMarch& layer, LightPoints& points, FetchCounts& counts) {
     SunMarches(layer, own_frame(layer), points, counts).run();
+    if (layer.solved != nullptr && layer.own_samples > 0) return add_solved_depths(layer, points);
     for (const CloudMarch& far : layer.far_light) {
         PointFrame frame = frame_of(*layer.medium, far);
         frame.begin_m = far.own_begin_m;
@@ -171,13 +189,12 @@ void march_all(std::span<const CloudMarch> layers, std::span<const RayBlock> ray
         place_points(layers[l], rays[l], points[l]);
         points[l].tau.assign(points[l].size(), 0.0F);
         for (std::size_t m = 0; m < layers.size(); ++m) {
-            if (m == l) {
-                march_own_layer(layers[l], points[l], counts);
-                continue;
-            }
+            if (m == l) continue;
             const CloudMarch& march = from_elsewhere(layers[m]);
             SunMarches(march, frame_of(*layers[l].medium, march), points[l], counts).run();
         }
+        if (layers[l].solved != nullptr) points[l].beyond = points[l].tau;
+        march_own_layer(layers[l], points[l], counts);
         Lighting(layers[l], rays[l]).add(points[l], results[l]);
     }
 }

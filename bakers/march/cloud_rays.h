@@ -30,6 +30,7 @@
 
 #include "bakers/march/cloud_light.h"
 #include "bakers/march/cloud_medium.h"
+#include "bakers/march/light_in_cloud.h"
 
 namespace skybake {
 
@@ -80,6 +81,8 @@ struct FetchCounts {
 struct CloudMarch {
     const CloudMedium* medium = nullptr;
     const DiffuseShare* diffuse = nullptr;
+    // Takes the place of `diffuse` and of octaves, and thins what rays meet by its share; null: none is solved.
+    const LightInCloud* solved = nullptr;
     std::array<OctavePhase, kOctaves> octaves = octave_phases();
     std::array<float, 3> origin{};           // of all rays, in voxels
     std::array<float, 3> light_direction{};  // towards the sun, in voxels per metre
@@ -98,7 +101,8 @@ struct CloudMarch {
     float own_begin_m = 0;
     float own_samples = 0;
     // These marches go on where the one above ends, in longer steps through means of the medium (coarse_medium).
-    // Points of other layers have the whole march of the first of them, if there is one.
+    // Points of other layers have the whole march of the first of them, if there is one. Where light is solved,
+    // points of the same layer have the rest of the depth from there.
     std::vector<CloudMarch> far_light;
 };
 

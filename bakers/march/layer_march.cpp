@@ -110,6 +110,7 @@ CloudMarch LayerMarch::march_of(const Layer& layer, const DiffuseShare& diffuse,
     CloudMarch march;
     march.medium = &medium;
     march.diffuse = &diffuse;
+    march.solved = layer.solved;
     glm::dvec3 light_step{};  // in voxels
     for (std::size_t a = 0; a < 3; ++a) {
         const double origin = position_m_[a] - (a == 2 ? medium.base_m : 0);

@@ -107,6 +107,7 @@ class LayerMarch {
     struct Layer {
         const CloudMedium* medium = nullptr;  // must outlive this object
         MarchSteps steps;
+        const LightInCloud* solved = nullptr;  // null: the light of octaves
     };
     LayerMarch(std::vector<Layer> layers, const glm::dvec3& position_m, const SunDirection& sun,
                int threads);

@@ -111,9 +111,9 @@ HWY_INLINE void for_neighbours(const TileBorders& borders, FloatMask wanted, con
     if (any(x & y)) visit(true, true, x & y);
 }
 
-// Looks up the volume in the lanes `wanted`.
+// Looks up the volume in the lanes `wanted`. `seen`, if not null, becomes the place in the copy whose value counts.
 HWY_INLINE FloatLanes varied_lookup(const CloudMedium& medium, const Place& at, FloatLanes z,
-                                    FloatMask wanted) {
+                                    FloatMask wanted, Place* seen = nullptr) {
     const FloatLanes greatest(medium.variation.greatest);
     const TileBorders borders = nearest_borders(medium, at);
     FloatLanes value =
@@ -126,6 +126,13 @@ HWY_INLINE FloatLanes varied_lookup(const CloudMedium& medium, const Place& at, 
         if (!any(lanes)) return;
         const Place place = in_neighbour(medium, at, borders, x, y);
         const FloatLanes other = lookup(medium.volume, place.x, place.y, z) - greatest * erosion;
+        if (seen != nullptr) {
+            const FloatMask wins = lanes & (value < other);
+            for (FloatLanes Place::*member :
+                 {&Place::x, &Place::y, &Place::tile_x, &Place::tile_y}) {
+                seen->*member = select(wins, place.*member, seen->*member);
+            }
+        }
         value = select(lanes, maximum(value, other), value);
     });
     return value;

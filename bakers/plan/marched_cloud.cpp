@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/math/harmonics.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
@@ -51,7 +51,7 @@ double distance_to_face(const CloudLayer& layer, const glm::dvec3& place, const 
 class SunDepth {
   public:
     SunDepth(const CloudWay& way, const CloudTextures& textures, const glm::dvec3& sun)
-        : way_(way), textures_(textures), sun_(sun), values_(cloud_light::harmonics(sun)) {}
+        : way_(way), textures_(textures), sun_(sun), values_(harmonics(sun)) {}
 
     double fetches() const {
         if (way_.lighting == CloudLighting::march) return way_.sun_samples;
@@ -65,7 +65,7 @@ class SunDepth {
         return std::fmax(sum_of_parts(textures_, values_, place), 0.0);
     }
 
-    static double sum_of_parts(const CloudTextures& textures, const cloud_light::Harmonics& values,
+    static double sum_of_parts(const CloudTextures& textures, const Harmonics& values,
                                const glm::dvec3& place) {
         double sum = 0;
         const double* factors = values.data();
@@ -94,7 +94,7 @@ class SunDepth {
     const CloudWay& way_;
     const CloudTextures& textures_;
     const glm::dvec3 sun_;
-    const cloud_light::Harmonics values_;
+    const Harmonics values_;
 };
 
 // The light that the cloud sends towards the eye from a sample, over the scattering coefficient.
@@ -107,7 +107,7 @@ class SampleLight {
           depth_(way, textures, sun),
           offset_(glm::dot(look - sun, look - sun) / 2),
           phase_(cloud_light::phase_value(droplets(), offset_, 2 - offset_)),
-          values_(cloud_light::harmonics(-look)) {
+          values_(harmonics(-look)) {
         if (way.lighting == CloudLighting::radiance) {
             share_ = cloud_light::scaled(droplets(), way.degree).extinction_share;
         }
@@ -136,7 +136,7 @@ class SampleLight {
   private:
     double small_angles(double depth) const {
         return textures_.small_angles->at(
-            {std::sqrt(std::sqrt(offset_ / 2)), forward_scattering::depth_coordinate(depth), 0.5});
+            {forward_scattering::angle_coordinate_of_offset(offset_), forward_scattering::depth_coordinate(depth), 0.5});
     }
 
     const CloudWay& way_;
@@ -144,7 +144,7 @@ class SampleLight {
     SunDepth depth_;
     double offset_;  // 1 - cosine of the scattering angle
     double phase_;
-    cloud_light::Harmonics values_;
+    Harmonics values_;
     double share_ = 1;
 };
 

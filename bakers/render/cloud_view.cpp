@@ -16,7 +16,8 @@ namespace skybake {
 namespace {
 
 SceneLayer layer_of(const CloudMedium& medium, const CloudViewSettings& settings) {
-    return {&medium, settings.step_m, settings.light_step_m, settings.reach_m, false};
+    return {&medium, settings.step_m, settings.light_step_m, settings.reach_m, false,
+            1,       settings.solved};
 }
 
 SceneFrame frame_of(const CloudViewSettings& settings) {

@@ -1,6 +1,7 @@
 // Renders a lit picture of a cloud volume by marching rays, as a runtime would. Sunlight takes a
 // second march towards the sun; sky and ground light is the mean radiance of each. All light comes
-// from the baked tables, but the sky behind the layer may be the solved one (cloud_air.h).
+// from the baked tables, but the sky behind the layer may be the solved one (cloud_air.h), and the light within
+// the cloud that of march/light_in_cloud.h.
 //
 // The layer is flat. It repeats along x and y unless the medium says otherwise, and it is marched
 // up to `reach_m` from the camera, as scene_march.h describes.
@@ -41,8 +42,9 @@ struct CloudViewSettings {
     double step_m = 1;
     double light_step_m = 1;
     double reach_m = 1;
-    bool leaping = true;  // uses medium.leaps; changes no pixel
-    bool sunlit = true;   // false: march_view does not march towards the sun
+    bool leaping = true;                   // uses medium.leaps; changes no pixel
+    bool sunlit = true;                    // false: march_view does not march towards the sun
+    const LightInCloud* solved = nullptr;  // null: the light of octaves
 };
 
 // The result of the march, which does not depend on the colours of light: one channel for each

@@ -33,6 +33,7 @@ CloudMarch march_of(const SceneLayer& layer, const DiffuseShare& diffuse, const 
     CloudMarch march;
     march.medium = &medium;
     march.diffuse = &diffuse;
+    march.solved = layer.solved;
     const glm::dvec3 direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
     for (std::size_t a = 0; a < 3; ++a) {
         march.light_direction[a] = static_cast<float>(direction[a] / medium.meters_per_voxel(a));
@@ -179,7 +180,7 @@ void SceneMarch::add_far_light(const SceneLayer& layer, double length_m, int thr
     double begin_m = kNearLight * layer.light_step_m;
     double step_m = layer.light_step_m;
     if (begin_m >= length_m) return;
-    march.own_samples = kNearLight;
+    march.own_samples = layer.solved != nullptr ? kNearSolvedLight : kNearLight;
     const CloudMedium* finer = layer.medium;
     std::array<float, 3> direction = march.light_direction;
     while (begin_m < length_m) {

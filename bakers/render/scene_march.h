@@ -33,11 +33,15 @@ struct SceneLayer {
     // many times longer, through means over boxes as long as the steps (coarse_medium), and after as many again so
     // many times longer. 1: all steps are equal.
     int light_growth = 1;
+    // The light within the layer; null: that of octaves.
+    const LightInCloud* solved = nullptr;
 };
 
 // Marches towards the sun of pictures for people.
 inline constexpr int kLightGrowth = 2;
 inline constexpr int kNearLight = 12;
+// The same where the rest is looked up in the cells of solved light.
+inline constexpr int kNearSolvedLight = 6;
 
 // The share of the reach from which on a layer fades.
 inline constexpr double kFadeFrom = 0.67;

@@ -8,7 +8,7 @@
 
 #include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/field/baked.h"
 #include "tests/cloud_light/layers.h"
 

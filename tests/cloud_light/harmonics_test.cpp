@@ -1,5 +1,5 @@
 // Spherical harmonics, by what defines them: they are orthonormal, and products of polynomials.
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_grid.h"
@@ -72,7 +72,7 @@ inline double marched(const cloud_light::CloudLayer& layer, const LightTextures&
     const double share = cloud_light::scaled(scattering, degree).extinction_share;
     const double nu = glm::dot(look, sources.sun_direction);
     const double phase = cloud_light::phase_value(scattering, 1 - nu, 1 + nu);
-    const cloud_light::Harmonics values = cloud_light::harmonics(-look);
+    const Harmonics values = harmonics(-look);
     const glm::dvec3 along = cloud_light::in_voxels(layer, look);
     const double length = (look.z > 0 ? layer.size[2] - place.z : -place.z) / along.z;
     const int steps =

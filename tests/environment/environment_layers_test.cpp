@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_sun.h"
 #include "bakers/assets/environment/environment_table.h"
@@ -96,9 +97,15 @@ TEST(EnvironmentLayers, AreTheMeansOfSlowMarches) {
     const EnvironmentLayout layout(bake.mapping, bake.size);
     const CloudsAround clouds(media, bake, layout, true, {.threads = 1});
     std::vector<SceneLayer> layers;
+    std::vector<LightInCloud> lights;
     for (const CloudMedium& medium : media) {
-        const MarchSteps steps = usual_steps(medium, {35, 70});
-        layers.push_back({&medium, steps.step_m, steps.light_step_m, steps.reach_m, false});
+        const cloud_light::MarchLight within(medium, cloud_light::kCellsOfPicture, {.threads = 1});
+        lights.push_back(*within.under({35, 70}, {.threads = 1}));
+    }
+    for (std::size_t l = 0; l < media.size(); ++l) {
+        const MarchSteps steps = usual_steps(media[l], {35, 70});
+        layers.push_back(
+            {&media[l], steps.step_m, steps.light_step_m, steps.reach_m, false, 1, &lights[l]});
     }
     CloudCamera camera;
     camera.position_m = {130, 420, 100};

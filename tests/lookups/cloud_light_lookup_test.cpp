@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/field/image.h"
 #include "tests/lookups/lookup_trial.h"
 
@@ -53,7 +53,7 @@ TEST(CloudLightLookup, HarmonicsAreThoseOfTheBaker) {
     test::Dice dice;
     for (int i = 0; i < 1000; ++i) {
         const glm::dvec3 direction = dice.direction();
-        const cloud_light::Harmonics wanted = cloud_light::harmonics(direction);
+        const Harmonics wanted = harmonics(direction);
         const vec3 d(direction);
         const std::array<vec4, 4> found = {
             gpu::light_lookups::cloud_harmonics_1(d), gpu::light_lookups::cloud_harmonics_2(d),

@@ -80,13 +80,14 @@ TEST(DaylightPictures, ShowWhiteCumulusBeforeABlueSky) {
     EXPECT_LT(at(0.999).luma, 252);
     const auto white = std::ranges::lower_bound(pixels, 235.0, {}, &Pixel::luma);
     EXPECT_GT(pixels.end() - white, 0.03 * static_cast<double>(pixels.size()));
-    double farthest = 0;
+    std::vector<double> tints;
     for (auto pixel = white; pixel != pixels.end(); ++pixel) {
-        farthest = std::max(farthest, std::fabs(pixel->red - pixel->blue));
+        tints.push_back(std::fabs(pixel->red - pixel->blue));
     }
-    // White is the light of sun and sky on level ground; a cloud's lit side sees more sun and less sky, so
-    // it may be warmer by a twentieth of white.
-    EXPECT_LE(farthest, 0.05 * 255);
+    std::ranges::sort(tints);
+    // White is the light of sun and sky on level ground; a cloud's lit side sees more sun and less sky, and far
+    // clouds are seen through blue air. They may differ by a twentieth of white, but for one pixel in a hundred.
+    EXPECT_LE(tints[tints.size() * 99 / 100], 0.05 * 255);
     EXPECT_LT(at(0.05).luma, 150);
     EXPECT_GT(std::ranges::count_if(pixels,
                                     [](const Pixel& pixel) { return pixel.blue - pixel.red > 70; }),

@@ -6,6 +6,7 @@
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/render/cloud_camera.h"
 #include "config/assets/occupancy_filter.h"
+#include "tests/support/light_in_cloud_reference.h"
 
 namespace skybake {
 
@@ -84,16 +85,28 @@ ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffus
         const VoxelPlace at = moved(medium, origin, direction, t);
         const double sigma = extinction(medium, at);
         if (sigma == 0) continue;
-        const double through = exponential(-sigma * step);
+        const double met = settings.solved != nullptr ? settings.solved->share * sigma : sigma;
+        const double through = exponential(-met * step);
         const double weight = result.transmittance * (1 - through);
         const double tau =
             depth_towards_sun(medium, at, sun, sun_march_length_m(medium, settings.sun), steps);
-        const double sunlight = sun_scattering(octaves, offset, tau);
+        double sunlight = sun_scattering(octaves, offset, tau);
+        double from_sky = 0.5 * share(medium, diffuse.from_sky, at);
+        double from_ground = 0.5 * share(medium, diffuse.from_ground, at);
         const double height = at[2] / medium.volume.size[2];
+        if (settings.solved != nullptr) {
+            const glm::dvec3 place(at[0] / medium.volume.size[0], at[1] / medium.volume.size[1],
+                                   height);
+            const ReferenceLight light = reference_light(*settings.solved, direction, offset,
+                                                         place - glm::floor(place), {tau, 0});
+            sunlight = light.sun;
+            from_sky = light.sky;
+            from_ground = light.ground;
+        }
         result.sun_at_base += weight * sunlight * (1 - height);
         result.sun_at_top += weight * sunlight * height;
-        result.from_sky += weight * 0.5 * share(medium, diffuse.from_sky, at);
-        result.from_ground += weight * 0.5 * share(medium, diffuse.from_ground, at);
+        result.from_sky += weight * from_sky;
+        result.from_ground += weight * from_ground;
         result.distance_m += weight * t;
         result.transmittance *= through;
     }

@@ -5,6 +5,7 @@
 
 #include "bakers/march/cloud_light.h"
 #include "bakers/render/cloud_camera.h"
+#include "tests/support/light_in_cloud_reference.h"
 
 namespace skybake {
 
@@ -145,24 +146,38 @@ ReferenceScene reference_scene(const std::vector<SceneLayer>& layers, const SunD
         std::vector<double> sigma;
         double whole = 0;
         for (const SceneLayer& layer : layers) {
-            sigma.push_back(t <= layer.reach_m ? reference_extinction(*layer.medium, at) : 0);
+            const double met = layer.solved != nullptr ? layer.solved->share : 1;
+            sigma.push_back(t <= layer.reach_m ? met * reference_extinction(*layer.medium, at) : 0);
             whole += sigma.back();
         }
         if (whole == 0) continue;
         const double through = exponential(-whole * step);
-        const double sunlight = sun_scattering(octaves, one_minus_cosine(direction, to_sun),
-                                               reference_depth(layers, sun, at, steps / 4));
+        const double offset = one_minus_cosine(direction, to_sun);
+        const double tau = reference_depth(layers, sun, at, steps / 4);
         for (std::size_t l = 0; l < layers.size(); ++l) {
             const CloudMedium& medium = *layers[l].medium;
             const double weight = scene.transmittance * (1 - through) * sigma[l] / whole;
             const double height = (at.z - medium.base_m) / medium.extent_m[2];
+            if (!(weight > 0)) continue;
+            double sunlight = sun_scattering(octaves, offset, tau);
+            double from_sky = 0.5 * share(medium, diffuse[l].from_sky, at);
+            double from_ground = 0.5 * share(medium, diffuse[l].from_ground, at);
+            if (layers[l].solved != nullptr) {
+                const double own = reference_depth({layers[l]}, sun, at, steps / 4);
+                const glm::dvec3 place = glm::fract(
+                    to_voxels(medium, at) / glm::dvec3(medium.volume.size[0], medium.volume.size[1],
+                                                       medium.volume.size[2]));
+                const ReferenceLight light =
+                    reference_light(*layers[l].solved, direction, offset, place, {tau, tau - own});
+                sunlight = light.sun;
+                from_sky = light.sky;
+                from_ground = light.ground;
+            }
             ReferenceLayer& seen = scene.layers[l];
             seen.sun_at_base += weight * sunlight * (1 - height);
             seen.sun_at_top += weight * sunlight * height;
-            if (weight > 0) {
-                seen.from_sky += weight * 0.5 * share(medium, diffuse[l].from_sky, at);
-                seen.from_ground += weight * 0.5 * share(medium, diffuse[l].from_ground, at);
-            }
+            seen.from_sky += weight * from_sky;
+            seen.from_ground += weight * from_ground;
             seen.opacity += weight;
             seen.distance_m += weight * t;
         }

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <limits>
 
-#include "config/assets/cloud_light.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/cloud_light.h"
 
 namespace skybake::cloud_light {
 

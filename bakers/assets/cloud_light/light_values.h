@@ -6,7 +6,7 @@
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake::config {

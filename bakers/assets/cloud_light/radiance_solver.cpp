@@ -11,6 +11,7 @@
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "config/assets/occupancy_filter.h"
 
 namespace skybake::cloud_light {
 
@@ -57,27 +58,44 @@ void add(const CellFields& from, double weight, CellFields& to, const BakeOption
     });
 }
 
+// The filter's taps at `points` even places of each cell of an axis.
+std::vector<occupancy::AxisTaps> taps_along(const CloudLayer& layer, const PlaceGrid& places,
+                                            std::size_t axis, int points) {
+    std::vector<occupancy::AxisTaps> taps;
+    for (int cell = 0; cell < places.count[axis]; ++cell) {
+        for (int i = 0; i < points; ++i) {
+            const double at = (cell + (i + 0.5) / points) * layer.size[axis] / places.count[axis];
+            taps.push_back(occupancy::filter_taps(config::OccupancyFilter::trilinear, at,
+                                                  layer.size[axis], axis < 2));
+        }
+    }
+    return taps;
+}
+
 // Means over the cells, of as many filtered values as a cell has voxels.
 LayerCells mean_cells(const CloudLayer& layer, const PlaceGrid& places, double share,
                       const BakeOptions& options) {
     LayerCells cells{CellFields(places.count, 1), {}};
     std::array<int, 3> points{};
+    std::array<std::vector<occupancy::AxisTaps>, 3> taps;
     for (std::size_t a = 0; a < 3; ++a) {
         cells.edge_m[a] = layer.voxel_m[a] * layer.size[a] / places.count[a];
         points[a] = (layer.size[a] + places.count[a] - 1) / places.count[a];
+        taps[a] = taps_along(layer, places, a, points[a]);
     }
+    const auto voxel = [&](int x, int y, int z) { return layer.value(x, y, z); };
     const auto mean = [&](const std::array<int, 3>& cell) {
         double sum = 0;
         std::array<int, 3> i{};
+        const auto tap = [&](std::size_t a) {
+            return taps[a][static_cast<std::size_t>(cell[a] * points[a] + i[a])];
+        };
         for (i[2] = 0; i[2] < points[2]; ++i[2]) {
             for (i[1] = 0; i[1] < points[1]; ++i[1]) {
                 for (i[0] = 0; i[0] < points[0]; ++i[0]) {
-                    glm::dvec3 at;
-                    for (std::size_t a = 0; a < 3; ++a) {
-                        at[a] =
-                            (cell[a] + (i[a] + 0.5) / points[a]) * layer.size[a] / places.count[a];
-                    }
-                    sum += extinction_at(layer, at);
+                    const double value =
+                        occupancy::filtered_in_double({tap(0), tap(1), tap(2)}, voxel);
+                    sum += layer.optics.extinction_per_m * density(layer.optics, value);
                 }
             }
         }
@@ -92,15 +110,13 @@ LayerCells mean_cells(const CloudLayer& layer, const PlaceGrid& places, double s
     return cells;
 }
 
-// J_1, from exact depths.
-CellFields first_scattering(const CloudLayer& layer, const PlaceGrid& places,
-                            const ScaledScattering& scattering, const LayerSources& sources,
+// J_1, from exact depths towards the sun.
+CellFields first_scattering(const PlaceGrid& places, const ScaledScattering& scattering,
+                            const LayerSources& sources, const std::vector<float>& depths,
                             const BakeOptions& options) {
     const std::size_t coefficients = scattering.returned.size() * scattering.returned.size();
     CellFields first(places.count, coefficients);
-    if (sources.sun == 0) return first;
-    const LightChannels sun = {{sources.sun_direction}, {{1.0}}, false};
-    const std::vector<float> depths = light_values(layer, places, sun, options)[0];
+    if (depths.empty()) return first;
     const Harmonics towards_eye = harmonics(-sources.sun_direction);
     for_each_plane(first, options, [&](int z) {
         for_each_row(first, [&](std::size_t c, int y) {
@@ -213,22 +229,33 @@ CellFields scattered_again(const CellFields& light, const CellFields& first,
 
 }  // namespace
 
-SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
-                              const CloudScattering& scattering, int degree,
-                              const LayerSources& sources, const BakeOptions& options) {
-    const ScaledScattering scaled_cloud = scaled(scattering, degree);
-    const LayerCells cells = mean_cells(layer, places, scaled_cloud.extinction_share, options);
-    const CellFields first = first_scattering(layer, places, scaled_cloud, sources, options);
-    const RadianceSweep sweep(cells, degree, options);
+RadianceSolver::RadianceSolver(const CloudLayer& layer, const PlaceGrid& places,
+                               const CloudScattering& scattering, int degree,
+                               const BakeOptions& options)
+    : layer_(layer),
+      places_(places),
+      degree_(degree),
+      scaled_(scaled(scattering, degree)),
+      cells_(mean_cells(layer, places, scaled_.extinction_share, options)) {}
+
+SolvedRadiance RadianceSolver::solve(const LayerSources& sources,
+                                     const BakeOptions& options) const {
+    std::vector<float> depths;
+    if (sources.sun > 0) {
+        depths =
+            light_values(layer_, places_, {{sources.sun_direction}, {{1.0}}, false}, options)[0];
+    }
+    const CellFields first = first_scattering(places_, scaled_, sources, depths, options);
+    const RadianceSweep sweep(cells_, degree_, options);
     EnteringLight entering{sources.sky, sources.ground};
     if (sources.sky_shape) {
         entering.sky_shape = ordinate_radiances(sources.sky_shape, sweep.sky_ordinates());
     }
     AndersonGuesses guesses(options);
-    SolvedRadiance result{CellFields(places.count, first.count()), 0, 1};
+    SolvedRadiance result{CellFields(places_.count, first.count()), std::move(depths), 0, 1};
     while (result.change > kLargestChange && result.sweeps < kMostSweeps && !options.cancelled()) {
         CellFields next =
-            scattered_again(result.scattered, first, sweep, scaled_cloud, entering, options);
+            scattered_again(result.scattered, first, sweep, scaled_, entering, options);
         ++result.sweeps;
         const double size = inner_product(next, next, options);
         CellFields change = next;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/assets/cloud_light/cloud_paths.h"
@@ -22,6 +23,7 @@ struct SolvedRadiance {
     // Coefficients of J without J_1 per extinction of the scaled cloud, in 1/sr for an irradiance of 1:
     // the light in direction d is the sum of coefficients times harmonics of d.
     CellFields scattered;
+    std::vector<float> sun_depths;  // of places, x fastest; empty without a sun
     int sweeps = 0;
     double change = 0;  // of J in the last sweep: root mean square over that of J
 };
@@ -30,10 +32,33 @@ struct SolvedRadiance {
 inline constexpr double kLargestChange = 2e-4;
 inline constexpr int kMostSweeps = 200;
 
-// Cells are as many as places, and each has its centre at one. The light is incomplete once
-// options.progress is cancelled.
-SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
-                              const CloudScattering& scattering, int degree,
-                              const LayerSources& sources, const BakeOptions& options);
+// Solves for the light of several sources in the same cells, which are as many as places; each has its
+// centre at one.
+class RadianceSolver {
+  public:
+    // The layer must outlive it.
+    RadianceSolver(const CloudLayer& layer, const PlaceGrid& places,
+                   const CloudScattering& scattering, int degree, const BakeOptions& options);
+
+    // The light is incomplete once options.progress is cancelled.
+    SolvedRadiance solve(const LayerSources& sources, const BakeOptions& options) const;
+
+    // s of the scaled cloud.
+    double extinction_share() const { return scaled_.extinction_share; }
+
+  private:
+    const CloudLayer& layer_;
+    PlaceGrid places_;
+    int degree_;
+    ScaledScattering scaled_;
+    LayerCells cells_;
+};
+
+// Solves for the light of some sources alone.
+inline SolvedRadiance solve_radiance(const CloudLayer& layer, const PlaceGrid& places,
+                                     const CloudScattering& scattering, int degree,
+                                     const LayerSources& sources, const BakeOptions& options) {
+    return RadianceSolver(layer, places, scattering, degree, options).solve(sources, options);
+}
 
 }  // namespace skybake::cloud_light

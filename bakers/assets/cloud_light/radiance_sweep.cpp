@@ -68,7 +68,7 @@ struct RadianceSweep::Rays {
 
     Rays(const std::array<int, 3>& size, const Ordinate& along, double entering)
         : ordinate(along),
-          harmonics(cloud_light::harmonics(along.direction)),
+          harmonics(skybake::harmonics(along.direction)),
           before({size[0] + 2 * static_cast<int>(kRowSlack), size[1], 1}, 1),
           after(before),
           source({size[0], size[1], 1}, 1),

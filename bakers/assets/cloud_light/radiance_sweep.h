@@ -17,7 +17,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/memory.h"
 

@@ -11,7 +11,7 @@
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/description/estimate.h"

@@ -12,7 +12,7 @@
 #include <functional>
 #include <vector>
 
-#include "bakers/assets/cloud_light/harmonics.h"
+#include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/math/vectors.h"
 
 namespace skybake::cloud_light {

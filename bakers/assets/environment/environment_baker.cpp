@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/environment/environment_clouds.h"
 #include "bakers/assets/environment/environment_mapping.h"
@@ -74,10 +75,11 @@ Estimate estimate(const Parameters& parameters, const EnvironmentBake& asset) {
     for (const std::string& clouds : asset.clouds) {
         const CloudVolumeBake& of = clouds_named(parameters, clouds);
         const Estimate voxels = estimate_cloud_volume(parameters, of);
-        result.seconds += voxels.seconds + kSecondsPerRay * rays;
+        const Estimate light = cloud_light::march_light_estimate(voxels_of(of.size, 1));
+        result.seconds += voxels.seconds + light.seconds + kSecondsPerRay * rays;
         // The voxels, as they are made and as they are marched, and what texels see of them.
-        result.memory_mib +=
-            voxels.memory_mib + (8 * voxels_of(of.size, 1) + 24 * texels) / kMebibyte;
+        result.memory_mib += voxels.memory_mib + light.memory_mib +
+                             (8 * voxels_of(of.size, 1) + 24 * texels) / kMebibyte;
     }
     return result;
 }
@@ -207,7 +209,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 14,
+    static const Baker<EnvironmentBake> row = {.version = 15,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <utility>
 
+#include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/field/baked.h"
@@ -68,16 +69,32 @@ std::vector<const CloudMedium*> downwards(std::span<const CloudMedium> media) {
     return sorted;
 }
 
+// Returns the light within each layer, if it can be solved for.
+std::vector<std::optional<LightInCloud>> lights_within(std::span<const CloudMedium* const> media,
+                                                       const EnvironmentBake& bake, bool sunlit,
+                                                       const BakeOptions& options) {
+    std::vector<std::optional<LightInCloud>> lights(media.size());
+    const SunDirection sun = sun_direction_of(bake);
+    if (!sunlit || sun.elevation_degrees < cloud_light::kLowestSolvedSun_deg) return lights;
+    for (std::size_t l = 0; l < media.size(); ++l) {
+        const cloud_light::MarchLight within(*media[l], cloud_light::kCellsOfPicture, options);
+        lights[l] = within.under(sun, options);
+    }
+    return lights;
+}
+
 // Returns the layers with their usual steps, or with steps that are so many times shorter.
 std::vector<LayerMarch::Layer> layers_of(std::span<const CloudMedium* const> media,
+                                         const std::vector<std::optional<LightInCloud>>& lights,
                                          const EnvironmentBake& bake, bool sunlit, double finer) {
     std::vector<LayerMarch::Layer> layers;
-    for (const CloudMedium* medium : media) {
+    for (std::size_t l = 0; l < media.size(); ++l) {
+        const CloudMedium* medium = media[l];
         MarchSteps steps = usual_steps(*medium, sun_direction_of(bake));
         steps.step_m /= finer;
         steps.light_step_m /= finer;
         steps.sunlit = sunlit;
-        layers.push_back({medium, steps});
+        layers.push_back({medium, steps, lights[l] ? &*lights[l] : nullptr});
     }
     return layers;
 }
@@ -161,9 +178,10 @@ CloudsAround::CloudsAround(std::span<const CloudMedium> media, const Environment
     : media_(downwards(media)),
       layout_(layout),
       samples_(bake.samples),
-      march_(layers_of(media_, bake, sunlit, 1), position_of(bake), sun_direction_of(bake),
+      lights_(lights_within(media_, bake, sunlit, options)),
+      march_(layers_of(media_, lights_, bake, sunlit, 1), position_of(bake), sun_direction_of(bake),
              options.threads),
-      finer_(layers_of(media_, bake, sunlit, 2), position_of(bake), sun_direction_of(bake),
+      finer_(layers_of(media_, lights_, bake, sunlit, 2), position_of(bake), sun_direction_of(bake),
              options.threads) {
     const auto size = layout.part_size();  // Clang captures no structured bindings
     const int columns = size[0];
@@ -257,7 +275,8 @@ SeenClouds CloudsAround::around(int part, double x, double y) const {
 }
 
 // A march ends where hardly any light is left (kOpaque), so the ray is marched in pieces, layer by
-// layer, and it finds a cloud's edges to a step, so that is done with four jitters.
+// layer, and it finds a cloud's edges to a step, so that is done with four jitters. Where light is solved, rays
+// meet a share of the extinction.
 double CloudsAround::transmittance(const glm::dvec3& direction) const {
     constexpr int kJitters = 4;
     constexpr int kPieces = RayBlock::kCount / kJitters;
@@ -278,12 +297,13 @@ double CloudsAround::transmittance(const glm::dvec3& direction) const {
     }
     double depth = 0;
     for (std::size_t l = 0; l < blocks.size(); ++l) {
+        const double share = lights_[l] ? lights_[l]->share : 1;
         RayResults results;
         FetchCounts counts;
         finer_.march_one(l, blocks[l], results, counts);
         for (const float through : results.transmittance) {
             if (through < std::numeric_limits<float>::min()) return 0;
-            depth -= logarithm(double{through}) / kJitters;
+            depth -= logarithm(double{through}) / (kJitters * share);
         }
     }
     return exponential(-depth);

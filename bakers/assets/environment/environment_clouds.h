@@ -7,12 +7,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "bakers/assets/environment/environment_mapping.h"
 #include "bakers/field/image.h"
 #include "bakers/march/layer_march.h"
+#include "bakers/march/light_in_cloud.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/facts.h"
 #include "config/diagnostics/diagnostic.h"
@@ -79,6 +81,7 @@ class CloudsAround {
     std::vector<const CloudMedium*> media_;
     const EnvironmentLayout& layout_;
     int samples_;
+    std::vector<std::optional<LightInCloud>> lights_;  // within the layers
     LayerMarch march_;
     LayerMarch finer_;
     Image2<float> seen_;  // the members of each SeenLayer, then the transmittance

@@ -17,9 +17,6 @@ using config::ForwardScatteringBake;
 
 namespace {
 
-// y / (depth / (depth + kMiddleDepth)).
-constexpr double kStretch = (kDeepest + kMiddleDepth) / kDeepest;
-
 double degrees_of(const ScatteringAngle& angle) { return radians(angle) * 180 / std::numbers::pi; }
 
 void describe(const ForwardScatteringBake& bake, const SmallAngles& light, Baked& table) {
@@ -51,15 +48,8 @@ ScatteringAngle angle_at(double x) {
     return {one_minus, 2 - one_minus};
 }
 
-double depth_at(double y) { return kMiddleDepth * y / (kStretch - y); }
-
 double angle_coordinate(double degrees) {
     return std::sqrt(std::fmax(0.0, cosine_of_pi(0.5 - degrees / 360)));
-}
-
-double depth_coordinate(double depth) {
-    const double within = std::fmin(depth, kDeepest);
-    return kStretch * within / (within + kMiddleDepth);
 }
 
 SmallAngles small_angles_of(const ForwardScatteringBake& bake) {

@@ -14,6 +14,7 @@
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
+#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
@@ -24,8 +25,6 @@ using config::MultipleScatteringMapping;
 
 namespace {
 
-// The light of skies has moments of this degree at least.
-constexpr int kLeastHarmonics = 8;
 // Air with spheres scatters light into peaks, which the sky's own light leaves out. Moments of this
 // degree feed its mean radiance.
 constexpr int kDegreeWithPeaks = 4;
@@ -136,7 +135,7 @@ LightRequest light_request(const config::Atmosphere& atmosphere,
     const int wanted = bake.content == MultipleScatteringContent::moments ? bake.degree : 0;
     if (has_spheres(atmosphere)) {
         request.degree = std::max(wanted, kDegreeWithPeaks);
-    } else if (wanted > kLeastHarmonics) {
+    } else if (wanted > kLeastSkyDegree) {
         request.degree = wanted;
     }
     return request;

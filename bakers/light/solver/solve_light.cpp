@@ -57,9 +57,6 @@ SolverSettings finer(SolverSettings settings) {
 
 namespace {
 
-// The degree that skies have at least. More of it for light that is scattered often would cost more
-// than the last order of refine_light.
-constexpr int kLeastSkyDegree = 8;
 constexpr int kLargestDegreeInFloats = 8;
 
 // Each of so few orders is read by its own falls from sun to sun, for which no estimate is needed.

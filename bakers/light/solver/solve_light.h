@@ -32,6 +32,10 @@ struct SolverSettings {
 // with. The resolution in the sun's angle matters least and is not changed.
 SolverSettings finer(SolverSettings settings);
 
+// The degree that skies have at least. More of it for light that is scattered often would cost more
+// than the last order of refine_light.
+inline constexpr int kLeastSkyDegree = 8;
+
 // Returns the degree of moments that the sky of a medium needs: 8 for Earth's air, up to
 // kLargestDegree for haze and fog (forward_peak.h).
 int sky_degree(const SkyMedium& medium);

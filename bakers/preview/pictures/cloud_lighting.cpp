@@ -64,6 +64,20 @@ std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighti
         bake_options(input, threads));
 }
 
+cloud_light::MarchLight light_within(const CloudPreviewInput& input, const CloudMedium& medium,
+                                     const BakeOptions& options) {
+    return {medium, input.draft ? cloud_light::kCellsOfDraft : cloud_light::kCellsOfPicture,
+            options};
+}
+
+std::string light_text(const std::optional<LightInCloud>& light) {
+    if (!light) {
+        return fmt::format("Light has {} octaves of scattering (Wrenninge et al. 2013)", kOctaves);
+    }
+    return fmt::format("Light of all orders of scattering is solved for in {} x {} x {} cells",
+                       light->cells[0], light->cells[1], light->cells[2]);
+}
+
 std::string sky_text(const std::optional<SolvedSky>& solved) {
     return solved ? "the sky behind is solved for all orders of scattering"
                   : "the sky behind is that of the tables";

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "bakers/assets/cloud_light/march_light.h"
 #include "bakers/preview/picture_light.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 #include "bakers/render/scene_view.h"
@@ -28,6 +29,13 @@ std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads)
 std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighting& lighting,
                                     const CloudCamera& camera, const SunDirection& sun,
                                     int threads);
+
+// Returns the light within a cloud of the picture, from which that under each sun follows.
+cloud_light::MarchLight light_within(const CloudPreviewInput& input, const CloudMedium& medium,
+                                     const BakeOptions& options);
+
+// Returns the words of captions about that light.
+std::string light_text(const std::optional<LightInCloud>& light);
 
 // Returns the words of captions about the sky behind clouds.
 std::string sky_text(const std::optional<SolvedSky>& solved);

@@ -39,6 +39,7 @@ struct LitScene {
     const SunDirection& sun;  // one of the input's
     const std::string& leaps_name;
     const std::optional<SolvedSky>& sky;
+    const std::optional<LightInCloud>& light;  // within the cloud
     SceneRenderer renderer;
 };
 
@@ -58,8 +59,7 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     return fmt::format(
         "{}. The sky is that of {}, with the {}, {}; {}; {}.\n"
         "The camera is `{}`. There is {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
-        "Light "
-        "has {} octaves of scattering (Wrenninge et al. 2013). Leaping by {}, each pixel takes "
+        "{}. Leaping by {}, each pixel takes "
         "{:.0f} "
         "lookups of the volume and {:.0f} of the grid.{}",
         scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"
@@ -68,7 +68,7 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
         beside_view(settings.sun, settings.camera), sky_text(scene.sky),
         tone_text(exposure, scene.input.tone_curve), camera_text(settings.camera),
         samples_text(frame_of(settings), view.refined_pixels), settings.step_m,
-        settings.light_step_m, kOctaves, scene.leaps_name,
+        settings.light_step_m, light_text(scene.light), scene.leaps_name,
         static_cast<double>(fetches.samples + fetches.light_samples) / pixels,
         static_cast<double>(fetches.cells) / pixels,
         scene.input.single ? "" : fmt::format(" {}", kCopiesText));
@@ -124,9 +124,10 @@ std::optional<double> known_exposure(const CloudPreviewInput& input, std::size_t
 }
 
 // Returns the layer that is in all views.
-SceneLayer layer_of(const CloudMedium& medium, const std::vector<CloudViewSettings>& views) {
+SceneLayer layer_of(const CloudMedium& medium, const std::optional<LightInCloud>& light,
+                    const std::vector<CloudViewSettings>& views) {
     SceneLayer layer = {&medium, views.front().step_m, views.front().light_step_m, 0,
-                        false,   kLightGrowth};
+                        false,   kLightGrowth,         light ? &*light : nullptr};
     for (const CloudViewSettings& view : views) {
         layer.reach_m = std::max(layer.reach_m, view.reach_m);
     }
@@ -137,19 +138,29 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
                       const Lighting& lighting, int threads,
                       std::vector<PreviewPicture>& pictures) {
     const std::size_t count = static_cast<std::size_t>(std::max(input.turntable, 1));
-    const double share = 1.0 / static_cast<double>(input.suns.size() * count);
-    double done = 0;
+    const double share = 1.0 / static_cast<double>(input.suns.size() * (count + 1) + 1);
+    double done = share;
+    ProgressPart solving(input.progress, "light within the cloud", 0, 0);
+    const cloud_light::MarchLight within =
+        light_within(input, cloud.medium, {.threads = threads, .progress = &solving});
     for (std::size_t s = 0; s < input.suns.size(); ++s) {
         const SunDirection& sun = input.suns[s];
         const std::string step = fmt::format("lighting, sun {:g} deg", sun.elevation_degrees);
         std::optional<double> exposure = known_exposure(input, s);
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
+        ProgressPart of_sun(input.progress, step, done, 0);
+        const auto light = within.under(sun, {.threads = threads, .progress = &of_sun});
+        done += share;
         const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {
-            input, lighting,
-            sun,   cloud.leaps_name,
-            sky,   SceneRenderer({layer_of(cloud.medium, views)}, atmosphere, sun, threads)};
+            input,
+            lighting,
+            sun,
+            cloud.leaps_name,
+            sky,
+            light,
+            SceneRenderer({layer_of(cloud.medium, light, views)}, atmosphere, sun, threads)};
         for (std::size_t i = 0; i < views.size() && !is_cancelled(input.progress); ++i) {
             ProgressPart part(input.progress, step, done, share);
             PreviewPicture picture = lit_picture(scene, views[i], exposure, threads, &part);

@@ -20,6 +20,7 @@ namespace {
 struct NamedLayer {
     std::string name;
     LeapingMedium cloud;
+    cloud_light::MarchLight light;
 };
 
 std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& inputs,
@@ -28,7 +29,11 @@ std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& i
     for (const CloudPreviewInput& input : inputs) {
         const std::optional<config::Cloud> cloud = cloud_as_baked(input);
         if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
-        layers.push_back({input.volume->entry.name, leaping_medium(input, *cloud, true, threads)});
+        LeapingMedium medium = leaping_medium(input, *cloud, true, threads);
+        ProgressPart solving(input.progress, "light within the clouds", 0, 0);
+        cloud_light::MarchLight light =
+            light_within(input, medium.medium, {.threads = threads, .progress = &solving});
+        layers.push_back({input.volume->entry.name, std::move(medium), std::move(light)});
     }
     return layers;
 }
@@ -78,11 +83,20 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
 PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lighting,
                              const std::vector<NamedLayer>& layers, const SunDirection& sun,
                              int threads, Progress* progress) {
-    const FramedScene scene = framed(input, layers, sun);
+    FramedScene scene = framed(input, layers, sun);
+    ProgressPart solving(progress, "light within the clouds", 0, 0);
+    std::vector<std::optional<LightInCloud>> lights;
+    for (const NamedLayer& layer : layers) {
+        lights.push_back(layer.light.under(sun, {.threads = threads, .progress = &solving}));
+    }
+    for (std::size_t l = 0; l < layers.size(); ++l) {
+        if (lights[l]) scene.layers[l].solved = &*lights[l];
+    }
     const int reduction = input.draft ? 2 : 1;
     const int width = std::max(input.width / reduction, 1);
     const int height = std::max(input.height / reduction, 1);
-    const SceneFrame frame = {width, height, scene.camera, refinement_of(width, height), true, kStepGrowth};
+    const SceneFrame frame = {width, height,     scene.camera, refinement_of(width, height),
+                              true,  kStepGrowth};
     const auto sky = solved_sky(input, lighting, scene.camera, sun, threads);
     SceneRenderer renderer(scene.layers, {lighting.medium, lighting.tables, sky ? &*sky : nullptr},
                            sun, threads);

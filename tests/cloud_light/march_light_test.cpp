@@ -1,0 +1,216 @@
+// The light that marches of pictures look up, against paths of light through the same cloud.
+#include "bakers/assets/cloud_light/march_light.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "bakers/assets/cloud_light/cloud_paths.h"
+#include "bakers/march/layer_march.h"
+#include "bakers/math/parallel.h"
+#include "bakers/occupancy/cell_grid.h"
+
+namespace skybake::cloud_light {
+namespace {
+
+constexpr int kThreads = 2;
+constexpr double kBase_m = 1000;
+constexpr int kViews = 96;
+constexpr int kPaths = 3000;
+constexpr std::array<int, 3> kSize = {96, 96, 32};
+constexpr double kVoxel_m = 20;
+
+// Two bodies in a tile of 1920 by 1920 by 640 m, with soft edges and optical depths of up to 30.
+CloudLayer two_bodies() {
+    CloudLayer layer;
+    layer.size = kSize;
+    layer.voxel_m = {kVoxel_m, kVoxel_m, kVoxel_m};
+    layer.optics.extinction_per_m = 0.06;
+    layer.values.resize(occupancy::count_of(layer.size));
+    const auto body = [](double x, double y, double z, double wide) {
+        const double r = std::sqrt((x * x + y * y) / (wide * wide) + z * z / 25);
+        return std::clamp(1.5 - 1.5 * r, 0.0, 1.0);
+    };
+    for (int z = 0; z < layer.size[2]; ++z) {
+        for (int y = 0; y < layer.size[1]; ++y) {
+            for (int x = 0; x < layer.size[0]; ++x) {
+                const double value = std::max(body(x / 2.0 - 15, y / 2.0 - 17, z / 2.0 - 7, 10),
+                                              body(x / 2.0 - 34, y / 2.0 - 30, z / 2.0 - 6, 7));
+                layer.values[occupancy::index_of(layer.size, x, y, z)] = static_cast<float>(value);
+            }
+        }
+    }
+    return layer;
+}
+
+CloudMedium medium_of(const CloudLayer& layer, bool repeats = true) {
+    CloudMedium medium;
+    for (std::size_t a = 0; a < 3; ++a) medium.extent_m[a] = layer.size[a] * layer.voxel_m[a];
+    medium.base_m = kBase_m;
+    medium.repeats = repeats;
+    medium.optics = layer.optics;
+    medium.volume = padded_volume(layer.values.data(), layer.size, 0, 1, kThreads, repeats);
+    medium.leaps = leaps_of_voxels(medium, 4, kThreads);
+    return medium;
+}
+
+// A ray into the tile from its upper or lower face, in voxels.
+struct View {
+    glm::dvec3 place{};
+    glm::dvec3 look{};
+};
+
+View view_of(int i) {
+    const double turn = 2 * std::numbers::pi * i * 0.618034;
+    const double height = (i % 2 == 0 ? 1 : -1) * (0.35 + 0.6 * i / kViews);
+    View view;
+    view.look = towards(std::asin(height), turn);
+    view.place = {std::fmod(i * 0.754878, 1.0) * kSize[0], std::fmod(i * 0.569840, 1.0) * kSize[1],
+                  height > 0 ? 0 : kSize[2]};
+    return view;
+}
+
+struct Seen {
+    double sun = 0;
+    double sky = 0;  // with the sky behind
+    double ground = 0;
+    double covered = 0;
+};
+
+// Marches each view from a camera of its own.
+std::vector<Seen> marched(const CloudMedium& medium, const SunDirection& sun,
+                          const LightInCloud* light) {
+    std::vector<Seen> seen(kViews);
+    parallel_for(kViews, kThreads, [&](int i) {
+        const View view = view_of(i);
+        const glm::dvec3 from = view.place * kVoxel_m + glm::dvec3(0, 0, kBase_m);
+        MarchSteps steps;
+        steps.step_m = 10;
+        steps.light_step_m = 10;
+        steps.reach_m = 1e4;
+        const LayerMarch march({{&medium, steps, light}}, from, sun, 1);
+        std::array<RayBlock, 1> blocks;
+        std::array<RayResults, 1> results;
+        march.set_ray(blocks, 0, view.look, 0.5F, 0.5F);
+        FetchCounts counts;
+        march.march(blocks, results, counts);
+        const RayResults& found = results[0];
+        const double through = double{found.transmittance[0]};
+        Seen& one = seen[static_cast<std::size_t>(i)];
+        one.sun = double{found.sun_at_base[0]} + double{found.sun_at_top[0]};
+        one.sky = double{found.from_sky[0]} + (view.look.z > 0 ? through : 0);
+        one.ground = double{found.from_ground[0]} + (view.look.z < 0 ? through : 0);
+        one.covered = 1 - through;
+    });
+    return seen;
+}
+
+// The RMS of what is found over the mean of what is traced, without the noise of paths, where the cloud is.
+// `corner` is the place of the tile's corner in the layer.
+double rms_off(const CloudLayer& layer, const LayerSources& sources, const std::vector<Seen>& seen,
+               double Seen::*member, const glm::dvec3& corner = {}) {
+    const CloudPaths paths(layer, droplet_scattering(kDropletDiameter_um, 1), sources, kThreads);
+    std::vector<TracedRadiance> traced(kViews);
+    parallel_for(kViews, kThreads, [&](int i) {
+        const View view = view_of(i);
+        traced[static_cast<std::size_t>(i)] =
+            paths.trace(view.place + corner, view.look, kPaths, 3, static_cast<std::uint32_t>(i));
+    });
+    double squares = 0;
+    double sum = 0;
+    int count = 0;
+    for (std::size_t i = 0; i < traced.size(); ++i) {
+        if (seen[i].covered < 0.01) continue;
+        const double off = seen[i].*member - traced[i].sum();
+        squares += off * off - traced[i].standard_error * traced[i].standard_error;
+        sum += traced[i].sum();
+        ++count;
+    }
+    EXPECT_GT(count, kViews / 8);
+    return std::sqrt(std::max(squares, 0.0) * count) / sum;
+}
+
+LayerSources sun_of(const SunDirection& sun) {
+    LayerSources sources;
+    sources.sun = 1;
+    sources.sun_direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
+    return sources;
+}
+
+TEST(MarchLight, SunlitCloudsAreThoseOfPaths) {
+    const CloudLayer layer = two_bodies();
+    const CloudMedium medium = medium_of(layer);
+    const BakeOptions options{.threads = kThreads};
+    const MarchLight within(medium, kCellsOfPicture, options);
+    for (const SunDirection& sun : {SunDirection{50, 20}, SunDirection{10, 200}}) {
+        const auto light = within.under(sun, options);
+        ASSERT_TRUE(light);
+        const std::vector<Seen> seen = marched(medium, sun, &*light);
+        EXPECT_LT(rms_off(layer, sun_of(sun), seen, &Seen::sun), 0.07) << sun.elevation_degrees;
+    }
+}
+
+// The same cloud in a tile that stands alone, by paths through a tile with wide margins without cloud.
+TEST(MarchLight, LoneTilesHaveNoNeighbours) {
+    const CloudLayer layer = two_bodies();
+    CloudLayer wide = layer;
+    wide.size = {3 * layer.size[0], 3 * layer.size[1], layer.size[2]};
+    wide.values.assign(occupancy::count_of(wide.size), 0);
+    for (int z = 0; z < layer.size[2]; ++z) {
+        for (int y = 0; y < layer.size[1]; ++y) {
+            for (int x = 0; x < layer.size[0]; ++x) {
+                wide.values[occupancy::index_of(wide.size, x + layer.size[0], y + layer.size[1],
+                                                z)] = layer.value(x, y, z);
+            }
+        }
+    }
+    const CloudMedium medium = medium_of(layer, false);
+    const SunDirection sun{12, 200};
+    const BakeOptions options{.threads = kThreads};
+    const auto light = MarchLight(medium, kCellsOfPicture, options).under(sun, options);
+    ASSERT_TRUE(light);
+    const std::vector<Seen> seen = marched(medium, sun, &*light);
+    const glm::dvec3 corner(layer.size[0], layer.size[1], 0);
+    EXPECT_LT(rms_off(wide, sun_of(sun), seen, &Seen::sun, corner), 0.08);
+}
+
+// Sunlight that a layer of the optical depth 8 above has scattered before is what diffuse light would be.
+TEST(MarchLight, LayersAboveDimLight) {
+    const CloudLayer layer = two_bodies();
+    const CloudMedium medium = medium_of(layer);
+    const SunDirection sun{50, 20};
+    const BakeOptions options{.threads = kThreads};
+    const auto light = MarchLight(medium, kCellsOfDraft, options).under(sun, options);
+    ASSERT_TRUE(light);
+    const LitRay ray = lit_ray(*light, towards(0.3, 2), 1);
+    const std::array<float, 3> place = {0.32F, 0.36F, 0.5F};
+    const PointLight alone = light_of(*light, ray, {place, 200, 0, 0.1F});
+    const PointLight shaded = light_of(*light, ray, {place, 208, 8, 0.1F});
+    EXPECT_NEAR(shaded.sun / alone.sun, 2 / (2 + (1 - mean_cosine(droplet_phase(12))) * 8), 1e-6);
+    EXPECT_EQ(shaded.sky, alone.sky);
+    EXPECT_FALSE(MarchLight(medium, kCellsOfDraft, options).under({0.5, 0}, options));
+}
+
+TEST(MarchLight, SkyAndGroundLightCloudsAsByPaths) {
+    const CloudLayer layer = two_bodies();
+    const CloudMedium medium = medium_of(layer);
+    const BakeOptions options{.threads = kThreads};
+    const SunDirection sun{50, 20};
+    const auto light = MarchLight(medium, kCellsOfPicture, options).under(sun, options);
+    ASSERT_TRUE(light);
+    const std::vector<Seen> seen = marched(medium, sun, &*light);
+    LayerSources sky;
+    sky.sky = 1;
+    EXPECT_LT(rms_off(layer, sky, seen, &Seen::sky), 0.06);
+    LayerSources ground;
+    ground.ground = 1;
+    EXPECT_LT(rms_off(layer, ground, seen, &Seen::ground), 0.06);
+}
+
+}  // namespace
+}  // namespace skybake::cloud_light
