@@ -179,7 +179,7 @@ page() {
     done 3<entries
     cd "$examples"
     taken earth.toml --sun-elevation 30,10,2,-4 -- sky_panoramas sky_sun_10
-    taken clouds.toml --sun-elevation 20 -- cumulus_lit_sun_20 cumulus_occupancy_cells_z
+    taken clouds.toml --set 'clouds.cumulus.convection.cells=[144,144,23]' --sun-elevation 20 -- cumulus_lit_sun_20 cumulus_occupancy_cells_z
     taken takram_clouds.toml --only local_weather --only stbn -- local_weather_channels=takram_weather_channels \
         stbn_frames=blue_noise_frames stbn_spectrum=blue_noise_spectrum
     if is_wanted sky_presets; then
