@@ -13,6 +13,7 @@
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/cached_bytes.h"
 #include "bakers/workspace/depfile.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -121,6 +122,8 @@ ExitCode run_bake(const Invocation& invocation, Console& console) {
     if (!same.empty()) return console.report(same);
     std::optional<AssetCache> cache;
     std::optional<HttpCache> server;
+    CachedBytes kept(*folder.value);
+    bake.kept = &kept;
     if (!folder.value->empty()) bake.sources.push_back(&cache.emplace(*folder.value));
     if (!url.value->empty()) bake.sources.push_back(&server.emplace(*url.value, interrupted));
     BakeReporter reporter(console, json);

@@ -15,6 +15,7 @@
 #include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
 #include "bakers/workspace/asset_cache.h"
+#include "bakers/workspace/cached_bytes.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -93,11 +94,13 @@ class ReadyFiles {
     // Return memos that use them: of the recipe's assets, and of the light of clouds.
     AssetMemo assets();
     AssetMemo light();
+    KeptBytes* kept() { return &kept_; }
 
   private:
     const PreviewRequest& request_;
     BakedFolders folders_;
     std::optional<AssetCache> cache_;
+    CachedBytes kept_;
 };
 
 // Reads what is asked for. A folder or a manifest.json is a folder; .exr, .vdb and .bin are files;

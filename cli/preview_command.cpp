@@ -73,7 +73,7 @@ struct SharedLight {
     explicit SharedLight(const PreviewRequest& request) : files(request) {}
 
     ReadyFiles files;
-    Intermediates intermediates{BakeOptions().held_voxel_bytes};
+    Intermediates intermediates{BakeOptions().held_voxel_bytes, files.kept()};
     Intermediates::Expected pictures;
     std::vector<std::string> ready;  // names of assets that were not baked but found
     std::shared_ptr<PictureLight> clouds =
@@ -209,13 +209,13 @@ ExitCode run_preview(const Invocation& invocation, Console& console) {
 }  // namespace
 
 ReadyFiles::ReadyFiles(const PreviewRequest& request)
-    : request_(request), folders_(likely_folders(request)) {
+    : request_(request), folders_(likely_folders(request)), kept_(request.cache) {
     if (!request.cache.empty()) cache_.emplace(request.cache);
 }
 
 ReadyFiles::~ReadyFiles() {
     constexpr std::uint64_t most_bytes = std::uint64_t{256} << 20;
-    if (cache_ && request_.owns_cache && cache_->kept() > 0) {
+    if (cache_ && request_.owns_cache) {
         (void)collect_garbage(request_.cache, most_bytes);
     }
 }

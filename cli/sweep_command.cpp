@@ -304,7 +304,7 @@ Command sweep_command() {
                     options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
                     options::force("overwrite files that skybake did not write")},
         .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.coverage=0.2:0.8:4 "
-                      "--vary noise.billows.seed=1,2",
+                      "--vary clouds.cumulus.convection.seed=1,2",
                       "bakes 8 variants"},
                      {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},
                      {"skybake sweep sky.toml --emit slurm > sweep.sh",

@@ -268,9 +268,9 @@ class Watch {
     std::vector<fs::path> good_inputs_;
     std::optional<BakeSelection> selection_;  // of the draft that is shown
     // Pictures of one round and of the next may be made from the same light.
-    Intermediates intermediates_{BakeOptions().held_voxel_bytes};
-    Intermediates::Expected pictures_need_;
     ReadyFiles ready_{request_};
+    Intermediates intermediates_{BakeOptions().held_voxel_bytes, ready_.kept()};
+    Intermediates::Expected pictures_need_;
     // A save of a cloud leaves the light alone.
     std::shared_ptr<PictureLight> light_ =
         std::make_shared<PictureLight>(&intermediates_, ready_.light());

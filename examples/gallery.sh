@@ -115,8 +115,8 @@ sweeps() {
     swept one "$examples/earth.toml" --vary 'bake.transmittance.size=[32,8],[64,16],[128,32],[256,64]'
     swept two "$examples/earth.toml" --vary 'bake.multiple_scattering.size=[8,8],[16,16],[32,32]' \
         --vary bake.multiple_scattering.pixel_type=float,half
-    swept three "$examples/clouds.toml" --vary 'bake.cumulus.size=[128,128,16],[256,256,32]' \
-        --vary clouds.cumulus.coverage=0.4,0.6,0.8 --vary noise.billows.seed=1,2
+    swept three "$examples/clouds.toml" --vary 'bake.cumulus.size=[100,100,16],[200,200,32]' \
+        --vary clouds.cumulus.coverage=0.4,0.6,0.8 --vary clouds.cumulus.convection.seed=1,2
     mapfile -t shown < <(pictures 'sweeps/*_page/*.png' | grep -E '/(contact_sheet[a-z_]*|[a-z_]+_variants)\.png$')
     sheets sweeps "${shown[@]}"
 }
@@ -179,7 +179,7 @@ page() {
     done 3<entries
     cd "$examples"
     taken earth.toml --sun-elevation 30,10,2,-4 -- sky_panoramas sky_sun_10
-    taken clouds.toml --sun-elevation 20 -- cumulus_lit_sun_20 cumulus_occupancy_cells_z
+    taken clouds.toml --set 'clouds.cumulus.convection.cells=[144,144,23]' --sun-elevation 20 -- cumulus_lit_sun_20 cumulus_occupancy_cells_z
     taken takram_clouds.toml --only local_weather --only stbn -- local_weather_channels=takram_weather_channels \
         stbn_frames=blue_noise_frames stbn_spectrum=blue_noise_spectrum
     if is_wanted sky_presets; then
@@ -218,7 +218,7 @@ cloud_sheets() {
     local layer="position=3km,1km,50m heading=63deg pitch=18deg fov=60deg"
     cloud_sheet cumulus_humilis "$below" "position=2km,0km,2.6km heading=63deg pitch=-14deg fov=60deg"
     cloud_sheet cumulus_mediocris "$below" "position=2km,0km,3.4km heading=63deg pitch=-12deg fov=60deg"
-    cloud_sheet cumulus_congestus "position=1km,1km,100m heading=45deg pitch=14deg fov=60deg" \
+    cloud_sheet cumulus_congestus "position=0.6km,0km,200m heading=60deg pitch=16deg fov=70deg" \
         "position=2km,0km,6km heading=63deg pitch=-14deg fov=60deg"
     cloud_sheet cumulonimbus "heading=75deg pitch=4deg fov=42deg" "heading=20deg pitch=-8deg fov=45deg" --single
     cloud_sheet stratus "position=3km,1km,20m heading=63deg pitch=18deg fov=60deg" \

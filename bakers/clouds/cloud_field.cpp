@@ -46,16 +46,6 @@ std::vector<ColumnBound> column_bounds(const Columns& columns, int first_x, int 
     return bounds;
 }
 
-// Raises the bounds to the greatest of `towers`, which are those of a box.
-void raise_bounds(const AlignedFloats& towers, const VoxelBox& box,
-                  std::vector<ColumnBound>& bounds) {
-    const auto width = static_cast<std::size_t>(box.size[0]);
-    for (std::size_t i = 0; i < towers.size(); ++i) {
-        ColumnBound& bound = bounds[i % width / kBrickWidth];
-        bound.towers = std::max(bound.towers, towers[i]);
-    }
-}
-
 // The greatest profile of slices.
 float profile_bound(const CloudPlan& plan, int first_z, int depth) {
     float bound = 0;
@@ -156,13 +146,8 @@ class BoxFiller {
         if (wanted) plan_.shape().fill(box_, plain);
     }
 
-    void fill_chunk(const VoxelBox& chunk, std::vector<ColumnBound> bounds) {
+    void fill_chunk(const VoxelBox& chunk, const std::vector<ColumnBound>& bounds) {
         clear(chunk);
-        chunk_ = chunk;
-        if (!plan_.domes.empty()) {
-            raised_ = raised_towers(plan_, *columns_, chunk);
-            raise_bounds(raised_, chunk, bounds);
-        }
         const float profile = profile_bound(plan_, chunk.origin[2], chunk.size[2]);
         const auto may_hold = [&](std::size_t brick) {
             return can_exceed_level(plan_, bounds[brick], profile) && !is_empty(chunk, brick);
@@ -184,16 +169,14 @@ class BoxFiller {
         }
     }
 
-    static std::size_t place_in(const VoxelBox& box, int x, int y, int z) {
-        const auto row =
-            static_cast<std::size_t>(z - box.origin[2]) * static_cast<std::size_t>(box.size[1]) +
-            static_cast<std::size_t>(y - box.origin[1]);
-        return row * static_cast<std::size_t>(box.size[0]) +
-               static_cast<std::size_t>(x - box.origin[0]);
-    }
-
     // Where voxel (x, y, z) of a channel belongs.
-    std::size_t place(int x, int y, int z) const { return place_in(box_, x, y, z); }
+    std::size_t place(int x, int y, int z) const {
+        const auto row =
+            static_cast<std::size_t>(z - box_.origin[2]) * static_cast<std::size_t>(box_.size[1]) +
+            static_cast<std::size_t>(y - box_.origin[1]);
+        return row * static_cast<std::size_t>(box_.size[0]) +
+               static_cast<std::size_t>(x - box_.origin[0]);
+    }
 
     void clear(const VoxelBox& chunk) const {
         for (std::size_t c = 0; c < shaped_channels(); ++c) {
@@ -205,10 +188,9 @@ class BoxFiller {
         }
     }
 
-    ColumnRow columns_at(int x, int y, int z) const {
+    ColumnRow columns_at(int x, int y) const {
         const std::size_t at = columns_->index(x, y);
         ColumnRow row{columns_->towers.data() + at, columns_->offset.data() + at};
-        if (!plan_.domes.empty()) row.towers = raised_.data() + place_in(chunk_, x, y, z);
         if (plan_.type_map) {
             row.second_type = columns_->second_type.data() + at;
             row.third_type = columns_->third_type.data() + at;
@@ -243,7 +225,7 @@ class BoxFiller {
                 const std::size_t x = brick * kBrickWidth;
                 const std::size_t count = std::min<std::size_t>(kBrickWidth, width - x);
                 const bool above =
-                    shape_base(slice(z), columns_at(part.origin[0] + static_cast<int>(x), y, z),
+                    shape_base(slice(z), columns_at(part.origin[0] + static_cast<int>(x), y),
                                plan_.level(), count, row + x);
                 holds[brick] = static_cast<char>(holds[brick] | static_cast<char>(above));
             }
@@ -280,8 +262,6 @@ class BoxFiller {
     const std::vector<float*>& channels_;
     const Columns* columns_ = nullptr;  // hold the columns of the rows at hand
     Columns own_columns_;
-    VoxelBox chunk_;                   // at hand
-    AlignedFloats raised_;             // towers of the chunk's voxels, where there are domes
     std::vector<AlignedFloats> made_;  // per channel, of the part at hand
     AlignedFloats detail_;
 };
@@ -305,8 +285,7 @@ bool CloudField::is_empty(const VoxelBox& box) const {
     Columns own_columns;
     if (columns_.width == 0) own_columns = make_columns(plan_, x, width, y, rows);
     const Columns& columns = columns_.width > 0 ? columns_ : own_columns;
-    std::vector<ColumnBound> bounds = column_bounds(columns, x, width, y, rows);
-    if (!plan_.domes.empty()) raise_bounds(raised_towers(plan_, columns, box), box, bounds);
+    const std::vector<ColumnBound> bounds = column_bounds(columns, x, width, y, rows);
     const float profile = profile_bound(plan_, z, depth);
     return std::none_of(bounds.begin(), bounds.end(), [&](const ColumnBound& bound) {
         return can_exceed_level(plan_, bound, profile);

@@ -66,9 +66,7 @@ float bound_of(const Noise& base, int shaped_channels) {
 
 // Fills in all of a plan but what gives its n.
 void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPlan& plan) {
-    plan.towers = TowerField(living_gaussians(cloud));
-    plan.domes = DomeField(
-        domes_of(cloud), {cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
+    plan.towers = TowerField(living_towers(cloud));
     if (detail != nullptr) {
         const Noise frays = cloud_noise(*detail, cloud.detail_scale, CloudChannels::density);
         plan.detail =

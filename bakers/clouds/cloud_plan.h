@@ -5,8 +5,8 @@
 // At a voxel, n is the base noise or, in a cloud of a volume, the volume's density, for which P is 1; d the detail noise clamped to [0, 1], and h the height in [0,
 // 1]:
 //
-//   b = n max(0, P(h) + T + S) + (c - 1)   profile, Gaussian towers, domes, coverage; Olajos 2016
-//                                          where S = 0 and c = 1
+//   b = n max(0, P(h) + T) + (c - 1)       profile, Gaussian towers, coverage; Olajos 2016
+//                                          where c = 1
 //
 //   e = s(h) (d + w(h) (1 - 2 d))          wisps where w = 0, billows where w = 1
 //
@@ -19,7 +19,7 @@
 //
 // The density is 0 where b <= t (b <= 0 for threshold_at = "runtime"): erosion only removes.
 //
-// b is remap(x, 1 - c, 1, 0, 1) c with x = n (P + T + S) (Schneider 2017, Nubis), multiplied out: it
+// b is remap(x, 1 - c, 1, 0, 1) c with x = n (P + T) (Schneider 2017, Nubis), multiplied out: it
 // has no pole at c = 0, and leaves nothing there where x <= 1. s goes linearly from erosion[0] at
 // the base to erosion[1] at the top, w from 0 at the base to 1 at wisp_height.
 #pragma once
@@ -30,7 +30,6 @@
 #include <string>
 #include <vector>
 
-#include "bakers/clouds/dome_field.h"
 #include "bakers/clouds/resampled_volume.h"
 #include "bakers/clouds/tower_field.h"
 #include "bakers/field/image.h"
@@ -80,7 +79,6 @@ struct CloudPlan {
     std::shared_ptr<const noise::NoiseField> detail;  // null: none
     std::vector<SliceShape> slices;                   // one per z
     TowerField towers;
-    DomeField domes;
     double coverage = 1;
     std::optional<MapLookup> coverage_map;
     std::optional<MapLookup> type_map;  // if set, profiles are blended per column

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <cstddef>
 #include <numbers>
 #include <utility>
@@ -94,38 +93,8 @@ double blended(double h, double type) {
 
 double tower_reference(std::span<const Tower> towers, const std::array<double, 2>& place) {
     double sum = 0;
-    for (const Tower& tower : towers) {
-        if (tower.shape == config::TowerShape::gaussian) sum += images_of(tower, place);
-    }
+    for (const Tower& tower : towers) sum += images_of(tower, place);
     return sum;
-}
-
-double dome_reference(std::span<const Dome> domes, const std::array<double, 2>& tile,
-                      const std::array<double, 3>& place) {
-    double greatest = 0;
-    for (const Dome& dome : domes) {
-        const double t = (place[2] - dome.foot[2]) / dome.height;
-        if (t < 0 || t > 1) continue;
-        const double from = t < dome.widest ? dome.widest : 1 - dome.widest;
-        const double s = from > 0 ? (t - dome.widest) / from : 0;
-        const double reach = std::max(dome.radii[0], dome.radii[1]);
-        const double axis_x = dome.foot[0] + dome.lean[0] * t * dome.height;
-        const double axis_y = dome.foot[1] + dome.lean[1] * t * dome.height;
-        for (double j = std::ceil((place[1] - axis_y - reach) / tile[1]);
-             axis_y + j * tile[1] <= place[1] + reach; ++j) {
-            for (double i = std::ceil((place[0] - axis_x - reach) / tile[0]);
-                 axis_x + i * tile[0] <= place[0] + reach; ++i) {
-                const std::complex<double> from_axis(place[0] - axis_x - i * tile[0],
-                                                     place[1] - axis_y - j * tile[1]);
-                const std::complex<double> own =
-                    from_axis / std::complex<double>(dome.direction[0], dome.direction[1]);
-                const double x = own.real() / dome.radii[0];
-                const double y = own.imag() / dome.radii[1];
-                greatest = std::max(greatest, dome.amplitude * (1 - (s * s + x * x + y * y)));
-            }
-        }
-    }
-    return greatest;
 }
 
 double height_profile_reference(const config::HeightProfile& profile, double h) {
@@ -152,10 +121,7 @@ CloudReference::CloudReference(const config::Cloud& cloud, const CloudVolume& vo
 
 CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise* detail,
                                CloudMaps maps)
-    : cloud_(cloud),
-      towers_(living_gaussians(cloud)),
-      domes_(domes_of(cloud)),
-      maps_(std::move(maps)) {
+    : cloud_(cloud), towers_(living_towers(cloud)), maps_(std::move(maps)) {
     if (detail != nullptr) {
         detail_ = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
     }
@@ -171,11 +137,7 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
     const auto [x, y, h] = place;
     const double profile = profile_at(x, y, h);
     const double coverage = cloud_.coverage * (maps_.coverage ? maps_.coverage->at(x, y) : 1);
-    const auto& extent = cloud_.extent;
-    const double domes =
-        dome_reference(domes_, {extent[0].meters, extent[1].meters},
-                       {x * extent[0].meters, y * extent[1].meters, h * extent[2].meters});
-    const double towers = tower_reference(towers_, {x, y}) + domes;
+    const double towers = tower_reference(towers_, {x, y});
     const double base = base_noise * std::fmax(profile + towers, 0) - (1 - coverage);
     const bool in_file = cloud_.threshold_at == config::ThresholdAt::bake;
     if (base <= (in_file ? cloud_.threshold : 0)) return 0;
@@ -194,11 +156,8 @@ double CloudReference::shaped(const std::array<double, 3>& place, double base_no
 }
 
 bool CloudReference::is_expensive() const {
-    // A Gaussian takes some microseconds, a dome some ten nanoseconds.
-    constexpr std::size_t kTowers = 300;
-    constexpr std::size_t kDomes = 30000;
-    return towers_.size() > kTowers || domes_.size() > kDomes ||
-           (volume_ && volume_->is_expensive());
+    constexpr std::size_t kTowers = 300;  // take some microseconds each
+    return towers_.size() > kTowers || (volume_ && volume_->is_expensive());
 }
 
 std::vector<double> CloudReference::operator()(const std::array<double, 3>& place) const {

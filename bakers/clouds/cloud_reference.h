@@ -17,10 +17,6 @@ namespace skybake::cloud {
 // Returns the towers' field at a place of the ground plan, in units of tiles.
 double tower_reference(std::span<const config::Tower> towers, const std::array<double, 2>& place);
 
-// Returns the field of the domes and their images at a place in metres; `tile` is the ground plan.
-double dome_reference(std::span<const Dome> domes, const std::array<double, 2>& tile,
-                      const std::array<double, 3>& place);
-
 double height_profile_reference(const config::HeightProfile& profile, double h);
 
 class CloudReference {
@@ -46,7 +42,6 @@ class CloudReference {
 
     config::Cloud cloud_;
     std::vector<config::Tower> towers_;
-    std::vector<Dome> domes_;
     std::optional<config::Noise> base_;  // none: `volume_` is in its place
     std::optional<VolumeReference> volume_;
     std::optional<config::Noise> detail_;

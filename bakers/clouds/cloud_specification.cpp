@@ -36,23 +36,15 @@ std::vector<float> shape_at(const CloudPlan& plan, const noise::Voxel& voxel) {
     return value;
 }
 
-// T + S. A voxel outside the tile has the towers of its image within.
-float towers_at(const CloudPlan& plan, const Columns& column, const noise::Voxel& voxel) {
-    if (plan.domes.empty()) return column.towers[0];
-    const VoxelBox box{within_tile(plan, voxel), {1, 1, 1}};
-    const Columns within = make_columns(plan, box.origin[0], 1, box.origin[1], 1);
-    return raised_towers(plan, within, box)[0];
-}
-
-float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float towers,
-             float noise, float detail) {
+float shaped(const CloudPlan& plan, const SliceShape& slice, const Columns& column, float noise,
+             float detail) {
     float profile = slice.profile[0];
     if (plan.type_map) {
         const float second = column.second_type[0] * (slice.profile[1] - slice.profile[0]);
         const float third = column.third_type[0] * (slice.profile[2] - slice.profile[1]);
         profile = (profile + second) + third;
     }
-    const float base = noise * std::max(profile + towers, 0.0f) + column.offset[0];
+    const float base = noise * std::max(profile + column.towers[0], 0.0f) + column.offset[0];
     if (!(base > plan.level())) return 0;
     float value = base;
     if (plan.detail) {
@@ -69,12 +61,11 @@ std::vector<float> cloud_at(const CloudPlan& plan, const noise::Voxel& voxel) {
     const Columns column =
         make_columns(plan, static_cast<int>(voxel[0]), 1, static_cast<int>(voxel[1]), 1);
     const SliceShape& slice = plan.slices[static_cast<std::size_t>(voxel[2])];
-    const float towers = towers_at(plan, column, voxel);
     std::vector<float> values = shape_at(plan, voxel);
     const float detail = plan.detail ? noise_at(plan.detail->plan(), voxel)[0] : 0.0f;
     for (int i = 0; i < plan.shaped_channels; ++i) {
         float& value = values[static_cast<std::size_t>(i)];
-        value = shaped(plan, slice, column, towers, value, detail);
+        value = shaped(plan, slice, column, value, detail);
     }
     return values;
 }

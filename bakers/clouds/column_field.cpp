@@ -30,36 +30,7 @@ void fill_maps(const CloudPlan& plan, const std::vector<double>& x, double y, st
     }
 }
 
-// The centre of a voxel along an axis, in metres from the tile's corner.
-double place_m(const CloudPlan& plan, std::size_t axis, int voxel) {
-    return (voxel + 0.5) / plan.size[axis] * plan.domes.extent_m()[axis];
-}
-
 }  // namespace
-
-AlignedFloats raised_towers(const CloudPlan& plan, const Columns& columns, const VoxelBox& box) {
-    const auto [first_x, first_y, first_z] = box.origin;
-    const auto [width, rows, depth] = box.size;
-    std::vector<double> x;
-    for (int i = 0; i < width; ++i) x.push_back(place_m(plan, 0, first_x + i));
-    const std::vector<Dome> domes =
-        plan.domes.near({{place_m(plan, 1, first_y), place_m(plan, 1, first_y + rows - 1)},
-                         {place_m(plan, 2, first_z), place_m(plan, 2, first_z + depth - 1)}});
-    AlignedFloats towers;
-    towers.reserve(static_cast<std::size_t>(box.count()));
-    std::vector<double> raised(x.size());
-    for (int z = first_z; z < first_z + depth; ++z) {
-        for (int y = first_y; y < first_y + rows; ++y) {
-            std::fill(raised.begin(), raised.end(), 0.0);
-            raise_row(domes, place_m(plan, 1, y), place_m(plan, 2, z), x, raised.data());
-            const float* column = columns.towers.data() + columns.index(first_x, y);
-            for (std::size_t i = 0; i < x.size(); ++i) {
-                towers.push_back(column[i] + static_cast<float>(raised[i]));
-            }
-        }
-    }
-    return towers;
-}
 
 Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows) {
     assert(width >= 0 && rows >= 0);

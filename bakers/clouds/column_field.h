@@ -29,10 +29,6 @@ struct Columns {
     }
 };
 
-// Returns T + S of each voxel of a box, in its order. The box must lie within the columns, and the
-// columns within the tile.
-AlignedFloats raised_towers(const CloudPlan& plan, const Columns& columns, const VoxelBox& box);
-
 // Makes columns of the plan. Each value is a pure function of its place, rounded to float once.
 Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y, int rows);
 

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <numbers>
 
-#include "bakers/clouds/unit_numbers.h"
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud {
@@ -75,7 +74,7 @@ TowerField::Waves TowerField::waves_of(const Tower& tower, const Covariance& c) 
 
 TowerField::TowerField(std::span<const Tower> towers) {
     for (const Tower& tower : towers) {
-        if (tower.amplitude == 0 || tower.shape != config::TowerShape::gaussian) continue;
+        if (tower.amplitude == 0) continue;
         const Covariance c = covariance_of(tower);
         // Images fill an area of 50 pi sqrt(det), waves one of 25 / (2 pi sqrt(det)).
         if (std::sqrt(c.determinant) <= 1 / (2 * pi)) {
@@ -133,32 +132,6 @@ void TowerField::add_row(double y, std::span<const double> x, double* sums) cons
     if (x.empty()) return;
     for (const Images& tower : narrow_) add_images(tower, y, x, sums);
     for (const Waves& tower : wide_) add_waves(tower, y, x, sums);
-}
-
-namespace {
-
-// scattered_towers of tower_field.h.
-
-using config::TowerScatter;
-
-Tower scattered_tower(const TowerScatter& scatter, int index) {
-    UnitNumbers numbers(scatter.seed, static_cast<std::uint64_t>(index));
-    Tower tower;
-    tower.center = {numbers.next(), numbers.next()};
-    const double sigma = between_logarithms(scatter.sigma, numbers.next());
-    tower.sigma = {sigma, sigma * between(scatter.aspect, numbers.next())};
-    tower.rotation = {std::numbers::pi * numbers.next()};
-    tower.amplitude = between(scatter.amplitude, numbers.next());
-    return tower;
-}
-
-}  // namespace
-
-std::vector<Tower> scattered_towers(const TowerScatter& scatter) {
-    std::vector<Tower> towers;
-    if (scatter.shape != config::TowerShape::gaussian) return towers;
-    for (int i = 0; i < scatter.count; ++i) towers.push_back(scattered_tower(scatter, i));
-    return towers;
 }
 
 }  // namespace skybake::cloud

@@ -29,7 +29,6 @@ namespace skybake::cloud {
 class TowerField {
   public:
     TowerField() = default;
-    // Takes the Gaussians among the towers; dome_field.h has the domes.
     explicit TowerField(std::span<const config::Tower> towers);
 
     // Adds the field at (x[i], y) to sums[i]. x ascends. Each value is a pure function of its place
@@ -66,8 +65,5 @@ class TowerField {
     std::vector<Images> narrow_;
     std::vector<Waves> wide_;
 };
-
-// Returns scatter.count seeded towers, or none if they are domes. Tower i is a pure function of `scatter` and i.
-std::vector<config::Tower> scattered_towers(const config::TowerScatter& scatter);
 
 }  // namespace skybake::cloud

@@ -6,9 +6,6 @@
 #include <cstdint>
 #include <utility>
 
-#include "bakers/clouds/tower_field.h"
-#include "bakers/clouds/unit_numbers.h"
-
 namespace skybake::cloud {
 
 namespace {
@@ -62,26 +59,11 @@ TowerState tower_state(const TowerLife& tower, double born, const Cloud& cloud) 
     const double age = loops_since(born, cloud);
     grow(tower, age, state);
     move(cloud, age, state);
-    for (std::size_t i = 0; i < 2; ++i) state.leaned[i] = cloud.shear[i] * age;
     return state;
 }
 
-double scattered_birth(const config::TowerScatter& scatter, int index) {
-    assert(index >= 0 && index < scatter.count);
-    // Uses separate random numbers, so that a life cycle does not move or resize towers.
-    constexpr std::uint64_t kBirths = std::uint64_t{1} << 32;
-    UnitNumbers numbers(scatter.seed, kBirths + static_cast<std::uint64_t>(index));
-    return (index + numbers.next()) / scatter.count;
-}
-
-std::vector<Tower> living_gaussians(const Cloud& cloud) {
+std::vector<Tower> living_towers(const Cloud& cloud) {
     std::vector<Tower> towers = cloud.towers;
-    int index = 0;
-    for (Tower tower : scattered_towers(cloud.scatter)) {
-        static_cast<TowerLife&>(tower) = cloud.scatter;
-        tower.born = scattered_birth(cloud.scatter, index++);
-        towers.push_back(std::move(tower));
-    }
     for (Tower& tower : towers) tower = alive(std::move(tower), cloud);
     std::erase_if(towers, [](const Tower& tower) { return tower.amplitude == 0; });
     return towers;

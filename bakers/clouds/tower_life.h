@@ -13,8 +13,8 @@
 // times height, and that of a dissolving one falls as its amplitude; the lower field lets noise eat the
 // cloud from its edges. The course of f is chosen for its smoothness.
 //
-// The wind carries a tower from the place where it was born: by `drift` tiles per loop of its age. A
-// dome leans by `shear` more per loop. Towers without a life stand, and drift through whole tiles.
+// The wind carries a tower from the place where it was born: by `drift` tiles per loop of its age. Towers
+// without a life stand, and drift through whole tiles.
 #pragma once
 
 #include <array>
@@ -25,23 +25,17 @@
 namespace skybake::cloud {
 
 struct TowerState {
-    double height = 1;               // over the full height
-    double width = 1;                // over the full width
-    double amplitude = 1;            // over the full amplitude; 0 if the tower does not live
-    std::array<double, 2> moved{};   // along x and y, in tiles
-    std::array<double, 2> leaned{};  // lean that it has taken on
+    double height = 1;              // over the full height
+    double width = 1;               // over the full width
+    double amplitude = 1;           // over the full amplitude; 0 if the tower does not live
+    std::array<double, 2> moved{};  // along x and y, in tiles
 };
 
 // Returns the state at the cloud's time of a tower that is born at `born`, in loops. It is a pure
 // function of the time modulo the period.
 TowerState tower_state(const config::TowerLife& tower, double born, const config::Cloud& cloud);
 
-// Returns when tower `index` of a scatter is born, in loops. Births are spread over the loop: each
-// falls at random within a share of its own, so that as many towers grow as dissolve.
-double scattered_birth(const config::TowerScatter& scatter, int index);
-
-// Returns the living Gaussians of a cloud at its time, those that it lists and then those that it
-// scatters.
-std::vector<config::Tower> living_gaussians(const config::Cloud& cloud);
+// Returns the towers of a cloud that live at its time.
+std::vector<config::Tower> living_towers(const config::Cloud& cloud);
 
 }  // namespace skybake::cloud

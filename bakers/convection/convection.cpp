@@ -1,7 +1,11 @@
 #include "bakers/convection/convection.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "bakers/convection/flow.h"
 #include "bakers/math/parallel.h"
@@ -45,6 +49,51 @@ Specification specification_of(const config::Cloud& cloud) {
     return wanted;
 }
 
+namespace {
+
+// A cloud without its water.
+GrownCloud bare(const Specification& wanted, const Sounding& sounding) {
+    GrownCloud cloud;
+    cloud.cells = wanted.grid.cells;
+    cloud.cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
+    cloud.full_water = sounding.adiabatic_water;
+    cloud.water.resize(static_cast<std::size_t>(cloud.cells[0]) *
+                       static_cast<std::size_t>(cloud.cells[1]) *
+                       static_cast<std::size_t>(cloud.cells[2]));
+    return cloud;
+}
+
+// Names all members: it is not compiled until one that is added is named, too.
+std::string text_of(const Specification& wanted) {
+    const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
+                 top, patches, width, warmth, seed, growth] = wanted;
+    const auto& [cells, edges] = grid;
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
+                       fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
+                       inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
+                       fmt::join(width, " "), warmth, seed, growth);
+}
+
+}  // namespace
+
+std::shared_ptr<const GrownCloud> kept_or_grown(const Specification& wanted, KeptBytes* kept,
+                                                const BakeOptions& options) {
+    if (kept == nullptr) return grow(wanted, options);
+    const KeptBytes::Name name = {"convection", kGrowthVersion, text_of(wanted)};
+    if (const auto bytes = kept->find(name)) {
+        auto cloud = std::make_shared<GrownCloud>(bare(wanted, make_sounding(wanted)));
+        if (bytes->size() == cloud->water.size() * sizeof(float)) {
+            std::memcpy(cloud->water.data(), bytes->data(), bytes->size());
+            return cloud;
+        }
+    }
+    auto cloud = grow(wanted, options);
+    if (cloud == nullptr) return cloud;
+    const auto* bytes = reinterpret_cast<const char*>(cloud->water.data());
+    kept->keep(name, {bytes, cloud->water.size() * sizeof(float)});
+    return cloud;
+}
+
 std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options) {
     Flow flow(wanted, options.threads);
     while (flow.time_s() < wanted.growth_s) {
@@ -54,13 +103,9 @@ std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOp
         options.progress->advance("growing the cloud", flow.time_s() / wanted.growth_s);
     }
     const Grid& grid = wanted.grid;
-    auto cloud = std::make_shared<GrownCloud>();
-    cloud->cells = {grid.cells[0], grid.cells[1],
-                    grid.cells[2] - wanted.mixed_levels - wanted.sponge_levels};
-    cloud->full_water = flow.sounding().adiabatic_water;
+    auto cloud = std::make_shared<GrownCloud>(bare(wanted, flow.sounding()));
     const auto row = static_cast<std::size_t>(grid.cells[0]);
     const std::size_t plane = row * static_cast<std::size_t>(grid.cells[1]);
-    cloud->water.resize(plane * static_cast<std::size_t>(cloud->cells[2]));
     parallel_for(cloud->cells[2], options.threads, [&](int z) {
         float* out = cloud->water.data() + static_cast<std::size_t>(z) * plane;
         for (int y = 0; y < grid.cells[1]; ++y, out += row) {

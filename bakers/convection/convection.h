@@ -7,6 +7,7 @@
 
 #include "bakers/convection/sounding.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/math/intermediates.h"
 #include "config/sections/cloud.h"
 
 namespace skybake::convection {
@@ -24,6 +25,13 @@ Specification specification_of(const config::Cloud& cloud);
 
 // Grows the cloud. Returns null after an interruption.
 std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options);
+
+// Returns the same, from an earlier run if `kept` has it; it is given what has grown.
+std::shared_ptr<const GrownCloud> kept_or_grown(const Specification& wanted, KeptBytes* kept,
+                                                const BakeOptions& options);
+
+// Raise it with every change of what grows.
+constexpr int kGrowthVersion = 1;
 
 // Rough figures: the seconds on one thread of a machine of 2022, and the bytes while it grows.
 double seconds_to_grow(const Specification& wanted);

@@ -16,7 +16,8 @@ struct Intermediates::Node {
     std::shared_ptr<const void> value;
 };
 
-Intermediates::Intermediates(std::int64_t most_bytes) : most_bytes_(most_bytes) {
+Intermediates::Intermediates(std::int64_t most_bytes, KeptBytes* kept)
+    : most_bytes_(most_bytes), kept_(kept) {
     assert(most_bytes >= 0);
 }
 

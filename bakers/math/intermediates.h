@@ -12,7 +12,9 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -45,13 +47,28 @@ struct Need {
     double memory_mib = 0;  // taken while it is kept
 };
 
+// Bytes that one run keeps for those after it. Several threads may use one.
+class KeptBytes {
+  public:
+    // What the bytes depend on, and nothing else.
+    struct Name {
+        std::string kind;  // "convection"
+        int version = 0;   // of what makes them
+        std::string parameters;
+    };
+    virtual ~KeptBytes() = default;
+    // Returns nothing if there are none, or if they are damaged.
+    virtual std::optional<std::string> find(const Name& name) = 0;
+    virtual void keep(const Name& name, std::string_view bytes) = 0;
+};
+
 // Several threads may use one. Those that ask for an intermediate which another one makes wait for
 // it. The one that makes it never waits for them, even if all of them ask within a parallel loop: a
 // loop within a loop runs its own tasks only (parallel.h).
 class Intermediates {
   public:
-    // Keeps at most so many bytes. What does not fit is made anew for each asset.
-    explicit Intermediates(std::int64_t most_bytes);
+    // Keeps at most so many bytes. What does not fit is made anew for each asset. `kept` may be null.
+    explicit Intermediates(std::int64_t most_bytes, KeptBytes* kept = nullptr);
     ~Intermediates();
     Intermediates(const Intermediates&) = delete;
     Intermediates& operator=(const Intermediates&) = delete;
@@ -81,6 +98,9 @@ class Intermediates {
             get_any(key, [&make]() -> std::shared_ptr<const void> { return make(); }));
     }
 
+    // Where makers may look for what an earlier run made, and leave it for the next; null: nowhere.
+    KeptBytes* kept() const { return kept_; }
+
     // The number of values that were made for assets that were expected.
     int made() const;
     std::int64_t kept_bytes() const;
@@ -95,6 +115,7 @@ class Intermediates {
     void finish(Node& node, const std::shared_ptr<const void>& value);
 
     const std::int64_t most_bytes_;
+    KeptBytes* const kept_;
     mutable std::mutex mutex_;  // guards all members below, and the nodes
     std::condition_variable made_one_;
     std::vector<std::shared_ptr<Node>> nodes_;

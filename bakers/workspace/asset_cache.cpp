@@ -186,6 +186,15 @@ void AssetCache::offer(const Baked& baked, ManifestAsset entry, int threads) {
     });
 }
 
+void AssetCache::offer(std::string_view bytes, const ManifestAsset& entry) {
+    keep(entry.key, [&](const fs::path& folder, AtomicFiles& files) {
+        auto staged = files.stage(folder / entry.files.at(0).path, bytes);
+        Outcome<ManifestAsset> finished{{}, std::move(staged.diagnostics)};
+        if (staged.value) finished.value = entry;
+        return finished;
+    });
+}
+
 void AssetCache::keep(const std::string& key, const StageAsset& stage) {
     if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
     std::error_code error;

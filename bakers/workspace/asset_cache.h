@@ -38,6 +38,8 @@ class AssetCache : public AssetSource {
     void offer(const ReadyAsset& asset) override;
     // Does the same with an asset in memory, whose entry is signed (folder_plan.h).
     void offer(const Baked& baked, ManifestAsset entry, int threads);
+    // Does the same with the bytes of the only file of a signed entry.
+    void offer(std::string_view bytes, const ManifestAsset& entry);
 
     // Returns why the first rejected offer was rejected, as the warning W0301.
     const std::vector<config::Diagnostic>& problems() const { return problems_; }

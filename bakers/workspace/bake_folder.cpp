@@ -61,7 +61,7 @@ class FolderMaker {
           observer_(observer),
           held_voxel_bytes_(
               bytes_to_keep(bake.held_voxel_bytes, bake.memory_limit_mib, plan.memory_mib())),
-          own_intermediates_(held_voxel_bytes_),
+          own_intermediates_(held_voxel_bytes_, bake.kept),
           intermediates_(bake.intermediates ? *bake.intermediates : own_intermediates_),
           files_(LeftOvers::already_looked_for),
           journal_(bake.folder),

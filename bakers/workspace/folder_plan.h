@@ -64,6 +64,7 @@ struct FolderBake {
     // Memory for voxels that are held (BakeOptions), as far as memory_limit_mib leaves it.
     std::int64_t held_voxel_bytes = BakeOptions().held_voxel_bytes;
     Intermediates* intermediates = nullptr;  // shared by several bakes; null: the bake has its own
+    KeptBytes* kept = nullptr;               // that its own have from earlier runs; null: nothing
     std::vector<AssetSource*> sources = {};  // asked in this order; each is offered new assets
 };
 

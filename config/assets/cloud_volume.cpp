@@ -188,28 +188,12 @@ struct CloudVolumeResolver {
         return 1;
     }
 
-    static bool is_narrow_dome(double width_m, const Cloud& cloud, const VoxelCounts& size) {
-        const auto is_below_a_voxel = [&](std::size_t axis) {
-            return size[axis] > 1 && width_m * size[axis] < cloud.extent[axis].meters;
-        };
-        return is_below_a_voxel(0) || is_below_a_voxel(1);
-    }
-
     // Gives one warning for all narrow towers, which names the first of them.
     void warn_of_narrow_towers(const Cloud& cloud, const VoxelCounts& size) const {
         std::vector<std::string> narrow;
         for (const Tower& tower : cloud.towers) {
-            const bool is_narrow =
-                tower.shape == TowerShape::dome
-                    ? is_narrow_dome(std::min(tower.size[0].meters, tower.size[1].meters), cloud,
-                                     size)
-                    : narrowest_sigma(tower, size) < 1;
-            if (is_narrow) narrow.push_back("tower " + tower.name);
+            if (narrowest_sigma(tower, size) < 1) narrow.push_back("tower " + tower.name);
         }
-        const bool is_narrow = cloud.scatter.shape == TowerShape::dome
-                                   ? is_narrow_dome(cloud.scatter.width[0].meters, cloud, size)
-                                   : narrowest_sigma(cloud.scatter, size) < 1;
-        if (cloud.scatter.count > 0 && is_narrow) narrow.emplace_back("scatter");
         if (narrow.empty()) return;
         const std::string others =
             narrow.size() > 1 ? fmt::format(", like {} more,", narrow.size() - 1) : "";

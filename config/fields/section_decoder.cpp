@@ -141,13 +141,22 @@ struct SectionReader {
         return "";
     }
 
+    // Returns what takes the place of a key that earlier releases had.
+    std::string in_place_of(std::string_view key) const {
+        const bool is_retired = section.path == "clouds.*"
+                                    ? key == "scatter" || key == "shear"
+                                    : section.path == "clouds.*.towers.*" && key == "shape";
+        return is_retired ? "cumuli grow: give shape = \"convection\", with patches and wind_above"
+                          : "";
+    }
+
     void report_unknown(const Entry& entry) const {
         std::vector<std::string_view> known = field_keys(section);
         for (const std::string_view name : subtables(section.path)) known.push_back(name);
         const std::string where =
             result.path.empty() ? "at the top level" : fmt::format("in [{}]", result.path);
-        std::string label;
-        if (as_table(entry.value)) {
+        std::string label = in_place_of(entry.key);
+        if (label.empty() && as_table(entry.value)) {
             label = did_you_mean(entry.key, subtables(section.path));
             // Keys of a misspelt table are not reported as missing.
             if (!label.empty()) decoder.complete = false;

@@ -190,8 +190,7 @@ std::string section_from_preset(const Section& section, const std::string& path,
     return text + fmt::format("preset = \"{}\"\n", preset) + section_text(section, keys, "# ");
 }
 
-// Writes the tables below a cloud as comments: its height profile, its scatter and the first of its
-// towers.
+// Writes the tables below a cloud as comments: its height profile and the first of its towers.
 std::string commented_tables(const Table& cloud, const std::string& path) {
     std::string text;
     const auto append = [&](std::string_view pattern, const std::string& at, const Table& table) {

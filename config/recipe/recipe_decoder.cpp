@@ -303,7 +303,6 @@ std::vector<Section> make_sections() {
         make_section("clouds.*.type_map", "a picture over the cloud of its cloud_type",
                      type_map_fields()),
         make_section("clouds.*.convection", "the air in which a cloud grows", convection_fields()),
-        make_section("clouds.*.scatter", "towers at random places", tower_scatter_fields()),
         make_section("clouds.*.towers.*", "a tower that is added to the height profile",
                      tower_fields()),
     };

@@ -4,14 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "config/fields/field_value.h"
 #include "config/fields/section_decoder.h"
 #include "config/sections/sections.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
-#include "config/text/units.h"
 
 namespace skybake::config {
 
@@ -160,83 +158,6 @@ struct CloudReader {
             fmt::format("type = \"{}\" comes from {}", found, said));
     }
 
-    // Each tile that a dome reaches holds an image of it.
-    void check_reach(const DecodedSection& section, std::string_view key, const DomeShape& shape,
-                     double width_m, double height_m) const {
-        constexpr double kMostTiles = 16;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double lean = std::fabs(shape.lean[axis]) + std::fabs(cloud.shear[axis]);
-            const double reach_m = width_m / 2 + lean * height_m;
-            const double extent_m = cloud.extent[axis].meters;
-            if (!(extent_m > 0) || reach_m <= kMostTiles * extent_m) continue;
-            const DecodedField& decoded = section.at(key);
-            decoder.diagnostics.error(
-                "E0110", decoded.source ? decoded.source->place : section.place,
-                fmt::format("`{}` lets a dome reach {:.3g} m from its foot",
-                            join_path(section.path, key), reach_m),
-                fmt::format("at most {} tiles of {:g} m are allowed", kMostTiles, extent_m));
-            return;
-        }
-    }
-
-    void warn_of_tower(const DecodedField& key, const DecodedSection& section, std::string what,
-                       std::string label) const {
-        decoder.diagnostics.warning(
-            "W0217", key.source ? key.source->place : section.place,
-            fmt::format("`{}` {}", join_path(section.path, key.field->key), what),
-            std::move(label));
-    }
-
-    // Warns of a dome that stands outside the tile, or ends above the cloud's top.
-    void check_place(const DecodedSection& section, const Tower& tower) const {
-        const auto& extent = cloud.extent;
-        for (std::size_t axis = 0; axis < 2; ++axis) {
-            const double place_m = tower.foot[axis].meters;
-            const double radius_m = std::max(tower.size[0].meters, tower.size[1].meters) / 2;
-            const double tile_m = extent[axis].meters;
-            if (place_m + radius_m >= 0 && place_m - radius_m <= tile_m) continue;
-            warn_of_tower(
-                section.at("foot"), section,
-                fmt::format("lies outside the tile of {} along {}", length_to_string(tile_m),
-                            "xy"[axis]),
-                fmt::format("the cloud repeats, so the tower stands at {}",
-                            length_to_string(place_m - std::floor(place_m / tile_m) * tile_m)));
-            break;
-        }
-        const double top_m = tower.foot[2].meters + tower.size[2].meters;
-        if (top_m <= extent[2].meters) return;
-        warn_of_tower(
-            section.at("size"), section,
-            fmt::format("lets the dome end {} above the cloud's base, and it is cut at {}",
-                        length_to_string(top_m), length_to_string(extent[2].meters)),
-            "lower the dome, or give the cloud a greater extent");
-    }
-
-    void check_lobes(const DecodedSection& section) const {
-        constexpr double kMostDomes = 1'000'000;
-        const double domes = double{1} * cloud.scatter.count * (1 + cloud.scatter.lobes);
-        if (domes <= kMostDomes) return;
-        const DecodedField& decoded = section.at("lobes");
-        decoder.diagnostics.error("E0110", decoded.source ? decoded.source->place : section.place,
-                                  fmt::format("{} towers with {} lobes each are {:.3g} domes",
-                                              cloud.scatter.count, cloud.scatter.lobes, domes),
-                                  fmt::format("at most {:.3g} are allowed", kMostDomes));
-    }
-
-    void read_scatter() const {
-        if (!find_entry(table, "scatter")) return;
-        const TowerScatter& scatter = cloud.scatter;
-        const DecodedSection section = decode_into(
-            cloud.scatter, tower_scatter_fields(), "clouds.*.scatter", join_path(path, "scatter"),
-            place_of("scatter"), subtable(table, "scatter", path, decoder), decoder);
-        if (scatter.count > 0) check_life(section, scatter, cloud, decoder);
-        if (scatter.shape != TowerShape::dome) return;
-        const double width_m = scatter.width[1].meters;
-        check_reach(section, "width", scatter, width_m * scatter.aspect[1],
-                    width_m * scatter.slenderness[1]);
-        check_lobes(section);
-    }
-
     void read_towers() const {
         const std::string towers_path = join_path(path, "towers");
         const Table& towers = subtable(table, "towers", path, decoder);
@@ -249,12 +170,6 @@ struct CloudReader {
                 decode_into(tower, tower_fields(), "clouds.*.towers.*",
                             join_path(towers_path, entry->key), entry->key_place, *keys, decoder);
             check_life(section, tower, cloud, decoder);
-            if (tower.shape == TowerShape::dome) {
-                if (cloud.extent[0].meters > 0) check_place(section, tower);
-                check_reach(section, "size", tower,
-                            std::max(tower.size[0].meters, tower.size[1].meters),
-                            tower.size[2].meters);
-            }
             cloud.towers.push_back(std::move(tower));
         }
     }
@@ -334,7 +249,6 @@ Cloud decode_cloud(const std::string& name, const Place& place, const Table& tab
     reader.read_coverage_map();
     reader.read_map("type_map", "clouds.*.type_map", type_map_fields(), cloud.type_map);
     reader.check_type_map(profile);
-    reader.read_scatter();
     reader.read_towers();
     return cloud;
 }

@@ -47,21 +47,6 @@ struct CloudMap {
     bool operator==(const CloudMap&) const = default;
 };
 
-// The shape that a tower adds to the height profile: a Gaussian over the ground plan, in units of tiles, or a
-// dome, a solid in metres.
-enum class TowerShape { gaussian, dome };
-
-// This is the shape of domes, whatever their places and sizes.
-struct DomeShape {
-    double widest = 0;             // height of the widest place, as a share of the dome's height
-    std::array<double, 2> lean{};  // shift along x and y per height
-    int lobes = 0;                 // spheres that bulge out of the dome
-    std::array<double, 2> lobe_size{0.3,
-                                    0.55};  // range of their radius, over the dome's lesser one
-
-    bool operator==(const DomeShape&) const = default;
-};
-
 // How a tower lives and dies within the loop of its cloud (bakers/clouds/tower_life.h).
 struct TowerLife {
     std::array<double, 3> life{};  // how long it grows, stays and dissolves, in loops; 0: it stands
@@ -71,36 +56,18 @@ struct TowerLife {
     bool operator==(const TowerLife&) const = default;
 };
 
-// The periodic images of Gaussians are summed; of domes the greatest counts.
-struct Tower : DomeShape, TowerLife {
+// A Gaussian over the ground plan, in units of tiles, that is added to the height profile with its periodic
+// images.
+struct Tower : TowerLife {
     std::array<double, 2> center{};  // x, y
     std::array<double, 2> sigma{};   // along its own axes
     Angle rotation;                  // of its axes from x and y, counterclockwise
     double correlation = 0;          // between its axes, in (-1, 1)
     double amplitude = 0;
     std::string name = {};  // what the recipe calls it: "0", "1" ... in a list
-    TowerShape shape = TowerShape::gaussian;
-    std::array<Length, 3> foot{};  // dome: x, y and the height above the cloud's base
-    std::array<Length, 3> size{};  // dome: widths along its own axes, and its height
-    std::uint64_t seed = 0;        // dome: places its lobes
-    double born = 0;               // when it is born, in loops
+    double born = 0;        // when it is born, in loops
 
     bool operator==(const Tower&) const = default;
-};
-
-// This describes towers at random places. Each value is uniform in its range; for sigma, its
-// logarithm is uniform. So is that of width. Rotations are uniform. Births are spread over the loop.
-struct TowerScatter : DomeShape, TowerLife {
-    int count = 0;
-    std::uint64_t seed = 0;
-    std::array<double, 2> sigma{};   // of the smaller axis
-    std::array<double, 2> aspect{};  // the greater axis over the smaller, at least 1
-    std::array<double, 2> amplitude{};
-    TowerShape shape = TowerShape::gaussian;
-    std::array<Length, 2> width{};        // dome: of the smaller axis
-    std::array<double, 2> slenderness{};  // dome: height over the width of the smaller axis
-
-    bool operator==(const TowerScatter&) const = default;
 };
 
 // The source of a cloud's density where it is neither noise nor a volume of the recipe.
@@ -155,11 +122,9 @@ struct Cloud {
     CloudChannels channels = CloudChannels::density;
     InverseLength extinction_scale;  // extinction of density 1
     std::vector<Tower> towers;       // in the order of the recipe
-    TowerScatter scatter;
-    int period = 0;                 // frames of the loop in which towers live; 0: they stand still
-    int time = 0;                   // the frame; any integer, as frames repeat
-    std::array<double, 2> drift{};  // tiles per loop that the wind carries towers along x and y
-    std::array<double, 2> shear{};  // lean that a dome takes on per loop of its life
+    int period = 0;                  // frames of the loop in which towers live; 0: they stand still
+    int time = 0;                    // the frame; any integer, as frames repeat
+    std::array<double, 2> drift{};   // tiles per loop that the wind carries towers along x and y
 
     bool operator==(const Cloud&) const = default;
 };

@@ -17,7 +17,6 @@ constexpr Range corner_range{-1e9, 1e9};
 constexpr Range density_range{0, 1e6};
 constexpr Range full_range{1e-6, 1e6};
 constexpr Range softness_range{.minimum = 1e-6, .maximum = 1e6, .or_zero = true};
-constexpr Range shear_range{-10, 10};
 constexpr Range period_range{1, 1e6};
 constexpr Range time_range{-1e9, 1e9};
 constexpr Range drift_range{-16, 16};  // tiles
@@ -124,10 +123,6 @@ const CloudField cloud_table[] = {
      Hint{"whole numbers for towers without `life`; a noise drifts with them if its "
           "own `drift` is noise_scale times this"},
      Needs{"period"}},
-    {"shear", Kind::pair, &Cloud::shear,
-     "lean along x and y that domes with `life` take on per loop, "
-     "because the wind is stronger above",
-     shear_range, Default{"[0, 0]"}, Needs{"period"}},
 };
 
 }  // namespace

@@ -12,8 +12,7 @@ namespace skybake::config {
 namespace {
 
 // These tables shape noise. A cloud that grows or is of a volume has its shape already.
-constexpr std::array<std::string_view, 4> noise_tables = {"height_profile", "type_map", "scatter",
-                                                          "towers"};
+constexpr std::array<std::string_view, 3> noise_tables = {"height_profile", "type_map", "towers"};
 
 void report_beside(std::string_view source, const Place& place, const std::string& path,
                    Decoder& decoder) {

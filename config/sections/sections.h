@@ -39,7 +39,6 @@ using HeightProfileField = Row<HeightProfile>;
 using CloudMapField = Row<CloudMap>;
 using ConvectionField = Row<Convection>;
 using TowerField = Row<Tower>;
-using TowerScatterField = Row<TowerScatter>;
 
 std::span<const RootField> root_fields();
 std::span<const AtmosphereField> atmosphere_fields();
@@ -58,7 +57,6 @@ std::span<const CloudMapField> coverage_map_fields();
 std::span<const CloudMapField> type_map_fields();
 std::span<const ConvectionField> convection_fields();
 std::span<const TowerField> tower_fields();
-std::span<const TowerScatterField> tower_scatter_fields();
 
 // Decodes one [volumes.NAME] and sets `file_place` to the place of its `file`. The volume is complete
 // only if no error was reported; its name is right in any case.

@@ -87,8 +87,7 @@ bool towers_move(const Cloud& cloud) {
     if (cloud.period == 0) return false;
     const bool drifts = cloud.drift != std::array<double, 2>{};
     const auto lives = [&](const TowerLife& tower) { return drifts || tower.lives(); };
-    return std::any_of(cloud.towers.begin(), cloud.towers.end(), lives) ||
-           (cloud.scatter.count > 0 && lives(cloud.scatter));
+    return std::any_of(cloud.towers.begin(), cloud.towers.end(), lives);
 }
 
 void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
@@ -126,14 +125,6 @@ double narrowest_sigma(const Tower& tower, const std::array<int, 3>& size) {
     const double half_sum = 0.5 * (xx + yy);
     const double lesser = half_sum - std::hypot(0.5 * (xx - yy), xy);
     return std::sqrt(std::max(0.0, lesser));  // rounding may take it below 0
-}
-
-double narrowest_sigma(const TowerScatter& scatter, const std::array<int, 3>& size) {
-    double voxels = std::numeric_limits<double>::infinity();
-    for (const std::size_t axis : {0u, 1u}) {
-        if (size[axis] > 1) voxels = std::min(voxels, scatter.sigma[0] * size[axis]);
-    }
-    return voxels;
 }
 
 }  // namespace skybake::config

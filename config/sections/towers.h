@@ -22,7 +22,7 @@ void name_listed_towers_of_cloud(Table& cloud);
 std::vector<const Entry*> towers_in_order(const Table& towers);
 
 // Reports lives of towers that do not fit into a loop, and drifts after which standing towers are not
-// where they were (E0182). `section` is a tower or a scatter, `cloud` has its keys.
+// where they were (E0182).
 void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,
                 Decoder& decoder);
 
@@ -35,8 +35,5 @@ void check_life(const DecodedSection& section, const TowerLife& tower, const Clo
 // variance sought is the lesser root of C's characteristic polynomial. An axis of one voxel does
 // not count as a direction.
 double narrowest_sigma(const Tower& tower, const std::array<int, 3>& size);
-
-// Returns the same for the narrowest tower that a scatter may make, whatever its rotation.
-double narrowest_sigma(const TowerScatter& scatter, const std::array<int, 3>& size);
 
 }  // namespace skybake::config

@@ -73,8 +73,8 @@ const std::string kFull =
     cumulus("threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 1]] }\n");
 const std::string kTowers = cumulus(
     "threshold = 0.05\nheight_profile = { type = 'tabulated', table = [[0, 0]] }\n"
-    "scatter = { count = 7, seed = 1, sigma = [0.02, 0.03], aspect = [1, 1.5], "
-    "amplitude = [0.8, 1] }\n");
+    "towers = [{ center = [0.2, 0.3], sigma = [0.06, 0.08], amplitude = 0.9 },"
+    " { center = [0.7, 0.6], sigma = [0.05, 0.07], amplitude = 0.9 }]\n");
 const std::string kCoverage = cumulus("coverage = '5 %'\n");
 
 void register_all() {

@@ -27,7 +27,7 @@ preset = "nubis_layer"
 pack = "shape"
 seed = 7
 [clouds.cumulus]
-preset = "cumulus_humilis"
+preset = "stratocumulus"
 base_altitude = "1.2 km"
 detail = ""
 [bake.cumulus]

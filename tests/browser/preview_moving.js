@@ -21,9 +21,8 @@ threshold = 0.1
 period = 4
 drift = [1, 0]
 [[clouds.cumulus.towers]]
-shape = "dome"
-foot = ["400 m", "600 m", "0 m"]
-size = ["500 m", "500 m", "400 m"]
+center = [0.4, 0.6]
+sigma = [0.15, 0.15]
 amplitude = 1
 [bake.cumulus]
 asset = "cloud_volume"

@@ -22,7 +22,7 @@ const recipe = `
 preset = "earth_hillaire"
 ${noise}
 [clouds.cumulus]
-preset = "cumulus_humilis"
+preset = "stratocumulus"
 noise = "shape"
 noise_scale = [1, 1, 1]
 detail = ""

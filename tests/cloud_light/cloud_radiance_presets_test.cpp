@@ -71,8 +71,8 @@ struct PartOfTile {
 };
 constexpr std::array kClouds = {
     PartOfTile{"cumulus_humilis",
-               "extent = ['3 km', '3 km', '0.75 km']\nnoise_scale = [4, 4, 1]\n"
-               "detail_scale = [8, 8, 2]\n[clouds.c.scatter]\ncount = 10\n",
+               "extent = ['3 km', '3 km', '0.75 km']\ndetail_scale = [8, 8, 2]\n"
+               "[clouds.c.convection]\ncells = [96, 96, 24]\npatches = 10\n",
                "[256, 256, 64]"},
     PartOfTile{"stratocumulus",
                "extent = ['5 km', '5 km', '0.625 km']\nnoise_scale = [1, 2, 1]\n"

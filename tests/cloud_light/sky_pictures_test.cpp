@@ -47,8 +47,8 @@ BakeOptions with_threads() {
 // A part of the preset's tile under the sky of the Earth with the sun at 30 degrees.
 constexpr const char* kRecipe =
     "preset = 'earth'\n[clouds.c]\npreset = 'cumulus_humilis'\n"
-    "extent = ['3 km', '3 km', '0.75 km']\nnoise_scale = [4, 4, 1]\ndetail_scale = [8, 8, 2]\n"
-    "[clouds.c.scatter]\ncount = 10\n"
+    "extent = ['3 km', '3 km', '0.75 km']\ndetail_scale = [8, 8, 2]\n"
+    "[clouds.c.convection]\ncells = [96, 96, 24]\npatches = 10\n"
     "[bake.v]\nasset = 'cloud_volume'\ncloud = 'c'\nsize = [256, 256, 64]\n"
     "[bake.l]\nasset = 'cloud_light'\nof = 'v'\ncontents = 'clear_sky_radiance'\n"
     "sun_elevations = '30 deg'\nsun_azimuths = '17 deg'\ndegree = 3\ncell = 4\n";

@@ -266,25 +266,18 @@ TEST(Cloud, IsFullFromAValueOn) {
     EXPECT_GT(saturated, 100);
 }
 
-// A column of 400 m radius, whose field is 1 - r^2, where r is the distance over the radius.
-config::Tower column_tower() {
-    config::Tower tower;
-    tower.shape = config::TowerShape::dome;
-    tower.foot = {{{500}, {500}, {0}}};
-    tower.size = {{{800}, {800}, {1e6}}};
-    tower.amplitude = 1;
-    return tower;
-}
+// A Gaussian whose neighbours add below 1e-6 where it counts.
+config::Tower column_tower() { return test::tower(0.5, 0.5, 0.15, 0.15, 1); }
 
-// r^2 at voxel i of 40 x 40 x 40.
-double column_distance(std::size_t i) {
+// The field of the tower at voxel i of 40 x 40 x 40.
+double column_field(std::size_t i) {
     const double dx = (static_cast<double>(i % 40) + 0.5) / 40 - 0.5;
     const double dy = (static_cast<double>(i / 40 % 40) + 0.5) / 40 - 0.5;
-    return (dx * dx + dy * dy) / 0.16;
+    return std::exp(-(dx * dx + dy * dy) / 0.045);
 }
 
-// Noise of 0.8 everywhere: where the profile takes 0.5 from the column, the cloud ends at 0.8 (0.5 -
-// r^2) = 0.3, and where the profile takes 1, there is none.
+// Noise of 0.8 everywhere: where the profile takes 0.5 from the tower T, the cloud ends at
+// 0.8 (T - 0.5) = 0.3, and where the profile takes 1, there is none.
 TEST(Cloud, LosesTowersWhereTheProfileIsBelowZero) {
     test::CloudCase any = plain_case({40, 40, 40});
     any.base.channels = {test::channel_of(config::NoiseType::constant, {})};
@@ -293,20 +286,20 @@ TEST(Cloud, LosesTowersWhereTheProfileIsBelowZero) {
     any.cloud.height_profile.table = {{0.49, -0.5}, {0.51, -1}};
     const std::vector<float> values = whole(any);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        EXPECT_EQ(values[i] > 0, 0.8 * (0.5 - column_distance(i)) > 0.3 && i / 1600 < 20) << i;
+        EXPECT_EQ(values[i] > 0, 0.8 * (column_field(i) - 0.5) > 0.3 && i / 1600 < 20) << i;
     }
 }
 
-// Noise from -3 to 3 does not make cloud of what the profile takes: all lies where 0.5 - r^2 > 0.
+// Noise from -6 to 6 does not make cloud of what the profile takes: all lies where T > 0.5.
 TEST(Cloud, IsNotMadeOfNoiseAndProfileBelowZero) {
     test::CloudCase any = plain_case({40, 40, 40});
-    any.base.channels[0].remap = {0, 1, -3, 3};
+    any.base.channels[0].remap = {0, 1, -6, 6};
     any.cloud.towers = {column_tower()};
     any.cloud.height_profile.table = {{0, -0.5}};
     const std::vector<float> values = whole(any);
     EXPECT_GT(share_filled(values), 0.01);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        EXPECT_TRUE(values[i] == 0 || column_distance(i) < 0.5) << i;
+        EXPECT_TRUE(values[i] == 0 || column_field(i) > 0.5) << i;
     }
 }
 

@@ -33,15 +33,17 @@ struct NaturalRange {
     std::array<double, 2> largest;
     std::array<double, 2> median;  // over columns that are cloudy
     std::array<double, 2> cover;   // share of columns that are
+    float core = 0.95F;            // the greatest density is at least this
 };
 
 constexpr std::array ranges = {
     NaturalRange{"altocumulus", {2, 8}, {0.5, 3.6}, {0.4, 0.9}},
     // Layers of ice clouds have at least 0.5 (Heymsfield, Matrosov and Baum 2003, J. Appl. Meteor. 42).
     NaturalRange{"cirrus", {0.5, 3.6}, {cloudy, 3.6}, {0.2, 0.8}},
-    NaturalRange{"cumulonimbus", {379, 2000}, {23, 379}, {0.1, 0.6}},
+    // Air that rises 9 km mixes on its way; cores that keep half of the water of unmixed air have the density
+    // 0.63, its power of 2/3.
+    NaturalRange{"cumulonimbus", {379, 2000}, {23, 379}, {0.1, 0.6}, 0.63F},
     NaturalRange{"cumulus_congestus", {60, 379}, {15, 150}, {0.1, 0.5}},
-    NaturalRange{"cumulus_grown", {30, 200}, {3.6, 60}, {0.1, 0.5}},
     NaturalRange{"cumulus_humilis", {15, 60}, {3.6, 23}, {0.1, 0.5}},
     NaturalRange{"cumulus_mediocris", {30, 150}, {3.6, 60}, {0.1, 0.5}},
     NaturalRange{"fog_bank", {2, 10}, {1, 6}, {0.9, 1}},
@@ -120,7 +122,7 @@ void expect_natural(const NaturalRange& range) {
         "{}: greatest density {}, largest depth {:.1f}, median {:.1f}, cover {:.2f}, "
         "levels {} of {}\n",
         range.preset, greatest, depths.back(), median, cover, used, preset.size[2]);
-    EXPECT_GE(greatest, 0.95F);
+    EXPECT_GE(greatest, range.core);
     EXPECT_LE(greatest, 1.0F);
     EXPECT_GE(depths.back(), range.largest[0]);
     EXPECT_LE(depths.back(), range.largest[1]);
@@ -131,18 +133,18 @@ void expect_natural(const NaturalRange& range) {
     EXPECT_GE(static_cast<double>(used), 0.9 * preset.size[2]);
 }
 
-constexpr std::string_view kGrown = "cumulus_grown";
+bool grows(std::string_view preset) { return preset.starts_with("cumul"); }
 
 TEST(CloudPresets, AreAsThickAsNature) {
     for (const NaturalRange& range : ranges) {
-        if (range.preset != kGrown) expect_natural(range);
+        if (!grows(range.preset)) expect_natural(range);
     }
 }
 
-// It takes more than a minute.
+// They take minutes.
 TEST(CloudPresets, WhatGrowsIsAsThickAsNature) {
     for (const NaturalRange& range : ranges) {
-        if (range.preset == kGrown) expect_natural(range);
+        if (grows(range.preset)) expect_natural(range);
     }
 }
 

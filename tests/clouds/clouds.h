@@ -80,34 +80,6 @@ inline config::Tower any_tower() {
     return result;
 }
 
-// In a cloud of a kilometre each way: domes and balls from a metre to kilometres, some of which wrap
-// around the tile or reach out of its top and bottom.
-inline config::Tower any_dome() {
-    config::Tower result;
-    result.shape = config::TowerShape::dome;
-    result.foot = {{{any_number(-1500, 2500)}, {any_number(-1500, 2500)}, {any_number(-500, 900)}}};
-    for (config::Length& size : result.size) {
-        size.meters = *rc::gen::element(1.0, 60.0, 350.0, 700.0, 2300.0);
-    }
-    result.rotation.radians = any_number(-7, 7);
-    result.amplitude = any_number(0, 3);
-    result.widest = *rc::gen::element(0.0, 0.3, 0.5, 1.0);
-    result.lean = {any_number(-2, 2), any_number(-2, 2)};
-    result.lobes = *rc::gen::inRange(0, 6);
-    result.seed = *rc::gen::arbitrary<std::uint64_t>();
-    return result;
-}
-
-inline config::TowerScatter any_dome_scatter() {
-    config::TowerScatter scatter = {
-        {}, {}, 3, *rc::gen::arbitrary<std::uint64_t>(), {0.01, 0.2}, {1, 3}, {0.1, 1}};
-    scatter.shape = config::TowerShape::dome;
-    scatter.width = {{{50}, {900}}};
-    scatter.slenderness = {0.3, 2};
-    scatter.lobes = *rc::gen::inRange(0, 4);
-    return scatter;
-}
-
 inline config::Noise any_cloud_noise() {
     using config::NoiseType;
     const Frequency low = {*rc::gen::inRange(1, 5), *rc::gen::inRange(1, 5),
@@ -154,8 +126,6 @@ inline void let_live(config::Cloud& cloud) {
     cloud.period = *rc::gen::inRange(1, 100);
     cloud.time = *rc::gen::inRange(-200, 200);
     cloud.drift = {any_number(-2, 2), any_number(-2, 2)};
-    cloud.shear = {any_number(-2, 2), any_number(-2, 2)};
-    let_live(cloud.scatter);
     for (config::Tower& tower : cloud.towers) {
         let_live(tower);
         tower.born = any_number(0, 1);
@@ -180,14 +150,7 @@ inline CloudCase any_cloud() {
     }
     cloud.channels = any_choice<config::CloudChannels>(2);
     const int towers = *rc::gen::inRange(0, 4);
-    for (int i = 0; i < towers; ++i) {
-        cloud.towers.push_back(*rc::gen::arbitrary<bool>() ? any_dome() : any_tower());
-    }
-    if (*rc::gen::inRange(0, 4) == 0) {
-        cloud.scatter = {{},          {},     3,       *rc::gen::arbitrary<std::uint64_t>(),
-                         {0.01, 0.2}, {1, 3}, {0.1, 1}};
-    }
-    if (*rc::gen::inRange(0, 4) == 0) cloud.scatter = any_dome_scatter();
+    for (int i = 0; i < towers; ++i) cloud.towers.push_back(any_tower());
     if (*rc::gen::inRange(0, 3) == 0) let_live(cloud);
     any.base = any_cloud_noise();
     if (*rc::gen::arbitrary<bool>()) any.detail = any_cloud_noise();

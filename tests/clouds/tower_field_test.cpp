@@ -120,33 +120,5 @@ TEST(TowerField, OlajosTowersLeaveNoSeam) {
     EXPECT_GT(field_at(field, 0.3, 0.0), alone);
 }
 
-TEST(ScatteredTowers, StayInTheirRanges) {
-    const config::TowerScatter scatter = {{}, {}, 1000, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
-    const std::vector<Tower> towers = scattered_towers(scatter);
-    ASSERT_EQ(towers.size(), 1000u);
-    double mean_x = 0;
-    for (const Tower& any : towers) {
-        EXPECT_GE(any.sigma[0], 0.01 * (1 - 1e-12));
-        EXPECT_LE(any.sigma[0], 0.1 * (1 + 1e-12));
-        EXPECT_GE(any.sigma[1], any.sigma[0]);
-        EXPECT_LE(any.sigma[1], 4 * any.sigma[0]);
-        EXPECT_GE(any.amplitude, 0.2);
-        EXPECT_LE(any.amplitude, 0.7);
-        EXPECT_LT(any.rotation.radians, std::numbers::pi);
-        mean_x += any.center[0] / 1000;
-    }
-    EXPECT_NEAR(mean_x, 0.5, 5 / std::sqrt(12.0 * 1000));
-}
-
-TEST(ScatteredTowers, AreTheSameWhateverTheirNumber) {
-    config::TowerScatter scatter = {{}, {}, 10, 5, {0.01, 0.1}, {1, 4}, {0.2, 0.7}};
-    const std::vector<Tower> ten = scattered_towers(scatter);
-    scatter.count = 3;
-    const std::vector<Tower> three = scattered_towers(scatter);
-    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(three[i].center, ten[i].center);
-    scatter.seed = 6;
-    EXPECT_NE(scattered_towers(scatter)[0].center, three[0].center);
-}
-
 }  // namespace
 }  // namespace skybake::cloud

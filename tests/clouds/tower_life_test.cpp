@@ -16,8 +16,8 @@ using config::Tower;
 using test::at_time;
 using test::fields_of;
 using test::largest_change;
-using test::living_dome;
 using test::living_gaussian;
+using test::living_tower;
 using test::looping_cloud;
 using test::plain_cloud;
 using test::reference_state;
@@ -29,7 +29,7 @@ TEST(TowerLife, GrowsStaysAndDissolves) {
     const std::array<double, 8> amplitude = {0, 1, 1, 1, 1, 1, 1, 0.5};
     for (int frame = 0; frame < 8; ++frame) {
         const auto index = static_cast<std::size_t>(frame);
-        const TowerState state = tower_state(living_dome(), 0, at_time(cloud, frame));
+        const TowerState state = tower_state(living_tower(), 0, at_time(cloud, frame));
         EXPECT_EQ(state.height, height[index]) << frame;
         EXPECT_EQ(state.amplitude, amplitude[index]) << frame;
         EXPECT_DOUBLE_EQ(state.width, 0.4 + 0.6 * height[index]) << frame;
@@ -39,7 +39,7 @@ TEST(TowerLife, GrowsStaysAndDissolves) {
 TEST(TowerLife, AgreesWithTheReference) {
     EXPECT_TRUE(rc::check([] {
         Cloud cloud = looping_cloud(1);
-        cloud.towers = {living_dome()};
+        cloud.towers = {living_tower()};
         test::let_live(cloud);
         const Tower& tower = cloud.towers[0];
         const TowerState found = tower_state(tower, tower.born, cloud);
@@ -51,7 +51,6 @@ TEST(TowerLife, AgreesWithTheReference) {
         RC_ASSERT(std::fabs(found.amplitude - wanted.amplitude) <= 1e-9);
         for (std::size_t i = 0; i < 2; ++i) {
             RC_ASSERT(std::fabs(found.moved[i] - wanted.moved[i]) <= 1e-9);
-            RC_ASSERT(std::fabs(found.leaned[i] - wanted.leaned[i]) <= 1e-9);
         }
     }));
 }
@@ -61,12 +60,13 @@ TEST(TowerLife, BeginsAtItsFrameInSpiteOfRounding) {
     Cloud cloud = looping_cloud(8);
     cloud.drift = {3, -2};
     for (const double born : {1e-17, 1e-300, 0.0}) {
-        EXPECT_EQ(tower_state(living_dome(), born, cloud).moved, (std::array<double, 2>{})) << born;
+        EXPECT_EQ(tower_state(living_tower(), born, cloud).moved, (std::array<double, 2>{}))
+            << born;
     }
 }
 
 TEST(TowerLife, IsNoneWithoutALoop) {
-    const TowerState state = tower_state(living_dome(), 0.3, plain_cloud());
+    const TowerState state = tower_state(living_tower(), 0.3, plain_cloud());
     EXPECT_EQ(state.height, 1);
     EXPECT_EQ(state.width, 1);
     EXPECT_EQ(state.amplitude, 1);
@@ -79,16 +79,14 @@ TEST(TowerLife, IsNoneWithoutALoop) {
 TEST(TowerWind, WrapsAroundTheTile) {
     Cloud drifting = looping_cloud(8);
     drifting.drift = {2.75, -1.5};
-    drifting.towers = {living_dome(), living_gaussian()};
+    drifting.towers = {living_tower(), living_gaussian()};
     Cloud placed = looping_cloud(8);
     placed.towers = drifting.towers;
     const double moved = 5 / 8.0;
     for (std::size_t i = 0; i < 2; ++i) {
         const auto within = [&](double place) { return place - std::floor(place); };
         const double tiles = drifting.drift[i] * moved;
-        placed.towers[0].foot[i].meters =
-            1000 * within(placed.towers[0].foot[i].meters / 1000 + tiles);
-        placed.towers[1].center[i] = within(placed.towers[1].center[i] + tiles);
+        for (Tower& tower : placed.towers) tower.center[i] = within(tower.center[i] + tiles);
     }
     const auto found = fields_of(at_time(drifting, 5));
     const auto wanted = fields_of(at_time(placed, 5));
@@ -100,26 +98,15 @@ TEST(TowerWind, WrapsAroundTheTile) {
 TEST(TowerWind, CarriesStandingTowers) {
     Cloud cloud = looping_cloud(8);
     cloud.drift = {2, -1};
-    cloud.towers = {living_dome()};
+    cloud.towers = {living_tower()};
     cloud.towers[0].life = {};
     cloud.towers[0].born = 0.4;
     Cloud moved = plain_cloud();
     moved.towers = cloud.towers;
-    moved.towers[0].foot[0].meters += 1000 * 2 * 3 / 8.0 - 1000;
-    moved.towers[0].foot[1].meters -= 1000 * 3 / 8.0;
+    moved.towers[0].center[0] += 2 * 3 / 8.0 - 1;
+    moved.towers[0].center[1] -= 3 / 8.0;
     EXPECT_LT(largest_change(fields_of(at_time(cloud, 3)), fields_of(moved)), 1e-9);
     EXPECT_EQ(fields_of(at_time(cloud, 8)), fields_of(at_time(cloud, 0)));
-}
-
-TEST(TowerWind, LeansDomesByTheirAge) {
-    Cloud cloud = looping_cloud(8);
-    cloud.shear = {0.8, -0.4};
-    cloud.towers = {living_dome()};
-    cloud.towers[0].lean = {0.1, 0};
-    const std::vector<Dome> domes = domes_of(at_time(cloud, 4));
-    EXPECT_DOUBLE_EQ(domes[0].lean[0], 0.1 + 0.4);
-    EXPECT_DOUBLE_EQ(domes[0].lean[1], -0.2);
-    EXPECT_EQ(domes[0].foot[0], 480) << "its foot stays";
 }
 
 // --- Hard cases ---------------------------------------------------------------------------------
@@ -131,8 +118,7 @@ TEST(TowerLife, IsFiniteInHardCases) {
             for (const int period : {1, 2, 999983}) {
                 Cloud cloud = looping_cloud(period);
                 cloud.drift = {16, -16};
-                cloud.shear = {10, -10};
-                cloud.towers = {living_dome(), living_gaussian()};
+                cloud.towers = {living_tower(), living_gaussian()};
                 for (Tower& tower : cloud.towers) {
                     tower.life = life;
                     tower.grows_from = grows_from;

@@ -14,7 +14,7 @@ using test::at_time;
 using test::fields_of;
 using test::largest_change;
 using test::lively_cloud;
-using test::living_dome;
+using test::living_tower;
 using test::looping_cloud;
 
 TEST(TowerLoop, RepeatsBitForBit) {
@@ -32,7 +32,7 @@ TEST(TowerLoop, RepeatsBitForBit) {
 TEST(TowerLoop, BeginsAtTheBirth) {
     Cloud cloud = looping_cloud(16);
     cloud.drift = {0.25, 0};
-    cloud.towers = {living_dome()};
+    cloud.towers = {living_tower()};
     Cloud later = cloud;
     later.towers[0].born = 3.0 / 16;
     for (int time = 0; time < 16; ++time) {

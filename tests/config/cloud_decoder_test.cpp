@@ -35,7 +35,6 @@ TEST(CloudDecoder, HasItsDefaults) {
     EXPECT_EQ(cloud.channels, CloudChannels::density);
     EXPECT_EQ(cloud.extinction_scale.per_meter, 0.04);
     EXPECT_TRUE(cloud.towers.empty());
-    EXPECT_EQ(cloud.scatter.count, 0);
     const Cloud eroded = cloud_of("detail = 'd'");
     EXPECT_EQ(eroded.detail_scale, (Triple{1, 1, 1}));
     EXPECT_EQ(eroded.erosion, (Pair{0.2, 0.35}));
@@ -56,14 +55,12 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "height_profile = { type = 'tabulated', table = [[0, 0.0], [0.25, 2]] }\n"
         "coverage_map = { file = 'maps/../a.png', channel = 'R', wrap = 'clamp', "
         "filter = 'nearest', color_space = 'srgb' }\n"
-        "scatter = { count = 12, seed = 3, sigma = [0.1, 0.2], aspect = [1, 3], amplitude = [0, 1] "
-        "}\n[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
+        "[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
     EXPECT_EQ(
         testing::to_string(cloud),
         "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
         "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
-        "12 3 [0.1, 0.2] [1, 3] [0, 1]\n"
         "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
     const Cloud blended = cloud_of(
         "height_profile = { type = 'blended', cloud_type = 0.5 }\ntype_map = { file = 't.png' }\n");
@@ -71,38 +68,12 @@ TEST(CloudDecoder, ReadsEveryKey) {
     EXPECT_EQ(blended.type_map.path, "t.png");
     EXPECT_EQ(blended.type_map.wrap, MapWrap::repeat);
     EXPECT_EQ(blended.type_map.filter, MapFilter::linear);
-    const Cloud scattered = cloud_of("scatter.count = 2");
-    EXPECT_EQ(testing::to_string(scattered.scatter), "2 0 [0.02, 0.05] [1, 2] [0.2, 0.5]");
 }
 
 TEST(CloudDecoder, TowersHaveNames) {
     const Cloud cloud =
         cloud_of("[clouds.c.towers.big]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n");
     EXPECT_EQ(cloud.towers.at(0).name, "big");
-}
-
-TEST(CloudDecoder, TowersMayBeDomes) {
-    const std::string whole =
-        "[[clouds.c.towers]]\nshape = 'dome'\nfoot = ['1 km', '-20 m', '0 m']\n"
-        "size = ['800 m', '0.6 km', '0.4 km']\namplitude = 1\n";
-    const Tower plain = cloud_of(whole).towers.at(0);
-    EXPECT_EQ(plain.shape, TowerShape::dome);
-    EXPECT_EQ(plain.foot[1].meters, -20);
-    EXPECT_EQ(plain.size[2].meters, 400);
-    EXPECT_EQ(static_cast<const DomeShape&>(plain), DomeShape{});
-    const Tower all = cloud_of(whole +
-                               "widest = 0.5\nlean = [0.2, -1]\nlobes = 7\n"
-                               "lobe_size = [0.1, 0.2]\nseed = 9\nrotation = '180 deg'\n")
-                          .towers.at(0);
-    EXPECT_EQ(static_cast<const DomeShape&>(all), (DomeShape{0.5, {0.2, -1}, 7, {0.1, 0.2}}));
-    EXPECT_EQ(all.seed, 9u);
-    const TowerScatter scatter = cloud_of("scatter = { shape = 'dome', count = 2 }").scatter;
-    EXPECT_EQ(scatter.width[1].meters, 900);
-    EXPECT_EQ(scatter.slenderness, (Pair{0.6, 1}));
-}
-
-TEST(CloudDecoder, BoundsMayBeEqual) {
-    EXPECT_EQ(cloud_of("scatter.sigma = [0.1, 0.1]").scatter.sigma, (Pair{0.1, 0.1}));
 }
 
 TEST(CloudDecoder, WithoutADetailNothingErodes) {

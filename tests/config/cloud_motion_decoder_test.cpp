@@ -20,12 +20,11 @@ TEST(TowerLife, IsNoneUnlessItIsGiven) {
     EXPECT_EQ(plain.period, 0);
     EXPECT_FALSE(plain.towers[0].lives());
     EXPECT_FALSE(towers_move(plain));
-    const Cloud given = cloud_of("period = 48\ntime = -3\ndrift = [0.5, -2]\nshear = [0.1, 0.2]\n" +
-                                 tower + "life = [0.4, 0.3, 0.2]\nborn = 0.25\ngrows_from = 0.5\n");
+    const Cloud given = cloud_of("period = 48\ntime = -3\ndrift = [0.5, -2]\n" + tower +
+                                 "life = [0.4, 0.3, 0.2]\nborn = 0.25\ngrows_from = 0.5\n");
     EXPECT_EQ(given.period, 48);
     EXPECT_EQ(given.time, -3);
     EXPECT_EQ(given.drift, (std::array<double, 2>{0.5, -2}));
-    EXPECT_EQ(given.shear, (std::array<double, 2>{0.1, 0.2}));
     EXPECT_EQ(given.towers[0].life, (std::array<double, 3>{0.4, 0.3, 0.2}));
     EXPECT_EQ(given.towers[0].born, 0.25);
     EXPECT_EQ(given.towers[0].grows_from, 0.5);

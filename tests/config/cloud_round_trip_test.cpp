@@ -39,11 +39,6 @@ std::string any_pair(double low, double high) {
     return fmt::format("[{}, {}]", any_number(low, high), any_number(low, high));
 }
 
-std::string any_bounds(double low, double high) {
-    const double first = any_number(low, high);
-    return fmt::format("[{}, {}]", first, any_number(first, high));
-}
-
 template <class... Names>
 std::string any_of(Names... names) {
     return fmt::format("'{}'", *rc::gen::element<std::string>(names...));
@@ -94,25 +89,6 @@ std::string any_lengths(double from, double to) {
                        any_number(from, to));
 }
 
-// The keys that towers and scatters share.
-std::string any_dome_shape() {
-    std::string text = "shape = 'dome'\n";
-    if (coin()) text += fmt::format("widest = {}\n", any_number(0, 1));
-    if (coin()) text += "lean = " + any_pair(-10, 10) + "\n";
-    if (coin()) text += fmt::format("lobes = {}\n", *rc::gen::inRange(0, 1001));
-    if (coin()) text += "lobe_size = " + any_bounds(0.01, 1) + "\n";
-    return text;
-}
-
-std::string any_dome(const std::string& header) {
-    std::string text = header + "\n" + any_dome_shape() + "foot = " + any_lengths(-99, 99) +
-                       "\nsize = " + any_lengths(0.1, 99) +
-                       fmt::format("\namplitude = {}\n", any_number(0, 10));
-    if (coin()) text += fmt::format("rotation = '{} deg'\n", any_number(-720, 720));
-    if (coin()) text += fmt::format("seed = {}\n", *rc::gen::inRange(0, 1 << 30));
-    return text;
-}
-
 std::string any_towers() {
     const bool listed = coin();
     const int count = *rc::gen::inRange(0, 13);
@@ -121,20 +97,9 @@ std::string any_towers() {
         const std::string header =
             listed ? "[[clouds.c.towers]]"
                    : fmt::format("[clouds.c.towers.{}{}]", coin() ? "" : "t", 3 * i);
-        text += coin() ? any_tower(header) : any_dome(header);
+        text += any_tower(header);
     }
     return text;
-}
-
-std::string any_scatter() {
-    if (coin()) {
-        return "[clouds.c.scatter]\ncount = 3\n" + any_dome_shape() +
-               "width = ['200 m', '0.3 km']\nslenderness = " + any_bounds(0.01, 10) + "\n";
-    }
-    return fmt::format(
-        "[clouds.c.scatter]\ncount = {}\nseed = '{:#x}'\nsigma = {}\naspect = {}\namplitude = {}\n",
-        *rc::gen::inRange(0, 100001), *rc::gen::arbitrary<std::uint64_t>(), any_bounds(1e-6, 1),
-        any_bounds(1, 10), any_bounds(0, 9));
 }
 
 std::string any_grown_cloud() {
@@ -177,7 +142,6 @@ std::string any_cloud() {
     }
     text += any_height_profile() + any_towers();
     if (coin()) text += any_map("coverage_map");
-    if (coin()) text += any_scatter();
     return text;
 }
 

@@ -44,11 +44,6 @@ inline std::string to_string(const Tower& tower) {
                        tower.rotation.radians, tower.correlation, tower.amplitude);
 }
 
-inline std::string to_string(const TowerScatter& scatter) {
-    return fmt::format("{} {} {} {} {}", scatter.count, scatter.seed, scatter.sigma, scatter.aspect,
-                       scatter.amplitude);
-}
-
 inline std::string to_string(const Convection& air) {
     return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", air.cells,
                        air.mixed_layer.meters, air.inversion.meters, air.instability,
@@ -67,7 +62,7 @@ inline std::string to_string(const Cloud& cloud) {
         static_cast<int>(cloud.threshold_at), static_cast<int>(cloud.channels),
         cloud.extinction_scale.per_meter, cloud.full_at.value_or(0));
     text += "\n" + to_string(cloud.height_profile) + "\n" + to_string(cloud.coverage_map) + "\n" +
-            to_string(cloud.type_map) + "\n" + to_string(cloud.scatter);
+            to_string(cloud.type_map);
     if (cloud.shape == CloudShape::convection) text += "\n" + to_string(cloud.convection);
     for (const Tower& tower : cloud.towers) text += "\n" + to_string(tower);
     return text;

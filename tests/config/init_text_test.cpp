@@ -125,7 +125,8 @@ TEST(InitText, ACloudStartsFromItsPresetAndItsNoises) {
             "noise.*.*", "preview.*", "preview.camera.*", "bake." + name + ".*"};
         EXPECT_EQ(parameters_toml(written, all), parameters_toml(alone, all));
         const std::string uncommented = without_marks(text, "# [clouds.");
-        const char* table = name == "cumulus_grown" ? ".convection]\n" : ".height_profile]\n";
+        const bool grows = written.parameters.clouds[0].shape == CloudShape::convection;
+        const char* table = grows ? ".convection]\n" : ".height_profile]\n";
         EXPECT_NE(uncommented.find(table), std::string::npos);
         EXPECT_EQ(all_parameters(valid_with_warnings(uncommented)), all_parameters(written));
     }

@@ -122,7 +122,7 @@ TEST(Presets, OfCloudsAreThoseOfTheIssue) {
     EXPECT_EQ(
         cloud_preset_names(),
         (std::vector<std::string_view>{"altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus",
-                                       "cumulus_grown", "cumulus_humilis", "cumulus_mediocris",
+                                       "cumulus_humilis", "cumulus_mediocris",
                                        "fog_bank", "stratocumulus", "stratus", "thesis"}));
     expect_titles(cloud_presets());
 }

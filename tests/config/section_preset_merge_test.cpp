@@ -55,14 +55,15 @@ TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
         return valid(noises + "[clouds.c]\n" + keys).parameters.clouds.at(0);
     };
     const Cloud plain = cloud("preset = 'cumulus_congestus'\n");
-    const Cloud changed = cloud(
-        "preset = 'cumulus_congestus'\ncoverage = 1\nscatter.seed = 5\n"
-        "height_profile.type = 'thesis'\n");
+    const Cloud changed =
+        cloud("preset = 'cumulus_congestus'\nwisp_height = 1\nconvection.seed = 5\n");
     EXPECT_EQ(changed.detail, "detail");
-    EXPECT_EQ(changed.coverage, 1);
-    EXPECT_EQ(changed.scatter.seed, 5u);
-    EXPECT_EQ(changed.scatter.count, plain.scatter.count);
-    EXPECT_EQ(changed.height_profile.top_falloff, 4);
+    EXPECT_EQ(changed.wisp_height, 1);
+    EXPECT_EQ(changed.convection.seed, 5u);
+    EXPECT_EQ(changed.convection.cells, plain.convection.cells);
+    EXPECT_EQ(
+        cloud("preset = 'stratus'\nheight_profile.type = 'thesis'\n").height_profile.top_falloff,
+        4);
     const Cloud plainer = cloud("preset = 'cumulus_congestus'\ndetail = ''\n");
     EXPECT_EQ(plainer.erosion[1], 0);
     EXPECT_EQ(plainer.extent[0].meters, plain.extent[0].meters);
@@ -103,10 +104,10 @@ TEST(SectionPresetMerge, TheRecipesOwnNoiseStays) {
         EXPECT_EQ(shape.seed, 7u);
         EXPECT_EQ(shape.channels.size(), 4u);
     }
-    EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cumulus_congestus'\n")
+    EXPECT_EQ(valid("[clouds.a]\npreset = 'stratus'\n[clouds.b]\npreset = 'cirrus'\n")
                   .parameters.noises.size(),
               3u)
-        << "detail, which both have, shape and billows";
+        << "detail, which both have, shape and fibres";
 }
 
 // Clouds whose presets bring different noises under one name do not share the first one's.

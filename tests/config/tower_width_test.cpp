@@ -28,13 +28,6 @@ TEST(TowerWidth, IsTheLesserSigmaInVoxels) {
     EXPECT_NEAR(narrowest_sigma(tower(0.1, 0.1, 0.3, 0.75), {100, 100, 1}), 5, 1e-9);
 }
 
-TEST(TowerWidth, OfAScatterIsThatOfItsNarrowest) {
-    TowerScatter scatter;
-    scatter.sigma = {0.02, 0.5};
-    EXPECT_DOUBLE_EQ(narrowest_sigma(scatter, {100, 300, 1}), 2);
-    EXPECT_DOUBLE_EQ(narrowest_sigma(scatter, {1, 300, 1}), 6);
-}
-
 // The deviation along a direction u is sqrt(u^T C u): no direction has less than the narrowest, and
 // one of many nearly has it.
 TEST(TowerWidth, NoDirectionIsNarrower) {

@@ -31,9 +31,8 @@ noise = "n"
 extent = ["1 km", "1 km", "500 m"]
 period = 6
 [[clouds.c.towers]]
-shape = "dome"
-foot = ["500 m", "400 m", "0 m"]
-size = ["700 m", "600 m", "400 m"]
+center = [0.5, 0.4]
+sigma = [0.2, 0.15]
 amplitude = 1
 life = [0.4, 0.2, 0.3]
 born = 0.1

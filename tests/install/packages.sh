@@ -24,8 +24,8 @@ bakes() {
     "$@" init mars.toml --preset mars
     "$@" bake mars.toml --only transmittance
     "$@" verify out
-    "$@" init clouds.toml --preset cumulus_humilis
-    "$@" bake clouds.toml --set bake.cumulus_humilis.size=[64,64,16] --certify off -o clouds
+    "$@" init clouds.toml --preset stratocumulus
+    "$@" bake clouds.toml --set bake.stratocumulus.size=[64,64,8] --certify off -o clouds
     "$@" verify clouds
     "$@" preview mars.toml --only transmittance
 }

@@ -70,7 +70,7 @@ size = [16, 8]
 }
 
 TEST(RecordedRecipe, NoisesAndCloudsComeBack) {
-    for (const char* cloud : {"cumulus_humilis", "cumulus_congestus", "stratus", "stratocumulus"}) {
+    for (const char* cloud : {"altocumulus", "cirrus", "stratus", "stratocumulus"}) {
         expect_round_trip(fmt::format(R"(
 [noise.shape]
 preset = "nubis_shape"

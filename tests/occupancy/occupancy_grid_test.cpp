@@ -68,7 +68,6 @@ TEST(OccupancyGrid, HoldsWhatItsVolumeHas) {
         test::CloudCase any = test::any_cloud();
         any.cloud.threshold_at = config::ThresholdAt::bake;
         any.cloud.towers.clear();
-        any.cloud.scatter.count = 0;
         const Subject subject(any, PixelType::half);
         OccupancyBake bake = all_contents(*rc::gen::element(1, 2, 4, 8, 16));
         bake.mips = 3;

@@ -19,8 +19,9 @@ CLOUD = """
 [clouds.small]
 preset = "cumulus_humilis"
 extent = ["1.5 km", "1.5 km", "0.75 km"]
-[clouds.small.scatter]
-count = 4
+[clouds.small.convection]
+cells = [16, 16, 8]
+patches = 4
 [bake.small]
 asset = "cloud_volume"
 cloud = "small"

@@ -15,7 +15,7 @@ namespace {
 const std::string kScene =
     "[scene]\naltitude = [\"0 m\", \"400 m\"]\nview_distance = \"10 km\"\n"
     "[clouds.c]\npreset = \"cumulus_humilis\"\nextent = [\"1.5 km\", \"1.5 km\", \"0.75 km\"]\n"
-    "noise_scale = [2, 2, 1]\ndetail_scale = [4, 4, 2]\n[clouds.c.scatter]\ncount = 4\n"
+    "detail_scale = [4, 4, 2]\n[clouds.c.convection]\ncells = [32, 32, 16]\npatches = 4\n"
     "[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [64, 64, 32]\n";
 
 PlanRequest request_of(const std::string& text) {

@@ -28,7 +28,8 @@ PreviewAssets cumulus() {
     const auto presets = config::cloud_presets();
     const auto humilis = std::ranges::find(presets, "cumulus_humilis", &config::Preset::name);
     const auto recipe = test::recipe_of(config::cloud_init_text(*humilis),
-                                        {"bake.cumulus_humilis.size=[128, 128, 16]"});
+                                        {"bake.cumulus_humilis.size=[128, 128, 16]",
+                                         "clouds.cumulus_humilis.convection.cells=[48, 48, 8]"});
     auto assets =
         bake_assets(recipe, recipe.parameters.bakes, "test", {1, Certification::off, nullptr});
     for (const auto& diagnostic : assets.diagnostics) ADD_FAILURE() << diagnostic.message;

@@ -25,8 +25,8 @@ TEST(VariantNames, ThePathsAreAsShortAsTheyCanBe) {
               (Strings{"threshold", "seed"}));
     EXPECT_EQ(distinguishing_names({"noise.n.seed", "noise.m.seed", "clouds.c.coverage"}),
               (Strings{"n.seed", "m.seed", "coverage"}));
-    EXPECT_EQ(distinguishing_names({"clouds.c.scatter.seed", "clouds.d.scatter.seed", "a.seed"}),
-              (Strings{"c.scatter.seed", "d.scatter.seed", "a.seed"}));
+    EXPECT_EQ(distinguishing_names({"clouds.c.convection.seed", "clouds.d.convection.seed", "a.seed"}),
+              (Strings{"c.convection.seed", "d.convection.seed", "a.seed"}));
     EXPECT_EQ(distinguishing_names({"preset"}), (Strings{"preset"}));
 }
 

@@ -69,11 +69,11 @@ std::optional<cloud::CloudVolume> grown_volume(const config::Cloud& cloud,
                                                const std::array<int, 3>& size, Facts& details,
                                                const BakeOptions& options) {
     const convection::Specification wanted = convection::specification_of(cloud);
-    const auto grown = shared_or_made<convection::GrownCloud>(
-        options.intermediates, NeedKey(wanted), [&] { return convection::grow(wanted, options); });
+    Intermediates* shared = options.intermediates;
+    const auto grown = shared_or_made<convection::GrownCloud>(shared, NeedKey(wanted), [&] {
+        return convection::kept_or_grown(wanted, shared ? shared->kept() : nullptr, options);
+    });
     if (!grown) return std::nullopt;
-    const auto& [x, y, z] = wanted.grid.cells;
-    details.emplace_back("convection_cells", fmt::format("{} x {} x {}", x, y, z));
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});
     return cloud::volume_of_grown(grown, cloud, size);
 }

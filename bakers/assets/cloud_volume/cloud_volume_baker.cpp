@@ -142,7 +142,7 @@ std::string cloud_box_glsl(const Cloud& cloud) {
 }
 
 const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
-    static const Baker<CloudVolumeBake> row = {.version = 5,
+    static const Baker<CloudVolumeBake> row = {.version = 6,
                                                .bake = bake,
                                                .estimate = estimate_cloud_volume,
                                                .needs = needs,

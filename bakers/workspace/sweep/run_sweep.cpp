@@ -18,6 +18,7 @@
 #include "bakers/math/startable_threads.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
+#include "bakers/workspace/cached_bytes.h"
 #include "bakers/workspace/folder_plan.h"
 #include "config/recipe/recipe.h"
 
@@ -109,7 +110,11 @@ std::int64_t most_kept_bytes(const SweepJob& job, const std::vector<PlannedVaria
 class SweepRunner {
   public:
     SweepRunner(const SweepJob& job, std::vector<PlannedVariant>& plan, SweepObserver& observer)
-        : job_(job), plan_(plan), observer_(observer), intermediates_(most_kept_bytes(job, plan)) {
+        : job_(job),
+          plan_(plan),
+          observer_(observer),
+          kept_(job.cache),
+          intermediates_(most_kept_bytes(job, plan), &kept_) {
         share_assets();
         for (std::size_t i = 0; i < plan.size(); ++i) {
             expected_.emplace_back();
@@ -344,6 +349,7 @@ class SweepRunner {
     SweepObserver& observer_;
     std::mutex observer_mutex_;
     ReadyAssets ready_;
+    CachedBytes kept_;
     Intermediates intermediates_;
     std::vector<Intermediates::Expected> expected_;  // of each variant, until it is made
 
