@@ -17,8 +17,8 @@ using States = std::vector<AssetState>;
 std::string sequence(int frames, const std::string& born = "0.1") {
     return "[noise.n]\nperiod = 8\n[noise.n.channels.Y]\ntype = \"alligator\"\nfrequency = 2\n"
            "[clouds.c]\nnoise = \"n\"\nextent = [\"1 km\", \"1 km\", \"1 km\"]\nperiod = 8\n"
-           "[[clouds.c.towers]]\nshape = \"dome\"\nfoot = [\"500 m\", \"400 m\", \"0 m\"]\n"
-           "size = [\"700 m\", \"600 m\", \"800 m\"]\namplitude = 1\nlife = [0.4, 0.2, 0.3]\nborn "
+           "[[clouds.c.towers]]\ncenter = [0.5, 0.4]\n"
+           "sigma = [0.2, 0.15]\namplitude = 1\nlife = [0.4, 0.2, 0.3]\nborn "
            "= " +
            born + "\n[bake.c]\nasset = \"cloud_volume\"\ncloud = \"c\"\nsize = [16, 16, 8]\n" +
            "formats = [\"vdb\"]\nframes = " + std::to_string(frames) + "\n";
