@@ -298,7 +298,8 @@ Command preview_command() {
                  "pitch=12deg fov=50deg\" or some of these; the heading turns from +x towards +y"),
              options::size("make pictures of clouds this large (default 960x540)"),
              options::single("show a single tile of a cloud, framed as a whole"),
-             options::table_sky("show clouds before the sky of the tables, as runtimes do"),
+             options::table_sky("show clouds as runtimes with tables do: their sky behind, light "
+                                "of octaves within"),
              options::turntable("make N pictures around a single tile, numbered for ffmpeg"),
              options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),

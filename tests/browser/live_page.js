@@ -27,9 +27,10 @@ preset = "nubis_layer"
 pack = "shape"
 seed = 7
 [clouds.cumulus]
-preset = "stratocumulus"
+preset = "cumulus_humilis"
 base_altitude = "1.2 km"
 detail = ""
+convection = { cells = [48, 48, 8] }
 [bake.cumulus]
 asset = "cloud_volume"
 cloud = "cumulus"

@@ -64,10 +64,12 @@ std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighti
         bake_options(input, threads));
 }
 
-cloud_light::MarchLight light_within(const CloudPreviewInput& input, const CloudMedium& medium,
-                                     const BakeOptions& options) {
-    return {medium, input.draft ? cloud_light::kCellsOfDraft : cloud_light::kCellsOfPicture,
-            options};
+std::optional<cloud_light::MarchLight> light_within(const CloudPreviewInput& input,
+                                                    const CloudMedium& medium,
+                                                    const BakeOptions& options) {
+    if (input.table_sky) return std::nullopt;
+    return cloud_light::MarchLight(
+        medium, input.draft ? cloud_light::kCellsOfDraft : cloud_light::kCellsOfPicture, options);
 }
 
 std::string light_text(const std::optional<LightInCloud>& light) {

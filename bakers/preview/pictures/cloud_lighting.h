@@ -30,9 +30,11 @@ std::optional<SolvedSky> solved_sky(const CloudPreviewInput& input, const Lighti
                                     const CloudCamera& camera, const SunDirection& sun,
                                     int threads);
 
-// Returns the light within a cloud of the picture, from which that under each sun follows.
-cloud_light::MarchLight light_within(const CloudPreviewInput& input, const CloudMedium& medium,
-                                     const BakeOptions& options);
+// Returns the light within a cloud of the picture, from which that under each sun follows; nothing where
+// pictures are those of a runtime that has tables alone.
+std::optional<cloud_light::MarchLight> light_within(const CloudPreviewInput& input,
+                                                    const CloudMedium& medium,
+                                                    const BakeOptions& options);
 
 // Returns the words of captions about that light.
 std::string light_text(const std::optional<LightInCloud>& light);

@@ -141,7 +141,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
     const double share = 1.0 / static_cast<double>(input.suns.size() * (count + 1) + 1);
     double done = share;
     ProgressPart solving(input.progress, "light within the cloud", 0, 0);
-    const cloud_light::MarchLight within =
+    const std::optional<cloud_light::MarchLight> within =
         light_within(input, cloud.medium, {.threads = threads, .progress = &solving});
     for (std::size_t s = 0; s < input.suns.size(); ++s) {
         const SunDirection& sun = input.suns[s];
@@ -150,7 +150,8 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
         const std::vector<CloudViewSettings> views = views_of(input, cloud.medium, sun);
         const auto sky = solved_sky(input, lighting, views.front().camera, sun, threads);
         ProgressPart of_sun(input.progress, step, done, 0);
-        const auto light = within.under(sun, {.threads = threads, .progress = &of_sun});
+        const auto light =
+            within ? within->under(sun, {.threads = threads, .progress = &of_sun}) : std::nullopt;
         done += share;
         const Atmosphere atmosphere = {lighting.medium, lighting.tables, sky ? &*sky : nullptr};
         LitScene scene = {

@@ -20,7 +20,7 @@ namespace {
 struct NamedLayer {
     std::string name;
     LeapingMedium cloud;
-    cloud_light::MarchLight light;
+    std::optional<cloud_light::MarchLight> light;
 };
 
 std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& inputs,
@@ -31,7 +31,7 @@ std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& i
         if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
         LeapingMedium medium = leaping_medium(input, *cloud, true, threads);
         ProgressPart solving(input.progress, "light within the clouds", 0, 0);
-        cloud_light::MarchLight light =
+        std::optional<cloud_light::MarchLight> light =
             light_within(input, medium.medium, {.threads = threads, .progress = &solving});
         layers.push_back({input.volume->entry.name, std::move(medium), std::move(light)});
     }
@@ -87,7 +87,9 @@ PreviewPicture scene_picture(const CloudPreviewInput& input, const Lighting& lig
     ProgressPart solving(progress, "light within the clouds", 0, 0);
     std::vector<std::optional<LightInCloud>> lights;
     for (const NamedLayer& layer : layers) {
-        lights.push_back(layer.light.under(sun, {.threads = threads, .progress = &solving}));
+        lights.push_back(layer.light
+                             ? layer.light->under(sun, {.threads = threads, .progress = &solving})
+                             : std::nullopt);
     }
     for (std::size_t l = 0; l < layers.size(); ++l) {
         if (lights[l]) scene.layers[l].solved = &*lights[l];
