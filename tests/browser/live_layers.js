@@ -34,7 +34,9 @@ size = [${size}]
 formats = ["bin"]
 pixel_type = "half"
 `;
-const cumulus = layer('cumulus', [96, 96, 12], 'preset = "stratocumulus"\nbase_altitude = "1.2 km"');
+// It grows, so it takes no noise.
+const cumulus = layer('cumulus', [96, 96, 12], 'preset = "cumulus_humilis"\nbase_altitude = "1.2 km"\nconvection = { cells = [48, 48, 8] }')
+    .replace('noise = "shape"\n', '');
 const grid = '[bake.cells]\nasset = "occupancy"\nof = "cumulus"\ncell = 4\ncontents = ["leap"]\nformats = ["bin"]\n';
 const overlapping = layer('overlapping', [64, 80, 12],
     'extent = ["4 km", "5 km", "0.9 km"]\nbase_altitude = "1.6 km"\ncoverage = 0.4\nextinction_scale = "20 /km"');
