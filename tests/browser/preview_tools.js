@@ -23,6 +23,7 @@ preset = "earth_hillaire"
 ${noise}
 [clouds.cumulus]
 preset = "stratocumulus"
+extent = ["10 km", "10 km", "1.25 km"]
 noise = "shape"
 noise_scale = [1, 1, 1]
 detail = ""
