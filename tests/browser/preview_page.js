@@ -56,7 +56,7 @@ const tests = {
     async 'begins with all clouds in one sky, as wide as the page'(browser, file) {
         const page = await open(browser, file);
         const names = await page.$$eval('figure', (figures) => figures.map((figure) => figure.dataset.name));
-        assert.deepEqual(names.slice(0, 2), ['scene_sun_40', 'scene_sun_6']);
+        assert.deepEqual(names.slice(0, 2), ['scene_sun_40', 'scene_sun_5']);
         const box = await page.locator('figure').first().boundingBox();
         assert.ok(box.width > 1000 && box.y < 200, JSON.stringify(box));
         assert.ok((await page.$$('img.plot')).length >= 5);
