@@ -148,7 +148,7 @@ class CoverSearch {
 
     // The columns that hold cloud at a coverage.
     Count count_at(double coverage) const {
-        constexpr std::size_t kFew = 512;
+        constexpr std::size_t kFew = 512;  // are looked at however many tie
         std::int64_t sure = 0;
         std::vector<std::size_t> unsure;
         for (std::size_t column = 0; column < peaks_.size(); ++column) {

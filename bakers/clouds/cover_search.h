@@ -32,7 +32,7 @@ struct FoundCover {
     std::array<double, 2> reach{};  // the shares at the coverages 0 and 1
 };
 
-// One in so many columns may hold cloud from the same coverage on. Where the noise is constant, more
+// One in so many columns, or 512, may hold cloud from the same coverage on. Where the noise is constant, more
 // do, and the search ends at that coverage.
 inline constexpr std::size_t kMostTiedColumns = 255;
 

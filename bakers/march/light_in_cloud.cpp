@@ -79,19 +79,13 @@ double forward_integral(const Image2<float>& table, double column, double tau) {
 }
 
 double mean_forward_factor(const Image2<float>& table, double column, double tau, double fall) {
-    constexpr double kLeastFall =
-        1e-2;  // below which F is even, and a difference would be rounding
+    // Below this F is even, and a difference would be rounding.
+    constexpr double kLeastFall = 1e-2;
     const double half = std::max(fall, kLeastFall) / 2;
     const double from = std::max(tau - half, 0.0);
     const double to = tau + half;
     return (forward_integral(table, column, to) - forward_integral(table, column, from)) /
            (to - from);
-}
-
-// The mean of exp(-x) over [0, x].
-double mean_exponential(double x) {
-    if (x < 1e-2) return 1 - x / 2 * (1 - x / 3);
-    return (1 - exponential(-x)) / x;
 }
 
 // The first term over E.
@@ -101,7 +95,8 @@ double sunlight_once(const LightInCloud& light, const LitRay& ray, const LitPoin
     const double depth = light.share * width;
     const double even = 1 - ray.forward;
     return ray.once * exponential(-light.share * tau - depth / 2 * ray.forward) *
-           mean_exponential(even * depth) / mean_exponential(depth) *
+           mean_of_exponential(even * depth, exponential(-even * depth)) /
+           mean_of_exponential(depth, exponential(-depth)) *
            mean_forward_factor(light.forward, ray.column, tau, ray.forward * width);
 }
 

@@ -28,9 +28,9 @@
 namespace skybake {
 
 struct LightInCloud {
-    static constexpr std::size_t kSun = 16;  // coefficients of sunlight, of degree 3
-    static constexpr std::size_t kHemisphere =
-        4;  // of the sky's or the ground's light, of degree 1
+    // Coefficients of sunlight, of degree 3, and of the sky's or the ground's light, of degree 1.
+    static constexpr std::size_t kSun = 16;
+    static constexpr std::size_t kHemisphere = 4;
     static constexpr std::size_t kAll = kSun + 2 * kHemisphere;
 
     double share = 1;            // s

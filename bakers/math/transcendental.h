@@ -20,6 +20,12 @@ struct SineCosine {
 };
 SineCosine sine_and_cosine(double x);
 
+// The mean of e^-t for t in [0, x], x >= 0; `passing` is e^-x.
+inline double mean_of_exponential(double x, double passing) {
+    constexpr double kSmall = 1e-4;  // of which the series leaves x^2 / 6
+    return x < kSmall ? 1 - 0.5 * x : (1 - passing) / x;
+}
+
 // Replaces each of `count` values by its exponential, a vector at a time, with the same bits as
 // exponential(double).
 void exponentials(double* values, int count);

@@ -44,14 +44,13 @@ struct PreviewOptions {
     std::optional<EarthPlace> place;
     std::optional<CameraRequest> camera;             // of lit clouds
     std::optional<std::array<int, 2>> picture_size;  // width, height of lit clouds
-    bool single = false;  // shows one tile of a cloud alone, completely in the picture
-    bool table_sky =
-        false;           // clouds have the sky of the tables and light of octaves, as in a runtime
-    int turntable = 0;   // pictures of one tile from all around; 0: none
-    std::string note;    // for the page, on the light; empty: none
-    bool draft = false;  // few pictures, small and fast
-    bool live = false;   // a page that renders the assets (live/live_scene.h)
-    int threads = 0;     // 0: as many as the machine has
+    bool single = false;     // shows one tile of a cloud alone, completely in the picture
+    bool table_sky = false;  // clouds are lit as by a runtime with tables
+    int turntable = 0;       // pictures of one tile from all around; 0: none
+    std::string note;        // for the page, on the light; empty: none
+    bool draft = false;      // few pictures, small and fast
+    bool live = false;       // a page that renders the assets (live/live_scene.h)
+    int threads = 0;         // 0: as many as the machine has
     StageProgress* progress = nullptr;
     int stages_before = 0;          // stages already reported, of the same preview
     PictureMemo* memory = nullptr;  // of earlier previews with the same options

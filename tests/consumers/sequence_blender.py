@@ -57,7 +57,7 @@ def main():
 
     blender = consumer.program("blender", "blender")
     failures = consumer.Failures()
-    volumes = [volume for volume in consumer.baked_volumes() if volume.name.startswith("dome_")]
+    volumes = [volume for volume in consumer.baked_volumes() if volume.name.startswith("tower_")]
     text = consumer.output_of(blender, "-b", "--factory-startup", "--python-exit-code", "1", "--python", __file__,
                               "--", volumes[0].path("vdb"), str(len(volumes)))
     facts = json.loads(re.search(r"^FACTS (.*)$", text, re.MULTILINE).group(1))

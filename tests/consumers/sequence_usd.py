@@ -39,7 +39,7 @@ def check_text(failures, text, files, frames):
                     ["[(0, 0, 500), (1200, 1200, 1300)]"], "the extent in metres")
     samples = re.search(r"asset filePath\.timeSamples = \{(.*?)\}", text, re.DOTALL).group(1)
     found = re.findall(r"(\d+): @\./([^@]+)@,", samples)
-    failures.expect(found, [(str(n), f"dome_{n:04}.vdb") for n in range(1, frames + 1)], "the time samples")
+    failures.expect(found, [(str(n), f"tower_{n:04}.vdb") for n in range(1, frames + 1)], "the time samples")
     failures.expect([name for _, name in found if name not in files], [], "samples without a file")
 
 
@@ -47,10 +47,10 @@ def main():
     import consumer
 
     failures = consumer.Failures()
-    volumes = [volume for volume in consumer.baked_volumes() if volume.name.startswith("dome_")]
+    volumes = [volume for volume in consumer.baked_volumes() if volume.name.startswith("tower_")]
     scenes = [file["path"] for volume in volumes for file in volume.asset["files"] if file["format"] == "usda"]
-    failures.expect(scenes, ["dome.usda"], "the scenes of the sequence")
-    scene = volumes[0].folder / "dome.usda"
+    failures.expect(scenes, ["tower.usda"], "the scenes of the sequence")
+    scene = volumes[0].folder / "tower.usda"
     files = {path.name for path in volumes[0].folder.iterdir()}
     check_text(failures, scene.read_text(), files, len(volumes))
     if failures.messages:
@@ -61,7 +61,7 @@ def main():
     shown = json.loads(re.search(r"^FACTS (.*)$", text, re.MULTILINE).group(1))
     if shown is None:
         consumer.skip("this Blender is built without USD; the text of the scene is right")
-    failures.expect(shown, [f"dome_{n + 1:04}.vdb" for n in range(len(volumes))], "the files at each frame")
+    failures.expect(shown, [f"tower_{n + 1:04}.vdb" for n in range(len(volumes))], "the files at each frame")
     failures.exit()
 
 

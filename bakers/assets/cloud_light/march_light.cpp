@@ -54,8 +54,8 @@ CloudLayer layer_of(const CloudMedium& medium, const std::array<int, 3>& margin)
     return layer;
 }
 
-// The integral of F over the depth, by the trapezoidal rule.
-Image2<float> forward_integrals() {
+// Computes the integral of F over the depth, by the trapezoidal rule.
+Image2<float> make_forward_integrals() {
     const forward_scattering::SmallAngles light(droplets(), kDegree);
     Image2<float> table(kForwardTexels[0], kForwardTexels[1], 1);
     std::vector<ScatteringAngle> angles;
@@ -80,6 +80,12 @@ Image2<float> forward_integrals() {
         std::transform(sums.begin(), sums.end(), table.texel(0, row),
                        [](double sum) { return static_cast<float>(sum); });
     }
+    return table;
+}
+
+// They are the same for all clouds.
+const Image2<float>& forward_integrals() {
+    static const Image2<float> table = make_forward_integrals();
     return table;
 }
 
@@ -160,9 +166,9 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
     LayerSources source;
     source.sun = 1;
     source.sun_direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
-    LightInCloud light = without_sun_;
     const SolvedRadiance solved = solver_->solve(source, options);
     if (options.cancelled()) return std::nullopt;
+    LightInCloud light = without_sun_;
     write(solved, margin_, 0, LightInCloud::kSun, light);
     light.depths.resize(light.values.size() / LightInCloud::kAll);
     for_padded_cells(solved, margin_, light, [&](std::size_t cell, int x, int y, int z) {

@@ -16,12 +16,6 @@ namespace {
 constexpr int kZenithNodes = 4;
 constexpr int kAzimuths = 8;
 
-// (1 - e^-x) / x.
-double mean_of_exponential(double x, double passing) {
-    constexpr double kSmall = 1e-4;  // of which the series leaves x^2 / 6
-    return x < kSmall ? 1 - 0.5 * x : (1 - passing) / x;
-}
-
 // Turns a direction to the middle between two azimuths.
 glm::dvec3 half_a_step_on(const glm::dvec3& direction) {
     const SineCosine turn = sine_and_cosine(std::numbers::pi / kAzimuths);

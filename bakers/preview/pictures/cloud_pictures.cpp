@@ -59,9 +59,8 @@ std::string lit_caption(const LitScene& scene, const CloudViewSettings& settings
     return fmt::format(
         "{}. The sky is that of {}, with the {}, {}; {}; {}.\n"
         "The camera is `{}`. There is {}, in steps of {:.3g} m, and of {:.3g} m towards the sun. "
-        "{}. Leaping by {}, each pixel takes "
-        "{:.0f} "
-        "lookups of the volume and {:.0f} of the grid.{}",
+        "{}. Leaping by {}, each pixel takes {:.0f} lookups of the volume and {:.0f} of the "
+        "grid.{}",
         scene.input.single ? "The picture shows one tile alone, with its shadow on the ground"
                            : "The tile is repeated to the horizon and casts shadows on the ground",
         scene.lighting.name, sun_text(settings.sun.elevation_degrees),

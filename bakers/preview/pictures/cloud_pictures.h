@@ -63,10 +63,9 @@ struct CloudPreviewInput {
     ToneCurve tone_curve = ToneCurve::film;
     CameraRequest camera;
     std::optional<SequenceFrame>
-        frame;            // of volumes whose lit pictures are parts of one that plays
-    bool single = false;  // one tile alone, not the layer that it repeats to
-    bool table_sky =
-        false;          // the sky behind is that of the tables, and light in clouds that of octaves
+        frame;               // of volumes whose lit pictures are parts of one that plays
+    bool single = false;     // one tile alone, not the layer that it repeats to
+    bool table_sky = false;  // the light is that of a runtime with tables
     int turntable = 0;  // pictures of that tile from all around, under each sun; 0: one picture
     int width = 960;    // of lit pictures
     int height = 540;
