@@ -1,5 +1,6 @@
 // The table of targets. What is asked of it stands in targets.cpp.
 #include <initializer_list>
+#include <utility>
 
 #include "config/sections/targets.h"
 
@@ -24,11 +25,13 @@ constexpr PixelTypes only_float32(PixelType::float32);
 std::vector<TargetFacts> make_targets() {
     // The groups of assets that programs treat alike: pictures of numbers, pictures of the sky, textures
     // of two or three axes, and volumes with a place in space.
-    const Words tables = {"transmittance", "multiple_scattering", "sky_view", "irradiance",
-                          "phase",         "weather_map"};
+    const Words tables = {"transmittance", "multiple_scattering", "sky_view",          "irradiance",
+                          "phase",         "weather_map",         "forward_scattering"};
     const Words environments = {"environment"};
     constexpr std::string_view panorama = "longitude_latitude";
     constexpr std::string_view cube = "cube";
+    constexpr TargetKey bare = {"ktx2_compression", "none", false};
+    constexpr TargetKey lights = {"lights", "true", false};  // scripts make a lamp of them
     const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume",
                             "cloud_light"};
     const Words clouds = {"cloud_volume"};
@@ -36,13 +39,23 @@ std::vector<TargetFacts> make_targets() {
     const Words occupancies = {"occupancy", "cloud_distance", "blue_noise"};
     const Words sky = all_of({tables, textures});
     const Words most = all_of({tables, textures, clouds, occupancies});
+    const auto flipbook = [](FileFormat format, Words sidecars, std::vector<TargetKey> keys) {
+        return TargetUse{.assets = {"flipbook"},
+                         .formats = {format},
+                         .pixel_types = filtered_types,
+                         .pixel_type = PixelType::half,
+                         .sidecars = std::move(sidecars),
+                         .keys = std::move(keys),
+                         .mappings = {"frames"}};
+    };
     Words all_but_phase = most;
     std::erase(all_but_phase, "phase");
     return {
         {Target::three,
          "three",
          "three.js: KTX2 and EXR files, each with a module that loads it",
-         {{.assets = most,
+         {flipbook(FileFormat::ktx2, {"*.three.js"}, {}),
+          {.assets = most,
            .formats = {FileFormat::ktx2},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
@@ -52,18 +65,20 @@ std::vector<TargetFacts> make_targets() {
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.three.js"},
-           .keys = {{"flip", "false"}},
+           .keys = {{"flip", "false"}, lights},
            .mappings = {panorama}},
           {.assets = environments,
            .formats = {FileFormat::ktx2},
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.three.js"},
+           .keys = {lights},
            .mappings = {cube}}}},
         {Target::babylon,
          "babylon",
          "Babylon.js: bare texels, each with a module that makes a texture of them",
-         {{.assets = most,
+         {flipbook(FileFormat::bin, {"*.babylon.js"}, {}),
+          {.assets = most,
            .formats = {FileFormat::bin},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
@@ -73,6 +88,7 @@ std::vector<TargetFacts> make_targets() {
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.babylon.js"},
+           .keys = {lights},
            .mappings = {panorama, cube}}}},
         {Target::takram,
          "takram",
@@ -102,7 +118,8 @@ std::vector<TargetFacts> make_targets() {
         {Target::godot,
          "godot",
          "Godot 4.4 and later: DDS textures, with shader includes and scenes of fog",
-         {{.assets = all_of({sky, occupancies}),
+         {flipbook(FileFormat::dds, {"*.gdshaderinc"}, {}),
+          {.assets = all_of({sky, occupancies}),
            .formats = {FileFormat::dds},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
@@ -116,13 +133,15 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::dds},
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
-           .sidecars = {"*.tres"},
+           .sidecars = {"*.tres", "*.tscn"},
+           .keys = {lights},
            .mappings = {panorama, cube}}},
          true},
         {Target::unity,
          "unity",
          "Unity: bare texels, with editor scripts that make textures of them",
-         {{.assets = most,
+         {flipbook(FileFormat::bin, {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"}, {}),
+          {.assets = most,
            .formats = {FileFormat::bin},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
@@ -132,6 +151,7 @@ std::vector<TargetFacts> make_targets() {
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"},
+           .keys = {lights},
            .mappings = {panorama, cube}}}},
         {Target::unreal,
          "unreal",
@@ -141,6 +161,13 @@ std::vector<TargetFacts> make_targets() {
            .pixel_types = volume_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.unreal.py"}},
+          // SubUV materials play sheets.
+          {.assets = {"flipbook"},
+           .formats = {FileFormat::png, FileFormat::dds},
+           .pixel_types = only_unorm8,
+           .pixel_type = PixelType::unorm8,
+           .sidecars = {"*.unreal.py"},
+           .mappings = {"frames"}},
           {.assets = clouds,
            .formats = {FileFormat::vdb, FileFormat::dds},
            .pixel_types = floating_types,
@@ -148,12 +175,13 @@ std::vector<TargetFacts> make_targets() {
         {Target::bevy,
          "bevy",
          "Bevy: KTX2 textures, with Rust modules that load them",
-         {{.assets = all_but_phase,
+         {flipbook(FileFormat::ktx2, {"*.bevy.rs"}, {bare}),
+          {.assets = all_but_phase,
            .formats = {FileFormat::ktx2},
            .pixel_types = filtered_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.bevy.rs"},
-           .keys = {{"ktx2_compression", "none", false}}},
+           .keys = {bare}},
           // Bevy reads the texels of phase functions itself, and only those of this type.
           {.assets = {"phase"},
            .formats = {FileFormat::ktx2},
@@ -162,14 +190,14 @@ std::vector<TargetFacts> make_targets() {
            .sidecars = {"*.bevy.rs"},
            .keys = {{"content", "phase"},
                     {"spacing", "cosine_from_back"},
-                    {"ktx2_compression", "none", false}},
+                    bare},
            .light_channels = 3},
           {.assets = environments,
            .formats = {FileFormat::ktx2},
            .pixel_types = floating_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.bevy.rs"},
-           .keys = {{"ktx2_compression", "none", false}},
+           .keys = {bare, lights},
            .mappings = {cube}}}},
         {Target::blender,
          "blender",
@@ -182,7 +210,7 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.blender.py"},
-           .keys = {{"flip", "false"}},
+           .keys = {{"flip", "false"}, lights},
            .mappings = {panorama}}}},
         {Target::houdini,
          "houdini",
@@ -195,7 +223,7 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.houdini.py"},
-           .keys = {{"flip", "false"}},
+           .keys = {{"flip", "false"}, lights},
            .mappings = {panorama}}}},
         {Target::omniverse,
          "omniverse",
@@ -208,7 +236,7 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.usda"},
-           .keys = {{"flip", "false"}},
+           .keys = {{"flip", "false"}, lights},
            .mappings = {panorama}}}},
         {Target::mitsuba,
          "mitsuba",
@@ -221,7 +249,7 @@ std::vector<TargetFacts> make_targets() {
            .formats = {FileFormat::exr},
            .pixel_types = floating_types,
            .sidecars = {"*.mitsuba.xml"},
-           .keys = {{"flip", "false"}},
+           .keys = {{"flip", "false"}, lights},
            .mappings = {panorama}}}},
         {Target::pbrt,
          "pbrt",

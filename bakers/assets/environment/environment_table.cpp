@@ -152,7 +152,7 @@ class EnvironmentFinish {
                                           irradiance_of(sun, LitSurface::level, map.channels),
                                           level_irradiance(map, models_.layout()),
                                           harmonics_of(map, models_.layout())};
-        add_light_facts(lights, table);
+        add_light_facts(lights, bake_, table);
         table.companion = CompanionFile{"json", lights_json(lights, bake_, table)};
     }
 
