@@ -41,8 +41,8 @@ class TargetKeys {
     void refuse(const DecodedField& given, std::string_view value, std::string label) const {
         decoder_.diagnostics.error(
             "E0160", given.source->place,
-            fmt::format("`{}`: {} cannot load {} with {}", join_path(bake_.path, given.field->key),
-                        target_.name, asset_, value),
+            fmt::format("`{}`: target \"{}\" does not load {} with {}",
+                        join_path(bake_.path, given.field->key), target_.name, asset_, value),
             std::move(label));
     }
 
@@ -165,12 +165,11 @@ const TargetUse* use_of(const DecodedSection& bake, std::string_view asset,
 void report_no_use(DecodedSection& bake, std::string_view asset, const TargetFacts& target,
                    Decoder& decoder) {
     DecodedField& decoded = bake.at("target");
-    const std::string message =
-        fmt::format("[{}]: {} has no use for the asset {}", bake.path, target.name, asset);
+    const std::string message = fmt::format("[{}]: target \"{}\" does not load the asset {}",
+                                            bake.path, target.name, asset);
     if (decoded.source) {
-        decoder.diagnostics.error(
-            "E0160", decoded.source->place, message,
-            fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
+        decoder.diagnostics.error("E0160", decoded.source->place, message,
+                                  fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
         return;
     }
     decoded.value = FieldValue(chosen(*decoded.field, Target::none));

@@ -118,9 +118,9 @@ void add_lamp(const Baked& baked, Values& values) {
     add("IRRADIANCE", most);
     values["SUN_RGB"] = fmt::format("{:.7g}", fmt::join(light, ", "));
     add("ENERGY", most / std::numbers::pi);
-    values["SUN_RAY"] = shines ? fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2],
-                                             sun[0], -sun[1])
-                               : "";
+    values["SUN_RAY"] =
+        shines ? fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2], sun[0], -sun[1])
+               : "";
     values["SUN_BASIS"] = shines ? lamp_basis(glm::dvec3(sun[0], sun[1], -sun[2])) : "";
 }
 
