@@ -56,13 +56,15 @@ TargetUse sky_of(FileFormat format, Words sidecars, Words mappings, Keys keys = 
 
 // Assets that have the one type of texel which the program reads.
 TargetUse texels_of(std::string_view asset, std::vector<FileFormat> formats, PixelTypes types,
-                    PixelType type, Words sidecars, Keys keys = {}) {
+                    PixelType type, Words sidecars, Keys keys = {},
+                    std::size_t light_channels = 0) {
     return {.assets = {asset},
             .formats = std::move(formats),
             .pixel_types = types,
             .pixel_type = type,
             .sidecars = std::move(sidecars),
-            .keys = std::move(keys)};
+            .keys = std::move(keys),
+            .light_channels = light_channels};
 }
 
 // Densities with a place in space, as renderers load them.
@@ -77,11 +79,6 @@ TargetUse volumes_of(std::vector<FileFormat> formats, Words sidecars) {
 TargetUse panorama_of(Words sidecars) {
     TargetUse use = sky_of(FileFormat::exr, std::move(sidecars), {panorama}, {upright, lights});
     use.pixel_type = {};
-    return use;
-}
-
-TargetUse of_light(TargetUse use, std::size_t channels) {
-    use.light_channels = channels;
     return use;
 }
 
@@ -160,10 +157,8 @@ std::vector<TargetFacts> make_targets() {
          {textures_of(all_but_phase, FileFormat::ktx2, {"*.bevy.rs"}, {bare}),
           flipbook_of(FileFormat::ktx2, {"*.bevy.rs"}, {bare}),
           // Bevy reads the texels of phase functions itself, and only those of this type.
-          of_light(texels_of("phase", {FileFormat::ktx2}, only_float32, PixelType::float32,
-                             {"*.bevy.rs"},
-                             {{"content", "phase"}, {"spacing", "cosine_from_back"}, bare}),
-                   3),
+          texels_of("phase", {FileFormat::ktx2}, only_float32, PixelType::float32, {"*.bevy.rs"},
+                    {{"content", "phase"}, {"spacing", "cosine_from_back"}, bare}, 3),
           sky_of(FileFormat::ktx2, {"*.bevy.rs"}, {cube}, {bare, lights})}},
         {Target::blender,
          "blender",
@@ -188,20 +183,15 @@ std::vector<TargetFacts> make_targets() {
         {Target::cosmoscout,
          "cosmoscout",
          "CosmoScout VR: TIFF textures for Bruneton's model of csp-atmospheres, with its metadata",
-         {of_light(
-              texels_of("bruneton", {FileFormat::tif}, only_float32, PixelType::float32,
-                        {"*.cosmoscout.json"}, {{"convention", "bruneton"}, {"combined", "false"}}),
-              3),
-          of_light(texels_of("phase", {FileFormat::tif}, only_float32, PixelType::float32,
-                             {"*.cosmoscout.json"}, {{"content", "phase"}, {"spacing", "angle"}}),
-                   3)}},
+         {texels_of("bruneton", {FileFormat::tif}, only_float32, PixelType::float32,
+                    {"*.cosmoscout.json"}, {{"convention", "bruneton"}, {"combined", "false"}}, 3),
+          texels_of("phase", {FileFormat::tif}, only_float32, PixelType::float32,
+                    {"*.cosmoscout.json"}, {{"content", "phase"}, {"spacing", "angle"}}, 3)}},
         {Target::stellarium,
          "stellarium",
          "Stellarium: textures of CalcMySky, with scripts that put them into its folder",
-         {of_light(
-             texels_of("bruneton", {FileFormat::f32}, only_float32, PixelType::float32,
-                       {"*.stellarium.py"}, {{"convention", "calcmysky"}, {"combined", "false"}}),
-             4)}},
+         {texels_of("bruneton", {FileFormat::f32}, only_float32, PixelType::float32,
+                    {"*.stellarium.py"}, {{"convention", "calcmysky"}, {"combined", "false"}}, 4)}},
     };
 }
 

@@ -189,12 +189,7 @@ std::pair<std::string_view, std::size_t> marked(std::string_view text, std::size
 }
 
 bool is_among(std::string_view word, std::string_view words) {
-    while (true) {
-        const std::size_t comma = words.find(',');
-        if (words.substr(0, comma) == word) return true;
-        if (comma == std::string_view::npos) return false;
-        words.remove_prefix(comma + 1);
-    }
+    return fmt::format(",{},", words).find(fmt::format(",{},", word)) != std::string::npos;
 }
 
 // Drops the conditions at the head of a line. Returns whether the line stays.
