@@ -1,14 +1,14 @@
 // The clouds of recipe.toml, lit by the sun and the sky: a march that leaps by the baked grid, and one from
 // each sample towards the sun. cloud_table and cells_table are the textures. `camera` is in metres, z is the
 // altitude.
-const BASE = 1200.0;                                                        // of the recipe, m
-const TOP = 1950.0;
-const EXTINCTION = 0.06;                                                    // 1/m
 const STEP = 23.4;                                                          // m; a voxel
 const UP_STEP = 47.0;                                                       // m; two voxels
 const OPAQUE = 0.002;
 const SKY_OF_CLOUDS = 12;                                                   // steps through the air before them
 const OCTAVES = 8;
+
+fn base() -> f32 { return baked_cloud_base_m(); }                           // of the recipe
+fn top() -> f32 { return base() + baked_cloud_extent_m().z; }
 
 // Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023). Light that is
 // scattered n more times sees them wider by 2^-n (Wrenninge et al. 2013). u is 1 - cosine.
@@ -26,8 +26,9 @@ fn droplets(u: f32, wide: f32) -> f32 {
 
 // The optical depth from p to the top or the base of the layer, along a ray that rises or falls.
 fn depth_along(p: vec3f, ray: vec3f, stride: f32) -> f32 {
-    let way = (select(BASE, TOP, ray.z > 0.0) - p.z) / ray.z;
-    return EXTINCTION * baked_cells_march(cloud_table, cloud_sampler, cells_table, p + ray * 0.5 * stride, ray, stride,
+    let way = (select(base(), top(), ray.z > 0.0) - p.z) / ray.z;
+    return baked_cloud_extinction_per_m() *
+        baked_cells_march(cloud_table, cloud_sampler, cells_table, p + ray * 0.5 * stride, ray, stride,
                                           i32(way / stride));
 }
 
@@ -35,7 +36,7 @@ struct Clouds { light: vec3f, through: f32, distance: f32 }                 // d
 
 // `noise` in [0, 1) shifts the samples of a pixel.
 fn clouds_along(camera: vec3f, ray: vec3f, sun: vec3f, reach: f32, noise: f32) -> Clouds {
-    let faces = (vec2f(BASE, TOP) - camera.z) / ray.z;                      // infinite for a level ray
+    let faces = (vec2f(base(), top()) - camera.z) / ray.z;                      // infinite for a level ray
     let first = max(min(faces.x, faces.y), 0.0);
     let last = min(max(faces.x, faces.y), reach);
     let u = 0.5 * dot(ray - sun, ray - sun);
@@ -48,11 +49,11 @@ fn clouds_along(camera: vec3f, ray: vec3f, sun: vec3f, reach: f32, noise: f32) -
         wide *= 0.5;
     }
     const km = 1e-3;
-    const low = R + BASE * km;
-    const high = R + TOP * km;
-    let sun_low = sunlight(BASE * km, low * sun.z);
-    let sun_high = sunlight(TOP * km, high * sun.z);
-    let from_sky = skylight(TOP * km, high * sun.z);
+    let low = R + base() * km;
+    let high = R + top() * km;
+    let sun_low = sunlight(base() * km, low * sun.z);
+    let sun_high = sunlight(top() * km, high * sun.z);
+    let from_sky = skylight(top() * km, high * sun.z);
     let from_ground = ground(R * sun.z);
     var seen = Clouds(vec3f(0.0), 1.0, 0.0);
     var weights = 0.0;
@@ -76,10 +77,10 @@ fn clouds_along(camera: vec3f, ray: vec3f, sun: vec3f, reach: f32, noise: f32) -
             // Diffuse light comes through layers by two-stream theory (Bohren 1987), g = 0.869.
             let above = depth_along(p, vec3f(0.0, 0.0, 1.0), UP_STEP);
             let below = depth_along(p, vec3f(0.0, 0.0, -1.0), UP_STEP);
-            let light = lit * mix(sun_low, sun_high, (p.z - BASE) / (TOP - BASE)) +
+            let light = lit * mix(sun_low, sun_high, (p.z - base()) / (top() - base())) +
                         from_sky / (2.0 + 0.131 * above) +
                         from_ground / (2.0 + 0.131 * below) * 2.0 / (2.0 + 0.131 * (above + below));
-            let passed = exp(-EXTINCTION * density * STEP);
+            let passed = exp(-baked_cloud_extinction_per_m() * density * STEP);
             let weight = seen.through * (1.0 - passed);
             seen.light += weight * light;
             seen.distance += weight * t;
