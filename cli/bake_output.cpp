@@ -13,6 +13,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/math/facts.h"
 #include "cli/console.h"
 #include "cli/events.h"
@@ -107,8 +108,9 @@ std::vector<std::string> first_row(const FinishedAsset& finished) {
 
 // Returns the cells of a further file of a volume, which has another format or level of detail.
 std::vector<std::string> further_row(const ManifestAsset& asset, const ManifestFile& file) {
+    // Texts beside the texels have no type.
     return {"", file.level == 0 ? "" : extent_text(size_of(asset, file)), "", file.path,
-            std::string(to_string(file.pixel_type))};
+            find_format(file.format) ? std::string(to_string(file.pixel_type)) : ""};
 }
 
 // Returns the table of what was made. It is empty if all was up to date.

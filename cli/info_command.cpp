@@ -188,7 +188,8 @@ std::string manifest_text(const fs::path& folder, const Manifest& manifest) {
         for (const ManifestFile& file : asset.files) {
             table.add_row({asset.name, asset.kind, extent_text(size_of(asset, file)),
                            fmt::format("{}", fmt::join(asset.channels, "")), asset.mapping,
-                           file.path, std::string(to_string(file.pixel_type)),
+                           file.path,
+                           find_format(file.format) ? std::string(to_string(file.pixel_type)) : "",
                            bytes_text(folder / file.path, file.bytes), sky_error_text(asset.error),
                            color_error_text(asset.error), error_text(asset.error)});
         }
@@ -263,24 +264,24 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command info_command() {
-    return {.name = "info",
-            .brief = "describe baked files",
-            .summary = "describe a baked file or the folder of a bake",
-            .arguments = {{.name = "path",
-                           .help = "a baked file, the folder of a bake, or its manifest.json"}},
-            .options = {options::lookup("print a shader's functions for this file, or this folder"),
-                        options::language("write them in this language", "glsl")},
-            .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
-                         {"skybake info out/transmittance.exr",
-                          "shows the mapping, units and parameters of a file"},
-                         {"skybake info --lookup out/transmittance.exr",
-                          "prints the file's lookup with its own radii and sizes"},
-                         {"skybake info --lookup --language hlsl out/transmittance.exr",
-                          "prints it for Direct3D"},
-                         {"skybake info --lookup out",
-                          "prints one library for all assets of a bake"}},
-            .exit_codes = {ExitCode::io},
-            .run = run_info};
+    return {
+        .name = "info",
+        .brief = "describe baked files",
+        .summary = "describe a baked file or the folder of a bake",
+        .arguments = {{.name = "path",
+                       .help = "a baked file, the folder of a bake, or its manifest.json"}},
+        .options = {options::lookup("print a shader's functions for this file, or this folder"),
+                    options::language("write them in this language", "glsl")},
+        .examples = {{"skybake info out", "lists the assets of a bake and their errors"},
+                     {"skybake info out/transmittance.exr",
+                      "shows the mapping, units and parameters of a file"},
+                     {"skybake info --lookup out/transmittance.exr",
+                      "prints the file's lookup with its own radii and sizes"},
+                     {"skybake info --lookup --language hlsl out/transmittance.exr",
+                      "prints it for Direct3D"},
+                     {"skybake info --lookup out", "prints one library for all assets of a bake"}},
+        .exit_codes = {ExitCode::io},
+        .run = run_info};
 }
 
 }  // namespace skybake::cli
