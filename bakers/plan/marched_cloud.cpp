@@ -11,7 +11,6 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/march/cloud_light.h"
-#include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/marcher.h"
 
 namespace skybake {
