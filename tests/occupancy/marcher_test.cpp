@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 
@@ -209,41 +210,6 @@ TEST(Marcher, AsksOncePerBoxAndNotWithinCloud) {
     EXPECT_EQ(within.fetches.densities, 32);
 }
 
-// The rays that reports measure with, through a cloud of spheres.
-TEST(Marcher, LeapsOverMostOfWhatRaysOfTheReportSee) {
-    Volume volume = test::volume_of({{64, 64, 64}, 4});
-    for (int z = 0; z < 64; ++z) {
-        for (int y = 0; y < 64; ++y) {
-            for (int x = 0; x < 64; ++x) {
-                const double r = std::hypot(x - 20.0, y - 30.0, z - 12.0);
-                const double s = std::hypot(x - 50.0, y - 60.0, z - 8.0);
-                volume.at(x, y, z) = static_cast<float>(std::max({0.0, 1 - r / 9, 1 - s / 6}));
-            }
-        }
-    }
-    const Marcher marcher(volume, 0, 0);
-    for (const std::string name : {"up", "within", "down"}) {
-        const std::vector<Ray> rays = rays_of_file(name);
-        ASSERT_EQ(rays.size(), 3000U) << name;
-        std::int64_t straight = 0;
-        std::int64_t cells = 0;
-        std::int64_t leaps = 0;
-        int unlike = 0;
-        for (const Ray& ray : rays) {
-            EXPECT_NEAR(std::hypot(ray.direction[0], ray.direction[1], ray.direction[2]), 1, 2e-9);
-            const SampledRay samples = sampled(ray, {600, 600, 600}, volume, 500, 1);
-            const Found found = marcher.by_leaps(samples);
-            unlike += found.sum == marcher.straight(samples).sum ? 0 : 1;
-            straight += samples.samples;
-            cells += marcher.by(next_cells(marcher.cells()), samples).fetches.all();
-            leaps += found.fetches.all();
-        }
-        EXPECT_EQ(unlike, 0) << name;
-        EXPECT_LT(leaps, cells) << name;
-        EXPECT_LT(4 * leaps, straight) << name;
-    }
-}
-
 // The rays that Olajos 2016 measures with, through his volume, whose rule loses thin parts.
 TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
     const auto recipe = config::parse_recipe(
@@ -281,6 +247,55 @@ TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
         EXPECT_LT(leaps, of_thesis) << name;
         EXPECT_LT(2.4 * leaps, straight) << name << ": 2.4 is what the thesis gained";
     }
+}
+
+constexpr std::array<int, 3> kVoxels = {48, 32, 24};
+constexpr std::array<double, 3> kVoxel_m = {20, 30, 10};
+
+Volume volume_where(const std::function<bool(int, int, int)>& has_cloud) {
+    Volume volume = test::volume_of({kVoxels, 4});
+    for (int z = 0; z < kVoxels[2]; ++z) {
+        for (int y = 0; y < kVoxels[1]; ++y) {
+            for (int x = 0; x < kVoxels[0]; ++x) volume.at(x, y, z) = has_cloud(x, y, z) ? 1 : 0;
+        }
+    }
+    return volume;
+}
+
+SkippingGain gain_of(const Volume& volume, int threads = 1) {
+    VoxelBits bits(kVoxels);
+    for (int z = 0; z < kVoxels[2]; ++z) {
+        for (int y = 0; y < kVoxels[1]; ++y) {
+            bits.set_row(y, z, &volume.voxels[index_of(kVoxels, 0, y, z)], 0);
+        }
+    }
+    const std::vector<std::uint8_t> leaps = leap_distance(occupied_cells(
+        cell_ranges(volume.voxels.data(), volume.grid, config::OccupancyFilter::trilinear), 0));
+    const LeapCells cells{volume.grid, leaps};
+    return skipping_gain(bits, kVoxel_m, config::OccupancyFilter::trilinear, cells,
+                         {.threads = threads});
+}
+
+// Cosines from 1 to 1/2, all as often, have the mean 2 log(2) of their inverse.
+TEST(SkippingGain, IsBesideAMarchThatBeginsAndEndsWithTheLayer) {
+    const SkippingGain empty = gain_of(volume_where([](int, int, int) { return false; }));
+    EXPECT_NEAR(empty.without, kVoxels[2] * 2 * std::log(2.0), 0.05);
+    EXPECT_NEAR(empty.with, 1, 1e-9);
+}
+
+// A ray asks once, and not again within cloud.
+TEST(SkippingGain, IsALossWhereAllIsCloud) {
+    const SkippingGain full = gain_of(volume_where([](int, int, int) { return true; }));
+    EXPECT_NEAR(full.with, full.without + 1, 1e-9);
+}
+
+// A slab at the top takes one leap and a look at each sample in its cells. From one at the base leaps
+// begin anew, short ones first.
+TEST(SkippingGain, IsOfRaysFromBelow) {
+    const SkippingGain low = gain_of(volume_where([](int, int, int z) { return z < 3; }));
+    const SkippingGain high = gain_of(volume_where([](int, int, int z) { return z > 20; }), 2);
+    EXPECT_NEAR(high.with, 2 + high.without * 4 / kVoxels[2], 0.5);
+    EXPECT_GT(low.with, high.with + 2);
 }
 
 }  // namespace
