@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bakers/assets/description/certificate_warnings.h"
+#include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/files/to_string.h"
@@ -144,9 +145,18 @@ std::string assets_text(const BakedFolder& baked, int columns) {
     return made ? table.text_within(columns, expendable, names) : "";
 }
 
+// Returns what leaps or distances save; nothing where a warning says that they do not.
+std::string skipping_text(const ManifestAsset& asset) {
+    const double without = number_named(asset.details, fetches_without).value_or(0);
+    const double with = number_named(asset.details, fetches_with).value_or(0);
+    if (with >= most_fetches * without) return "";
+    return fmt::format("  {}: {:.2f} x fewer fetches from below, in steps of a voxel\n", asset.name,
+                       without / with);
+}
+
 std::string advice_text(const ManifestAsset& asset) {
-    if (!asset.error) return "";
-    std::string text;
+    std::string text = skipping_text(asset);
+    if (!asset.error) return text;
     const bool is_of_sky = asset.error->sky && asset.error->sky->better == asset.error->advice;
     // A warning may have said it already.
     if (!asset.error->advice.empty() && !is_of_sky && large_errors(*asset.error).empty()) {

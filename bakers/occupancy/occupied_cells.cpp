@@ -5,22 +5,16 @@
 #include <cstddef>
 #include <utility>
 
-#include "config/assets/occupancy.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/half_conversion.h"
 #include "bakers/occupancy/cell_blocks.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
 
 namespace {
-
-OccupiedCells no_cells(const CellGrid& grid) {
-    OccupiedCells cells{grid.size(), {}};
-    cells.occupied.resize(count_of(cells.size));
-    return cells;
-}
 
 int count_above(const BlockRows& rows, Span x, Span y, Span z, float threshold) {
     int count = 0;
@@ -65,10 +59,6 @@ void dilate(OccupiedCells& cells, std::size_t axis) {
     }
 }
 
-void add_ring(OccupiedCells& cells) {
-    for (std::size_t axis = 0; axis < 3; ++axis) dilate(cells, axis);
-}
-
 }  // namespace
 
 double occupied_share(const OccupiedCells& cells) {
@@ -84,19 +74,11 @@ OccupiedCells occupied_cells(const CellRanges& ranges, float threshold) {
     return cells;
 }
 
-OccupiedCells occupied_cells_as_in_thesis(const float* voxels, const CellGrid& grid,
-                                          float threshold, int threads) {
-    OccupiedCells cells = no_cells(grid);
-    for_each_block(voxels, grid, 0, threads, eighths_into(cells, grid, threshold));
-    add_ring(cells);
-    return cells;
-}
-
 OccupiedCells occupied_cells_as_in_thesis(const ChannelSource& source, const CellGrid& grid,
                                           float threshold, const BakeOptions& options) {
-    OccupiedCells cells = no_cells(grid);
+    OccupiedCells cells{grid.size(), std::vector<std::uint8_t>(count_of(grid.size()))};
     for_each_block(source, grid, 0, options, eighths_into(cells, grid, threshold));
-    add_ring(cells);
+    for (std::size_t axis = 0; axis < 3; ++axis) dilate(cells, axis);
     return cells;
 }
 
@@ -212,9 +194,8 @@ float CellSource::value(OccupancyContent content, std::size_t cell) const {
         case OccupancyContent::leap:
             break;
     }
-    const bool unorm = pixel_type_ == PixelType::unorm8 || pixel_type_ == PixelType::unorm16;
-    return unorm ? static_cast<float>(leap_[cell]) / kFarthestLeap
-                 : static_cast<float>(leap_[cell]);
+    return is_unorm(pixel_type_) ? static_cast<float>(leap_[cell]) / kFarthestLeap
+                                 : static_cast<float>(leap_[cell]);
 }
 
 void CellSource::fill(const VoxelBox& box, const std::vector<float*>& channels) const {

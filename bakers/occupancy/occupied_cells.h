@@ -34,8 +34,6 @@ OccupiedCells occupied_cells(const CellRanges& ranges, float threshold);
 // if at least an eighth of its voxels (8 of 4^3) are greater than the threshold, which must not be
 // negative, or if one of its 26 neighbours is, without wrapping. It is for comparison only: it
 // loses thin parts of clouds.
-OccupiedCells occupied_cells_as_in_thesis(const float* voxels, const CellGrid& grid,
-                                          float threshold, int threads = 1);
 OccupiedCells occupied_cells_as_in_thesis(const ChannelSource& source, const CellGrid& grid,
                                           float threshold, const BakeOptions& options);
 
@@ -64,16 +62,24 @@ class CellSource : public VoxelSource {
 
     const CellRanges& ranges() const { return ranges_; }
     const OccupiedCells& occupied() const { return occupied_; }
+    const std::vector<std::uint8_t>& leaps() const {
+        return leap_;
+    }  // empty if no channel has them
 
   private:
     float value(config::OccupancyContent content, std::size_t cell) const;
 
     CellRanges ranges_;
     OccupiedCells occupied_;
-    std::vector<std::uint8_t> leap_;  // empty if no channel has it
+    std::vector<std::uint8_t> leap_;
     std::vector<config::OccupancyContent> contents_;
     config::PixelType pixel_type_;
 };
+
+// The type stores [0, 1] as integers.
+inline bool is_unorm(config::PixelType type) {
+    return type == config::PixelType::unorm8 || type == config::PixelType::unorm16;
+}
 
 // Return the least value of the pixel type that is not below `value`, and the greatest that is not
 // above it, for values that the type can hold.

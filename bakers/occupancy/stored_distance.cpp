@@ -18,12 +18,8 @@ DistanceCode::DistanceCode(const std::array<double, 2>& range_m,
           2),
       curvature_m2_(half_diagonal_m_ * half_diagonal_m_ + texel_m[2] * texel_m[2] / 8),
       arithmetic_m_(kCodeArithmetic * std::max(-range_m[0], range_m[1])) {
-    if (!is_unorm()) ends_m_ = {0, 1};
+    if (!is_unorm(type_)) ends_m_ = {0, 1};
     surface_ = outside(0);
-}
-
-bool DistanceCode::is_unorm() const {
-    return type_ == config::PixelType::unorm8 || type_ == config::PixelType::unorm16;
 }
 
 // Returns a distance less all that a lookup may add to it.
@@ -39,13 +35,13 @@ double DistanceCode::shortened(float square) const {
 
 float DistanceCode::outside(float square) const {
     const double distance = std::min(shortened(square), range_m_[1]);
-    if (!is_unorm()) return stored_down(static_cast<float>(distance), type_);
+    if (!is_unorm(type_)) return stored_down(static_cast<float>(distance), type_);
     const double code = (distance - range_m_[0]) * steps() / (range_m_[1] - range_m_[0]);
     return static_cast<float>(std::floor(code) / steps());
 }
 
 void DistanceCode::outside(const float* squares, std::size_t count, float* out) const {
-    if (is_unorm()) {
+    if (is_unorm(type_)) {
         code_outside(
             {half_diagonal_m_, curvature_m2_, arithmetic_m_, range_m_[0], range_m_[1], steps()},
             squares, count, out);
@@ -56,7 +52,7 @@ void DistanceCode::outside(const float* squares, std::size_t count, float* out) 
 
 float DistanceCode::inside(float square) const {
     const double distance = std::max(-shortened(square), range_m_[0]);
-    if (!is_unorm()) return stored_up(static_cast<float>(distance), type_);
+    if (!is_unorm(type_)) return stored_up(static_cast<float>(distance), type_);
     const double code = (distance - range_m_[0]) * steps() / (range_m_[1] - range_m_[0]);
     return std::min(surface_, static_cast<float>(std::ceil(code) / steps()));
 }
@@ -68,7 +64,7 @@ double DistanceCode::metres(double value) const {
 double DistanceCode::most_lost() const {
     constexpr double kHalfStep = 0x1p-10;  // of a half, of the value itself
     double step = 0;
-    if (is_unorm()) step = (range_m_[1] - range_m_[0]) / steps();
+    if (is_unorm(type_)) step = (range_m_[1] - range_m_[0]) / steps();
     if (type_ == config::PixelType::half) step = kHalfStep * std::max(-range_m_[0], range_m_[1]);
     return half_diagonal_m_ * (2 + kCodePlace) + 2 * arithmetic_m_ + step +
            kCodeArithmetic * std::max(-range_m_[0], range_m_[1]);

@@ -67,7 +67,6 @@ class DistanceCode {
   private:
     double shortened(float square) const;
     double steps() const { return type_ == config::PixelType::unorm8 ? 255 : 65535; }
-    bool is_unorm() const;
 
     std::array<double, 2> range_m_;
     std::array<double, 2> ends_m_;

@@ -50,6 +50,9 @@ class CloudWays {
     std::vector<CloudWay> all() {
         for (const Grade& grade : kGrades) {
             for (const int cell : kCells) {
+                // Cells have to repeat as the voxels do.
+                const auto tiles = [&](int edge) { return edge / grade.coarser % cell == 0; };
+                if (cell > 0 && !(tiles(subject_.size[0]) && tiles(subject_.size[1]))) continue;
                 start(grade, cell);
                 add_marches();
                 if (has_suns()) add_depths();

@@ -11,7 +11,6 @@
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/march/cloud_light.h"
-#include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/marcher.h"
 
 namespace skybake {
@@ -213,7 +212,6 @@ CloudFetches::CloudFetches(const CloudLayer& layer, double stride_m, const Baked
     : layer_(layer), stride_m_(stride_m), cell_(cell) {
     if (cell == 0) return;
     const Level& level = cells->levels.front();
-    cells_.size = level.size;
     std::vector<float> shares(occupancy::count_of(level.size));
     level.voxels->fill({{}, level.size}, {shares.data()});
     for (const float share : shares) {
@@ -222,18 +220,19 @@ CloudFetches::CloudFetches(const CloudLayer& layer, double stride_m, const Baked
 }
 
 double CloudFetches::along(const glm::dvec3& place, const glm::dvec3& look, double length_m) const {
-    occupancy::MarchedVolume volume;
-    volume.voxels = layer_.values.data();
-    volume.grid = {layer_.size, std::max(cell_, 1)};
-    const glm::dvec3 extent = extent_m(layer_);
-    volume.extent = {extent.x, extent.y, extent.z};
-    // From the layer's face into it, so that rounding leaves no sample outside.
-    const glm::dvec3 from = place * extent + look * (stride_m_ / 2);
-    const occupancy::Ray ray{{from.x, from.y, from.z}, {look.x, look.y, look.z}};
-    const auto how = cell_ == 0 ? occupancy::Skipping::none : occupancy::Skipping::leaps;
-    const occupancy::MarchResult result =
-        occupancy::march(volume, ray, length_m, stride_m_, how, cells_, leaps_);
-    return result.density_fetches + result.structure_fetches;
+    occupancy::SampledRay ray;
+    for (glm::length_t a = 0; a < 3; ++a) {
+        const auto i = static_cast<std::size_t>(a);
+        ray.step[i] = look[a] * stride_m_ / layer_.voxel_m[i];
+        ray.from[i] = place[a] * layer_.size[i] + ray.step[i] / 2;
+    }
+    ray.samples = static_cast<int>(std::floor(length_m / stride_m_)) + 1;
+    if (cell_ == 0) return ray.samples;
+    const occupancy::LeapCells cells{{layer_.size, cell_}, leaps_};
+    const auto look_up = [&](const occupancy::Place& at) {
+        return cloud_light::extinction_at(layer_, {at[0], at[1], at[2]}) > 0;
+    };
+    return occupancy::march(ray, cells, look_up).all();
 }
 
 }  // namespace skybake

@@ -10,7 +10,6 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/occupancy/occupied_cells.h"
 #include "bakers/plan/cloud_ways.h"
 
 namespace skybake {
@@ -72,7 +71,6 @@ class CloudFetches {
     const cloud_light::CloudLayer& layer_;
     double stride_m_;
     int cell_;  // 0: without cells
-    occupancy::OccupiedCells cells_;
     std::vector<std::uint8_t> leaps_;
 };
 

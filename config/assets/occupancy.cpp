@@ -49,7 +49,7 @@ const OccupancyField occupancy_table[] = {
     {source_volume_field, &OccupancyBake::of},
     {source_channel_field, &OccupancyBake::channel},
     {"cell", Kind::power_of_two, &OccupancyBake::cell, "voxels along each edge of a cell",
-     cell_range, Default{"4"}, Hint{"1, 2, 4, 8 or 16"}, Cited{olajos_2016}},
+     cell_range, Default{"2"}, Hint{"1, 2, 4, 8 or 16"}},
     {"filter", Kind::choice, &OccupancyBake::filter, "how the runtime looks the volume up",
      filter_choices, Default{R"("trilinear")"}},
     {"rule", Kind::choice, &OccupancyBake::rule, "when a cell is empty", rule_choices,

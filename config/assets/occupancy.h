@@ -17,7 +17,7 @@ enum class OccupancyContent { occupied, leap, minimum, maximum };
 struct OccupancyBake : AssetFiles {
     std::string of;       // NAME of a [bake.NAME] with asset = "cloud_volume"
     std::string channel;  // a channel of that volume; empty: its first
-    int cell = 4;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16
+    int cell = 2;         // voxels along each edge of a cell: 1, 2, 4, 8 or 16
     OccupancyFilter filter = OccupancyFilter::trilinear;  // with which a runtime looks it up
     OccupancyRule rule = OccupancyRule::exact;
     std::vector<OccupancyContent> contents;  // the channels, in this order, without duplicates

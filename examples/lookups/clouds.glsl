@@ -35,37 +35,49 @@ ivec3 cloud_cell(sampler3D cells, float cell, vec3 voxels, vec3 p, vec3 tile) {
     return clamp(ivec3(at), ivec3(0), textureSize(cells, 0) - 1);
 }
 
-// How far the ray goes on from p, in metres, before it leaves the box of cells that `leap` calls empty; 0
-// where p is in a cell that is not. `full` has, in the channel of `leap`, the leap that a texel of 1
-// stands for: 255 for unorm types, else 1; and 0 in the others. The box is `leap` - 1 cells about the one
-// that p is in. Tiles follow each other along x and y; the last cell of each is smaller where `cell` does
-// not divide the cloud's size.
-float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 p, vec3 ray, vec3 tile) {
+// The box of cells that p is in, whose `leap` is x: leap - 1 cells about its own, all of them empty, or its own
+// alone where leap is 0, since there may be cloud in it; and y, how far the ray goes on from p within it, in
+// metres. That ends a 64th of a voxel before the face, so that no sample is beyond it, however floats and the
+// weights of texture units are rounded. `full` has, in the channel of `leap`, the leap that a texel of 1
+// stands for: 255 for unorm types, else 1; and 0 in the others. Tiles follow each other along x and y; the
+// last cell of each is smaller where `cell` does not divide the cloud's size.
+vec2 cloud_box(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 p, vec3 ray, vec3 tile) {
     vec3 voxels = vec3(textureSize(cloud, 0)), inside = cloud_voxel(voxels, p, tile);
     ivec3 cells = textureSize(leaps, 0), at = cloud_cell(leaps, cell, voxels, p, tile);
-    float leap = floor(dot(texelFetch(leaps, at, 0), full) + 0.5);
-    if (leap == 0.0) return 0.0;
-    vec3 along = ray / tile * voxels;                                   // voxels per metre
-    vec3 face = vec3(at) + vec3(along.x < 0.0 ? 1.0 - leap : leap, along.y < 0.0 ? 1.0 - leap : leap,
-                                along.z < 0.0 ? 1.0 - leap : leap);     // cells from the tile's corner
+    float leap = floor(dot(texelFetch(leaps, at, 0), full) + 0.5), reach = max(leap, 1.0);
+    vec3 along = ray / tile * voxels;                                       // voxels per metre
+    vec3 face = vec3(at) + vec3(along.x < 0.0 ? 1.0 - reach : reach, along.y < 0.0 ? 1.0 - reach : reach,
+                                along.z < 0.0 ? 1.0 - reach : reach);       // cells from the tile's corner
     vec3 tiles = floor((face + 0.5) / vec3(cells));
-    face = tiles * voxels + (face - tiles * vec3(cells)) * cell;        // voxels from there
-    vec3 way = abs(face - inside) / max(abs(along), vec3(1e-20));       // a ray may be level
-    return min(way.x, min(way.y, way.z));
+    face = tiles * voxels + (face - tiles * vec3(cells)) * cell;            // voxels from there
+    vec3 margin = abs(sign(along)) / 64.0;                                  // none where the ray stands still
+    vec3 way = (abs(face - inside) - margin) / max(abs(along), vec3(1e-20));
+    return vec2(leap, max(min(way.x, min(way.y, way.z)), 0.0));
+}
+
+// How far the ray goes on from p, in metres, through what is empty; 0 where there may be cloud.
+float cloud_leap(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 p, vec3 ray, vec3 tile) {
+    vec2 box = cloud_box(cloud, leaps, cell, full, p, ray, tile);
+    return box.x > 0.0 ? box.y : 0.0;
 }
 
 // The sum of densities times metres over `count` samples at from + ray * stride * i, i = 0, 1 ..., all of
-// them within the layer. It goes on at the last sample before the face of an empty box, so that no
-// rounding leaps over a sample: it is the sum of a march that looks everywhere.
+// them within the layer: it is the sum of a march that looks everywhere. The grid is fetched once for each
+// box, and not where the sample before had cloud, since the next one most often has.
 float cloud_march(sampler3D cloud, sampler3D leaps, float cell, vec4 full, vec3 from, vec3 ray,
                   vec3 tile, float stride, int count) {
-    float sum = 0.0;
+    float sum = 0.0, density = 0.0;
     int i = 0;
     while (i < count) {
-        vec3 p = from + ray * (stride * float(i));
-        float empty = cloud_leap(cloud, leaps, cell, full, p, ray, tile);
-        if (empty == 0.0) sum += cloud_density(cloud, p, tile);
-        i += max(int(min(empty / stride, float(count))), 1);
+        vec2 box = vec2(0.0);
+        if (density == 0.0) box = cloud_box(cloud, leaps, cell, full, from + ray * (stride * float(i)), ray, tile);
+        int end = i + 1 + int(min(box.y / stride, float(count - i - 1)));
+        if (box.x > 0.0) i = end;
+        while (i < end) {
+            density = cloud_density(cloud, from + ray * (stride * float(i)), tile);
+            sum += density;
+            i += 1;
+        }
     }
     return sum * stride;
 }
@@ -78,17 +90,19 @@ float cloud_distance(sampler3D distances, vec2 ends, vec3 p, vec3 box) {
     return ends.x + (ends.y - ends.x) * texture(distances, p / box).r;
 }
 
-// The sum that cloud_march returns, of samples that it finds by distances: no sample that is nearer than
-// the distance at the one before can hold cloud.
+// The sum that cloud_march returns, of samples that it finds by distances: none that is within the distance
+// at a sample can hold cloud, itself included where that is more than what rounding makes of 0. Distances
+// are not fetched where the sample before had cloud.
 float cloud_trace(sampler3D cloud, sampler3D distances, vec2 ends, vec3 box, vec3 from, vec3 ray,
                   vec3 tile, float stride, int count) {
-    float sum = 0.0;
+    float sum = 0.0, density = 0.0;
     int i = 0;
     while (i < count) {
         vec3 p = from + ray * (stride * float(i));
-        float empty = cloud_distance(distances, ends, p, box);
-        if (empty < stride) sum += cloud_density(cloud, p, tile);
-        i += max(int(min(empty / stride, float(count))), 1);
+        float empty = density == 0.0 ? cloud_distance(distances, ends, p, box) : 0.0;
+        density = empty < stride / 64.0 ? cloud_density(cloud, p, tile) : 0.0;
+        sum += density;
+        i += 1 + int(clamp(empty / stride, 0.0, float(count)));
     }
     return sum * stride;
 }

@@ -68,6 +68,31 @@ TEST_F(CloudBake, StatesItsCoverAndWarnsWhenThereIsNone) {
     EXPECT_NE(full.error.find("E0412"), std::string::npos) << full.error;
 }
 
+// What leaps and distances save is stated, with one warning for each that saves nothing.
+TEST_F(CloudBake, StatesWhatSkippingSavesAndWarnsWhereItIsNothing) {
+    write(7, "cover = \"1 %\"\n");
+    const Result sparse = bake();
+    ASSERT_EQ(sparse.code, 0) << sparse.error;
+    EXPECT_EQ(sparse.error.find("W0227"), std::string::npos) << sparse.error;
+    const auto manifest = nlohmann::json::parse(read_bytes(out_ + "/manifest.json"));
+    for (const std::size_t skipping : {1, 2}) {
+        const auto& asset = manifest["assets"][skipping];
+        const double without = asset["details"]["fetches_without"];
+        const double with = asset["details"]["fetches_with"];
+        EXPECT_GT(without, 1.5 * with);
+        char line[80];
+        std::snprintf(line, sizeof line, "%s: %.2f x fewer fetches from below",
+                      asset["name"].get<std::string>().c_str(), without / with);
+        EXPECT_NE((sparse.out + sparse.error).find(line), std::string::npos) << line << sparse.out;
+    }
+    write(7, "cover = \"90 %\"\n");
+    const Result dense = bake();
+    ASSERT_EQ(dense.code, 0) << dense.error;
+    EXPECT_NE(dense.error.find("`g` is not worth its fetches"), std::string::npos) << dense.error;
+    EXPECT_NE(dense.error.find("`d` is not worth its fetches"), std::string::npos) << dense.error;
+    EXPECT_EQ((dense.out + dense.error).find("fewer fetches"), std::string::npos);
+}
+
 // A grid of another cloud than the one beside it: every file is what the manifest says, and yet a
 // ray would lose something.
 TEST_F(CloudBake, VerifyFindsWhatAGridLoses) {

@@ -260,7 +260,7 @@ OccupancyBake occupancy(const std::string& keys, const std::string& cloud = "") 
 }
 
 TEST(OccupancyDecoder, HasItsDefaults) {
-    EXPECT_EQ(testing::to_string(occupancy("")), "v  4 1 0 0 1 2 3 1 0 0 1 1 2 0");
+    EXPECT_EQ(testing::to_string(occupancy("")), "v  2 1 0 0 1 2 3 1 0 0 1 1 2 0");
 }
 
 TEST(OccupancyDecoder, ReadsEveryKey) {
@@ -281,9 +281,9 @@ TEST(OccupancyDecoder, CellsArePowersOfTwo) {
     }
 }
 
-// 16x32x8 voxels are 4x8x2 cells of 4, and 16x32x8 of 1.
+// 16x32x8 voxels are 8x16x4 cells of 2, and 16x32x8 of 1.
 TEST(OccupancyDecoder, LevelsAndColumnsAreThoseOfItsCells) {
-    EXPECT_EQ(occupancy("mips = 'all'").mips, 4);
+    EXPECT_EQ(occupancy("mips = 'all'").mips, 5);
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 1").mips, 6);
     EXPECT_EQ(occupancy("mips = 'all'\ncell = 16").mips, 2);
     EXPECT_EQ(occupancy("layout = 'atlas'\ncolumns = 2").columns, 2);
@@ -317,8 +317,8 @@ TEST(OccupancyDecoder, LevelsHalveTheCells) {
         "[bake.o]\nasset = 'occupancy'\nof = 'v'\nmips = 'all'\n[bake.v]\nasset = 'cloud_volume'\n"
         "cloud = 'c'\nsize = [48, 32, 16]\n" +
         cloud_recipe(""));
-    EXPECT_EQ(recipe.parameters.bakes.at(0).as<OccupancyBake>().mips, 3)
-        << "12, 6 and 3 cells along x";
+    EXPECT_EQ(recipe.parameters.bakes.at(0).as<OccupancyBake>().mips, 4)
+        << "24, 12, 6 and 3 cells along x";
 }
 
 TEST(OccupancyDecoder, ChannelsAreThoseOfTheVolume) {

@@ -8,15 +8,16 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <functional>
 #include <sstream>
 #include <string>
 
 #include "bakers/assets/occupancy/occupancy_grid.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
-#include "bakers/field/interpolation.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/recipe/recipe.h"
 #include "tests/occupancy/volumes_in_memory.h"
@@ -26,6 +27,11 @@ namespace {
 
 using test::Values;
 using test::Volume;
+
+struct Ray {
+    std::array<double, 3> origin{};
+    std::array<double, 3> direction{};
+};
 
 std::vector<Ray> rays_of_file(const std::string& name) {
     std::ifstream file(SKYBAKE_TEST_DATA "/rays_" + name + ".csv");
@@ -44,43 +50,88 @@ std::vector<Ray> rays_of_file(const std::string& name) {
     return rays;
 }
 
-// The three ways along a ray.
-struct Marches {
-    MarchResult straight, cells, leaps;
-
-    bool same_bits() const {
-        const auto bits = [](const MarchResult& result) {
-            return std::bit_cast<std::uint64_t>(result.optical_depth);
-        };
-        return bits(straight) == bits(cells) && bits(straight) == bits(leaps);
-    }
+// What a march made of a ray.
+struct Found {
+    double sum = 0;
+    MarchFetches fetches;
 };
 
 class Marcher {
   public:
-    Marcher(const Volume& volume, std::array<double, 3> extent, bool has_edge, float threshold,
-            double edge_softness)
-        : marched_{volume.voxels.data(), volume.grid, extent, has_edge, threshold, edge_softness},
+    Marcher(const Volume& volume, float threshold, double edge_softness)
+        : volume_(volume),
+          threshold_(threshold),
+          edge_softness_(edge_softness),
           cells_(occupied_cells(
               cell_ranges(volume.voxels.data(), volume.grid, config::OccupancyFilter::trilinear),
               threshold)),
           leaps_(leap_distance(cells_)) {}
 
-    Marches march_all(const Ray& ray, double length, double step) const {
-        const auto with = [&](Skipping how) {
-            return march(marched_, ray, length, step, how, cells_, leaps_);
-        };
-        return {with(Skipping::none), with(Skipping::cells), with(Skipping::leaps)};
+    Found straight(const SampledRay& ray) const {
+        Found found;
+        for (int k = 0; k < ray.samples; ++k) found.sum += seen(ray.at(k));
+        return found;
     }
-
-    const MarchedVolume& marched() const { return marched_; }
+    Found by(const std::vector<std::uint8_t>& leaps, const SampledRay& ray) const {
+        Found found;
+        const LeapCells cells{volume_.grid, leaps};
+        found.fetches = march(ray, cells, [&](const Place& place) {
+            const double value = seen(place);
+            found.sum += value;
+            return value > 0;
+        });
+        return found;
+    }
+    Found by_leaps(const SampledRay& ray) const { return by(leaps_, ray); }
     const OccupiedCells& cells() const { return cells_; }
 
   private:
-    MarchedVolume marched_;
+    // What a runtime makes of a lookup where the threshold is applied after filtering.
+    double seen(const Place& place) const {
+        const auto value =
+            static_cast<float>(test::lookup(volume_, config::OccupancyFilter::trilinear, place));
+        if (!(value > threshold_)) return 0;
+        if (edge_softness_ == 0) return double{value};
+        const double x = std::min((double{value} - double{threshold_}) / edge_softness_, 1.0);
+        return double{value} * (x * x * (3 - 2 * x));
+    }
+
+    const Volume& volume_;
+    float threshold_;
+    double edge_softness_;
     OccupiedCells cells_;
     std::vector<std::uint8_t> leaps_;
 };
+
+// The samples of a ray in units of the tile's extent that are within the layer, up to a length.
+SampledRay sampled(const Ray& ray, const std::array<double, 3>& extent, const Volume& volume,
+                   double length, double step) {
+    SampledRay samples;
+    for (std::size_t a = 0; a < 3; ++a) {
+        const double voxels = volume.grid.voxels[a] / extent[a];
+        samples.from[a] = ray.origin[a] * voxels;
+        samples.step[a] = ray.direction[a] * step * voxels;
+    }
+    const auto is_within = [&](int k) {
+        const double height = samples.at(k)[2];
+        return height >= 0 && height <= volume.grid.voxels[2];
+    };
+    const int count = static_cast<int>(length / step) + 1;
+    int first = 0;
+    while (first < count && !is_within(first)) ++first;
+    int end = first;
+    while (end < count && is_within(end)) ++end;
+    samples.from = samples.at(first);
+    samples.samples = end - first;
+    return samples;
+}
+
+// A grid without leaps, from cell to cell.
+std::vector<std::uint8_t> next_cells(const OccupiedCells& cells) {
+    std::vector<std::uint8_t> leaps;
+    for (const std::uint8_t occupied : cells.occupied) leaps.push_back(occupied == 0 ? 1 : 0);
+    return leaps;
+}
 
 double any_number(double from, double to) {
     return from + (to - from) * *rc::gen::inRange(0, 1 << 20) / static_cast<double>(1 << 20);
@@ -123,96 +174,40 @@ TEST(Marcher, SkipsNothingThatARaySees) {
         const float threshold = has_edge ? *rc::gen::element(0.0F, 0.35F, 0.5F, 0.7F, 0.95F) : 0;
         const std::array<double, 3> extent = {any_number(1, 700), any_number(1, 700),
                                               any_number(1, 700)};
-        const Marcher marcher(volume, extent, has_edge, threshold,
-                              *rc::gen::element(0.0, 0.05, 1.0));
+        const Marcher marcher(volume, threshold, has_edge ? *rc::gen::element(0.05, 1.0) : 0);
         for (int i = 0; i < 10; ++i) {
-            const Marches found =
-                marcher.march_all(any_ray(volume, extent), any_number(0, 800), any_number(1, 20));
-            RC_ASSERT(found.same_bits());
-            RC_ASSERT(found.straight.structure_fetches == 0);
-            RC_ASSERT(found.cells.density_fetches == found.leaps.density_fetches);
-            RC_ASSERT(found.cells.density_fetches <= found.straight.density_fetches);
-            RC_ASSERT(found.leaps.structure_fetches <= found.cells.structure_fetches);
-            skipped += found.straight.density_fetches - found.cells.density_fetches;
+            const SampledRay ray = sampled(any_ray(volume, extent), extent, volume,
+                                           any_number(0, 800), any_number(1, 20));
+            const double sum = marcher.straight(ray).sum;
+            const Found cells = marcher.by(next_cells(marcher.cells()), ray);
+            const Found leaps = marcher.by_leaps(ray);
+            RC_ASSERT(std::bit_cast<std::uint64_t>(cells.sum) == std::bit_cast<std::uint64_t>(sum));
+            RC_ASSERT(std::bit_cast<std::uint64_t>(leaps.sum) == std::bit_cast<std::uint64_t>(sum));
+            RC_ASSERT(leaps.fetches.densities <= ray.samples);
+            RC_ASSERT(leaps.fetches.structure <= cells.fetches.structure);
+            skipped += ray.samples - leaps.fetches.densities;
         }
     }));
     EXPECT_GT(skipped, 1000);
 }
 
-// Compares with the lookup of bakers/field, in texture coordinates.
-TEST(Marcher, SumsWhatLookupsReturn) {
-    int compared = 0;
-    int elsewhere = 0;
-    EXPECT_TRUE(rc::check([&] {
-        const Volume volume = test::any_volume(12, Values::uniform);
-        const std::array<double, 3> extent = {any_number(1, 90), any_number(1, 90),
-                                              any_number(1, 90)};
-        const bool has_edge = *rc::gen::arbitrary<bool>();
-        const Marcher marcher(volume, extent, has_edge, has_edge ? 0.4F : 0, 0.25);
-        const Ray ray = any_ray(volume, extent);
-        double sum = 0;
-        bool on_a_face = false;
-        for (int k = 0; k <= 40; ++k) {
-            std::array<double, 3> uvw{};
-            for (std::size_t a = 0; a < 3; ++a) {
-                uvw[a] = (ray.origin[a] + k * 2.5 * ray.direction[a]) / extent[a];
-            }
-            on_a_face |= std::fabs(uvw[2]) < 1e-12 || std::fabs(uvw[2] - 1) < 1e-12;
-            if (uvw[2] < 0 || uvw[2] > 1) continue;
-            double value = 0;
-            for (const VoxelTap& tap :
-                 trilinear_taps(volume.grid.voxels, uvw, {true, true, false})) {
-                value += tap.weight * volume.at(tap.voxel[0], tap.voxel[1], tap.voxel[2]);
-            }
-            const double x = std::clamp((value - double{0.4F}) / 0.25, 0.0, 1.0);
-            sum += has_edge ? value * x * x * (3 - 2 * x) : value;
-        }
-        const MarchResult found = marcher.march_all(ray, 100, 2.5).straight;
-        RC_ASSERT(found.density_fetches <= 41);
-        // Samples on the ground or the top may round to either side of it.
-        if (on_a_face) {
-            ++elsewhere;
-            return;
-        }
-        ++compared;
-        // Values are floats, right to 2^-24; the edge steepens that by up to 1 + 1.5 / 0.25.
-        RC_ASSERT(std::fabs(found.optical_depth - 2.5 * sum) <= 41 * 2.5 * 7 * 0x1p-24);
-    }));
-    EXPECT_GT(compared, elsewhere);
-}
-
-// The rays that reports measure with, through a cloud of spheres.
-TEST(Marcher, LeapsOverMostOfWhatRaysOfTheReportSee) {
-    Volume volume = test::volume_of({{64, 64, 64}, 4});
-    for (int z = 0; z < 64; ++z) {
-        for (int y = 0; y < 64; ++y) {
-            for (int x = 0; x < 64; ++x) {
-                const double r = std::hypot(x - 20.0, y - 30.0, z - 12.0);
-                const double s = std::hypot(x - 50.0, y - 60.0, z - 8.0);
-                volume.at(x, y, z) = static_cast<float>(std::max({0.0, 1 - r / 9, 1 - s / 6}));
-            }
-        }
+// Vertical rays of 32 samples, two for each voxel, past one voxel of cloud and through a slab. The grid
+// is asked once for each box, and not where the sample before had cloud.
+TEST(Marcher, AsksOncePerBoxAndNotWithinCloud) {
+    const SampledRay ray{{5.5, 5.5, 0.25}, {0, 0, 0.5}, 32};
+    Volume one = test::volume_of({{16, 16, 16}, 4});
+    one.at(5, 5, 9) = 1;
+    const Found voxel = Marcher(one, 0, 0).by_leaps(ray);
+    EXPECT_EQ(voxel.fetches.structure, 3);  // the box of two cells, the voxel's cell, the one above
+    EXPECT_EQ(voxel.fetches.densities, 8);
+    Volume slab = test::volume_of({{16, 16, 16}, 4});
+    for (int z = 4; z < 12; ++z) {
+        for (int i = 0; i < 16 * 16; ++i) slab.at(i % 16, i / 16, z) = 1;
     }
-    const Marcher marcher(volume, {600, 600, 600}, false, 0, 0);
-    for (const std::string name : {"up", "within", "down"}) {
-        const std::vector<Ray> rays = rays_of_file(name);
-        ASSERT_EQ(rays.size(), 3000U) << name;
-        std::int64_t straight = 0;
-        std::int64_t cells = 0;
-        std::int64_t leaps = 0;
-        int unlike = 0;
-        for (const Ray& ray : rays) {
-            EXPECT_NEAR(std::hypot(ray.direction[0], ray.direction[1], ray.direction[2]), 1, 2e-9);
-            const Marches found = marcher.march_all(ray, 500, 1);
-            unlike += found.same_bits() ? 0 : 1;
-            straight += found.straight.density_fetches;
-            cells += found.cells.density_fetches + found.cells.structure_fetches;
-            leaps += found.leaps.density_fetches + found.leaps.structure_fetches;
-        }
-        EXPECT_EQ(unlike, 0) << name;
-        EXPECT_LT(leaps, cells) << name;
-        EXPECT_LT(4 * leaps, straight) << name;
-    }
+    // Lookups are above 0 from 3.5 to 12.5, in all four cells.
+    const Found within = Marcher(slab, 0, 0).by_leaps(ray);
+    EXPECT_EQ(within.fetches.structure, 2);  // at the base, and at 13.25
+    EXPECT_EQ(within.fetches.densities, 32);
 }
 
 // The rays that Olajos 2016 measures with, through his volume, whose rule loses thin parts.
@@ -230,9 +225,8 @@ TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
     held.value->levels.front().voxels->fill({{}, volume.grid.voxels}, channels);
     const float threshold =
         filtered_threshold(config::cloud_named(recipe.value->parameters, "thesis"));
-    const Marcher marcher(volume, {600, 600, 600}, true, threshold, 0.05);
-    const OccupiedCells thesis =
-        occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, threshold);
+    const Marcher marcher(volume, threshold, 0.05);
+    const OccupiedCells thesis = test::cells_of_thesis(volume, threshold);
     // 12.9 % and 18.7 % were measured elsewhere on noise of another seed.
     EXPECT_NEAR(occupied_share(marcher.cells()), 0.129, 0.01);
     EXPECT_NEAR(occupied_share(thesis), 0.187, 0.01);
@@ -241,19 +235,67 @@ TEST(Marcher, SkipsMoreThanTheRuleOfTheThesis) {
         double of_thesis = 0;
         double leaps = 0;
         for (const Ray& ray : rays_of_file(name)) {
-            const Marches found = marcher.march_all(ray, 500, 1);
-            EXPECT_TRUE(found.same_bits());
-            const MarchResult lossy =
-                march(marcher.marched(), ray, 500, 1, Skipping::cells, thesis, {});
-            straight += found.straight.density_fetches;
-            of_thesis += lossy.density_fetches + lossy.structure_fetches;
-            leaps += found.leaps.density_fetches + found.leaps.structure_fetches;
+            const SampledRay samples = sampled(ray, {600, 600, 600}, volume, 500, 1);
+            const Found found = marcher.by_leaps(samples);
+            EXPECT_EQ(found.sum, marcher.straight(samples).sum);
+            straight += samples.samples;
+            of_thesis += marcher.by(next_cells(thesis), samples).fetches.all();
+            leaps += found.fetches.all();
         }
         fmt::print("{}: {:.2f} by leaps, {:.2f} by the rule of the thesis\n", name,
                    straight / leaps, straight / of_thesis);
         EXPECT_LT(leaps, of_thesis) << name;
         EXPECT_LT(2.4 * leaps, straight) << name << ": 2.4 is what the thesis gained";
     }
+}
+
+constexpr std::array<int, 3> kVoxels = {48, 32, 24};
+constexpr std::array<double, 3> kVoxel_m = {20, 30, 10};
+
+Volume volume_where(const std::function<bool(int, int, int)>& has_cloud) {
+    Volume volume = test::volume_of({kVoxels, 4});
+    for (int z = 0; z < kVoxels[2]; ++z) {
+        for (int y = 0; y < kVoxels[1]; ++y) {
+            for (int x = 0; x < kVoxels[0]; ++x) volume.at(x, y, z) = has_cloud(x, y, z) ? 1 : 0;
+        }
+    }
+    return volume;
+}
+
+SkippingGain gain_of(const Volume& volume, int threads = 1) {
+    VoxelBits bits(kVoxels);
+    for (int z = 0; z < kVoxels[2]; ++z) {
+        for (int y = 0; y < kVoxels[1]; ++y) {
+            bits.set_row(y, z, &volume.voxels[index_of(kVoxels, 0, y, z)], 0);
+        }
+    }
+    const std::vector<std::uint8_t> leaps = leap_distance(occupied_cells(
+        cell_ranges(volume.voxels.data(), volume.grid, config::OccupancyFilter::trilinear), 0));
+    const LeapCells cells{volume.grid, leaps};
+    return skipping_gain(bits, kVoxel_m, config::OccupancyFilter::trilinear, cells,
+                         {.threads = threads});
+}
+
+// Cosines from 1 to 1/2, all as often, have the mean 2 log(2) of their inverse.
+TEST(SkippingGain, IsBesideAMarchThatBeginsAndEndsWithTheLayer) {
+    const SkippingGain empty = gain_of(volume_where([](int, int, int) { return false; }));
+    EXPECT_NEAR(empty.without, kVoxels[2] * 2 * std::log(2.0), 0.05);
+    EXPECT_NEAR(empty.with, 1, 1e-9);
+}
+
+// A ray asks once, and not again within cloud.
+TEST(SkippingGain, IsALossWhereAllIsCloud) {
+    const SkippingGain full = gain_of(volume_where([](int, int, int) { return true; }));
+    EXPECT_NEAR(full.with, full.without + 1, 1e-9);
+}
+
+// A slab at the top takes one leap and a look at each sample in its cells. From one at the base leaps
+// begin anew, short ones first.
+TEST(SkippingGain, IsOfRaysFromBelow) {
+    const SkippingGain low = gain_of(volume_where([](int, int, int z) { return z < 3; }));
+    const SkippingGain high = gain_of(volume_where([](int, int, int z) { return z > 20; }), 2);
+    EXPECT_NEAR(high.with, 2 + high.without * 4 / kVoxels[2], 0.5);
+    EXPECT_GT(low.with, high.with + 2);
 }
 
 }  // namespace

@@ -115,8 +115,7 @@ TEST(OccupancyHardCase, OccupancyOneVoxelWisps) {
         const std::string name = fmt::format("occupancy of wisps, a voxel in {}", one_in);
         hold(name, "share of samples > 0 lost", share_lost(volume, cells_of(volume), 0, kPoints),
              0);
-        const OccupiedCells thesis =
-            occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, 0);
+        const OccupiedCells thesis = test::cells_of_thesis(volume, 0);
         const double lost = share_lost(volume, thesis, 0, kPoints);
         EXPECT_GT(lost, 0.5);
         hold(name + ", as in thesis", "share of samples > 0 lost", lost, 1);

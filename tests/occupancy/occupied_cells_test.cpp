@@ -88,15 +88,9 @@ TEST(OccupiedCells, AsInThesisAreEighthsAndARing) {
             test::any_volume(40, *rc::gen::element(Values::uniform, Values::sparse, Values::steps));
         const float threshold = *rc::gen::element(0.0F, 0.5F, 0.75F, 0.875F, 0.9F);
         const OccupiedCells wanted = thesis_by_hand(volume, threshold);
-        const OccupiedCells found =
-            occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, threshold, 2);
+        const OccupiedCells found = test::cells_of_thesis(volume, threshold);
         RC_ASSERT(found.size == wanted.size);
         RC_ASSERT(found.occupied == wanted.occupied);
-        const testing::FunctionVoxels source(
-            [&](int x, int y, int z, int) { return volume.at(x, y, z); });
-        RC_ASSERT(
-            occupied_cells_as_in_thesis({source, 0, 1}, volume.grid, threshold, {3}).occupied ==
-            wanted.occupied);
     }));
 }
 
@@ -104,8 +98,7 @@ TEST(OccupiedCells, AsInThesisCountEightOf64) {
     Volume volume = test::volume_of({{20, 20, 20}, 4});
     for (int i = 0; i < 7; ++i) volume.at(8 + i % 4, 8 + i / 4, 9) = 1;
     const auto count = [&] {
-        const OccupiedCells cells =
-            occupied_cells_as_in_thesis(volume.voxels.data(), volume.grid, 0);
+        const OccupiedCells cells = test::cells_of_thesis(volume, 0);
         return std::count(cells.occupied.begin(), cells.occupied.end(), 1);
     };
     EXPECT_EQ(count(), 0);

@@ -9,8 +9,10 @@
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/occupancy/cell_grid.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/sections/file_formats.h"
+#include "tests/support/volumes.h"
 
 namespace skybake::test {
 
@@ -94,6 +96,13 @@ inline Volume any_volume(int largest_size, Values values, bool half = false) {
 inline Values any_values() {
     return *rc::gen::element(Values::uniform, Values::sparse, Values::steps, Values::signs,
                              Values::wide, Values::denormals, Values::constant);
+}
+
+// The cells that the rule of the thesis calls occupied.
+inline occupancy::OccupiedCells cells_of_thesis(const Volume& volume, float threshold) {
+    const testing::FunctionVoxels source(
+        [&](int x, int y, int z, int) { return volume.at(x, y, z); });
+    return occupancy::occupied_cells_as_in_thesis({source, 0, 1}, volume.grid, threshold, {3});
 }
 
 // The filtered value at a place in voxel units.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "bakers/plan/cloud_ways.h"
 #include "bakers/plan/plan_files.h"
 #include "config/recipe/recipe.h"
 
@@ -35,6 +36,18 @@ PlanRequest request_with_sun() {
         return config::parse_recipe(kScene, "scene", {}, all);
     };
     return request;
+}
+
+// 100 voxels, as a quarter of 400 is, have no cells of 8.
+TEST(CloudWays, HaveCellsThatTileTheirVoxels) {
+    int of_cells = 0;
+    for (const CloudWay& way : cloud_ways({"c", {400, 400, 64}, "", {}})) {
+        if (way.cell == 0) continue;
+        ++of_cells;
+        const std::string& size = way.assets[0].keys[2].second;
+        EXPECT_TRUE(size != "[100, 100, 16]" || way.cell < 8) << way.name;
+    }
+    EXPECT_GT(of_cells, 20);
 }
 
 // The plan of one scene, made once.

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,7 +20,9 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/occupancy/distance_volume.h"
+#include "bakers/occupancy/marcher.h"
 #include "bakers/occupancy/nearest_voxel.h"
+#include "config/assets/occupancy_filter.h"
 #include "config/fields/fields.h"
 
 namespace skybake {
@@ -34,6 +37,7 @@ using occupancy::ChannelSource;
 using occupancy::DistanceCheckResult;
 using occupancy::DistanceCode;
 using occupancy::DistanceSource;
+using occupancy::Place;
 
 std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_distance");
@@ -45,14 +49,9 @@ std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents
     return names;
 }
 
-bool is_unorm(const CloudDistanceBake& bake) {
-    return bake.pixel_type == config::PixelType::unorm8 ||
-           bake.pixel_type == config::PixelType::unorm16;
-}
-
 std::string content_of(const CloudDistanceBake& bake) {
     const std::string scale =
-        is_unorm(bake)
+        occupancy::is_unorm(bake.pixel_type)
             ? fmt::format(", 0 to 1 for {} m to {} m", bake.range[0].meters, bake.range[1].meters)
             : "";
     return fmt::format(
@@ -71,7 +70,8 @@ ProbePlace place_of(const std::vector<AxisMapping>& axes, const std::array<doubl
 
 std::vector<std::array<double, 2>> histogram_ranges(const CloudDistanceBake& bake) {
     std::vector<std::array<double, 2>> ranges(bake.contents.size(), {0, 1});
-    if (!is_unorm(bake)) ranges.front() = {bake.range[0].meters, bake.range[1].meters};
+    if (!occupancy::is_unorm(bake.pixel_type))
+        ranges.front() = {bake.range[0].meters, bake.range[1].meters};
     return ranges;
 }
 
@@ -134,7 +134,7 @@ class DistanceBake {
 
     Outcome<Baked> run(Baked volume) {
         describe(volume);
-        const ChannelSource source = channel();
+        const ChannelSource source = channel_of(of_, bake_.channel);
         const occupancy::VoxelBits bits = voxel_bits(source, grid_.grid, of_.threshold, options_);
         if (options_.cancelled()) return {};
         occupancy::DistanceFields fields{bake_.core.meters, wisp_height_, {}};
@@ -146,19 +146,19 @@ class DistanceBake {
         if (options_.cancelled()) return {};
         if (has(DistanceContent::profile)) volume.details.emplace_back("core_m", texels->core_m());
         volume.levels.push_back(level_of(volume, texels));
-        return finish(std::move(volume), check(*texels, bits));
+        std::optional<config::Diagnostic> warning;
+        if (options_.certification != Certification::off) {
+            warning = add_skipping_gain(gain_of(*texels, bits), volume);
+        }
+        Outcome<Baked> finished = finish(std::move(volume), check(*texels, bits));
+        if (finished.value && warning) finished.diagnostics.push_back(*warning);
+        return finished;
     }
 
   private:
     bool has(DistanceContent content) const {
         return std::find(bake_.contents.begin(), bake_.contents.end(), content) !=
                bake_.contents.end();
-    }
-
-    ChannelSource channel() const {
-        return {*of_.volume.levels.front().voxels,
-                static_cast<int>(channel_named(of_.volume, bake_.channel)),
-                static_cast<int>(of_.volume.channel_names.size()), of_.volume.pixel_type};
     }
 
     void describe(Baked& volume) const {
@@ -188,14 +188,30 @@ class DistanceBake {
         return level;
     }
 
+    // What the published march by distances saves.
+    occupancy::SkippingGain gain_of(const DistanceSource& texels,
+                                    const occupancy::VoxelBits& bits) const {
+        const BakeTime time(BakePart::certificate);
+        const double step_m = *std::min_element(grid_.voxel_m.begin(), grid_.voxel_m.end());
+        const auto stay = [&, texture = texture_of(texels)](const Place& from, const Place&) {
+            return occupancy::stay_of_distance(looked_up_m(texture, code_, from) / step_m);
+        };
+        return skipping_gain(bits, grid_.voxel_m, config::OccupancyFilter::trilinear, stay,
+                             options_);
+    }
+
+    occupancy::DistanceTexture texture_of(const DistanceSource& texels) const {
+        return {texels.size(), texels.distances().data(), bake_.cell};
+    }
+
     DistanceCheckResult check(const DistanceSource& texels,
                               const occupancy::VoxelBits& bits) const {
         const auto [points, rays] = checked_by(options_.certification);
         if (points == 0) return {};
         const BakeTime time(BakePart::certificate);
         const occupancy::NearestVoxel nearest(bits, grid_.voxel_m);
-        return check_distances({texels.size(), texels.distances().data(), bake_.cell}, code_,
-                               nearest, grid_.grid.voxels, grid_.voxel_m, points, rays, options_);
+        return check_distances(texture_of(texels), code_, nearest, grid_.grid.voxels, grid_.voxel_m,
+                               points, rays, options_);
     }
 
     Outcome<Baked> finish(Baked volume, const DistanceCheckResult& found) const {

@@ -76,32 +76,30 @@ AssetPlaces places(const Parameters& parameters, const CloudDistanceBake& asset,
 }
 
 GlslFunction distance_function(const std::string& ends, const std::string& box) {
-    GlslFunction function;
-    function.comment =
-        "Returns how far it is from p, which lies within the layer, to the cloud, in metres, "
-        "negative "
-        "within it: never farther from 0 than it is.";
-    function.result = "float";
-    function.arguments = "sampler3D distances, vec3 p";
-    function.before = box;
-    function.value = fmt::format("cloud_distance(distances, {}, p - corner, box)", ends);
-    function.suffix = "_distance";
-    return function;
+    return {
+        .comment =
+            "Returns how far it is from p, which lies within the layer, to the cloud, in metres, "
+            "negative within it: never farther from 0 than it is.",
+        .result = "float",
+        .arguments = "sampler3D distances, vec3 p",
+        .value = fmt::format("cloud_distance(distances, {}, p - corner, box)", ends),
+        .before = box,
+        .suffix = "_distance"};
 }
 
 GlslFunction trace_function(const std::string& ends, const std::string& box) {
-    GlslFunction function;
-    function.comment =
-        "Returns the sum of densities times metres over `count` samples, all of them within the "
-        "layer, at from, from + ray * stride and so on. `cloud` is the volume.";
-    function.result = "float";
-    function.arguments =
-        "sampler3D cloud, sampler3D distances, vec3 from, vec3 ray, float stride, int count";
-    function.before = box;
-    function.value = fmt::format(
-        "cloud_trace(cloud, distances, {}, box, from - corner, ray, tile, stride, count)", ends);
-    function.suffix = "_trace";
-    return function;
+    return {
+        .comment =
+            "Returns the sum of densities times metres over `count` samples, all of them within "
+            "the layer, at from, from + ray * stride and so on. `cloud` is the volume.",
+        .result = "float",
+        .arguments =
+            "sampler3D cloud, sampler3D distances, vec3 from, vec3 ray, float stride, int count",
+        .value = fmt::format(
+            "cloud_trace(cloud, distances, {}, box, from - corner, ray, tile, stride, count)",
+            ends),
+        .before = box,
+        .suffix = "_trace"};
 }
 
 AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
@@ -138,7 +136,7 @@ void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 }  // namespace
 
 const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
-    static const Baker<CloudDistanceBake> row = {.version = 2,
+    static const Baker<CloudDistanceBake> row = {.version = 3,
                                                  .bake = bake,
                                                  .estimate = estimate,
                                                  .needs = needs_of_source<CloudDistanceBake>,

@@ -29,20 +29,6 @@ class Check {
           voxel_m_(voxel_m),
           zero_m_(std::min(0.0, code.metres(double{code.surface()})) - code.rounding_m()) {}
 
-    // In metres, at a place in voxels whose z is within the volume.
-    double look_up(const Point& place) const {
-        std::array<AxisTaps, 3> taps;
-        for (std::size_t a = 0; a < 3; ++a) {
-            taps[a] = filter_taps(config::OccupancyFilter::trilinear, place[a] / texture_.cell,
-                                  texture_.size[a], a < 2);
-            const double high = std::floor(taps[a].weight[1] * 256 + 0.5) / 256;
-            taps[a].weight = {1 - high, high};
-        }
-        return code_.metres(filtered_in_double(taps, [&](int x, int y, int z) {
-            return texture_.values[index_of(texture_.size, x, y, z)];
-        }));
-    }
-
     // The exact distance: to touched cells, or minus that to holed ones.
     double exact(const Point& place) const {
         const double outside = nearest_.to_cloud(place);
@@ -80,7 +66,7 @@ class Check {
         const double least_m = 1e-3 * code_.most_lost();
         for (int step = 0; step < kMostSteps; ++step) {
             if (place[2] < 0 || place[2] > voxels_[2]) return;
-            const double found = look_up(place);
+            const double found = looked_up_m(texture_, code_, place);
             if (found <= least_m) return;
             ++steps;
             if (found > nearest_.to_cloud(place)) ++lost;
@@ -121,6 +107,19 @@ Point direction_of(int ray) {
 
 }  // namespace
 
+double looked_up_m(const DistanceTexture& texture, const DistanceCode& code, const Point& place) {
+    std::array<AxisTaps, 3> taps;
+    for (std::size_t a = 0; a < 3; ++a) {
+        taps[a] = filter_taps(config::OccupancyFilter::trilinear, place[a] / texture.cell,
+                              texture.size[a], a < 2);
+        const double high = std::floor(taps[a].weight[1] * 256 + 0.5) / 256;
+        taps[a].weight = {1 - high, high};
+    }
+    return code.metres(filtered_in_double(taps, [&](int x, int y, int z) {
+        return texture.values[index_of(texture.size, x, y, z)];
+    }));
+}
+
 DistanceCheckResult check_distances(const DistanceTexture& texture, const DistanceCode& code,
                                     const NearestVoxel& nearest, const std::array<int, 3>& voxels,
                                     const std::array<double, 3>& voxel_m, int points, int rays,
@@ -133,7 +132,7 @@ DistanceCheckResult check_distances(const DistanceTexture& texture, const Distan
         found.place = low_discrepancy_point(i);
         for (std::size_t a = 0; a < 3; ++a) found.place[a] *= voxels[a];
         found.texel = check.texel_of(found.place);
-        const double looked_up = check.look_up(found.place);
+        const double looked_up = looked_up_m(texture, code, found.place);
         const double exact = check.exact(found.place);
         const double texel = check.texel_at(found.texel);
         const double texel_exact = check.exact(found.texel);

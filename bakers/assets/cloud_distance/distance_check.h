@@ -18,6 +18,11 @@ struct DistanceTexture {
     int cell = 1;
 };
 
+// Returns the distance in metres that GPUs look up, with weights rounded to 1/256, at a place in voxels whose
+// height is within the volume.
+double looked_up_m(const DistanceTexture& texture, const DistanceCode& code,
+                   const std::array<double, 3>& place);
+
 struct DistanceCheckResult {
     int points = 0;  // places between texels, and as many texels
     // Lookups that are farther from 0 than the exact distance, and texels that are nearer to 0 than

@@ -14,6 +14,7 @@
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/occupancy.h"
 #include "config/sections/parameters.h"
@@ -46,9 +47,10 @@ Estimate estimate(const Parameters& parameters, const OccupancyBake& asset) {
     for (std::size_t i = 0; i < 3; ++i) cells[i] = (of.size[i] + asset.cell - 1) / asset.cell;
     Estimate result = estimate_volume(asset, cells, asset.contents.size(), 1e-8);
     const Estimate voxels = estimate_cloud_volume(parameters, of);
-    constexpr double kBytesPerCell = 4 + 4 + 1 + 1;  // minimum, maximum, leap, occupied
+    // Minimum, maximum, leap and occupied, and bits of voxels.
+    const double bytes = voxels_of(cells, 1) * (4 + 4 + 1 + 1) + voxels_of(of.size, 1) / 8;
     result.seconds += voxels.seconds / 2;
-    result.memory_mib += voxels.memory_mib + voxels_of(cells, 1) * kBytesPerCell / kMebibyte;
+    result.memory_mib += voxels.memory_mib + bytes / kMebibyte;
     return result;
 }
 
@@ -85,45 +87,43 @@ int cell_of_level(const OccupancyBake& asset, const CloudVolumeBake& of,
 
 // 255 or 1 in the channel of leaps; empty where the grid has none.
 std::string full_leap(const OccupancyBake& asset) {
-    const bool is_unorm = asset.pixel_type == config::PixelType::unorm8 ||
-                          asset.pixel_type == config::PixelType::unorm16;
     const auto leap =
         std::find(asset.contents.begin(), asset.contents.end(), config::OccupancyContent::leap);
     if (leap == asset.contents.end()) return {};
     std::array<std::string, 4> full = {"0.0", "0.0", "0.0", "0.0"};
-    full[static_cast<std::size_t>(leap - asset.contents.begin())] = is_unorm ? "255.0" : "1.0";
+    full[static_cast<std::size_t>(leap - asset.contents.begin())] =
+        occupancy::is_unorm(asset.pixel_type) ? "255.0" : "1.0";
     return fmt::format("vec4({})", fmt::join(full, ", "));
 }
 
 GlslFunction leap_function(const std::string& cell, const std::string& full,
                            const std::string& box) {
-    GlslFunction function;
-    function.comment =
-        "Returns how far the ray goes on from p, in metres, before it leaves the cells that are "
-        "known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.";
-    function.result = "float";
-    function.arguments = "sampler3D cloud, sampler3D cells, vec3 p, vec3 ray";
-    function.before = box;
-    function.value =
-        fmt::format("cloud_leap(cloud, cells, {}, {}, p - corner, ray, tile)", cell, full);
-    function.suffix = "_leap";
-    return function;
+    return {
+        .comment =
+            "Returns how far the ray goes on from p, in metres, before it leaves the cells that "
+            "are "
+            "known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.",
+        .result = "float",
+        .arguments = "sampler3D cloud, sampler3D cells, vec3 p, vec3 ray",
+        .value = fmt::format("cloud_leap(cloud, cells, {}, {}, p - corner, ray, tile)", cell, full),
+        .before = box,
+        .suffix = "_leap"};
 }
 
 GlslFunction march_function(const std::string& cell, const std::string& full,
                             const std::string& box) {
-    GlslFunction function;
-    function.comment =
-        "Returns the sum of densities times metres over `count` samples, all of them within the "
-        "layer, at from, from + ray * stride and so on.";
-    function.result = "float";
-    function.arguments =
-        "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count";
-    function.before = box + fmt::format("    vec4 full = {};\n", full);
-    function.value = fmt::format(
-        "cloud_march(cloud, cells, {}, full, from - corner, ray, tile, stride, count)", cell);
-    function.suffix = "_march";
-    return function;
+    return {
+        .comment =
+            "Returns the sum of densities times metres over `count` samples, all of them within "
+            "the "
+            "layer, at from, from + ray * stride and so on.",
+        .result = "float",
+        .arguments =
+            "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count",
+        .value = fmt::format(
+            "cloud_march(cloud, cells, {}, full, from - corner, ray, tile, stride, count)", cell),
+        .before = box + fmt::format("    vec4 full = {};\n", full),
+        .suffix = "_march"};
 }
 
 AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
@@ -157,7 +157,7 @@ void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 }  // namespace
 
 const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
-    static const Baker<config::OccupancyBake> row = {.version = 4,
+    static const Baker<config::OccupancyBake> row = {.version = 5,
                                                      .bake = bake,
                                                      .estimate = estimate,
                                                      .needs = needs_of_source<OccupancyBake>,

@@ -14,6 +14,8 @@
 #include "bakers/assets/sources/voxel_blocks.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
+#include "bakers/math/bake_clock.h"
+#include "bakers/occupancy/cloud_bits.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/fields/fields.h"
 
@@ -30,6 +32,7 @@ using occupancy::CellRanges;
 using occupancy::CellSource;
 using occupancy::ChannelSource;
 using occupancy::OccupiedCells;
+using occupancy::SkippingGain;
 
 constexpr double kFarthestLeap = 255;
 
@@ -47,16 +50,12 @@ std::vector<std::string> grid_names(const std::vector<OccupancyContent>& content
     return names;
 }
 
-bool is_unorm(const OccupancyBake& bake) {
-    return bake.pixel_type == config::PixelType::unorm8 ||
-           bake.pixel_type == config::PixelType::unorm16;
-}
-
 std::string content_of(const OccupancyBake& bake) {
     return fmt::format(
         "cells of {} voxels: {} (occupied: 1 or 0; leap: Chebyshev distance in cells to the "
         "nearest occupied one{}; minimum, maximum: of lookups within the cell)",
-        bake.cell, fmt::join(grid_names(bake.contents), ", "), is_unorm(bake) ? ", over 255" : "");
+        bake.cell, fmt::join(grid_names(bake.contents), ", "),
+        occupancy::is_unorm(bake.pixel_type) ? ", over 255" : "");
 }
 
 // The nearest place to texture coordinates that is a quarter of a cell from its middle along each
@@ -96,6 +95,17 @@ config::Diagnostic lost_cell(const Baked& volume, const occupancy::LostCell& los
     return diagnostic;
 }
 
+// What leaps save a march, if there are any and it is to be found.
+std::optional<SkippingGain> gain_of(const OccupiedVolume& of, const CellSource& cells,
+                                    const OccupancyBake& bake, const BakeOptions& options) {
+    if (cells.leaps().empty() || options.certification == Certification::off) return std::nullopt;
+    const BakeTime time(BakePart::certificate);
+    const occupancy::LeapCells leaps{{of.volume.levels.front().size, bake.cell}, cells.leaps()};
+    const occupancy::VoxelBits bits =
+        voxel_bits(channel_of(of, bake.channel), leaps.grid, of.threshold, options);
+    return skipping_gain(bits, of.volume.voxel_size_m, bake.filter, leaps, options);
+}
+
 // The grid of level 0, with what is known of it among the volume's details. No value after an
 // interruption, or with a diagnostic.
 Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
@@ -103,9 +113,7 @@ Outcome<std::shared_ptr<const CellSource>> make_cells(const OccupiedVolume& of,
                                                       const CellGrid& grid,
                                                       const BakeOptions& options, Baked& volume) {
     Outcome<std::shared_ptr<const CellSource>> outcome;
-    const ChannelSource source{
-        *of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, bake.channel)),
-        static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
+    const ChannelSource source = channel_of(of, bake.channel);
     const float threshold = of.threshold;
     CellRanges ranges = cell_ranges(source, grid, bake.filter, options);
     if (options.cancelled()) return outcome;
@@ -160,6 +168,25 @@ std::size_t channel_named(const Baked& volume, const std::string& name) {
     return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
 }
 
+ChannelSource channel_of(const OccupiedVolume& of, const std::string& name) {
+    return {*of.volume.levels.front().voxels, static_cast<int>(channel_named(of.volume, name)),
+            static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
+}
+
+std::optional<config::Diagnostic> add_skipping_gain(const SkippingGain& gain, Baked& volume) {
+    volume.details.emplace_back(fetches_without, to_digits(gain.without, 3));
+    volume.details.emplace_back(fetches_with, to_digits(gain.with, 3));
+    if (gain.with <= most_fetches * gain.without) return std::nullopt;
+    config::Diagnostic warning;
+    warning.severity = config::Severity::warning;
+    warning.code = "W0227";
+    warning.message =
+        fmt::format("`{}` is not worth its fetches: a ray takes {:.3g} with it, and {:.3g} without",
+                    volume.name, gain.with, gain.without);
+    warning.label = "march this cloud without it, or with smaller cells";
+    return warning;
+}
+
 Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
                               const BakeOptions& options, Baked volume) {
     const CellGrid grid{of.volume.levels.front().size, bake.cell};
@@ -184,17 +211,24 @@ Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bak
     add("rule", word_of("rule", bake.rule));
     add("threshold", to_shortest(of.threshold));
     const auto leap = std::find(bake.contents.begin(), bake.contents.end(), OccupancyContent::leap);
-    if (leap != bake.contents.end()) add("leap_scale", is_unorm(bake) ? kFarthestLeap : 1.0);
+    if (leap != bake.contents.end())
+        add("leap_scale", occupancy::is_unorm(bake.pixel_type) ? kFarthestLeap : 1.0);
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};
+    std::optional<config::Diagnostic> warning;
+    if (const auto gain = gain_of(of, **cells.value, bake, options)) {
+        warning = add_skipping_gain(*gain, volume);
+    }
     add_levels(*cells.value, bake, volume);
     VolumeFinish finish;
     finish.histogram_ranges = histogram_ranges(bake);
     finish.probe_place = [&of, &bake](const std::array<double, 3>& uvw, int level) {
         return place_of(of.volume, bake.cell << level, uvw);
     };
-    return finish_volume(std::move(volume), finish, options);
+    Outcome<Baked> finished = finish_volume(std::move(volume), finish, options);
+    if (finished.value && warning) finished.diagnostics.push_back(*warning);
+    return finished;
 }
 
 }  // namespace skybake
