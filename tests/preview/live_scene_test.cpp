@@ -81,7 +81,7 @@ TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     const auto film = film_lookup(assets, 1);
     ASSERT_TRUE(film.value);
     const auto tables =
-        make_sky_tables(*assets.of_kind("transmittance"), *assets.of_kind("multiple_scattering"));
+        make_sky_tables(*assets.of_kind("transmittance"), assets.of_kind("multiple_scattering"));
     const GroundIrradiance ground =
         ground_irradiance({make_sky_medium(assets.recipe->parameters.atmosphere), *tables.value},
                           {kDaylightElevation, 0}, 1);
