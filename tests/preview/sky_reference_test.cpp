@@ -20,25 +20,21 @@ SkyLight solved(const config::Atmosphere& atmosphere) {
     return {atmosphere, config::SkyOrders::all, {}, kOptions};
 }
 
-// The two tables of examples/sky.toml for Hillaire's air: as they are, or with multiple scattering by
-// Hillaire's closure at the size and mapping that the key's defaults have.
-test::Sky example_sky(std::vector<std::string> settings) {
-    settings.emplace_back("preset=\"earth_hillaire\"");
+// The two tables of examples/sky.toml for Hillaire's air.
+test::Sky example_sky() {
     std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
     std::ostringstream text;
     text << file.rdbuf();
     test::Sky sky;
-    sky.recipe = test::recipe_of(text.str(), settings);
+    sky.recipe = test::recipe_of(text.str(), {"preset=\"earth_hillaire\""});
     test::bake_tables(sky);
     return sky;
 }
 
 // Tests a case in which the better sky looked worse, since the reference was the other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
-    const test::Sky better = example_sky({});
-    const test::Sky worse = example_sky({"bake.multiple_scattering.method=\"converged\"",
-                                         "bake.multiple_scattering.mapping=\"hillaire\"",
-                                         "bake.multiple_scattering.size=[32,32]"});
+    const test::Sky better = example_sky();
+    const test::Sky worse = test::sky_of("earth_hillaire");
     const SkyLight light = solved(better.recipe.parameters.atmosphere);
     for (const double sun : {60.0, 10.0, 0.0, -4.0}) {
         const SkyView view = test::dome(20, 0.2, sun);
