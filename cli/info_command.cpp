@@ -278,7 +278,7 @@ Command info_command() {
                          {"skybake info --lookup --language hlsl out/transmittance.exr",
                           "prints it for Direct3D"},
                          {"skybake info --lookup out",
-                          "prints how pictures show light: the curve and the white"}},
+                          "prints one library for all assets of a bake"}},
             .exit_codes = {ExitCode::io},
             .run = run_info};
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,9 +19,11 @@
 #include "cli/command.h"
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/cloud_volume.h"
 #include "config/recipe/asset_parameters.h"
 #include "config/sections/files.h"
 #include "config/text/key_path.h"
+#include "config/text/text.h"
 
 namespace skybake::cli {
 namespace {
@@ -138,25 +141,111 @@ std::string heading(const DescribedFile& described, const fs::path& path, const 
 
 struct Lookup {
     std::string function, text;
-    ShadingLanguage language;
+    std::string numbers = {};  // of the recipe
 };
 
-void print(Console& console, bool json, const fs::path& path, const Lookup& lookup) {
+void print(Console& console, bool json, const fs::path& path, const Lookup& lookup,
+           ShadingLanguage language) {
     console.result(json ? event_line({{"event", "lookup"},
                                       {"path", path.string()},
                                       {"function", lookup.function},
-                                      {row_of(lookup.language).word, lookup.text}})
+                                      {row_of(language).word, lookup.text}})
                         : lookup.text);
 }
 
-// How pictures of a folder's assets show light.
-ExitCode show_film(const fs::path& folder, ShadingLanguage language, bool json, Console& console) {
-    const auto assets = load_folder(folder);
-    const ExitCode code = console.report(assets.diagnostics);
-    if (!assets.value) return code;
-    const auto film = film_lookup(*assets.value, 1);
-    if (!film.value) return console.report(film.diagnostics);
-    print(console, json, folder, {"shown_by_film", translated(*film.value, language), language});
+// A function without arguments: all languages have those.
+std::string number_glsl(std::string_view type, const std::string& name, const std::string& value,
+                        std::string_view comment) {
+    return fmt::format("// {}\n{} {}() {{ return {}; }}\n\n", comment, type, name, value);
+}
+
+// Returns the numbers of the recipe that a runtime needs beside the texels of a bake.
+std::string numbers_glsl(const config::Parameters& parameters, const config::Bake& bake,
+                         const std::string& name) {
+    std::string text;
+    if (const config::Atmosphere& air = parameters.atmosphere; air.top_radius.meters > 0) {
+        text +=
+            number_glsl("float", "baked_ground_radius_km",
+                        glsl_number(air.ground_radius.kilometers()), "The radius of the ground.") +
+            number_glsl("float", "baked_top_radius_km", glsl_number(air.top_radius.kilometers()),
+                        "The radius at which the air ends.");
+    }
+    const auto* volume = bake.find<config::CloudVolumeBake>();
+    if (volume == nullptr) return text;
+    const config::Cloud& cloud = config::cloud_named(parameters, volume->cloud);
+    return text +
+           number_glsl("vec3", name + "_extent_m",
+                       glsl_vector({cloud.extent[0].meters, cloud.extent[1].meters,
+                                    cloud.extent[2].meters}),
+                       "The extent of the cloud's tile along x, y and z.") +
+           number_glsl("float", name + "_base_m", glsl_number(cloud.base_altitude.meters),
+                       "The altitude of its base.") +
+           number_glsl("float", name + "_extinction_per_m",
+                       glsl_number(cloud.extinction_scale.per_meter),
+                       "The extinction where its density is 1.");
+}
+
+// Prints the lookup of a file in GLSL.
+Outcome<Lookup> lookup_of_file(const fs::path& path, ShadingLanguage language) {
+    const auto file = described(path);
+    if (!file.value) return {{}, file.diagnostics};
+    const auto& [asset, shape] = *file.value;
+    const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
+    const config::Bake* own =
+        recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
+    if (own == nullptr) {
+        return {{},
+                {file_error("E0304", path.string(),
+                            fmt::format("`{}`: this release cannot read the parameters that it "
+                                        "was baked with",
+                                        path.string()))}};
+    }
+    const AssetLookup lookup =
+        baker_of(*own).lookup(recipe.value->parameters, *own,
+                              {asset.mapping, size_of(asset, shape), asset.channels.size()});
+    const std::string name = glsl_name(own->name);
+    std::string text =
+        heading(*file.value, path, *own, lookup, language) + lookup_glsl(lookup, name);
+    const auto& color = asset.conventions.color;
+    if (color && !color->is_applied) {
+        text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm,
+                                  config::packet_number(*own) > 0, name);
+    }
+    return {Lookup{name, std::move(text), numbers_glsl(recipe.value->parameters, *own, name)}, {}};
+}
+
+// Adds the paragraphs that are not there yet: lookups of two files share functions.
+void add_paragraphs(std::string_view text, std::set<std::string, std::less<>>& seen,
+                    std::string& all) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find("\n\n"), text.size());
+        const std::string_view paragraph = text.substr(0, end);
+        if (!paragraph.empty() && seen.emplace(config::trim(paragraph)).second) {
+            all += fmt::format("{}\n\n", config::trim(paragraph));
+        }
+        text.remove_prefix(std::min(end + 2, text.size()));
+    }
+}
+
+// Prints the lookups of all assets of a folder, each function once, with the recipe's numbers and how
+// pictures of them show light.
+ExitCode show_library(const fs::path& folder, ShadingLanguage language, bool json,
+                      Console& console) {
+    const auto manifest = read_manifest(folder);
+    if (!manifest.value) return console.report(manifest.diagnostics);
+    std::set<std::string, std::less<>> seen;
+    std::string text;
+    bool has_sky = false;
+    for (const ManifestAsset& asset : manifest.value->assets) {
+        has_sky = has_sky || asset.kind == "multiple_scattering";
+        const auto lookup = lookup_of_file(folder / asset.files.front().path, language);
+        if (!lookup.value) return console.report(lookup.diagnostics);
+        add_paragraphs(lookup.value->text + "\n" + lookup.value->numbers, seen, text);
+    }
+    const auto assets = has_sky ? load_folder(folder) : Outcome<PreviewAssets>{};
+    if (assets.value) add_paragraphs(film_lookup(*assets.value, 1), seen, text);
+    if (text.ends_with("\n\n")) text.pop_back();
+    print(console, json, folder, {"baked", translated(text, language)}, language);
     return ExitCode::done;
 }
 
@@ -175,34 +264,15 @@ std::optional<DescribedFile> described_by_manifest(const fs::path& path) {
 
 ExitCode show_lookup(const fs::path& path, ShadingLanguage language, bool json, Console& console) {
     std::error_code error;
-    if (fs::is_directory(path, error) || path.filename() == manifest_name) {
-        return show_film(path, language, json, console);
+    if (fs::is_directory(path, error)) return show_library(path, language, json, console);
+    if (path.filename() == manifest_name) {
+        return show_library(path.has_parent_path() ? path.parent_path() : ".", language, json,
+                            console);
     }
-    const auto file = described(path);
-    if (!file.value) return console.report(file.diagnostics);
-    const auto& [asset, shape] = *file.value;
-    const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
-    const config::Bake* own =
-        recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
-    if (own == nullptr) {
-        const config::Diagnostic unreadable = file_error(
-            "E0304", path.string(),
-            fmt::format("`{}`: this release cannot read the parameters that it was baked with",
-                        path.string()));
-        return console.report({&unreadable, 1});
-    }
-    const AssetLookup lookup =
-        baker_of(*own).lookup(recipe.value->parameters, *own,
-                              {asset.mapping, size_of(asset, shape), asset.channels.size()});
-    const std::string name = glsl_name(own->name);
-    std::string text =
-        heading(*file.value, path, *own, lookup, language) + lookup_glsl(lookup, name);
-    const auto& color = asset.conventions.color;
-    if (color && !color->is_applied) {
-        text += "\n" + color_glsl(*color, asset.conventions.wavelengths_nm,
-                                  config::packet_number(*own) > 0, name);
-    }
-    print(console, json, path, {name, translated(text, language), language});
+    auto lookup = lookup_of_file(path, language);
+    if (!lookup.value) return console.report(lookup.diagnostics);
+    lookup.value->text = translated(lookup.value->text, language);
+    print(console, json, path, *lookup.value, language);
     return ExitCode::done;
 }
 

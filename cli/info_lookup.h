@@ -22,8 +22,8 @@ std::optional<DescribedFile> described_by_manifest(const std::filesystem::path& 
 
 // Prints the lookup of the file's asset in that language with the numbers of its bake filled in,
 // below a comment that says what a runtime must know of the file. A file that carries no metadata is
-// described by the manifest.json beside it. For a folder or its manifest it prints how pictures show light
-// (bakers/preview/live/live_scene.h). E0001 of a folder without tables of the sky, E0300, and E0304 of a
+// described by the manifest.json beside it. For a folder or its manifest it prints the library of all its
+// assets: each function once, numbers of the recipe, and how pictures show light. E0300, and E0304 of a
 // file that skybake did not write.
 ExitCode show_lookup(const std::filesystem::path& path, ShadingLanguage language, bool json,
                      Console& console);

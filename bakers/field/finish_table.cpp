@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/smallest_table.h"
@@ -362,8 +363,23 @@ void add_level(const Image2<double>& texels, Baked& table) {
     table.levels.push_back(std::move(level));
 }
 
-Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options,
+bool add_part(Outcome<TablePart> part, StackedParts& parts) {
+    std::move(part.diagnostics.begin(), part.diagnostics.end(),
+              std::back_inserter(parts.diagnostics));
+    if (!part.value) {
+        parts.value.reset();
+    } else {
+        if (!parts.value) parts.value.emplace();
+        parts.value->push_back(std::move(*part.value));
+    }
+    return parts.value.has_value();
+}
+
+Outcome<Baked> stack_tables(StackedParts stacked, const BakeOptions& options,
                             const ChangeTable& change) {
+    Outcome<Baked> outcome{{}, std::move(stacked.diagnostics)};
+    if (!stacked.value) return outcome;
+    std::vector<TablePart>& parts = *stacked.value;
     const auto count = static_cast<int>(parts.size());
     std::vector<ProbeSpace> spaces;
     for (int k = 0; k < count; ++k) {
@@ -381,24 +397,20 @@ Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& opt
     }
     if (stack) set_image(std::move(*stack), table);
     if (change) change(table);
-    if (options.cancelled()) return {};
+    if (options.cancelled()) return outcome;
     add_levels(table);
     std::vector<Diagnostic> problems = look_over(spaces, options, table);
-    if (options.cancelled()) return {};
-    if (!problems.empty()) return {{}, std::move(problems)};
-    return {std::move(table), {}};
+    if (options.cancelled()) return outcome;
+    std::move(problems.begin(), problems.end(), std::back_inserter(outcome.diagnostics));
+    if (problems.empty()) outcome.value = std::move(table);
+    return outcome;
 }
 
 Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,
                             const BakeOptions& options, const PlaceOf& place_of, Baked table) {
-    Outcome<TablePart> part = make_part(model, request, options, place_of, std::move(table));
-    if (!part.value) return {{}, std::move(part.diagnostics)};
-    std::vector<TablePart> parts;
-    parts.push_back(std::move(*part.value));
-    Outcome<Baked> finished = stack_tables(std::move(parts), options);
-    finished.diagnostics.insert(finished.diagnostics.begin(), part.diagnostics.begin(),
-                                part.diagnostics.end());
-    return finished;
+    StackedParts parts;
+    add_part(make_part(model, request, options, place_of, std::move(table)), parts);
+    return stack_tables(std::move(parts), options);
 }
 
 }  // namespace skybake

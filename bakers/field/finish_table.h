@@ -53,6 +53,12 @@ config::Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequ
                                      const BakeOptions& options, const PlaceOf& place_of,
                                      Baked table);
 
+// The parts of a table; nothing if one of them could not be made.
+using StackedParts = config::Outcome<std::vector<TablePart>>;
+
+// Adds a part and what there is to say of it. Returns whether there is such a part.
+bool add_part(config::Outcome<TablePart> part, StackedParts& parts);
+
 // Joins parts of the same size, channels and pixel type to one table: part k of n lies at v from
 // k/n to (k + 1)/n. The table has the texts of the first part; its range counts and its certificate
 // cover all parts. Adds levels of detail, surveys them and chooses their probes, some in each part.
@@ -60,7 +66,7 @@ config::Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequ
 // nor a diagnostic. `change`, if there is one, comes before levels are added: it may change texels, which
 // it rounds itself (store_texels), and add all levels, which are means otherwise.
 using ChangeTable = std::function<void(Baked& table)>;
-config::Outcome<Baked> stack_tables(std::vector<TablePart> parts, const BakeOptions& options,
+config::Outcome<Baked> stack_tables(StackedParts parts, const BakeOptions& options,
                                     const ChangeTable& change = nullptr);
 
 // Adds a level of texels, rounded to the table's pixel type.

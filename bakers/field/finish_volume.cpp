@@ -114,6 +114,15 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
 
 }  // namespace
 
+void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,
+                Baked& volume) {
+    Level level;
+    level.size = size;
+    level.repeats = repeating_axes(volume.axes);
+    level.voxels = std::move(voxels);
+    volume.levels.push_back(std::move(level));
+}
+
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
     add_levels(count, next_mip_size, options, volume);
 }

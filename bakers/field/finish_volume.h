@@ -24,6 +24,10 @@ struct Baked;
 // options.held_voxel_bytes allows it. Call it before levels are added.
 void hold_voxels(const BakeOptions& options, Baked& volume);
 
+// Adds the voxels as a level, whose axes repeat as those of the volume do.
+void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,
+                Baked& volume);
+
 // Adds levels of detail, each the box mean of the one before, until there are `count` levels.
 void add_mip_levels(int count, const BakeOptions& options, Baked& volume);
 

@@ -50,6 +50,12 @@ std::optional<double> number_named(const Facts& facts, const std::string& name) 
     return number == nullptr ? std::nullopt : std::optional(*number);
 }
 
+std::vector<double> numbers_named(const Facts& facts, const std::string& name) {
+    const FactValue* fact = find_fact(facts, name);
+    const auto* numbers = fact == nullptr ? nullptr : std::get_if<std::vector<double>>(fact);
+    return numbers == nullptr ? std::vector<double>() : *numbers;
+}
+
 double to_digits(double value, int digits) {
     assert(digits >= 1);
     return number_of(fmt::format("{:.{}g}", value, digits));

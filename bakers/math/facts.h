@@ -24,6 +24,9 @@ std::string fact_named(const Facts& facts, const std::string& name);
 // Returns the number of that name, or none if there is none.
 std::optional<double> number_named(const Facts& facts, const std::string& name);
 
+// Returns the numbers of the list of that name, or none if there is none.
+std::vector<double> numbers_named(const Facts& facts, const std::string& name);
+
 // Rounds to the nearest number of at most `digits` significant decimal digits. Files state figures
 // to the digits that are meaningful.
 double to_digits(double value, int digits);

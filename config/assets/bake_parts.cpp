@@ -77,9 +77,14 @@ void forget_sequence(DecodedSection& bake) {
     }
 }
 
+// Whether some file beside the voxels places or plays them: a scene, or a target's own file.
 bool has_scene(const DecodedSection& bake) {
     const DecodedField& formats = bake.at("formats");
     if (!formats.value) return false;
+    const auto target = choice_of<Target>(bake.at("target"));
+    // Scenes of pbrt have no variables, so that each frame has its own.
+    const bool plays = target && *target != Target::none && *target != Target::pbrt;
+    if (bake.find("frames") && plays) return true;
     const auto& chosen = std::get<std::vector<ChoiceIndex>>(*formats.value);
     return std::any_of(chosen.begin(), chosen.end(),
                        [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; });
@@ -93,6 +98,8 @@ void remove_scene(DecodedSection& bake) {
                        [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; }),
         chosen.end());
     replace(bake.at("formats"), std::move(chosen));
+    DecodedField& target = bake.at("target");
+    if (target.value) replace(target, FieldValue(config::chosen(*target.field, Target::none)));
 }
 
 // Returns a bake for each frame. An asset that is made from another one is made from its frame.

@@ -151,18 +151,23 @@ struct EnvironmentResolver {
                     decoder);
     }
 
-    // Faces and octahedra halve evenly, down to four texels along an edge.
+    // Squares halve evenly: faces down to one texel, octahedra down to four along an edge.
     void check_halving() const {
         const auto* mips = given_value<double>(bake.at("mips"));
         const auto* size = given_value<std::array<int, 2>>(bake.at("size"));
         if (squares() == 0 || !mips || *mips == 1 || !size) return;
+        const int least = squares() == 6 ? 1 : 4;
         int most = 1;
-        for (int edge = (*size)[0]; edge % 2 == 0 && edge >= 8; edge /= 2) ++most;
-        if (*mips > 0 && *mips <= most) return;
+        int edge = (*size)[0];
+        for (; edge % 2 == 0 && edge >= 2 * least; edge /= 2) ++most;
+        if (*mips == 0) bake.at("mips").value = double{1} * most;
+        // Levels beyond one texel are out of the range of `mips` itself.
+        if (*mips <= most || edge == 1) return;
         refuse("mips",
                fmt::format("`{}` halves squares of {} texels too often",
                            join_path(bake.path, "mips"), (*size)[0]),
-               fmt::format("at most {} levels keep four whole texels along an edge", most));
+               fmt::format("at most {} levels have whole texels, {} along an edge or more", most,
+                           least));
     }
 
     void check_levels() const {

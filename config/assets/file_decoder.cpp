@@ -74,6 +74,14 @@ int levels_of(const VoxelCounts& size, Halving halving) {
     return levels;
 }
 
+// Whether a table is a cube, whose six faces lie below each other.
+bool is_cube(const DecodedSection& bake) {
+    const DecodedField* mapping = bake.find("mapping");
+    if (mapping == nullptr || !mapping->value) return false;
+    const auto* choice = std::get_if<ChoiceIndex>(&*mapping->value);
+    return choice && mapping->field->choices[choice->index].name == "cube";
+}
+
 // Reports that the target does not load textures without their last levels.
 void check_for_target(const DecodedSection& bake, const DecodedField& mips, double levels,
                       Decoder& decoder) {
@@ -91,7 +99,8 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
     DecodedField& decoded = bake.at("mips");
     const auto* asked = value_of<double>(decoded);
     if (!asked) return;
-    const double levels = levels_of(size, halving);
+    const VoxelCounts of_face = {size[0], size[0], size[2]};
+    const double levels = levels_of(is_cube(bake) ? of_face : size, halving);
     if (*asked > levels) {
         decoder.diagnostics.error(
             "E0110", decoded.source->place,

@@ -41,8 +41,8 @@ class TargetKeys {
     void refuse(const DecodedField& given, std::string_view value, std::string label) const {
         decoder_.diagnostics.error(
             "E0160", given.source->place,
-            fmt::format("`{}`: {} cannot load {} with {}", join_path(bake_.path, given.field->key),
-                        target_.name, asset_, value),
+            fmt::format("`{}`: target \"{}\" does not load {} with {}",
+                        join_path(bake_.path, given.field->key), target_.name, asset_, value),
             std::move(label));
     }
 
@@ -160,6 +160,23 @@ const TargetUse* use_of(const DecodedSection& bake, std::string_view asset,
     return find_use(target, asset, word_of(decoded));
 }
 
+// Reports a section's own target that does not load its asset. That of the whole recipe is for the
+// assets that it loads.
+void report_no_use(DecodedSection& bake, std::string_view asset, const TargetFacts& target,
+                   Decoder& decoder) {
+    DecodedField& decoded = bake.at("target");
+    const std::string message = fmt::format("[{}]: target \"{}\" does not load the asset {}",
+                                            bake.path, target.name, asset);
+    if (decoded.source) {
+        decoder.diagnostics.error("E0160", decoded.source->place, message,
+                                  fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
+        return;
+    }
+    decoded.value = FieldValue(chosen(*decoded.field, Target::none));
+    decoder.diagnostics.warning("W0228", bake.place, message,
+                                "its files are the usual ones; `target = \"none\"` says so");
+}
+
 // Whether each file of an asset has so many channels of light, or the wavelengths are not known.
 bool has_channels(const Parameters& recipe, std::size_t wanted) {
     const std::size_t all = channels_of_light(recipe);
@@ -174,17 +191,11 @@ void resolve_target(DecodedSection& bake, std::string_view asset, const Paramete
     DecodedField& decoded = bake.at("target");
     if (recipe.target != Target::none) derive(decoded, chosen(*decoded.field, recipe.target));
     const auto choice = choice_of<Target>(decoded);
-    if (!choice) return;
+    if (!choice || *choice == Target::none) return;
     const TargetFacts& target = facts_of(*choice);
     const Place& place = decoded.source ? decoded.source->place : bake.place;
     const TargetUse* use = use_of(bake, asset, target);
-    if (use == nullptr) {
-        decoder.diagnostics.error(
-            "E0160", place,
-            fmt::format("[{}]: {} has no use for the asset {}", bake.path, target.name, asset),
-            fmt::format("it loads {}", fmt::join(assets_of(target), ", ")));
-        return;
-    }
+    if (use == nullptr) return report_no_use(bake, asset, target, decoder);
     TargetKeys(bake, asset, target, *use, decoder).resolve();
     if (has_channels(recipe, use->light_channels)) return;
     decoder.diagnostics.error(

@@ -122,31 +122,18 @@ std::optional<Scene> decode_scene(const Table& root, Decoder& decoder) {
     return scene;
 }
 
-std::vector<Particles> decode_all_particles(const Table& root, std::span<const Length> wavelengths,
-                                            Decoder& decoder) {
-    std::vector<Particles> result;
-    for (const Entry& entry : subtable(root, "particles", "", decoder)) {
-        const Table* table = named_table(entry, "particles", decoder);
-        // An entry that is not a table still counts as particles, so that layers may name it.
-        Particles named;
-        named.name = entry.key;
-        result.push_back(
-            table ? decode_particles(entry.key, entry.key_place, *table, wavelengths, decoder)
-                  : named);
+// Decodes the tables of [section.NAME] with decode(name, place, table). An entry that is not a table still
+// counts, so that others may name it.
+template <class Named, class Decode>
+std::vector<Named> decode_named(const Table& root, const std::string& section, Decoder& decoder,
+                                const Decode& decode) {
+    std::vector<Named> all;
+    for (const Entry& entry : subtable(root, section, "", decoder)) {
+        const Table* table = named_table(entry, section, decoder);
+        all.push_back(table ? decode(entry.key, entry.key_place, *table) : Named{});
+        all.back().name = entry.key;
     }
-    return result;
-}
-
-std::vector<Noise> decode_noises(const Table& root, Decoder& decoder) {
-    std::vector<Noise> noises;
-    for (const Entry& entry : subtable(root, "noise", "", decoder)) {
-        const Table* table = named_table(entry, "noise", decoder);
-        // An entry that is not a table still counts as a noise, so that bakes may name it.
-        Noise named;
-        named.name = entry.key;
-        noises.push_back(table ? decode_noise(entry.key, entry.key_place, *table, decoder) : named);
-    }
-    return noises;
+    return all;
 }
 
 std::vector<VolumeFile> decode_volumes(const Table& root, std::vector<Place>& file_places,
@@ -154,27 +141,13 @@ std::vector<VolumeFile> decode_volumes(const Table& root, std::vector<Place>& fi
     std::vector<VolumeFile> volumes;
     for (const Entry& entry : subtable(root, "volumes", "", decoder)) {
         const Table* table = named_table(entry, "volumes", decoder);
-        // An entry that is not a table still counts as a volume, so that clouds may name it.
-        VolumeFile named;
-        named.name = entry.key;
         Place& file_place = file_places.emplace_back();
         volumes.push_back(
-            table ? decode_volume(entry.key, entry.key_place, *table, file_place, decoder) : named);
+            table ? decode_volume(entry.key, entry.key_place, *table, file_place, decoder)
+                  : VolumeFile{});
+        volumes.back().name = entry.key;
     }
     return volumes;
-}
-
-std::vector<Cloud> decode_clouds(const Table& root, const CloudSources& sources, Decoder& decoder) {
-    std::vector<Cloud> clouds;
-    for (const Entry& entry : subtable(root, "clouds", "", decoder)) {
-        const Table* table = named_table(entry, "clouds", decoder);
-        // An entry that is not a table still counts as a cloud, so that bakes may name it.
-        Cloud named;
-        named.name = entry.key;
-        clouds.push_back(table ? decode_cloud(entry.key, entry.key_place, *table, sources, decoder)
-                               : named);
-    }
-    return clouds;
 }
 
 // Reports a missing atmosphere. The assets of the sky need one, and an empty recipe was probably
@@ -247,14 +220,23 @@ Parameters decode_recipe(const Table& root, const Source& source, Decoder& decod
         decoder.channels = static_cast<int>(parameters.wavelengths.size());
     }
     parameters.color = decode_color(root, decoder);
-    parameters.particles = decode_all_particles(root, parameters.wavelengths, decoder);
+    parameters.particles = decode_named<Particles>(
+        root, "particles", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_particles(name, place, table, parameters.wavelengths, decoder);
+        });
     parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
     parameters.scene = decode_scene(root, decoder);
-    parameters.noises = decode_noises(root, decoder);
+    parameters.noises = decode_named<Noise>(
+        root, "noise", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_noise(name, place, table, decoder);
+        });
     std::vector<Place> volume_files;
     parameters.volumes = decode_volumes(root, volume_files, decoder);
-    parameters.clouds =
-        decode_clouds(root, {parameters.noises, parameters.volumes, volume_files}, decoder);
+    const CloudSources sources = {parameters.noises, parameters.volumes, volume_files};
+    parameters.clouds = decode_named<Cloud>(
+        root, "clouds", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_cloud(name, place, table, sources, decoder);
+        });
     parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
     decode_preview(root, decoder);
     check_atmosphere(root, parameters, source, decoder);

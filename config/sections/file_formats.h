@@ -16,7 +16,7 @@ enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 enum class Ktx2Compression { none, zstd };
 
-// The program that files are for (targets.h). Recipes do not offer none, the last one.
+// The program that files are for (targets.h).
 enum class Target {
     three,
     babylon,

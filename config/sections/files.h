@@ -23,7 +23,7 @@ struct AssetFiles {
     VdbCompression vdb_compression = VdbCompression::blosc;
     Ktx2Compression ktx2_compression = Ktx2Compression::zstd;
     Target target = Target::none;
-    // For a scene, which the first frame of a sequence has alone.
+    // For scenes and for a target's own files, which the first frame of a sequence has alone.
     int frames = 0;  // of the sequence; 0: the asset is none, or not its first frame
     double frames_per_second = 24;
 };

@@ -1,5 +1,6 @@
 // The table of targets. What is asked of it stands in targets.cpp.
 #include <initializer_list>
+#include <utility>
 
 #include "config/sections/targets.h"
 
@@ -20,243 +21,177 @@ constexpr PixelTypes only_half(PixelType::half);
 constexpr PixelTypes only_unorm8(PixelType::unorm8);
 constexpr PixelTypes only_float32(PixelType::float32);
 
+constexpr std::string_view panorama = "longitude_latitude";
+constexpr std::string_view cube = "cube";
+constexpr TargetKey bare = {"ktx2_compression", "none", false};
+constexpr TargetKey lights = {"lights", "true", false};  // scripts make a lamp of them
+constexpr TargetKey upright = {"flip", "false"};
+
+using Keys = std::vector<TargetKey>;
+
+// Assets as textures that GPUs filter.
+TargetUse textures_of(Words assets, FileFormat format, Words sidecars, Keys keys = {}) {
+    return {.assets = std::move(assets),
+            .formats = {format},
+            .pixel_types = filtered_types,
+            .pixel_type = PixelType::half,
+            .sidecars = std::move(sidecars),
+            .keys = std::move(keys)};
+}
+
+// A flipbook as a texture of three axes.
+TargetUse flipbook_of(FileFormat format, Words sidecars, Keys keys = {}) {
+    TargetUse use = textures_of({"flipbook"}, format, std::move(sidecars), std::move(keys));
+    use.mappings = {"frames"};
+    return use;
+}
+
+// The sky as a texture.
+TargetUse sky_of(FileFormat format, Words sidecars, Words mappings, Keys keys = {lights}) {
+    TargetUse use = textures_of({"environment"}, format, std::move(sidecars), std::move(keys));
+    if (format != FileFormat::bin) use.pixel_types = floating_types;
+    use.mappings = std::move(mappings);
+    return use;
+}
+
+// Assets that have the one type of texel which the program reads.
+TargetUse texels_of(std::string_view asset, std::vector<FileFormat> formats, PixelTypes types,
+                    PixelType type, Words sidecars, Keys keys = {},
+                    std::size_t light_channels = 0) {
+    return {.assets = {asset},
+            .formats = std::move(formats),
+            .pixel_types = types,
+            .pixel_type = type,
+            .sidecars = std::move(sidecars),
+            .keys = std::move(keys),
+            .light_channels = light_channels};
+}
+
+// Densities with a place in space, as renderers load them.
+TargetUse volumes_of(std::vector<FileFormat> formats, Words sidecars) {
+    return {.assets = {"cloud_volume", "noise_volume"},
+            .formats = std::move(formats),
+            .pixel_types = floating_types,
+            .sidecars = std::move(sidecars)};
+}
+
+// The sky as a panorama of renderers.
+TargetUse panorama_of(Words sidecars) {
+    TargetUse use = sky_of(FileFormat::exr, std::move(sidecars), {panorama}, {upright, lights});
+    use.pixel_type = {};
+    return use;
+}
+
 // Rows of keys ask for this before the variables of this file would have their values.
 std::vector<TargetFacts> make_targets() {
-    // The groups of assets that programs treat alike: pictures of numbers, pictures of the sky, textures
-    // of two or three axes, and volumes with a place in space.
-    const Words tables = {"transmittance", "multiple_scattering", "sky_view", "irradiance",
-                          "phase",         "weather_map"};
-    const Words environments = {"environment"};
-    constexpr std::string_view panorama = "longitude_latitude";
-    constexpr std::string_view cube = "cube";
-    const Words textures = {"aerial_perspective", "bruneton", "optical_depth", "noise_volume",
-                            "cloud_light"};
+    // The groups of assets that programs treat alike: pictures of numbers, and textures of two or three axes.
+    const Words tables = {"transmittance", "multiple_scattering", "sky_view",          "irradiance",
+                          "phase",         "weather_map",         "forward_scattering"};
+    const Words textures = {"aerial_perspective", "bruneton",  "optical_depth",  "noise_volume",
+                            "cloud_light",        "occupancy", "cloud_distance", "blue_noise"};
     const Words clouds = {"cloud_volume"};
-    const Words densities = {"cloud_volume", "noise_volume"};
-    const Words occupancies = {"occupancy", "cloud_distance", "blue_noise"};
-    const Words sky = all_of({tables, textures});
-    const Words most = all_of({tables, textures, clouds, occupancies});
+    const Words most = all_of({tables, textures, clouds});
     Words all_but_phase = most;
     std::erase(all_but_phase, "phase");
+    const Words unity = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"};
+    TargetUse frames = texels_of("flipbook", {FileFormat::png, FileFormat::dds}, only_unorm8,
+                                 PixelType::unorm8, {"*.unreal.py"});
+    frames.mappings = {"frames"};  // SubUV materials play sheets
+    TargetUse stages = volumes_of({FileFormat::vdb, FileFormat::usda}, {});
+    stages.written = 2;
     return {
         {Target::three,
          "three",
          "three.js: KTX2 and EXR files, each with a module that loads it",
-         {{.assets = most,
-           .formats = {FileFormat::ktx2},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.three.js"}},
-          {.assets = environments,
-           .formats = {FileFormat::exr},
-           .pixel_types = floating_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.three.js"},
-           .keys = {{"flip", "false"}},
-           .mappings = {panorama}},
-          {.assets = environments,
-           .formats = {FileFormat::ktx2},
-           .pixel_types = floating_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.three.js"},
-           .mappings = {cube}}}},
+         {textures_of(most, FileFormat::ktx2, {"*.three.js"}),
+          flipbook_of(FileFormat::ktx2, {"*.three.js"}),
+          sky_of(FileFormat::exr, {"*.three.js"}, {panorama}, {upright, lights}),
+          sky_of(FileFormat::ktx2, {"*.three.js"}, {cube})}},
         {Target::babylon,
          "babylon",
          "Babylon.js: bare texels, each with a module that makes a texture of them",
-         {{.assets = most,
-           .formats = {FileFormat::bin},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.babylon.js"}},
-          {.assets = environments,
-           .formats = {FileFormat::bin},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.babylon.js"},
-           .mappings = {panorama, cube}}}},
+         {textures_of(most, FileFormat::bin, {"*.babylon.js"}),
+          flipbook_of(FileFormat::bin, {"*.babylon.js"}),
+          sky_of(FileFormat::bin, {"*.babylon.js"}, {panorama, cube})}},
         {Target::takram,
          "takram",
          "@takram/three-atmosphere and three-clouds: bare texels and pictures, with modules",
-         {{.assets = {"bruneton"},
-           .formats = {FileFormat::bin, FileFormat::exr},
-           .pixel_types = only_half,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.takram.js"},
-           .keys = {{"convention", "takram"}, {"layout", "stack"}, {"flip", "true"}}},
-          {.assets = {"noise_volume"},
-           .formats = {FileFormat::bin, FileFormat::png},
-           .pixel_types = only_unorm8,
-           .pixel_type = PixelType::unorm8,
-           .sidecars = {"*.takram.js"}},
-          {.assets = {"weather_map"},
-           .formats = {FileFormat::png},
-           .pixel_types = only_unorm8,
-           .pixel_type = PixelType::unorm8,
-           .sidecars = {"*.takram.js"},
-           .keys = {{"flip", "true"}}},
-          {.assets = {"blue_noise"},
-           .formats = {FileFormat::bin},
-           .pixel_types = only_unorm8,
-           .pixel_type = PixelType::unorm8,
-           .sidecars = {"*.takram.js"}}}},
+         {texels_of("bruneton", {FileFormat::bin, FileFormat::exr}, only_half, PixelType::half,
+                    {"*.takram.js"},
+                    {{"convention", "takram"}, {"layout", "stack"}, {"flip", "true"}}),
+          texels_of("noise_volume", {FileFormat::bin, FileFormat::png}, only_unorm8,
+                    PixelType::unorm8, {"*.takram.js"}),
+          texels_of("weather_map", {FileFormat::png}, only_unorm8, PixelType::unorm8,
+                    {"*.takram.js"}, {{"flip", "true"}}),
+          texels_of("blue_noise", {FileFormat::bin}, only_unorm8, PixelType::unorm8,
+                    {"*.takram.js"})}},
         {Target::godot,
          "godot",
-         "Godot 4.4 and later: DDS textures, with shader includes and scenes of fog",
-         {{.assets = all_of({sky, occupancies}),
-           .formats = {FileFormat::dds},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.gdshaderinc"}},
-          {.assets = clouds,
-           .formats = {FileFormat::dds},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.gdshaderinc", "*.tscn"}},
-          {.assets = environments,
-           .formats = {FileFormat::dds},
-           .pixel_types = floating_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.tres"},
-           .mappings = {panorama, cube}}},
+         "Godot 4.4 and later: DDS textures, with shader includes and scenes of fog and skies",
+         {textures_of(all_of({tables, textures}), FileFormat::dds, {"*.gdshaderinc"}),
+          flipbook_of(FileFormat::dds, {"*.gdshaderinc"}),
+          textures_of(clouds, FileFormat::dds, {"*.gdshaderinc", "*.tscn"}),
+          sky_of(FileFormat::dds, {"*.tres", "*.tscn"}, {panorama, cube})},
          true},
         {Target::unity,
          "unity",
          "Unity: bare texels, with editor scripts that make textures of them",
-         {{.assets = most,
-           .formats = {FileFormat::bin},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"}},
-          {.assets = environments,
-           .formats = {FileFormat::bin},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.unity.cs", "*.unity.cs.meta", "*.bin.meta"},
-           .mappings = {panorama, cube}}}},
+         {textures_of(most, FileFormat::bin, unity), flipbook_of(FileFormat::bin, unity),
+          sky_of(FileFormat::bin, unity, {panorama, cube})}},
         {Target::unreal,
          "unreal",
-         "Unreal 5.3 and later: DDS textures and VDB volumes, with Python scripts that import them",
-         {{.assets = all_of({sky, occupancies}),
+         "Unreal 5.4 and later: DDS textures and VDB volumes, with Python scripts that import them",
+         {{.assets = all_of({tables, textures}),
            .formats = {FileFormat::dds},
            .pixel_types = volume_types,
            .pixel_type = PixelType::half,
            .sidecars = {"*.unreal.py"}},
+          frames,
           {.assets = clouds,
            .formats = {FileFormat::vdb, FileFormat::dds},
            .pixel_types = floating_types,
            .sidecars = {"*.unreal.py"}}}},
         {Target::bevy,
          "bevy",
-         "Bevy: KTX2 textures, with Rust modules that load them",
-         {{.assets = all_but_phase,
-           .formats = {FileFormat::ktx2},
-           .pixel_types = filtered_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.bevy.rs"},
-           .keys = {{"ktx2_compression", "none", false}}},
+         "Bevy 0.19 and later: KTX2 textures, with Rust modules that load them",
+         {textures_of(all_but_phase, FileFormat::ktx2, {"*.bevy.rs"}, {bare}),
+          flipbook_of(FileFormat::ktx2, {"*.bevy.rs"}, {bare}),
           // Bevy reads the texels of phase functions itself, and only those of this type.
-          {.assets = {"phase"},
-           .formats = {FileFormat::ktx2},
-           .pixel_types = only_float32,
-           .pixel_type = PixelType::float32,
-           .sidecars = {"*.bevy.rs"},
-           .keys = {{"content", "phase"},
-                    {"spacing", "cosine_from_back"},
-                    {"ktx2_compression", "none", false}},
-           .light_channels = 3},
-          {.assets = environments,
-           .formats = {FileFormat::ktx2},
-           .pixel_types = floating_types,
-           .pixel_type = PixelType::half,
-           .sidecars = {"*.bevy.rs"},
-           .keys = {{"ktx2_compression", "none", false}},
-           .mappings = {cube}}}},
+          texels_of("phase", {FileFormat::ktx2}, only_float32, PixelType::float32, {"*.bevy.rs"},
+                    {{"content", "phase"}, {"spacing", "cosine_from_back"}, bare}, 3),
+          sky_of(FileFormat::ktx2, {"*.bevy.rs"}, {cube}, {bare, lights})}},
         {Target::blender,
          "blender",
          "Blender: VDB volumes and EXR environments, with scripts that build volumes and worlds",
-         {{.assets = densities,
-           .formats = {FileFormat::vdb},
-           .pixel_types = floating_types,
-           .sidecars = {"*.blender.py"}},
-          {.assets = environments,
-           .formats = {FileFormat::exr},
-           .pixel_types = floating_types,
-           .sidecars = {"*.blender.py"},
-           .keys = {{"flip", "false"}},
-           .mappings = {panorama}}}},
+         {volumes_of({FileFormat::vdb}, {"*.blender.py"}), panorama_of({"*.blender.py"})}},
         {Target::houdini,
          "houdini",
          "Houdini: VDB volumes and EXR environments, with Python scripts that build nodes",
-         {{.assets = densities,
-           .formats = {FileFormat::vdb},
-           .pixel_types = floating_types,
-           .sidecars = {"*.houdini.py"}},
-          {.assets = environments,
-           .formats = {FileFormat::exr},
-           .pixel_types = floating_types,
-           .sidecars = {"*.houdini.py"},
-           .keys = {{"flip", "false"}},
-           .mappings = {panorama}}}},
+         {volumes_of({FileFormat::vdb}, {"*.houdini.py"}), panorama_of({"*.houdini.py"})}},
         {Target::omniverse,
          "omniverse",
          "Omniverse and other USD programs: VDB volumes and EXR environments, with USD stages",
-         {{.assets = densities,
-           .formats = {FileFormat::vdb, FileFormat::usda},
-           .pixel_types = floating_types,
-           .written = 2},
-          {.assets = environments,
-           .formats = {FileFormat::exr},
-           .pixel_types = floating_types,
-           .sidecars = {"*.usda"},
-           .keys = {{"flip", "false"}},
-           .mappings = {panorama}}}},
+         {stages, panorama_of({"*.usda"})}},
         {Target::mitsuba,
          "mitsuba",
          "Mitsuba 3: vol grids and EXR environments, with parts of scenes",
-         {{.assets = densities,
-           .formats = {FileFormat::vol},
-           .pixel_types = floating_types,
-           .sidecars = {"*.mitsuba.xml"}},
-          {.assets = environments,
-           .formats = {FileFormat::exr},
-           .pixel_types = floating_types,
-           .sidecars = {"*.mitsuba.xml"},
-           .keys = {{"flip", "false"}},
-           .mappings = {panorama}}}},
+         {volumes_of({FileFormat::vol}, {"*.mitsuba.xml"}), panorama_of({"*.mitsuba.xml"})}},
         {Target::pbrt,
          "pbrt",
          "pbrt-v4: NanoVDB grids, with parts of scenes",
-         {{.assets = densities,
-           .formats = {FileFormat::nvdb},
-           .pixel_types = floating_types,
-           .sidecars = {"*.pbrt"}}}},
+         {volumes_of({FileFormat::nvdb}, {"*.pbrt"})}},
         {Target::cosmoscout,
          "cosmoscout",
          "CosmoScout VR: TIFF textures for Bruneton's model of csp-atmospheres, with its metadata",
-         {{.assets = {"bruneton"},
-           .formats = {FileFormat::tif},
-           .pixel_types = only_float32,
-           .pixel_type = PixelType::float32,
-           .sidecars = {"*.cosmoscout.json"},
-           .keys = {{"convention", "bruneton"}, {"combined", "false"}},
-           .light_channels = 3},
-          {.assets = {"phase"},
-           .formats = {FileFormat::tif},
-           .pixel_types = only_float32,
-           .pixel_type = PixelType::float32,
-           .sidecars = {"*.cosmoscout.json"},
-           .keys = {{"content", "phase"}, {"spacing", "angle"}},
-           .light_channels = 3}}},
+         {texels_of("bruneton", {FileFormat::tif}, only_float32, PixelType::float32,
+                    {"*.cosmoscout.json"}, {{"convention", "bruneton"}, {"combined", "false"}}, 3),
+          texels_of("phase", {FileFormat::tif}, only_float32, PixelType::float32,
+                    {"*.cosmoscout.json"}, {{"content", "phase"}, {"spacing", "angle"}}, 3)}},
         {Target::stellarium,
          "stellarium",
          "Stellarium: textures of CalcMySky, with scripts that put them into its folder",
-         {{.assets = {"bruneton"},
-           .formats = {FileFormat::f32},
-           .pixel_types = only_float32,
-           .pixel_type = PixelType::float32,
-           .sidecars = {"*.stellarium.py"},
-           .keys = {{"convention", "calcmysky"}, {"combined", "false"}},
-           .light_channels = 4}}},
+         {texels_of("bruneton", {FileFormat::f32}, only_float32, PixelType::float32,
+                    {"*.stellarium.py"}, {{"convention", "calcmysky"}, {"combined", "false"}}, 4)}},
     };
 }
 

@@ -4,6 +4,7 @@
 #include <cassert>
 
 #include "config/sections/files.h"
+#include "config/sections/frames.h"
 
 namespace skybake::config {
 namespace {
@@ -40,6 +41,7 @@ std::span<const Choice> target_choices() {
         for (const TargetFacts& facts : targets()) {
             all.emplace_back(facts.target, facts.name, facts.documentation);
         }
+        all.emplace_back(Target::none, "none", "no program: the files are the asset's usual ones");
         return all;
     }();
     return choices;
@@ -51,8 +53,11 @@ std::vector<std::string> sidecar_names(const AssetFiles& files, std::string_view
     if (files.target == Target::none) return names;
     const TargetUse* use = find_use(facts_of(files.target), asset);
     if (use == nullptr) return names;
+    const bool plays = files.frames > 0;
     for (const std::string_view pattern : use->sidecars) {
-        names.push_back(name + std::string(pattern.substr(1)));
+        // One file that plays a sequence has no file of texels of its own name beside it.
+        if (plays && pattern.starts_with("*.bin")) continue;
+        names.push_back((plays ? sequence_name(name) : name) + std::string(pattern.substr(1)));
     }
     return names;
 }

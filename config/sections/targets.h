@@ -59,7 +59,8 @@ const TargetUse* find_use(const TargetFacts& target, std::string_view asset,
 // Returns the words of `target`.
 std::span<const Choice> target_choices();
 
-// Returns the names of the program's own files beside those of a bake.
+// Returns the names of the program's own files beside those of a bake. Those of a sequence's first
+// frame have the sequence's name.
 std::vector<std::string> sidecar_names(const AssetFiles& files, std::string_view asset,
                                        const std::string& name);
 

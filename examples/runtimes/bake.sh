@@ -12,9 +12,4 @@ case $example in
     hlsl) language=hlsl ;;
 esac
 "$skybake" bake "$here/recipe.toml" -o "$baked"
-# Lookups of two files share functions, which are paragraphs: each is printed once. That of the folder is how
-# pictures show its light.
-for file in "$baked"/*.bin "$baked"; do
-    "$skybake" info --lookup "$file" --language "$language"
-    echo
-done | awk 'BEGIN { RS = ""; ORS = "\n\n" } !seen[$0]++' >"$baked/lookups.$language"
+"$skybake" info --lookup "$baked" --language "$language" >"$baked/lookups.$language"

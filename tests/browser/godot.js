@@ -1,7 +1,7 @@
 'use strict';
 // Tests the files of the target godot in Godot 4.6, whose program for the web runs in Chromium without a GPU: shaders
 // read the probes' values from the DDS textures, most by the includes and cubes by direction alone, the fog stands where
-// the cloud is, and cameras see the skies of the environments. The textures come without an import: no file .import is
+// the cloud is, cameras see the skies of the environments, and their lamps light white planes. The textures come without an import: no file .import is
 // there, and they have the format and the levels of the files.
 //   node godot.js PROGRAM FOLDER
 const {answers_of_godot, floats_of, write_byte} = require('./godot_project.js');
@@ -54,6 +54,10 @@ function views_of(asset) {
     });
 }
 
+// Planes that face the sun (right, up, ahead), upwards and to all sides.
+const normals_of = (asset) => [asset.details.sun_direction, [0, 1, 0], [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, 0.6, 0.8],
+                               [0, 0.6, -0.8]];
+
 // Returns the question to the project about an asset of the manifest.
 function question(asset) {
     const named = (end) => asset.files.map((file) => file.path).find((name) => name.endsWith(end));
@@ -66,7 +70,8 @@ function question(asset) {
         id, places, file: asset.files[0].path,
         shader: shader_of({places: places.length, dim}, id, include ? `#include "res://${include}"` : sky),
         ...(named('.tscn') && {scene: named('.tscn')}),
-        ...(named('.tres') && {environment: named('.tres'), views: views_of(asset).map(({direction}) => direction)}),
+        ...(named('.tres') && {environment: named('.tres'), views: views_of(asset).map(({direction}) => direction),
+                               normals: normals_of(asset).map(([right, up, ahead]) => [right, up, -ahead])}),
     };
 }
 
@@ -109,6 +114,18 @@ function faults_of_sky(asset, colors) {
             [`${asset.name}, view ${i}: ${colors[i]} is not ${probe.value.map(shown)}`]));
 }
 
+// White planes reflect the irradiance over pi.
+function faults_of_lamp(asset, colors) {
+    const {sun_direction: sun, sun_irradiance: irradiance} = asset.details;
+    const encoded = (value) => 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
+    return normals_of(asset).flatMap((normal, i) => {
+        const cosine = Math.max(0, normal.reduce((sum, x, axis) => sum + x * sun[axis], 0));
+        const wanted = irradiance.map((light) => encoded(light * cosine / Math.PI));
+        return wanted.every((color, c) => Math.abs(colors[i][c] - color) <= 1.5) ? [] :
+            [`${asset.name}: the plane that faces ${normal} has ${colors[i]}, not ${wanted}`];
+    });
+}
+
 // Image.Format of Godot, by the type and the number of channels in the file.
 const formats = {half: {1: 12, 4: 15}, float: {1: 8, 4: 11}, unorm8: {1: 0, 4: 5}};
 
@@ -123,7 +140,7 @@ function faults_of_texture(asset, answer) {
 function faults_of(asset, answer) {
     const faults = [...faults_of_texture(asset, answer), ...faults_of_probes(asset, answer.bits)];
     if (asset.kind === 'cloud_volume') faults.push(...faults_of_fog(asset, answer.fog));
-    if (asset.kind === 'environment') faults.push(...faults_of_sky(asset, answer.seen));
+    if (asset.kind === 'environment') faults.push(...faults_of_sky(asset, answer.seen), ...faults_of_lamp(asset, answer.lit));
     return faults;
 }
 

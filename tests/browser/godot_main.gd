@@ -23,7 +23,9 @@ func answer_of(asset: Dictionary) -> Dictionary:
 	answer.format = texture.get_image().get_format() if texture is Texture2D else texture.get_format()
 	answer.has_mips = texture.get_image().has_mipmaps() if texture is Texture2D else texture.has_mipmaps()
 	answer.bits = await bits_of(asset, texture)
-	if asset.has("scene"):
+	if asset.has("normals"):
+		answer.lit = await lit_planes(load("res://" + asset.scene), asset.normals)
+	elif asset.has("scene"):
 		answer.fog = fog_of(load("res://" + asset.scene))
 	if asset.has("environment"):
 		var environment: Environment = load("res://" + asset.environment)
@@ -74,6 +76,38 @@ func colors_of(environment: Environment, directions: Array) -> Array:
 	for direction: Array in directions:
 		var ahead := Vector3(direction[0], direction[1], direction[2])
 		camera.look_at_from_position(Vector3.ZERO, ahead, Vector3.BACK if absf(ahead.y) > 0.9 else Vector3.UP)
+		for i in 3:
+			await RenderingServer.frame_post_draw
+		var color := viewport.get_texture().get_image().get_pixel(4, 4)
+		colors.append([color.r8, color.g8, color.b8])
+	viewport.queue_free()
+	return colors
+
+
+# The colours, 0 to 255, of white matt planes with these normals under the lamp of the scene alone.
+func lit_planes(scene: PackedScene, normals: Array) -> Array:
+	var viewport := SubViewport.new()
+	viewport.size = Vector2i(9, 9)
+	viewport.own_world_3d = true
+	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	var sky := scene.instantiate()
+	var plane := MeshInstance3D.new()
+	plane.mesh = QuadMesh.new()
+	plane.material_override = StandardMaterial3D.new()
+	plane.material_override.metallic_specular = 0.0
+	plane.material_override.diffuse_mode = BaseMaterial3D.DIFFUSE_LAMBERT
+	var camera := Camera3D.new()
+	camera.environment = Environment.new()
+	camera.environment.background_mode = Environment.BG_COLOR
+	for node: Node in [sky, plane, camera]:
+		viewport.add_child(node)
+	add_child(viewport)
+	var colors: Array = []
+	for normal: Array in normals:
+		var facing := Vector3(normal[0], normal[1], normal[2])
+		var up := Vector3.BACK if absf(facing.y) > 0.9 else Vector3.UP
+		plane.basis = Basis.looking_at(-facing, up)
+		camera.look_at_from_position(facing, Vector3.ZERO, up)
 		for i in 3:
 			await RenderingServer.frame_post_draw
 		var color := viewport.get_texture().get_image().get_pixel(4, 4)

@@ -60,6 +60,28 @@ async function faults_of_cube(page, asset, url) {
 // Where (right, up, ahead) is in the world of a program that draws a sky.
 const skies = {three: (right, up, ahead) => [-right, up, ahead]};
 
+// The same for the lamps of cubes and of panoramas, of which Babylon.js turns the left-handed ones.
+const worlds = {
+    three: {cube: skies.three, longitude_latitude: (right, up, ahead) => [ahead, up, right]},
+    babylon: {cube: (right, up, ahead) => [right, up, ahead], longitude_latitude: (right, up, ahead) => [ahead, up, -right]},
+};
+
+// Returns the faults of the lamp in the place of the sun: of white planes with several normals, which reflect the
+// irradiance that falls on them over pi.
+async function faults_of_lamp(page, asset, url) {
+    const world = worlds[target][asset.mapping.name];
+    const sun = asset.details.sun_direction, irradiance = asset.details.sun_irradiance;
+    const normals = [sun, [0, 1, 0], [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, 0.6, 0.8], [0, 0.6, -0.8]];
+    const values = await page.evaluate(([name, ...rest]) => window.light[name](...rest),
+        [target, url, normals.map((normal) => world(...normal))]);
+    return normals.flatMap((normal, i) => {
+        const cosine = Math.max(0, normal.reduce((sum, x, axis) => sum + x * sun[axis], 0));
+        const wanted = irradiance.map((light) => light * cosine / Math.PI);
+        return wanted.every((light, c) => Math.abs(values[i][c] - light) <= 0.005 * Math.max(...irradiance)) ? [] :
+            [`${asset.name}: the plane that faces ${normal} has ${values[i]}, not ${wanted}`];
+    });
+}
+
 async function main() {
     const recipe = target === 'takram' ? 'target_takram.toml' : 'targets.toml';
     execFileSync(program, ['bake', path.join(__dirname, recipe), '-o', path.join(work, 'baked'), '-q',
@@ -70,10 +92,14 @@ async function main() {
         `${scripts[target]}<script type="module" src="/page/targets_page.js"></script>`);
     await page.waitForFunction(() => window.look_up);
     const faults = [];
-    let probes = 0;
+    let probes = 0, lamps = 0;
     for (const asset of manifest.assets) {
         const sidecar = asset.files.find((file) => file.format === 'sidecar');
         probes += asset.probes.length;
+        if (asset.kind === 'environment') {
+            faults.push(...await faults_of_lamp(page, asset, `/baked/${sidecar.path}`));
+            ++lamps;
+        }
         if (asset.mapping.name === 'cube') {
             faults.push(...await faults_of_cube(page, asset, `/baked/${sidecar.path}`));
             continue;
@@ -88,7 +114,7 @@ async function main() {
     await browser.close();
     console.log(faults.length > 0 ? faults.join('\n') : `${manifest.assets.length} assets, ${probes} probes`);
     fs.rmSync(work, {recursive: true, force: true});
-    process.exit(faults.length > 0 || probes < 60 ? 1 : 0);
+    process.exit(faults.length > 0 || probes < 60 || (target in worlds && lamps < 2) ? 1 : 0);
 }
 
 main();

@@ -84,5 +84,56 @@ async function look_up_in_babylon(url, dim, places) {
     return Array.from(values);
 }
 
+// The three values, for each normal, of a white matt plane with that normal under the sun of the module.
+async function light_in_three(url, normals) {
+    const THREE = await import('three');
+    const renderer = new THREE.WebGLRenderer();
+    const scene = new THREE.Scene();
+    const plane = new THREE.Mesh(new THREE.PlaneGeometry(2, 2), new THREE.MeshLambertMaterial());
+    scene.add((await import(url)).sunlight(), plane);
+    const camera = new THREE.OrthographicCamera();
+    const target = new THREE.WebGLRenderTarget(1, 1, {type: THREE.FloatType});
+    renderer.setRenderTarget(target);
+    const values = normals.map((normal) => {
+        plane.lookAt(...normal);
+        camera.position.set(...normal);
+        camera.lookAt(0, 0, 0);
+        renderer.render(scene, camera);
+        const value = new Float32Array(4);
+        renderer.readRenderTargetPixels(target, 0, 0, 1, 1, value);
+        return Array.from(value.slice(0, 3));
+    });
+    renderer.dispose();
+    return values;
+}
+
+async function light_in_babylon(url, normals) {
+    const engine = new BABYLON.Engine(document.createElement('canvas'));
+    const values = [];
+    for (const normal of normals) {
+        const scene = new BABYLON.Scene(engine);
+        (await import(url)).sunlight(BABYLON, scene);
+        const toward = new BABYLON.Vector3(...normal);
+        const plane = BABYLON.MeshBuilder.CreatePlane('plane', {size: 4}, scene);
+        plane.setDirection(toward.scale(-1));  // a plane of Babylon.js faces -z
+        plane.material = new BABYLON.PBRMaterial('white', scene);
+        Object.assign(plane.material, {metallic: 0, roughness: 1, specularIntensity: 0, metallicF0Factor: 0});
+        const camera = new BABYLON.FreeCamera('camera', toward.scale(2), scene);
+        camera.setTarget(BABYLON.Vector3.Zero());
+        const target = new BABYLON.RenderTargetTexture('seen', 1, scene, {type: BABYLON.Constants.TEXTURETYPE_FLOAT});
+        target.renderList = [plane];
+        target.activeCamera = camera;
+        scene.customRenderTargets.push(target);
+        scene.imageProcessingConfiguration.applyByPostProcess = true;  // light as it is
+        await scene.whenReadyAsync();
+        scene.render();
+        values.push(Array.from(await target.readPixels()).slice(0, 3));
+        scene.dispose();
+    }
+    engine.dispose();
+    return values;
+}
+
+window.light = {three: light_in_three, babylon: light_in_babylon};
 window.look_up = {three: look_up_in_three, takram: look_up_in_three, babylon: look_up_in_babylon};
 window.look_at_sky = {three: look_at_sky_in_three};

@@ -183,14 +183,31 @@ TEST_F(VolumeBake, InfoPrintsTheLookupInTheLanguageThatIsAskedFor) {
 
 TEST_F(VolumeBake, InfoSaysOfWhatItPrintsNoLookup) {
     ASSERT_EQ(bake().code, 0);
-    for (const std::string& path : {out_, file("manifest.json")}) {
-        expect_said(run_words({"info", "--lookup", path}), 2,
-                    {"needs a transmittance and a multiple_scattering table"});
-    }
+    EXPECT_EQ(run_words({"info", "--lookup", (folder_ / "empty").string()}).code, 3);
     EXPECT_EQ(run_words({"info", "--lookup", file("absent.bin")}).code, 3);
     write_bytes(file("mine.bin"), "1234");
     expect_said(run_words({"info", "--lookup", file("mine.bin")}), 3,
                 {"does not say what it holds"});
+}
+
+// The library of a folder has all that its files have, each paragraph once.
+TEST_F(VolumeBake, InfoPrintsTheLibraryOfAFolder) {
+    ASSERT_EQ(bake().code, 0);
+    const std::string library = run_words({"info", "--lookup", out_}).out;
+    EXPECT_EQ(run_words({"info", "--lookup", file("manifest.json")}).out, library);
+    const auto times = [&](const std::string& paragraph) {
+        int count = 0;
+        for (std::size_t at = 0; (at = library.find(paragraph, at)) != library.npos; ++at) ++count;
+        return count;
+    };
+    for (const std::string name : {"wisps.exr", "wisps.vdb"}) {
+        std::string text = run_words({"info", "--lookup", file(name)}).out + "\n";
+        text.erase(0, text.find("\n\n") + 2);  // the first paragraph names the file
+        for (std::size_t end = 0; (end = text.find("\n\n")) != text.npos;) {
+            EXPECT_EQ(times(text.substr(0, end)), 1) << text.substr(0, end);
+            text.erase(0, end + 2);
+        }
+    }
 }
 
 TEST_F(VolumeBake, DiffComparesVoxels) {

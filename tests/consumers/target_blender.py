@@ -1,7 +1,8 @@
 """Blender loads what its target writes by the scripts beside the files, with nothing set by hand.
 
 The cloud stands where the recipe says, and light that falls through it is weakened as the baked densities and the
-extinction say; the sky has the values of the probes, its zenith is above, and its sun over +x.
+extinction say; the sky has the values of the probes, its zenith is above, and its sun over +x; the lamp lights white
+planes as the irradiance of the sun does. Of a cloud that moves there is one script, by which all frames play.
 
 Runs itself within Blender, headless, as `blender -b --python target_blender.py -- FOLDER`.
 """
@@ -37,6 +38,37 @@ def rendered(bpy, folder, name, size, samples):
     image = bpy.data.images.load(scene.render.filepath)
     image.colorspace_settings.name = "Non-Color"
     return list(image.pixels)
+
+
+# Planes that face upwards and to all sides, as (right, up, ahead). The lamp's own direction is among the answers.
+NORMALS = [[0, 1, 0], [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, 0.6, 0.8], [0, 0.6, -0.8]]
+
+
+def lit_planes(bpy, folder):
+    """Red, green and blue of a white matt plane with each normal, under the lamp of the sky alone."""
+    scene = bpy.context.scene
+    scene.world = bpy.data.worlds.new("black")
+    scene.world.color = (0, 0, 0)
+    bpy.ops.mesh.primitive_plane_add(size=2)
+    plane = bpy.context.object
+    plane.rotation_mode = scene.camera.rotation_mode = "QUATERNION"
+    material = bpy.data.materials.new("white")
+    material.use_nodes = True
+    nodes = material.node_tree.nodes
+    nodes.clear()
+    matt = nodes.new("ShaderNodeBsdfDiffuse")
+    matt.inputs["Color"].default_value = (1, 1, 1, 1)
+    output = nodes.new("ShaderNodeOutputMaterial")
+    material.node_tree.links.new(matt.outputs["BSDF"], output.inputs["Surface"])
+    plane.data.materials.append(material)
+    scene.camera.data.ortho_scale = 0.1
+    found = []
+    for right, up, ahead in NORMALS:
+        facing = mathutils.Vector((ahead, -right, up))
+        scene.camera.location = facing
+        plane.rotation_quaternion = scene.camera.rotation_quaternion = facing.to_track_quat("Z", "Y")
+        found.append(rendered(bpy, folder, "plane", (1, 1), 64)[:3])
+    return found
 
 
 def run(bpy, folder):
@@ -82,6 +114,20 @@ def run(bpy, folder):
     camera.rotation_euler = (math.pi / 2, 0, 0)
     camera.location = (300, -1000, 200)
     found["along"] = rendered(bpy, folder, "along", (24, 8), 64)[0::4]
+    cloud.hide_render = True
+    found["lit"] = lit_planes(bpy, folder)
+
+    exec(compile((folder / "moving.blender.py").read_text(), "moving", "exec"),
+         {"__file__": str(folder / "moving.blender.py"), "__name__": "__main__"})
+    moving = bpy.data.volumes["moving"]
+    found["moving"] = [moving.is_sequence, moving.frame_duration, scene.render.fps / scene.render.fps_base]
+    found["volume_bounces"] = scene.cycles.volume_bounces
+    found["boxes"] = []
+    for frame in range(1, 5):
+        scene.frame_set(frame)
+        shown = bpy.data.objects["moving"].evaluated_get(bpy.context.evaluated_depsgraph_get())
+        shown.data.grids.load()
+        found["boxes"].append(Path(shown.data.grids.frame_filepath).name)
     (folder / "found.json").write_text(json.dumps(found))
 
 
@@ -145,6 +191,15 @@ def check(consumer, volumes, voxels, found):
     for i, (value, wanted) in enumerate(zip(found["panorama"], found["texels"])):
         # A pixel is a texel but for the filter's hundredth of a pixel.
         failures.expect_near(value, wanted, 0.02 * wanted + 0.002 * peak, f"pixel {i // 4 % 64}, {i // 256} of the sky")
+    sun, irradiance = sky.asset["details"]["sun_direction"], sky.asset["details"]["sun_irradiance"]
+    for normal, light in zip(NORMALS, found["lit"]):
+        cosine = max(0, sum(n * s for n, s in zip(normal, sun)))
+        for value, full in zip(light, irradiance):
+            # The sun's disc and its noise blur the edge of the light.
+            failures.expect_near(value, full * cosine / math.pi, 0.01 * full, f"light on a plane that faces {normal}")
+    failures.expect(found["moving"], [True, 3, 12], "what plays: a sequence, its frames and their rate")
+    failures.expect(found["boxes"], [f"moving_000{n}.vdb" for n in (1, 2, 3, 1)], "the files of frames 1 to 4")
+    failures.expect(found["volume_bounces"] >= 64, True, "whether Cycles follows light within clouds")
     for name, axis in (("down", 2), ("along", 1)):
         depths = [-math.log(light) for light in found[name]]
         width = cloud.size[0]
@@ -170,6 +225,7 @@ def main():
 
 try:
     import bpy
+    import mathutils
 except ImportError:
     main()
 else:

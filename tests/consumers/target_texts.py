@@ -4,7 +4,9 @@ They are read by other parsers than those of the programs: XML and Python by Pyt
 format asks of names and brackets. COMMAND FOLDER bakes the assets without a target.
 """
 
+import ast
 import json
+import math
 import re
 import sys
 import tempfile
@@ -14,8 +16,10 @@ from pathlib import Path
 import consumer
 import yaml
 
+# The direction (right, up, ahead) to the sun of targets.toml, 20 degrees high and 35 degrees to the right.
+SUN = [math.sin(math.radians(35)) * math.cos(math.radians(20)), math.sin(math.radians(20)),
+       math.cos(math.radians(35)) * math.cos(math.radians(20))]
 LOW, HIGH = (0, 0, 100), (600, 400, 300)
-ONLY_CLOUDS = ("bevy", "pbrt", "unreal")  # targets that do not load the sky as well
 CUBES = ("babylon", "bevy", "godot", "three", "unity")  # targets that load it as a cube
 
 
@@ -25,8 +29,8 @@ def baked(target, is_cube=False):
     settings = ["--set", f'target="{target}"']
     if is_cube:
         settings += ["--set", 'bake.sky.mapping="cube"', "--set", "bake.sky.size=[8, 48]"]
-    elif target in ONLY_CLOUDS:
-        settings = ["--set", f'bake.cloud.target="{target}"', "--only", "cloud"]
+    elif target == "bevy":
+        settings += ["--set", 'bake.sky.target="none"']
     with tempfile.TemporaryDirectory() as folder:
         consumer.output_of(*command, *settings, output, folder)
         files = [file for asset in json.loads((Path(folder) / "manifest.json").read_text())["assets"]
@@ -77,7 +81,7 @@ UNITY_IMPORTERS = {".cs": "MonoImporter", ".bin": "DefaultImporter"}
 def check_unity(failures, texts, files):
     """Every file has a .meta with an identifier of its own and the importer of its ending."""
     metas = {name: yaml.safe_load(text) for name, text in texts.items() if name.endswith(".meta")}
-    wanted = {file + ".meta" for file in files if file.endswith((".cs", ".bin"))}
+    wanted = {file + ".meta" for file in files if file.endswith((".cs", ".bin")) and not file.startswith("moving_")}
     failures.expect(set(metas), wanted, "the set of Unity's .meta files")
     for name, meta in metas.items():
         importer = UNITY_IMPORTERS[Path(name[:-len(".meta")]).suffix]
@@ -90,14 +94,66 @@ def check_unity(failures, texts, files):
 
 def check_mitsuba(failures, name, text, files):
     scene = xml.fromstring(text)
+    frame = scene.find("./default[@name='frame']")
     for string in scene.iter("string"):
-        failures.expect(string.get("value") in files, True, f"whether {string.get('value')} lies beside {name}")
+        file = string.get("value").replace("$frame", frame.get("value") if frame is not None else "$frame")
+        failures.expect(file in files, True, f"whether {file} lies beside {name}")
     if name.startswith("cloud"):
         scale, move = ([float(e.get(axis)) for axis in "xyz"] for e in (scene.find(".//scale"), scene.find(".//translate")))
         # The cube reaches from -1 to 1.
         failures.expect([m - s for s, m in zip(scale, move)], [float(l) for l in LOW], "the cube's low corner")
         failures.expect([m + s for s, m in zip(scale, move)], [float(h) for h in HIGH], "the cube's high corner")
         failures.expect(scene.find(".//float[@name='scale']").get("value"), "0.02", "the scale of Mitsuba's extinction")
+    if name.startswith("sky"):
+        # Light goes from the sun down, against (ahead, left, up).
+        ray = [float(scene.find(".//vector[@name='direction']").get(axis)) for axis in "xyz"]
+        for found, wanted in zip(ray, (-SUN[2], SUN[0], -SUN[1])):
+            failures.expect_near(found, wanted, 1e-5, "the direction of Mitsuba's sunlight")
+
+
+def calls(text, function):
+    """The arguments of all calls of a method, as Python's parser finds them."""
+    return [[ast.unparse(argument) for argument in node.args] for node in ast.walk(ast.parse(text))
+            if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == function]
+
+
+def check_unreal(failures, name, text):
+    """Unreal counts in centimetres, with y against that of a right-handed file, and volumes have the place of their file.
+
+    Epic, "Heterogeneous Volumes in Unreal Engine" 5.4: imported transforms are applied automatically.
+    """
+    failures.expect(calls(text, "set_actor_scale3d"), [["unreal.Vector(100, -100, 100)"]], f"the scale of {name}")
+    failures.expect(calls(text, "spawn_actor_from_class")[0][:2], ["unreal.HeterogeneousVolume", "unreal.Vector(0, 0, 0)"],
+                    f"the actor of {name}")
+    [[_, extinction]] = [call for call in calls(text, "set_editor_property") if call[0] == "'const_b'"]
+    failures.expect_near(eval(extinction), 0.02 / 100, 1e-9, f"the extinction per centimetre of {name}")
+
+
+def check_unity_sky(failures, text, is_cube):
+    """Skybox/Panoramic looks up v = 1 - latitude / pi, so that the first row, v = 0, is straight down, and has +x ahead."""
+    failures.expect("texels = Flipped(texels);" in text, not is_cube, "whether the rows of Unity's sky are turned")
+    failures.expect('SetFloat("_Rotation", 90)' in text, not is_cube, "whether Unity's panorama is turned to +z")
+    failures.expect('Shader.Find("Skybox/Cubemap")' in text, is_cube, "whether Unity's cube has the material of cubes")
+    to_sun = re.search(r"LookRotation\(-new Vector3\(([^)]*)\)\)", text).group(1)
+    for found, wanted in zip(to_sun.replace("f", "").split(","), SUN):
+        failures.expect_near(float(found), wanted, 1e-5, "the direction of Unity's sun")
+
+
+def check_bevy(failures, name, text):
+    """Bevy's release notes: Skybox is in bevy_light from 0.19 on (pull request 22682)."""
+    failures.expect("core_pipeline" in text, False, f"whether {name} looks for skyboxes where they were before Bevy 0.19")
+    failures.expect("Bevy 0.19 and later" in text, True, f"whether {name} says which Bevy it needs")
+
+
+def check_sequence(failures, target, texts, files):
+    """A cloud that moves has one script, but for pbrt, whose scenes have no variables."""
+    scripts = sorted(name for name in texts if name.startswith("moving") and not name.endswith((".meta", ".gdshaderinc")))
+    wanted = 3 if target == "pbrt" else 1
+    failures.expect(len(scripts), wanted, f"the number of scripts of {target} for three frames")
+    frames = sorted(file for file in files if re.fullmatch(r"moving_\d{4}\.(?!pbrt)\w+", file))
+    failures.expect(len(frames), 3, f"the number of frames of {target}")
+    if target not in ("pbrt", "omniverse"):
+        failures.expect(re.search(r"\b(3|12)\b", texts[scripts[0]]) is not None, True, f"whether {scripts[0]} plays")
 
 
 def check_pbrt(failures, text, files):
@@ -121,6 +177,7 @@ def main():
     for target, is_cube in [(target, False) for target in targets] + [(target, True) for target in CUBES]:
         texts, files = baked(target, is_cube)
         failures.expect(len(texts) >= 1, True, f"whether {target} has files of its own")
+        check_sequence(failures, target, texts, files)
         if target == "unity":
             check_unity(failures, texts, files)
         for name, text in texts.items():
@@ -132,8 +189,14 @@ def main():
                 check_godot(failures, name, text, files)
             elif not name.endswith((".js", ".meta")):  # browsers run those
                 check_brackets(failures, name, text)
-            if name.endswith(".tscn"):
+            if name.endswith(".tscn") and "FogVolume" in text:
                 check_godot_place(failures, text)
+            if name.endswith(".unreal.py"):
+                check_unreal(failures, name, text)
+            if name == "sky.unity.cs":
+                check_unity_sky(failures, text, is_cube)
+            if name.endswith(".bevy.rs"):
+                check_bevy(failures, name, text)
             if name.endswith(".pbrt"):
                 check_pbrt(failures, text, files)
             for reference in re.findall(r"@\./([^@]+)@", text) if name.endswith(".usda") else ():

@@ -98,6 +98,8 @@ SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU
 SchedulerType=sched/builtin
 SlurmdTimeout=6
+# Ended jobs are asked for at the end of a test, however slow the machine is.
+MinJobAge=86400
 MessageTimeout=5
 KillWait=2
 JobRequeue=1

@@ -18,10 +18,10 @@ function(skybake result)
     set(${result} "${output}" PARENT_SCOPE)
 endfunction()
 
-# Prints the files of a bake; their namespaces begin with PREFIX.
+# Prints the files of a bake, and the library of its folder, which is named as that; their namespaces begin with PREFIX.
 function(print_lookups baked prefix)
     file(GLOB files ${baked}/*.*)
-    foreach(file IN LISTS files)
+    foreach(file IN LISTS files ITEMS ${baked})  # the folder's own is the library of all
         get_filename_component(name ${file} NAME)
         if(name MATCHES "json$")
             continue()

@@ -599,5 +599,20 @@ TEST(PrintedLookups, MarchesByDistances) {
         });
 }
 
+// The library of a folder has the numbers of its recipe and the functions of its files.
+TEST(PrintedLookups, AreInTheLibraryOfTheirFolder) {
+    namespace library = gpu::printed::colours;
+    EXPECT_FLOAT_EQ(library::baked_ground_radius_km(), 6360);
+    EXPECT_FLOAT_EQ(library::baked_top_radius_km(), 6460);
+    EXPECT_FLOAT_EQ(library::baked_cloud_extent_m().y, 3200);
+    EXPECT_FLOAT_EQ(library::baked_cloud_base_m(), 1200);
+    EXPECT_FLOAT_EQ(metal::printed::colours::baked_cloud_extinction_per_m(),
+                    library::baked_cloud_extinction_per_m());
+    const BakedFile file("transmittance.exr");
+    const auto own =
+        SKYBAKE_CALL(transmittance_exr, baked_transmittance, file.texture(), 2.0F, 0.4F);
+    EXPECT_EQ(SKYBAKE_CALL(colours, baked_transmittance, file.texture(), 2.0F, 0.4F), own);
+}
+
 }  // namespace
 }  // namespace skybake

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "bakers/preview/pictures/noise_spectrum.h"
+#include "bakers/preview/pictures/fourier_transform.h"
 
 namespace skybake {
 namespace {
@@ -100,8 +100,8 @@ TEST(NoisePictures, HaveEachViewOnce) {
     const PreviewAsset asset = volume_of({8, 6, 4}, {"R", "G", "B", "A"},
                                          [](int x, int y, int z, int c) { return x ^ y ^ z ^ c; });
     const std::vector<PreviewPicture> pictures = noise_pictures(asset);
-    ASSERT_EQ(pictures.size(), 4U);
-    for (const char* name : {"slices", "tiled", "histogram", "spectrum"}) {
+    ASSERT_EQ(pictures.size(), 3U);
+    for (const char* name : {"slices", "tiled", "histogram"}) {
         EXPECT_GT(named(pictures, std::string("noise_") + name).picture.width, 200);
     }
 }
@@ -111,24 +111,10 @@ TEST(NoisePictures, TakeSmallAndConstantVolumes) {
         const PreviewAsset asset = volume_of(size, {"Y"}, [](int, int, int, int) { return -3.0; });
         const auto pictures = noise_pictures(asset);
         EXPECT_EQ(pictures.size(), 3U);
-        EXPECT_NE(named(pictures, "noise_histogram").caption.find("There is no spectrum"),
-                  std::string::npos);
     }
 }
 
-// A constant among others would be a line at the floor that presses them together.
-TEST(NoisePictures, ASpectrumLeavesOutConstantChannels) {
-    const auto value = [](int x, int, int, int c) { return c == 1 ? 1.0 : (x + c) % 3 * 0.25; };
-    const auto pictures = noise_pictures(volume_of({8, 8, 8}, {"R", "G"}, value));
-    const PreviewPicture& spectrum = named(pictures, "noise_spectrum");
-    EXPECT_NE(spectrum.caption.find("Constant channels are left out: G."), std::string::npos)
-        << spectrum.caption;
-    EXPECT_NE(spectrum.caption.find("12 slices"), std::string::npos) << spectrum.caption;
-    const auto alone = noise_pictures(volume_of({8, 8, 8}, {"R"}, value));
-    EXPECT_EQ(spectrum.picture.rgb, named(alone, "noise_spectrum").picture.rgb);
-}
-
-// Seams, histograms and spectra say nothing of light; a shadow of one slice is a map.
+// Seams and histograms say nothing of light; a shadow of one slice is a map.
 TEST(NoisePictures, LightOfCloudsHasSlicesAlone) {
     const auto ramp = [](int x, int y, int z, int) { return x + y + 2 * z; };
     PreviewAsset light = volume_of({16, 16, 4}, {"Y"}, ramp);
@@ -180,36 +166,6 @@ TEST(FourierTransform, IsItsDefinition) {
                       1e-5 * 150 * size);
         }
     }));
-}
-
-TEST(SliceSpectrum, OfASineHasItsPowerAtItsFrequency) {
-    EXPECT_TRUE(rc::check([] {
-        const int size = *rc::gen::element(8, 12, 15, 16, 30);
-        const int frequency = *rc::gen::inRange(1, (size + 1) / 2);
-        const int axis = *rc::gen::inRange(0, 3);
-        const PreviewAsset asset =
-            volume_of({size, size, size}, {"R"}, [&](int x, int y, int z, int) {
-                return 0.5 +
-                       0.25 * std::sin(tau * frequency *
-                                       std::array{x, y, z}[static_cast<std::size_t>(axis)] / size);
-            });
-        const std::vector<double> spectrum = slice_spectrum(view_of(asset), 0);
-        RC_ASSERT(spectrum.size() == static_cast<std::size_t>(size / 2 + 1));
-        for (std::size_t k = 0; k < spectrum.size(); ++k) {
-            // Half the amplitude's square, in the two of three slices that the wave runs along.
-            const bool is_peak = k == static_cast<std::size_t>(frequency);
-            const double expected = is_peak ? 0.25 * 0.25 / 2 * 2 / 3 : 0;
-            RC_ASSERT(std::abs(spectrum[k] - expected) < 1e-6);
-        }
-    }));
-}
-
-TEST(SliceSpectrum, IsNothingForAConstantAndForALine) {
-    const auto constant = [](int, int, int, int) { return 0.5; };
-    for (const double power : slice_spectrum(view_of(volume_of({6, 6, 6}, {"R"}, constant)), 0)) {
-        EXPECT_NEAR(power, 0, 1e-12);
-    }
-    EXPECT_TRUE(slice_spectrum(view_of(volume_of({6, 6, 1}, {"R"}, constant)), 0).empty());
 }
 
 }  // namespace

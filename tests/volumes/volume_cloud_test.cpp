@@ -1,8 +1,9 @@
-// Clouds of volumes from recipe to voxels: what was baked and is read back is the same, and errors
-// say where they are.
+// Clouds of volumes from recipe to voxels: what was baked and is read back is the same, also as NanoVDB; a file is
+// opened once for several assets; and errors say where they are.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/clouds/cloud_field.h"
 #include "bakers/clouds/cloud_reference.h"
@@ -266,6 +267,46 @@ TEST_F(VolumeCloud, ErrorsSayWhereTheyAre) {
     EXPECT_EQ(errors("[volumes.v]\nfile = \"c.vdb\"\n[clouds.c]\nvolume = \"v\"\n"),
               Errors{"E0304 2:8 cannot read `" + missing +
                      "` as a VDB file: it is a NanoVDB file: write format = \"nvdb\"; "});
+}
+
+// The same cloud as a NanoVDB file, which says only the box of its active voxels, and is sparse.
+class NanoVdbCloud : public VolumeCloud {
+  protected:
+    NanoVdbCloud() {
+        std::string text = cloud_recipe;
+        text.replace(text.find("[bake.o]"), std::string::npos, "formats = [\"nvdb\"]\n");
+        TestBake bake(recipe_of(text), folder_.path());
+        EXPECT_EQ(bake.states(), States(1, AssetState::baked));
+    }
+    config::Recipe volume() const {
+        std::string text = volume_recipe;
+        text.replace(text.find("file = \"c.vdb\""), 14,
+                     "file = \"c.nvdb\"\nformat = \"nvdb\"\ncrop_first = [0, 0, 0]\n"
+                     "crop_size = [40, 32, 20]");
+        return volumes(text);
+    }
+};
+
+TEST_F(NanoVdbCloud, OfAnOwnFileIsThatFile) {
+    EXPECT_EQ(hash_of(volume(), 0), hash_of(recipe_of(cloud_recipe), 0));
+}
+
+// The second asset finds the volume as the first one opened it, whatever has become of the file.
+TEST_F(NanoVdbCloud, IsOpenedOnceForAllAssetsOfARun) {
+    const config::Recipe recipe = volume();
+    const config::Parameters& parameters = recipe.parameters;
+    const auto& asset = parameters.bakes[0].as<config::CloudVolumeBake>();
+    Intermediates shared(1 << 20);
+    const auto first = shared.expect(needs_of_voxels(parameters, asset));
+    const auto second = shared.expect(needs_of_voxels(parameters, asset));
+    const BakeOptions options{.intermediates = &shared};
+    Facts details;
+    const auto one = cloud_inputs(parameters, asset, details, options);
+    std::filesystem::remove(folder_ / "c.nvdb");
+    const auto other = cloud_inputs(parameters, asset, details, options);
+    ASSERT_TRUE(one.value && other.value);
+    EXPECT_EQ(one.value->volume->source.voxels, other.value->volume->source.voxels);
+    EXPECT_FALSE(cloud_inputs(parameters, asset, details).value) << "it is gone";
 }
 
 }  // namespace

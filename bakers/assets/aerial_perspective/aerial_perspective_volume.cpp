@@ -320,11 +320,7 @@ config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
                            {"distance_km", camera.distance_km(uvw[0], uvw[1], uvw[2])}},
                           {{uvw}}};
     };
-    Level level;
-    level.size = bake.size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = froxels;
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.size, froxels, volume);
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
 }

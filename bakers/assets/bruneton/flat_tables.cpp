@@ -84,11 +84,7 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
         const double largest = texels->largest(c);
         finish.histogram_ranges.push_back({0, largest > 0 ? largest : 1});
     }
-    Level level;
-    level.size = bake.size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = texels;
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.size, texels, volume);
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
 }

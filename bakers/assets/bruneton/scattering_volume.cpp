@@ -186,11 +186,7 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     finish.probe_place = [&mapping](const std::array<double, 3>& uvw, int) {
         return scattering_probe_place(mapping, uvw);
     };
-    Level level;
-    level.size = bake.size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = table;
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.size, table, volume);
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
 }

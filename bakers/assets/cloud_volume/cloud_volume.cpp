@@ -150,11 +150,7 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
             fmt::format("{}, to which the cloud's {} are stretched", extent_to_string(cloud.extent),
                         extent_to_string(recipe_cloud.extent)));
     }
-    Level level;
-    level.size = bake.size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = std::move(field);
-    volume.levels.push_back(std::move(level));
+    add_voxels(bake.size, std::move(field), volume);
     return volume;
 }
 

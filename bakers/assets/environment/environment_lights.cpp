@@ -34,10 +34,13 @@ std::string lux_member(const Baked& table, const char* name, const std::vector<d
     return lux ? fmt::format(",\n    \"{}_lux\": {}", name, to_digits(*lux, kLightDigits)) : "";
 }
 
+glm::dvec3 sun_direction(const config::EnvironmentBake& bake) {
+    return direction_of_angles({bake.sun_azimuth.radians, bake.sun_elevation.radians});
+}
+
 std::string sun_json(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
                      const Baked& table) {
-    const glm::dvec3 sun =
-        direction_of_angles({bake.sun_azimuth.radians, bake.sun_elevation.radians});
+    const glm::dvec3 sun = sun_direction(bake);
     const auto degrees = [](config::Angle angle) {
         return to_digits(angle.radians * kDegreesPerRadian, kLightDigits);
     };
@@ -105,7 +108,13 @@ std::string lights_json(const EnvironmentLights& lights, const config::Environme
         harmonics_json(lights));
 }
 
-void add_light_facts(const EnvironmentLights& lights, Baked& table) {
+void add_light_facts(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
+                     Baked& table) {
+    const glm::dvec3 sun = sun_direction(bake);
+    if (bake.sun == config::SunInMap::none) {
+        table.details.emplace_back("sun_direction",
+                                   to_digits(std::vector{sun.x, sun.y, sun.z}, kLightDigits));
+    }
     table.details.emplace_back("sun_irradiance", to_digits(lights.sun_facing, kLightDigits));
     table.details.emplace_back("sky_irradiance_of_level_surface",
                                to_digits(lights.sky_level, kLightDigits));

@@ -33,7 +33,9 @@ std::optional<double> lux_of(const ColorConvention& color, const std::vector<dou
 std::string lights_json(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
                         const Baked& table);
 
-// Adds the lights to the facts that the manifest states.
-void add_light_facts(const EnvironmentLights& lights, Baked& table);
+// Adds the lights to the facts that the manifest states. `sun_direction`, (right, up, ahead), is
+// there where a lamp of `sun_irradiance` takes the place of the disc, which the map lacks.
+void add_light_facts(const EnvironmentLights& lights, const config::EnvironmentBake& bake,
+                     Baked& table);
 
 }  // namespace skybake

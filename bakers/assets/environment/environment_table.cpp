@@ -152,7 +152,7 @@ class EnvironmentFinish {
                                           irradiance_of(sun, LitSurface::level, map.channels),
                                           level_irradiance(map, models_.layout()),
                                           harmonics_of(map, models_.layout())};
-        add_light_facts(lights, table);
+        add_light_facts(lights, bake_, table);
         table.companion = CompanionFile{"json", lights_json(lights, bake_, table)};
     }
 
@@ -216,25 +216,17 @@ config::Outcome<Baked> bake_environment(const SkyLights& lights, const Environme
     if (options.cancelled()) return {};
     describe_environment(bake, models.camera(), lights.first().shell(), table);
     const AccuracyRequest request = request_of_environment(bake, models.layout());
-    config::Outcome<Baked> outcome;
-    std::vector<TablePart> parts;
+    StackedParts parts;
     for (int part = 0; part < models.layout().parts(); ++part) {
         const auto place_of = [layout = models.layout(), part](double x, double y) {
             return environment_place(layout, part, x, y);
         };
-        config::Outcome<TablePart> made =
-            make_part(models.of_part(part), request, options, place_of, table);
-        outcome.diagnostics.insert(outcome.diagnostics.end(), made.diagnostics.begin(),
-                                   made.diagnostics.end());
-        if (!made.value) return outcome;
-        parts.push_back(std::move(*made.value));
+        if (!add_part(make_part(models.of_part(part), request, options, place_of, table), parts)) {
+            break;
+        }
     }
-    config::Outcome<Baked> stack =
-        stack_tables(std::move(parts), options, EnvironmentFinish(lights, bake, models, options));
-    outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
-                               stack.diagnostics.end());
-    outcome.value = std::move(stack.value);
-    return outcome;
+    return stack_tables(std::move(parts), options,
+                        EnvironmentFinish(lights, bake, models, options));
 }
 
 }  // namespace skybake

@@ -173,11 +173,8 @@ Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& b
     volume.up_axis = "+z";
     volume.details.emplace_back("frames", static_cast<double>(bake.length));
     volume.details.emplace_back("loops", sequence.loops ? "yes" : "no");
-    Level level;
-    level.size = sequence.size();
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = std::make_shared<const FrameVoxels>(sequence.voxels, bake.slice);
-    volume.levels.push_back(std::move(level));
+    add_voxels(sequence.size(), std::make_shared<const FrameVoxels>(sequence.voxels, bake.slice),
+               volume);
     hold_voxels(options, volume);
     add_slice_levels(bake.mips, options, volume);
     return finish_volume(

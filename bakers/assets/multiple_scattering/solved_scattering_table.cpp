@@ -217,7 +217,7 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     request.full = {1024, 16};
     request.quick_search = {128, 64, 16, 32, 0};
     request.full_search = {1024, 256, 64, 128, 0};
-    std::vector<TablePart> parts;
+    StackedParts parts;
     for (int l = 0; l <= degree; ++l) {
         for (int m = 0; m <= l; ++m) {
             const auto place_of = [&columns, thickness_km, moments, l, m](double x, double y) {
@@ -228,18 +228,12 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
             };
             const TableModel model = moment_model(light, finer_light ? *finer_light : light, l, m,
                                                   columns, thickness_km);
-            config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
-            outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
-                                       part.diagnostics.end());
-            if (!part.value) return outcome;
-            parts.push_back(std::move(*part.value));
+            if (!add_part(make_part(model, request, options, place_of, table), parts)) {
+                return {{}, std::move(parts.diagnostics)};
+            }
         }
     }
-    config::Outcome<Baked> stacked = stack_tables(std::move(parts), options);
-    outcome.diagnostics.insert(outcome.diagnostics.end(), stacked.diagnostics.begin(),
-                               stacked.diagnostics.end());
-    outcome.value = std::move(stacked.value);
-    return outcome;
+    return stack_tables(std::move(parts), options);
 }
 
 }  // namespace skybake

@@ -423,13 +423,11 @@ config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
     describe(bake, *kinds, channels, table, volume);
     Contents contents = contents_of(kinds, channels, bake, table);
     contents.finish.histogram_ranges.assign(volume.channel_names.size(), {0, contents.largest});
-    Level level;
-    level.size = bake.size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels =
+    add_voxels(
+        bake.size,
         kept_if_small(std::make_shared<TexelSource>(kinds->size(), std::move(contents.value)),
-                      bake.size, static_cast<int>(volume.channel_names.size()), options);
-    volume.levels.push_back(std::move(level));
+                      bake.size, static_cast<int>(volume.channel_names.size()), options),
+        volume);
     add_mip_levels(bake.mips, options, volume);
     config::Outcome<Baked> outcome = finish_volume(std::move(volume), contents.finish, options);
     if (outcome.value && has_paths(bake) && options.certification != Certification::off) {

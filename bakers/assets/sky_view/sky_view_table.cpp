@@ -141,8 +141,7 @@ config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const SkyViewBake&
     const SkyViewCamera camera(shell, bake.altitude.kilometers());
     describe(bake, camera, shell, table);
     const AccuracyRequest request = sky_table_request(bake.size);
-    config::Outcome<Baked> outcome;
-    std::vector<TablePart> parts;
+    StackedParts parts;
     for (const config::Angle& elevation : bake.sun_elevations) {
         const auto place_of = [&camera, elevation](double x, double y) {
             return Place{{"azimuth_deg", 180 * x},
@@ -152,17 +151,9 @@ config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const SkyViewBake&
         const SunZenith sun = sun_at_elevation(elevation.radians);
         const TableModel model =
             lights.model([&](const SkyLight& light) { return sky_view_model(light, camera, sun); });
-        config::Outcome<TablePart> part = make_part(model, request, options, place_of, table);
-        outcome.diagnostics.insert(outcome.diagnostics.end(), part.diagnostics.begin(),
-                                   part.diagnostics.end());
-        if (!part.value) return outcome;
-        parts.push_back(std::move(*part.value));
+        if (!add_part(make_part(model, request, options, place_of, table), parts)) break;
     }
-    config::Outcome<Baked> stack = stack_tables(std::move(parts), options);
-    outcome.diagnostics.insert(outcome.diagnostics.end(), stack.diagnostics.begin(),
-                               stack.diagnostics.end());
-    outcome.value = std::move(stack.value);
-    return outcome;
+    return stack_tables(std::move(parts), options);
 }
 
 }  // namespace skybake

@@ -45,6 +45,21 @@ const Format* find_format(std::string_view word) {
     return nullptr;
 }
 
+std::optional<std::string> file_part(FileInput& file, std::uint64_t offset, std::size_t count) {
+    if (offset > file.size() || count > file.size() - offset) return std::nullopt;
+    std::string part(count, '\0');
+    const auto done = file.read(offset, part.data(), count);
+    if (!done || *done < count) return std::nullopt;
+    return part;
+}
+
+config::Diagnostic damaged_file(const std::filesystem::path& path, const char* format,
+                                const std::string& reason) {
+    return file_error(
+        "E0304", path.string(),
+        fmt::format("skybake cannot read `{}` as a {} file: {}", path.string(), format, reason));
+}
+
 config::Diagnostic other_size(const std::filesystem::path& path) {
     return file_error("E0304", path.string(),
                       fmt::format("`{}` is not of the size that its manifest says", path.string()));

@@ -96,6 +96,13 @@ const Format& format_of(config::FileFormat format);
 // Finds a format by its word in recipes and manifests; null if there is none.
 const Format* find_format(std::string_view word);
 
+// Returns bytes of a file, or nothing if it does not have them.
+std::optional<std::string> file_part(FileInput& file, std::uint64_t offset, std::size_t count);
+
+// Returns E0304: the file is none of a format, "PNG", that skybake reads.
+config::Diagnostic damaged_file(const std::filesystem::path& path, const char* format,
+                                const std::string& reason);
+
 // Returns E0304: the file does not have the size that its manifest says.
 config::Diagnostic other_size(const std::filesystem::path& path);
 

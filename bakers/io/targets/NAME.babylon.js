@@ -5,10 +5,16 @@ $if PARTS=cube$// coordinatesMode CUBIC_MODE, or SKYBOX_MODE on a box around the
 $if KIND=environment$$if MAPPING=longitude_latitude$// It is a panorama, straight ahead +x and up +y, for the reflection of a material, also of a sphere around the
 $if KIND=environment$$if MAPPING=longitude_latitude$// camera. The sun stands $SUN_PLACE$.
 $if PARTS=none$// `skybake info --lookup $FILE$` prints the GLSL that reads the texture, and --language wgsl the WGSL.
+$if PLAYS=yes$// It plays: frame n, counted from 1 to `frames`, is `await load(BABYLON, scene, n)`, and there are `rate` a second.
+$if LAMP=yes$// The map lacks the sun's disc, so call `sunlight(BABYLON, scene)` as well.
 const size = [$WIDTH$, $HEIGHT$, $DEPTH$];
 const channels = $CHANNELS$;
 const type = '$TYPE$';
 
+$if PLAYS=yes$export const frames = $FRAMES$;
+$if PLAYS=yes$export const rate = $RATE$;
+$if PLAYS=yes$const file = (frame) => `./$NAME$_${String(frame).padStart($DIGITS$, '0')}$ENDING$`;
+$if PLAYS=yes$
 // GPUs have no textures of three channels: a fourth is added, which is 1.
 function padded(texels) {
     if (channels !== 3) return texels;
@@ -20,9 +26,12 @@ function padded(texels) {
 
 $if PARTS=none$// Returns a texture of $WIDTH$ x $HEIGHT$ x $DEPTH$ texels.
 $if PARTS=cube$// Returns a cube texture with faces of $WIDTH$ x $WIDTH$ texels.
-export async function load(BABYLON, scene) {
-    const response = await fetch(new URL('./$FILE$', import.meta.url));
-    if (!response.ok) throw new Error(`$FILE$: ${response.status}`);
+$if PLAYS=no$export async function load(BABYLON, scene) {
+$if PLAYS=yes$export async function load(BABYLON, scene, frame = 1) {
+$if PLAYS=no$    const url = new URL('./$FILE$', import.meta.url);
+$if PLAYS=yes$    const url = new URL(file(frame), import.meta.url);
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status}`);
     const Texels = { float: Float32Array, half: Uint16Array, unorm8: Uint8Array }[type];
     const texels = padded(new Texels(await response.arrayBuffer()));
     const { Constants, Texture } = BABYLON;
@@ -47,3 +56,14 @@ $if KIND=environment$$if MAPPING=longitude_latitude$                            
     texture.anisotropicFilteringLevel = 1;  // lookups that jump between pixels would be blurred
     return texture;
 }
+$if LAMP=yes$
+$if LAMP=yes$// The sun. Its intensity is the irradiance of a surface that faces it, in the unit of the map.
+$if LAMP=yes$export function sunlight(BABYLON, scene) {
+$if LAMP=yes$$if PARTS=cube$    const toSun = new BABYLON.Vector3($SUN_RIGHT$, $SUN_UP$, $SUN_AHEAD$);
+$if LAMP=yes$$if PARTS=none$    const left = scene.useRightHandedSystem ? -1 : 1;  // where +z points, seen ahead
+$if LAMP=yes$$if PARTS=none$    const toSun = new BABYLON.Vector3($SUN_AHEAD$, $SUN_UP$, -left * ($SUN_RIGHT$));
+$if LAMP=yes$    const light = new BABYLON.DirectionalLight('$NAME$', toSun.scale(-1), scene);
+$if LAMP=yes$    light.diffuse = light.specular = new BABYLON.Color3($SUN_R$, $SUN_G$, $SUN_B$);
+$if LAMP=yes$    light.intensity = $IRRADIANCE$;
+$if LAMP=yes$    return light;
+$if LAMP=yes$}

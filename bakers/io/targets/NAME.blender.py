@@ -1,20 +1,29 @@
-$if FORMAT=vdb$"""Adds the volume of $FILE$ to the open scene, in metres, with a material whose density is extinction.
+$if FORMAT=vdb$$if PLAYS=no$"""Adds the volume of $FILE$ to the open scene, in metres, with a material whose density is extinction.
+$if FORMAT=vdb$$if PLAYS=yes$"""Adds the $FRAMES$ volumes of $NAME$ to the open scene as one that plays, in metres, with a material whose density
+$if FORMAT=vdb$$if PLAYS=yes$is extinction, and gives the scene $RATE$ frames per second.
 $if FORMAT=exr$"""Makes $FILE$ the world of the open scene, with its numbers taken as they are: the sun stands $SUN_PLACE$.
+$if FORMAT=exr$$if LAMP=yes$The map lacks the sun's disc, so the script adds the sun as a lamp.
 
 Run it in Blender's text editor, or as `blender scene.blend --python $NAME$.blender.py`.
 """
 import os
 
 import bpy
+$if LAMP=yes$import mathutils
 
 text = bpy.data.texts.get(os.path.basename(__file__))
 script = bpy.path.abspath(text.filepath) if text and text.filepath else __file__
 path = os.path.join(os.path.dirname(os.path.abspath(script)), "$FILE$")
+scene = bpy.context.scene
 
 $if FORMAT=vdb$volume = bpy.data.volumes.new("$NAME$")
 $if FORMAT=vdb$volume.filepath = path
+$if FORMAT=vdb$$if PLAYS=yes$volume.is_sequence = True
+$if FORMAT=vdb$$if PLAYS=yes$volume.frame_duration = $FRAMES$
+$if FORMAT=vdb$$if PLAYS=yes$volume.sequence_mode = "REPEAT"
+$if FORMAT=vdb$$if PLAYS=yes$scene.render.fps, scene.render.fps_base = round($RATE$), round($RATE$) / $RATE$
 $if FORMAT=vdb$cloud = bpy.data.objects.new("$NAME$", volume)
-$if FORMAT=vdb$bpy.context.scene.collection.objects.link(cloud)
+$if FORMAT=vdb$scene.collection.objects.link(cloud)
 $if FORMAT=vdb$
 $if FORMAT=vdb$material = bpy.data.materials.new("$NAME$")
 $if FORMAT=vdb$material.use_nodes = True
@@ -28,6 +37,11 @@ $if FORMAT=vdb$shader.inputs["Anisotropy"].default_value = 0.8
 $if FORMAT=vdb$output = nodes.new("ShaderNodeOutputMaterial")
 $if FORMAT=vdb$material.node_tree.links.new(shader.outputs["Volume"], output.inputs["Volume"])
 $if FORMAT=vdb$volume.materials.append(material)
+$if FORMAT=vdb$
+$if FORMAT=vdb$# Clouds are white because light is scattered many times. By default Cycles follows none of that.
+$if FORMAT=vdb$scene.render.engine = "CYCLES"
+$if FORMAT=vdb$scene.cycles.volume_bounces = max(scene.cycles.volume_bounces, 64)
+$if FORMAT=vdb$scene.cycles.max_bounces = max(scene.cycles.max_bounces, 64)
 $if FORMAT=vdb$
 $if FORMAT=vdb$# By default cameras see nothing beyond 100 m.
 $if FORMAT=vdb$reach = 10 * max($EXTENT_X$, $EXTENT_Y$, $HIGH_Z$)
@@ -49,4 +63,14 @@ $if FORMAT=exr$background = nodes.new("ShaderNodeBackground")
 $if FORMAT=exr$output = nodes.new("ShaderNodeOutputWorld")
 $if FORMAT=exr$world.node_tree.links.new(texture.outputs["Color"], background.inputs["Color"])
 $if FORMAT=exr$world.node_tree.links.new(background.outputs["Background"], output.inputs["Surface"])
-$if FORMAT=exr$bpy.context.scene.world = world
+$if FORMAT=exr$scene.world = world
+$if LAMP=yes$
+$if LAMP=yes$# The strength is the irradiance of a surface that faces the sun, in the unit of the map.
+$if LAMP=yes$sun = bpy.data.lights.new("$NAME$", "SUN")
+$if LAMP=yes$sun.energy = $IRRADIANCE$
+$if LAMP=yes$sun.color = ($SUN_R$, $SUN_G$, $SUN_B$)
+$if LAMP=yes$sun.angle = 0.0093  # 0.533 degrees
+$if LAMP=yes$lamp = bpy.data.objects.new("$NAME$", sun)
+$if LAMP=yes$lamp.rotation_mode = "QUATERNION"
+$if LAMP=yes$lamp.rotation_quaternion = mathutils.Vector(($SUN_AHEAD$, -($SUN_RIGHT$), $SUN_UP$)).to_track_quat("Z", "Y")
+$if LAMP=yes$scene.collection.objects.link(lamp)

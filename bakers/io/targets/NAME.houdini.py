@@ -7,7 +7,11 @@ import os
 
 import hou
 
-path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "$FILE$").replace("\\", "/")
+$if PLAYS=no$path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "$FILE$").replace("\\", "/")
+$if PLAYS=yes$# The number of the frame, which begins anew after the last one.
+$if PLAYS=yes$frame = "`padzero($DIGITS$, ($F - 1) % $FRAMES$ + 1)`"
+$if PLAYS=yes$path = os.path.join(os.path.dirname(os.path.abspath(__file__)), "$NAME$_" + frame + "$ENDING$").replace("\\", "/")
+$if PLAYS=yes$hou.setFps($RATE$)
 
 $if FORMAT=vdb$geometry = hou.node("/obj").createNode("geo", "$ID$")
 $if FORMAT=vdb$source = geometry.createNode("file", "source")

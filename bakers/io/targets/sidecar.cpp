@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <map>
 #include <numbers>
 
@@ -15,11 +18,17 @@
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
+#include "config/sections/frames.h"
 #include "config/sections/targets.h"
 #include "config/text/units.h"
 
 namespace skybake {
 namespace {
+
+// NAME of the sequence, or of the asset.
+std::string asset_stem(const Baked& baked) {
+    return baked.frames > 0 ? config::sequence_name(baked.name) : baked.name;
+}
 
 using Values = std::map<std::string, std::string, std::less<>>;
 
@@ -65,6 +74,56 @@ void add_sun(const Baked& baked, Values& values) {
     values["SOLAR"] = fmt::format("{}", fmt::join(baked.conventions.solar_irradiance, ", "));
 }
 
+// Adds what plays the numbered files of a sequence. Other assets have no frames, and one file.
+void add_sequence(const Baked& baked, const ManifestFile& first, Values& values) {
+    const std::string stem = asset_stem(baked);
+    const std::string number = baked.frames > 0 ? baked.name.substr(stem.size() + 1) : "";
+    values["PLAYS"] = baked.frames > 0 ? "yes" : "no";
+    values["FRAMES"] = std::to_string(baked.frames);
+    values["RATE"] = fmt::format("{}", baked.frames_per_second);
+    values["DIGITS"] = std::to_string(number.size());
+    values["FIRST"] = number;
+    values["ENDING"] = first.path.substr(baked.name.size());
+}
+
+// The rows of a rotation that turns +z to a direction. Lamps of Godot shine towards -z.
+std::string lamp_basis(const glm::dvec3& to_sun) {
+    const glm::dvec3 level(to_sun.z, 0, -to_sun.x);
+    const glm::dvec3 x = glm::length(level) > 0 ? glm::normalize(level) : glm::dvec3(1, 0, 0);
+    const glm::dmat3 rows = glm::transpose(glm::dmat3(x, glm::cross(to_sun, x), to_sun));
+    std::string text;
+    for (int i = 0; i < 3; ++i) {
+        text += fmt::format("{:.7g}, {:.7g}, {:.7g}, ", rows[i].x, rows[i].y, rows[i].z);
+    }
+    return text;
+}
+
+// Adds a lamp in the place of the sun's disc: IRRADIANCE times the colour. A sun that is below the
+// horizon, behind the clouds or in the map has none.
+void add_lamp(const Baked& baked, Values& values) {
+    constexpr std::array places = {"SUN_RIGHT", "SUN_UP", "SUN_AHEAD"};
+    constexpr std::array colors = {"SUN_R", "SUN_G", "SUN_B"};
+    const std::vector<double> sun = numbers_named(baked.details, "sun_direction");
+    const std::vector<double> light = numbers_named(baked.details, "sun_irradiance");
+    const double most = light.empty() ? 0 : *std::max_element(light.begin(), light.end());
+    const bool shines = sun.size() == 3 && light.size() == 3 && most > 0;
+    values["LAMP"] = shines ? "yes" : "no";
+    const auto add = [&](std::string_view key, double value) {
+        values.emplace(key, fmt::format("{:.7g}", shines ? value : 0));
+    };
+    for (std::size_t i = 0; i < 3; ++i) {
+        add(places[i], shines ? sun[i] : 0);
+        add(colors[i], shines ? light[i] / most : 0);
+    }
+    add("IRRADIANCE", most);
+    values["SUN_RGB"] = fmt::format("{:.7g}", fmt::join(light, ", "));
+    add("ENERGY", most / std::numbers::pi);
+    values["SUN_RAY"] =
+        shines ? fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2], sun[0], -sun[1])
+               : "";
+    values["SUN_BASIS"] = shines ? lamp_basis(glm::dvec3(sun[0], sun[1], -sun[2])) : "";
+}
+
 // "over +x", or "40 degrees to the right of +x": where an environment has the sun. Its parameters say
 // it.
 std::string sun_place(const Baked& baked) {
@@ -85,11 +144,12 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
     const std::array<int, 3>& size = baked.levels.front().size;
     const std::string extinction = fact_named(baked.details, "extinction_scale_per_m");
     Values values = {
-        {"NAME", baked.name},
-        {"ID", identifier(baked.name)},
+        {"NAME", asset_stem(baked)},
+        {"ID", identifier(asset_stem(baked))},
         {"FILE", asset.files.front().path},
         {"FORMAT", asset.files.front().format},
         {"KIND", baked.kind},
+        {"IS_SKY", baked.kind == "environment" ? "yes" : "no"},
         {"MAPPING", baked.mapping},
         {"PARTS", std::string(to_string(texture_parts(baked)))},
         {"TYPE", std::string(to_string(baked.pixel_type))},
@@ -104,7 +164,12 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
         {"EXTINCTION", extinction.empty() ? "1" : extinction},
         {"SUN_PLACE", sun_place(baked)},
     };
+    const SheetGrid sheet = asset.files.front().layout.value_or(SheetGrid{});
+    values["COLUMNS"] = std::to_string(sheet.columns);
+    values["ROWS"] = std::to_string(sheet.rows);
+    add_sequence(baked, asset.files.front(), values);
     add_lookup(baked, values);
+    add_lamp(baked, values);
     add_sun(baked, values);
     add_place(baked, values);
     return values;
@@ -124,12 +189,7 @@ std::pair<std::string_view, std::size_t> marked(std::string_view text, std::size
 }
 
 bool is_among(std::string_view word, std::string_view words) {
-    while (true) {
-        const std::size_t comma = words.find(',');
-        if (words.substr(0, comma) == word) return true;
-        if (comma == std::string_view::npos) return false;
-        words.remove_prefix(comma + 1);
-    }
+    return fmt::format(",{},", words).find(fmt::format(",{},", word)) != std::string::npos;
 }
 
 // Drops the conditions at the head of a line. Returns whether the line stays.
@@ -182,7 +242,7 @@ std::vector<std::string> sidecars_of(const Baked& baked) {
 }
 
 std::string sidecar_text(const Baked& baked, const ManifestAsset& asset, const std::string& name) {
-    const std::string text = "NAME" + name.substr(baked.name.size());
+    const std::string text = "NAME" + name.substr(asset_stem(baked).size());
     Values values = values_of(baked, asset);
     values["GUID"] = guid_of(name);
     return filled_in(sidecar_template(text), values);

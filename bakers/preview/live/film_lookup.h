@@ -4,12 +4,11 @@
 #include <string>
 
 #include "bakers/preview/load_assets.h"
-#include "config/diagnostics/diagnostic.h"
 
 namespace skybake {
 
 // Returns GLSL that shows light as pictures of these assets do: with daylight as white, by the curve film.
-// E0001 if there are no two tables of three or four channels, by which rays are marched.
-config::Outcome<std::string> film_lookup(const PreviewAssets& assets, int threads);
+// It is empty if there are no two tables of three or four channels, by which rays are marched.
+std::string film_lookup(const PreviewAssets& assets, int threads);
 
 }  // namespace skybake

@@ -187,16 +187,9 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
 }
 
-Outcome<std::string> film_lookup(const PreviewAssets& assets, int threads) {
+std::string film_lookup(const PreviewAssets& assets, int threads) {
     const auto light = assets.recipe ? light_of(*assets.recipe, assets, threads) : std::nullopt;
-    if (!has_colours(light)) {
-        return {
-            {},
-            {option_fault("--lookup of a folder prints how its light is shown, which needs a "
-                          "transmittance and a multiple_scattering table of three or four channels",
-                          "name one of its files for the lookup of that file")}};
-    }
-    return {film_glsl(*light), {}};
+    return has_colours(light) ? film_glsl(*light) : "";
 }
 
 }  // namespace skybake

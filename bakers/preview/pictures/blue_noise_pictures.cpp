@@ -10,7 +10,7 @@
 
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
-#include "bakers/preview/pictures/noise_spectrum.h"
+#include "bakers/preview/pictures/fourier_transform.h"
 
 namespace skybake {
 namespace {
@@ -76,7 +76,7 @@ class BlueNoisePictures {
         Image2<float> power(width, height, 1);
         double all = 0;
         for (int i = 0; i < frames; ++i) {
-            const std::vector<ComplexLine> columns = frame_transform(slice(volume_, 0, 2, i));
+            const std::vector<ComplexLine> columns = transformed(slice(volume_, 0, 2, i));
             for (int x = 0; x < width; ++x) {
                 for (int y = 0; y < height; ++y) {
                     if (x == 0 && y == 0) continue;
@@ -92,24 +92,6 @@ class BlueNoisePictures {
             value = static_cast<float>(mean > 0 ? double{value} / mean : 0);
         }
         return power;
-    }
-
-    static std::vector<ComplexLine> frame_transform(const Image2<float>& frame) {
-        FourierTransform along_rows(frame.width), along_columns(frame.height);
-        std::vector<ComplexLine> columns(static_cast<std::size_t>(frame.width),
-                                         ComplexLine(static_cast<std::size_t>(frame.height)));
-        ComplexLine row(static_cast<std::size_t>(frame.width));
-        for (int y = 0; y < frame.height; ++y) {
-            for (int x = 0; x < frame.width; ++x) {
-                row[static_cast<std::size_t>(x)] = *frame.texel(x, y);
-            }
-            along_rows(row);
-            for (std::size_t x = 0; x < columns.size(); ++x) {
-                columns[x][static_cast<std::size_t>(y)] = row[x];
-            }
-        }
-        for (ComplexLine& column : columns) along_columns(column);
-        return columns;
     }
 
     void add_power(const Image2<float>& power) {

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "bakers/plot/chart.h"
-#include "bakers/preview/pictures/noise_spectrum.h"
 
 namespace skybake {
 namespace {
@@ -38,7 +37,6 @@ class NoisePictures {
         if (entry_.kind == "cloud_light") return std::move(pictures_);
         add_tiles();
         add_histogram();
-        add_spectrum();
         return std::move(pictures_);
     }
 
@@ -135,8 +133,7 @@ class NoisePictures {
         }
         add("histogram", "histogram",
             "The curves show how often each value of a channel occurs; the area below a curve is "
-            "the share of voxels." +
-                without_spectrum(),
+            "the share of voxels.",
             line_chart(lines, entry_.name + ": histogram", "value", "density", false, false));
         pictures_.back() = as_plot(std::move(pictures_.back()));
     }
@@ -159,65 +156,6 @@ class NoisePictures {
         line.x.push_back(line.x.back());
         line.y.push_back(0);
         return line;
-    }
-
-    bool is_constant(int channel) const {
-        const std::vector<float>& voxels = *volume_.voxels;
-        const auto channels = static_cast<std::size_t>(volume_.channels);
-        const auto first = static_cast<std::size_t>(channel);
-        for (std::size_t i = first; i < voxels.size(); i += channels) {
-            if (voxels[i] != voxels[first]) return false;
-        }
-        return true;
-    }
-
-    std::vector<int> varying_channels() const {
-        std::vector<int> varying;
-        for (int channel = 0; channel < volume_.channels; ++channel) {
-            if (!is_constant(channel)) varying.push_back(channel);
-        }
-        return varying;
-    }
-
-    // Says why there is no spectrum. The text is empty if there is one.
-    std::string without_spectrum() const {
-        if (*std::min_element(volume_.size.begin(), volume_.size.end()) < 2) {
-            return " There is no spectrum: it needs two voxels along each axis.";
-        }
-        return varying_channels().empty() ? " There is no spectrum, since nothing varies." : "";
-    }
-
-    std::string constant_words() const {
-        std::string names;
-        for (int channel = 0; channel < volume_.channels; ++channel) {
-            if (!is_constant(channel)) continue;
-            names +=
-                (names.empty() ? "" : ", ") + entry_.channels[static_cast<std::size_t>(channel)];
-        }
-        return names.empty() ? "" : fmt::format(" Constant channels are left out: {}.", names);
-    }
-
-    void add_spectrum() {
-        if (!without_spectrum().empty()) return;
-        std::vector<ChartLine> lines;
-        for (const int channel : varying_channels()) {
-            const std::string& name = entry_.channels[static_cast<std::size_t>(channel)];
-            ChartLine line{name, noise_line_colour(name), {}, {}};
-            const std::vector<double> spectrum = slice_spectrum(volume_, channel);
-            for (std::size_t k = 1; k < spectrum.size(); ++k) {
-                line.x.push_back(static_cast<double>(k));
-                line.y.push_back(spectrum[k]);
-            }
-            lines.push_back(std::move(line));
-        }
-        add("spectrum", "spectrum",
-            fmt::format("The curves show the variance by frequency up to half a cycle per voxel, "
-                        "averaged over {} slices across x, y and z and over all directions. A "
-                        "channel whose curve rises towards the right end aliases.{}",
-                        spectrum_slices(volume_.size), constant_words()),
-            line_chart(lines, entry_.name + ": spectrum", "frequency (cycles per tile)",
-                       "variance per cycle", true, true));
-        pictures_.back() = as_plot(std::move(pictures_.back()));
     }
 
     const ManifestAsset& entry_;

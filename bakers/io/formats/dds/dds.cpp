@@ -206,12 +206,6 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
     return {complete, {}};
 }
 
-config::Diagnostic damaged_dds_file(const fs::path& path, const std::string& reason) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("skybake cannot read `{}` as a DDS file: {}", path.string(), reason));
-}
-
 // Returns what a header contains that skybake does not write, in words, or nothing.
 std::optional<std::string> strange(const Header& header) {
     const Header plain;
@@ -232,8 +226,8 @@ Outcome<Header> read_header(FileInput& file, const fs::path& path) {
     Header header;
     const auto done = file.read(0, reinterpret_cast<char*>(&header), header_bytes);
     if (!done) return {{}, {file.diagnostic()}};
-    if (*done < header_bytes) return {{}, {damaged_dds_file(path, "it ends within its header")}};
-    if (const auto reason = strange(header)) return {{}, {damaged_dds_file(path, *reason)}};
+    if (*done < header_bytes) return {{}, {damaged_file(path, "DDS", "it ends within its header")}};
+    if (const auto reason = strange(header)) return {{}, {damaged_file(path, "DDS", *reason)}};
     return {header, {}};
 }
 
@@ -246,8 +240,8 @@ Outcome<FileFacts> inspect_dds(const fs::path& path) {
     const auto kind = texel_kind(dxgi, header.value->dxgi_format);
     if (!kind) {
         return {{},
-                {damaged_dds_file(
-                    path, fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
+                {damaged_file(path, "DDS",
+                              fmt::format("its DXGI format is {}", header.value->dxgi_format))}};
     }
     facts.pixel_type = kind->type;
     facts.channels = kind->channels;

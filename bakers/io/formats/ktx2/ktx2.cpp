@@ -116,12 +116,6 @@ Outcome<bool> write_ktx2_file(const FileContent& content, const fs::path& path) 
 
 // --- Reading ------------------------------------------------------------------------------------
 
-config::Diagnostic damaged_ktx2_file(const fs::path& path, const std::string& reason) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("skybake cannot read `{}` as a KTX2 file: {}", path.string(), reason));
-}
-
 // A file that has been opened, with its header and its index of levels.
 class Ktx2File {
   public:
@@ -152,18 +146,19 @@ class Ktx2File {
     std::optional<config::Diagnostic> read_head() {
         const auto done = file_.read(0, reinterpret_cast<char*>(&header_), sizeof header_);
         if (!done) return file_.diagnostic();
-        if (*done < sizeof header_) return damaged_ktx2_file(path_, "it ends within its header");
-        if (const auto reason = unread()) return damaged_ktx2_file(path_, *reason);
+        if (*done < sizeof header_) return damaged_file(path_, "KTX2", "it ends within its header");
+        if (const auto reason = unread()) return damaged_file(path_, "KTX2", *reason);
         places_.resize(header_.levels);
         const std::size_t bytes = places_.size() * sizeof(LevelPlace);
         const auto index =
             file_.read(sizeof header_, reinterpret_cast<char*>(places_.data()), bytes);
         if (!index) return file_.diagnostic();
-        if (*index < bytes) return damaged_ktx2_file(path_, "it ends within its index of levels");
+        if (*index < bytes)
+            return damaged_file(path_, "KTX2", "it ends within its index of levels");
         for (const LevelPlace& place : places_) {
             if (place.offset <= file_.size() && place.bytes <= file_.size() - place.offset)
                 continue;
-            return damaged_ktx2_file(path_, "a level lies beyond its end");
+            return damaged_file(path_, "KTX2", "a level lies beyond its end");
         }
         return std::nullopt;
     }
@@ -198,7 +193,8 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
     FileFacts facts;
     const auto kind = ktx2_texels(header.vk_format);
     if (!kind) {
-        return {{}, {damaged_ktx2_file(path, fmt::format("its VkFormat is {}", header.vk_format))}};
+        return {{},
+                {damaged_file(path, "KTX2", fmt::format("its VkFormat is {}", header.vk_format))}};
     }
     facts.pixel_type = kind->type;
     facts.channels = kind->channels;
@@ -207,13 +203,14 @@ Outcome<FileFacts> inspect_ktx2(const fs::path& path) {
     if (descriptor != data_format_descriptor(*facts.pixel_type, facts.channels)) {
         return {
             {},
-            {damaged_ktx2_file(path, "its data format descriptor is not that of its VkFormat")}};
+            {damaged_file(path, "KTX2", "its data format descriptor is not that of its VkFormat")}};
     }
     const auto values = file.value->part(header.values_offset, header.values_bytes, most_values);
-    if (!values) return {{}, {damaged_ktx2_file(path, "it ends within its keys and values")}};
+    if (!values) return {{}, {damaged_file(path, "KTX2", "it ends within its keys and values")}};
     const std::string_view wanted = ktx2_orientation(header);
     if (ktx2_value(*values, "KTXorientation") != wanted) {
-        return {{}, {damaged_ktx2_file(path, fmt::format("its KTXorientation is not {}", wanted))}};
+        return {{},
+                {damaged_file(path, "KTX2", fmt::format("its KTXorientation is not {}", wanted))}};
     }
     facts.metadata = ktx2_value(*values, metadata_name).value_or("");
     facts.compression = to_string(header.compression == zstandard ? config::Ktx2Compression::zstd
@@ -253,7 +250,8 @@ Outcome<bool> read_ktx2_file(const fs::path& path, const FileShape& shape, int l
                             shape.channels, visit);
     }
     ZstdReader frame(file.value->file(), place.offset, place.bytes);
-    const config::Diagnostic problem = damaged_ktx2_file(path, "its Zstandard stream is damaged");
+    const config::Diagnostic problem =
+        damaged_file(path, "KTX2", "its Zstandard stream is damaged");
     const auto next = [&](char* to, std::size_t count) -> std::optional<config::Diagnostic> {
         if (frame.read(to, count)) return std::nullopt;
         return problem;

@@ -203,19 +203,13 @@ class Reader {
     png_infop info_;
 };
 
-config::Diagnostic damaged_png_file(const fs::path& path, const char* reason) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("skybake cannot read `{}` as a PNG file: {}", path.string(), reason));
-}
-
 Outcome<FileFacts> inspect_png(const fs::path& path) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     try {
         return {Reader(*file.value).open(), {}};
     } catch (const std::exception& error) {
-        return {{}, {damaged_png_file(path, error.what())}};
+        return {{}, {damaged_file(path, "PNG", error.what())}};
     }
 }
 
@@ -276,7 +270,7 @@ Outcome<bool> read_png_file(const fs::path& path, const FileShape& shape, int,
         }
         return read_sheet(rows.source(), shape.size, shape.grid, visit);
     } catch (const std::exception& error) {
-        return {{}, {damaged_png_file(path, error.what())}};
+        return {{}, {damaged_file(path, "PNG", error.what())}};
     }
 }
 

@@ -112,47 +112,32 @@ Outcome<bool> write_tga_file(const FileContent& content, const fs::path& path) {
     return {complete, {}};
 }
 
-config::Diagnostic damaged_tga_file(const fs::path& path, const char* reason) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("skybake cannot read `{}` as a TGA file: {}", path.string(), reason));
-}
-
-// Returns bytes of the file, or nothing if it does not have them.
-std::optional<std::string> bytes_of(FileInput& file, std::uint64_t offset, std::uint64_t count) {
-    if (offset > file.size() || count > file.size() - offset) return std::nullopt;
-    std::string bytes(count, '\0');
-    const auto done = file.read(offset, bytes.data(), count);
-    if (!done || *done < count) return std::nullopt;
-    return bytes;
-}
-
 // Returns the description, or nothing if the areas behind the image are not those of skybake.
 std::optional<std::string> tga_description(FileInput& file) {
     if (file.size() < foot_size) return std::nullopt;
-    const auto foot = bytes_of(file, file.size() - foot_size, foot_size);
+    const auto foot = file_part(file, file.size() - foot_size, foot_size);
     if (!foot || foot->substr(8) != signature) return std::nullopt;
-    const auto directory = bytes_of(file, little(*foot, 4, 4), 12);
+    const auto directory = file_part(file, little(*foot, 4, 4), 12);
     if (!directory || little(*directory, 0, 2) != 1 ||
         little(*directory, 2, 2) != description_tag) {
         return std::nullopt;
     }
-    return bytes_of(file, little(*directory, 4, 4), little(*directory, 8, 4));
+    return file_part(file, little(*directory, 4, 4), little(*directory, 8, 4));
 }
 
 Outcome<FileFacts> inspect_tga_file(FileInput& file, const fs::path& path) {
-    const auto head = bytes_of(file, 0, head_size);
-    if (!head) return {{}, {damaged_tga_file(path, "it ends within its head")}};
+    const auto head = file_part(file, 0, head_size);
+    if (!head) return {{}, {damaged_file(path, "TGA", "it ends within its head")}};
     FileFacts facts;
     facts.pixel_type = PixelType::unorm8;
     facts.image_size = {little(*head, 12, 2), little(*head, 14, 2)};
     facts.channels = little(*head, 16, 1) / 8;
     if (*head != tga_head(static_cast<int>(facts.image_size[0]),
                           static_cast<int>(facts.image_size[1]), facts.channels)) {
-        return {{}, {damaged_tga_file(path, "its head is that of another kind of image")}};
+        return {{}, {damaged_file(path, "TGA", "its head is that of another kind of image")}};
     }
     const auto description = tga_description(file);
-    if (!description) return {{}, {damaged_tga_file(path, "it ends early")}};
+    if (!description) return {{}, {damaged_file(path, "TGA", "it ends early")}};
     facts.metadata = *description;
     return {std::move(facts), {}};
 }

@@ -150,42 +150,27 @@ Outcome<bool> write_tif_file(const FileContent& content, const fs::path& path) {
     return {complete, {}};
 }
 
-config::Diagnostic damaged_tif_file(const fs::path& path, const std::string& reason) {
-    return file_error(
-        "E0304", path.string(),
-        fmt::format("skybake cannot read `{}` as a TIFF file: {}", path.string(), reason));
-}
-
-// Reads a part of a file that is in it.
-std::optional<std::string> tif_part(FileInput& file, std::uint64_t offset, std::size_t count) {
-    if (offset > file.size() || count > file.size() - offset) return std::nullopt;
-    std::string part(count, '\0');
-    const auto done = file.read(offset, part.data(), count);
-    if (!done || *done < count) return std::nullopt;
-    return part;
-}
-
 // Reads the first page's directory, whose entries stand where skybake writes them.
 Outcome<FileFacts> inspect_tif(const fs::path& path) {
     Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
-    const auto head = tif_part(*file.value, 0, tif_head_size);
+    const auto head = file_part(*file.value, 0, tif_head_size);
     if (!head || head->substr(0, 4) != std::string({'I', 'I', 42, 0})) {
-        return {{}, {damaged_tif_file(path, "it does not begin with `II*`")}};
+        return {{}, {damaged_file(path, "TIFF", "it does not begin with `II*`")}};
     }
-    const auto entries = tif_part(*file.value, little(*head, 4, 4), 2 + 10 * tif_entry_size);
+    const auto entries = file_part(*file.value, little(*head, 4, 4), 2 + 10 * tif_entry_size);
     const auto value = [&](std::size_t entry) { return little(*entries, 10 + 12 * entry, 4); };
     if (!entries || little(*entries, 2 + 6 * tif_entry_size, 2) != 270 ||
         little(*entries, 2 + 8 * tif_entry_size, 2) != 277) {
-        return {{}, {damaged_tif_file(path, "its first directory is that of another program")}};
+        return {{}, {damaged_file(path, "TIFF", "its first directory is that of another program")}};
     }
     FileFacts facts;
     facts.pixel_type = PixelType::float32;
     facts.channels = value(8);
     const std::uint32_t length = little(*entries, 6 + 12 * 6, 4);
-    const auto text = tif_part(*file.value, value(6), length);
+    const auto text = file_part(*file.value, value(6), length);
     if (!text || text->empty() || text->back() != '\0') {
-        return {{}, {damaged_tif_file(path, "it ends within its description")}};
+        return {{}, {damaged_file(path, "TIFF", "it ends within its description")}};
     }
     facts.metadata = text->substr(0, text->size() - 1);
     return {std::move(facts), {}};
@@ -202,8 +187,8 @@ Outcome<bool> read_tif_file(const fs::path& path, const FileShape& shape, int,
     const std::uint64_t texels_end = tif_head_size + pages.texel_bytes();
     const std::string tail = tif_tail(pages);
     if (file.value->size() != texels_end + tail.size() ||
-        tif_part(*file.value, 0, tif_head_size) != tif_head(pages) ||
-        tif_part(*file.value, texels_end, tail.size()) != tail) {
+        file_part(*file.value, 0, tif_head_size) != tif_head(pages) ||
+        file_part(*file.value, texels_end, tail.size()) != tail) {
         return {{}, {other_size(path)}};
     }
     return read_texels(
