@@ -32,12 +32,9 @@ class StoredSky : public ::testing::Test {
 
     Shell shell() const { return shell_of(recipe_.parameters.atmosphere); }
 
-    const config::Bake& bake(const std::string& name) const {
-        return config::bake_named(recipe_.parameters, name);
-    }
-
     Baked baked(const std::string& name) const {
-        return *bake_asset(recipe_, bake(name), {.certification = Certification::off}).value;
+        const config::Bake& bake = config::bake_named(recipe_.parameters, name);
+        return *bake_asset(recipe_, bake, {.certification = Certification::off}).value;
     }
 
     std::vector<Spectrum> march(const Baked& moments, int steps, int threads = 1) const {
@@ -53,9 +50,10 @@ class StoredSky : public ::testing::Test {
 
     // The largest relative difference from quadrature with the same moments and exact sunlight.
     double error(const Baked& moments, int steps) const {
-        const auto orders =
-            stored_orders(recipe_.parameters, bake("m").as<config::MultipleScatteringBake>(),
-                          medium_, moments_.image());
+        const auto orders = stored_orders(
+            recipe_.parameters,
+            config::bake_named(recipe_.parameters, "m").as<config::MultipleScatteringBake>(),
+            medium_, moments_.image());
         const SkyIntegrator integrator(medium_, orders.get());
         const std::vector<Spectrum> found = march(moments, steps);
         double largest = 0;

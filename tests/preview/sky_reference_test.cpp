@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -20,20 +20,13 @@ SkyLight solved(const config::Atmosphere& atmosphere) {
     return {atmosphere, config::SkyOrders::all, {}, kOptions};
 }
 
-// The two tables of examples/sky.toml for Hillaire's air.
-test::Sky example_sky() {
-    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
-    std::ostringstream text;
-    text << file.rdbuf();
-    test::Sky sky;
-    sky.recipe = test::recipe_of(text.str(), {"preset=\"earth_hillaire\""});
-    test::bake_tables(sky);
-    return sky;
-}
-
 // Tests a case in which the better sky looked worse, since the reference was the other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
-    const test::Sky better = example_sky();
+    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    test::Sky better;
+    better.recipe = test::recipe_of(text, {"preset=\"earth_hillaire\""});
+    test::bake_tables(better);
     const test::Sky worse = test::sky_of("earth_hillaire");
     const SkyLight light = solved(better.recipe.parameters.atmosphere);
     for (const double sun : {60.0, 10.0, 0.0, -4.0}) {

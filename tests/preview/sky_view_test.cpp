@@ -167,12 +167,12 @@ TEST(SkyView, MomentsAreNearerToPathsThanTheMeanRadiance) {
         const test::Sky sky = solved_sky("earth_hillaire", content, "atmosphere.ground_albedo=0");
         std::vector<SkyRay> rays;
         for (const auto& v : rows) {
-            const SkyView view = test::dome(1, v[0], 90 - v[1]);
-            const double zenith = v[2] * std::numbers::pi / 180;
-            const SkyDirection direction = sky_direction(view, std::cos(zenith), std::sin(zenith),
-                                                         std::cos(v[3] * std::numbers::pi / 180));
-            rays.push_back(sky_ray(shell_of(sky.medium.air), v[0],
-                                   {sun_sine(view), sun_cosine(view)}, direction));
+            const SunZenith sun = {std::cos(v[1] / kDegreesPerRadian),
+                                   std::sin(v[1] / kDegreesPerRadian)};
+            const double zenith = v[2] / kDegreesPerRadian;
+            rays.push_back(sky_ray(shell_of(sky.medium.air), v[0], sun,
+                                   sky_direction(sun, std::cos(zenith), std::sin(zenith),
+                                                 std::cos(v[3] / kDegreesPerRadian))));
         }
         const std::vector<Spectrum> found = march_sky(sky.medium, sky.tables, rays, 160, 1);
         std::vector<double> errors;
@@ -188,11 +188,9 @@ TEST(SkyView, MomentsAreNearerToPathsThanTheMeanRadiance) {
 
 // The first moment is the mean radiance, and pictures of a table show it alone.
 TEST(SkyTables, PicturesOfMomentsAreThoseOfTheMeanRadiance) {
-    const test::Sky moments = solved_sky("earth_hillaire", "moments");
-    const auto shown = table_pictures(moments.multiple_scattering);
+    const auto shown = table_pictures(solved_sky("earth_hillaire", "moments").multiple_scattering);
     const auto mean = table_pictures(solved_sky("earth_hillaire", "hillaire").multiple_scattering);
-    ASSERT_EQ(shown.size(), mean.size());
-    EXPECT_EQ(shown.back().picture.rgb, mean.back().picture.rgb);
+    EXPECT_EQ(shown.at(6).picture.rgb, mean.at(6).picture.rgb);
 }
 
 // Larger tables leave less of the difference to direct integration, down to what marching costs.
