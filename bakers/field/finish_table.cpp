@@ -185,7 +185,8 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
         outcome.diagnostics.push_back(*problem);
         return outcome;
     }
-    if (table.range.below_normal > 0) {
+    // Values of both signs pass through zero, where they need no precision.
+    if (table.range.below_normal > 0 && model.lowest >= 0) {
         Diagnostic warning = failure(
             "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
                                  table.name, table.range.below_normal, values.texels.size(),

@@ -1,14 +1,13 @@
 #include "bakers/plan/found_sky.h"
 
-#include <memory>
-#include <utility>
+#include <vector>
 
 #include "bakers/assets/bruneton/stored_scattering.h"
-#include "bakers/assets/multiple_scattering/stored_orders.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/plan/stored_sky.h"
+#include "bakers/io/manifest/metadata.h"
+#include "bakers/light/solver/solved_light.h"
+#include "bakers/render/sky_view.h"
 #include "config/assets/bruneton.h"
-#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 
@@ -39,17 +38,23 @@ std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
 std::vector<Spectrum> SkyOfWay::march(const SkyWay& way,
                                       const std::vector<const BakedAsset*>& assets,
                                       double& fetches) const {
-    MarchedTables tables{truth_.medium(), assets[0]->baked, places_of(parameters_, *assets[0])};
-    std::unique_ptr<const HigherOrders> orders;
-    int of_step = 1;
-    if (assets.size() > 1) {
-        const auto& bake = assets[1]->bake->as<config::MultipleScatteringBake>();
-        orders = stored_orders(parameters_, bake, truth_.medium(), assets[1]->baked.image());
-        tables.orders = orders.get();
-        of_step += tables_of(bake);
+    std::vector<PreviewAsset> stored;
+    for (const BakedAsset* asset : assets) {
+        stored.push_back({describe(asset->baked), asset->baked.image(), {}});
     }
-    fetches = static_cast<double>(way.steps) * of_step;
-    return truth_.as_compared(march_sky(tables, truth_.views(), way.steps, threads_));
+    const bool is_single = stored.size() == 1;
+    const auto tables = make_sky_tables(stored[0], is_single ? nullptr : &stored[1]);
+    fetches = way.steps * (is_single ? 1.0 : 1.0 + moment_count(tables.value->degree));
+    // The views show the air alone.
+    SkyMedium over_black_ground = truth_.medium();
+    over_black_ground.air.ground_albedo = Spectrum(0.0);
+    const Shell shell = shell_of(over_black_ground.air);
+    std::vector<SkyRay> rays;
+    for (const SkySample& view : truth_.views()) {
+        rays.push_back(camera_ray(shell, view.altitude_km, view.sun, view.direction).in_air);
+    }
+    return truth_.as_compared(
+        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_));
 }
 
 std::vector<Spectrum> SkyOfWay::fetch(const BakedAsset& asset) const {

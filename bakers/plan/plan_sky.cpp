@@ -94,7 +94,7 @@ std::vector<glm::dvec3> weights_of(const config::Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,

@@ -131,11 +131,7 @@ class Preview {
             // A sky view or an environment has pictures of its own.
             if (assets_.of_kind("sky_view") || assets_.of_kind("environment")) return;
             page_.notes.emplace_back(
-                assets_.of_kind("multiple_scattering_moments")
-                    ? "there is no sky: pictures march a table of mean light, and this one holds "
-                      "moments; asset = \"sky_view\" shows the sky of the same light"
-                    : "there is no sky: it needs both a transmittance and a multiple_scattering "
-                      "table");
+                "there is no sky: it needs both a transmittance and a multiple_scattering table");
             return;
         }
         begin_stage("sky");

@@ -16,8 +16,7 @@ using config::Recipe;
 
 // They are the tables of the preset `earth`, from light that skies share.
 constexpr const char* kTables =
-    "[bake.transmittance]\nsize = [256, 64]\n[bake.multiple_scattering]\nmethod = \"solved\"\n"
-    "mapping = \"twilight\"\nsize = [64, 64]\n";
+    "[bake.transmittance]\nsize = [256, 64]\n[bake.multiple_scattering]\ncontent = \"moments\"\n";
 
 // Skies of a few cameras and suns take some MiB. Beyond this many assets the memo is emptied.
 constexpr std::size_t kMostAssets = 64;

@@ -67,7 +67,7 @@ std::optional<Thumbnail> sky_picture(const PreviewAssets& assets, PreviewOptions
     const PreviewAsset* transmittance = assets.of_kind("transmittance");
     const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
     if (!transmittance || !scattering || !assets.recipe) return std::nullopt;
-    auto tables = make_sky_tables(*transmittance, *scattering);
+    auto tables = make_sky_tables(*transmittance, scattering);
     if (!tables.value) return std::nullopt;
     SkyView view;
     view.projection = SkyProjection::panorama;

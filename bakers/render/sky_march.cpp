@@ -15,10 +15,17 @@ namespace HWY_NAMESPACE {
 
 static_assert(FloatLanes::kCount <= static_cast<std::size_t>(kMarchPadding));
 
-// Looks up a table bilinearly between texel centres, clamped to the edge. x and y are in [0, 1]
-// except for rounding.
-template <class Real, int kChannels>
-HWY_INLINE void look_up(const LookupTable& table, Real x, Real y, Real* value) {
+// The four texels about a place, by the index of the lower left one, and their weights.
+template <class Real>
+struct TexelPlace {
+    decltype(to_int(Real())) index;
+    Real low_left, low_right, high_left, high_right;
+};
+
+// Returns the place between texel centres, clamped to the edge. x and y are in [0, 1] except for
+// rounding.
+template <class Real>
+HWY_INLINE TexelPlace<Real> place_in(const LookupTable& table, Real x, Real y) {
     const Real across = minimum(maximum(x * Real(table.scale_x) + Real(table.offset_x), Real(0.0f)),
                                 Real(static_cast<float>(table.width - 1)));
     const Real up = minimum(maximum(y * Real(table.scale_y) + Real(table.offset_y), Real(0.0f)),
@@ -27,20 +34,33 @@ HWY_INLINE void look_up(const LookupTable& table, Real x, Real y, Real* value) {
     const auto row = to_int(up);
     const Real s = across - to_float(column);
     const Real t = up - to_float(row);
-    const auto index = (row * table.texels_per_row + column) * kChannels;
-    const float* low = table.texels.data();
-    const float* high = low + table.texels_per_row * kChannels;
-    const Real low_left = (Real(1.0f) - s) * (Real(1.0f) - t);
-    const Real low_right = s * (Real(1.0f) - t);
-    const Real high_left = (Real(1.0f) - s) * t;
-    const Real high_right = s * t;
+    return {(row * table.texels_per_row + column) * table.channels,
+            (Real(1.0f) - s) * (Real(1.0f) - t), s * (Real(1.0f) - t), (Real(1.0f) - s) * t, s * t};
+}
+
+// Looks up the channels from number `first` on bilinearly.
+template <class Real, int kChannels>
+HWY_INLINE void look_up(const LookupTable& table, const TexelPlace<Real>& place, int first,
+                        Real* value) {
+    const float* low = table.texels.data() + first;
+    const float* high = low + table.texels_per_row * table.channels;
+    const int right = table.channels;
     for (int c = 0; c < kChannels; ++c) {
-        value[c] =
-            (gather(low + c, index) * low_left + gather(low + c + kChannels, index) * low_right) +
-            (gather(high + c, index) * high_left +
-             gather(high + c + kChannels, index) * high_right);
+        value[c] = (gather(low + c, place.index) * place.low_left +
+                    gather(low + c + right, place.index) * place.low_right) +
+                   (gather(high + c, place.index) * place.high_left +
+                    gather(high + c + right, place.index) * place.high_right);
     }
 }
+
+// A ray where it begins.
+template <class Real>
+struct MarchRay {
+    Real altitude_km;
+    Real s_km;      // r mu
+    Real sun_s_km;  // r mu_s
+    Real cosine_to_sun;
+};
 
 // A point on a ray and the sun's position there.
 template <class Real>
@@ -67,7 +87,8 @@ HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Rea
         point.sun_s_km;
     const Real top_horizon(sky.top_horizon_km);
     const Real x_mu = (d - gain) / (point.horizon_km + top_horizon - gain);
-    look_up<Real, kChannels>(sky.tables->transmittance, x_mu, point.horizon_km / top_horizon,
+    const LookupTable& table = sky.tables->transmittance;
+    look_up<Real, kChannels>(table, place_in(table, x_mu, point.horizon_km / top_horizon), 0,
                              value);
     const auto hidden = point.sun_s_km < -point.horizon_km;
     for (int c = 0; c < kChannels; ++c) {
@@ -76,16 +97,16 @@ HWY_INLINE void sunlight(const SkyMarch& sky, const MarchPoint<Real>& point, Rea
     }
 }
 
-template <class Real, int kChannels>
-HWY_INLINE void multiple_scattering(const SkyMarch& sky, const MarchPoint<Real>& point,
-                                    Real* value) {
+// Returns the place of a point in the table of light that is scattered again.
+template <class Real>
+HWY_INLINE TexelPlace<Real> scattering_place(const SkyMarch& sky, const MarchPoint<Real>& point) {
     Real mu = point.sun_s_km / point.r_km;
     if (sky.tables->twilight) {
         const Real root = square_root(absolute(mu));
         mu = select(mu < Real(0.0f), -root, root);
     }
-    look_up<Real, kChannels>(sky.tables->multiple_scattering, Real(0.5f) + Real(0.5f) * mu,
-                             point.altitude_km / Real(sky.thickness_km), value);
+    return place_in(sky.tables->multiple_scattering, Real(0.5f) + Real(0.5f) * mu,
+                    point.altitude_km / Real(sky.thickness_km));
 }
 
 template <class Real>
@@ -94,11 +115,14 @@ HWY_INLINE Real density_at(const MarchLayer& layer, Real altitude_km) {
         return exponential_of_negative(altitude_km * Real(-1.0f / layer.scale_height_km));
     }
     Real density(0.0f);
-    for (const MarchPiece& piece : layer.pieces) {
-        const Real within = Real(piece.density_at_bottom) +
-                            Real(piece.density_per_km) * (altitude_km - Real(piece.bottom_km));
-        density = select(altitude_km < Real(piece.bottom_km), density,
-                         select(altitude_km < Real(piece.top_km), within, Real(0.0f)));
+    for (const LinearPiece& piece : layer.pieces) {
+        const Real bottom_km(static_cast<float>(piece.bottom_km));
+        const Real within =
+            Real(static_cast<float>(piece.density_at_bottom)) +
+            Real(static_cast<float>(piece.density_per_km)) * (altitude_km - bottom_km);
+        const Real top_km(static_cast<float>(piece.top_km));
+        density = select(altitude_km < bottom_km, density,
+                         select(altitude_km < top_km, within, Real(0.0f)));
     }
     return density;
 }
@@ -127,7 +151,7 @@ HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value)
     Real sun[kChannels];
     Real psi[kChannels];
     sunlight<Real, kChannels>(sky, point, sun);
-    multiple_scattering<Real, kChannels>(sky, point, psi);
+    look_up<Real, kChannels>(sky.tables->multiple_scattering, scattering_place(sky, point), 0, psi);
     for (int c = 0; c < kChannels; ++c) {
         const float albedo = sky.ground_albedo[static_cast<std::size_t>(c)];
         const Real direct = mu * sun[c] * Real(std::numbers::inv_pi_v<float>);
@@ -141,35 +165,33 @@ HWY_INLINE void ground_radiance(const SkyMarch& sky, Real sun_s_km, Real* value)
 // Where a ray ends and where its air is densest.
 template <class Real>
 struct MarchPath {
-    Real s_km;  // r mu
     Real length_km;
     Real densest_km;
     decltype(Real() < Real()) hits_ground;
 };
 
 template <class Real>
-HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, Real mu) {
-    const float r = sky.ground_radius_km + sky.camera_altitude_km;
-    const float gain = sky.thickness_km - sky.camera_altitude_km;
-    const float drop = sky.camera_altitude_km * (sky.ground_radius_km + r);  // rho^2
-    const Real s = Real(r) * mu;
-    const auto hits_ground = s < Real(-square_root(drop));
+HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, const MarchRay<Real>& ray) {
+    const Real r = Real(sky.ground_radius_km) + ray.altitude_km;
+    const Real gain = Real(sky.thickness_km) - ray.altitude_km;
+    const Real drop = ray.altitude_km * (Real(sky.ground_radius_km) + r);  // rho^2
+    const Real s = ray.s_km;
+    const auto hits_ground = s < -square_root(drop);
     // The distances are those of bakers/air/ray.h. At the top of the atmosphere, a horizontal ray
     // has no length.
-    const float rise = gain * (2 * r + gain);
-    const Real root_to_top = square_root(s * s + Real(rise));
-    const Real to_top = select(Real(0.0f) < s, Real(rise) / (root_to_top + s), root_to_top - s);
-    const Real to_ground = Real(drop) / (square_root(maximum(s * s - Real(drop), Real(0.0f))) - s);
-    return {s, select(hits_ground, to_ground, to_top),
+    const Real rise = gain * (r + r + gain);
+    const Real root_to_top = square_root(s * s + rise);
+    const Real to_top = select(Real(0.0f) < s, rise / (root_to_top + s), root_to_top - s);
+    const Real to_ground = drop / (square_root(maximum(s * s - drop, Real(0.0f))) - s);
+    return {select(hits_ground, to_ground, to_top),
             select(hits_ground, to_ground, maximum(-s, Real(0.0f))), hits_ground};
 }
 
 template <class Real>
-HWY_INLINE Real altitude_at(const SkyMarch& sky, Real s_km, Real distance_km) {
-    const Real r(sky.ground_radius_km + sky.camera_altitude_km);
-    const Real q = distance_km * (distance_km + s_km + s_km);
-    const Real altitude =
-        Real(sky.camera_altitude_km) + q / (square_root(maximum(r * r + q, Real(0.0f))) + r);
+HWY_INLINE Real altitude_at(const SkyMarch& sky, const MarchRay<Real>& ray, Real distance_km) {
+    const Real r = Real(sky.ground_radius_km) + ray.altitude_km;
+    const Real q = distance_km * (distance_km + ray.s_km + ray.s_km);
+    const Real altitude = ray.altitude_km + q / (square_root(maximum(r * r + q, Real(0.0f))) + r);
     // Only rounding can take the altitude out of the shell.
     return minimum(maximum(altitude, Real(0.0f)), Real(sky.thickness_km));
 }
@@ -178,8 +200,8 @@ HWY_INLINE Real altitude_at(const SkyMarch& sky, Real s_km, Real distance_km) {
 template <class Real, int kChannels>
 struct AirSample {
     Real extinction[kChannels];
-    Real scattering[kChannels];
-    Real scattered_to_eye[kChannels];  // sum of sigma_s p
+    Real scattering[kMostMomentDegree + 1][kChannels];  // times the Legendre moments
+    Real scattered_to_eye[kChannels];                   // sum of sigma_s p
 };
 
 template <class Real, int kChannels>
@@ -187,8 +209,8 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
                            AirSample<Real, kChannels>& sample) {
     for (int c = 0; c < kChannels; ++c) {
         sample.extinction[c] = Real(0.0f);
-        sample.scattering[c] = Real(0.0f);
         sample.scattered_to_eye[c] = Real(0.0f);
+        for (int l = 0; l <= sky.degree; ++l) sample.scattering[l][c] = Real(0.0f);
     }
     for (const MarchLayer& layer : sky.layers) {
         const Real density = density_at(layer, altitude_km);
@@ -199,19 +221,69 @@ HWY_INLINE void sample_air(const SkyMarch& sky, Real altitude_km, const float* p
             sample.extinction[c] =
                 sample.extinction[c] + density * Real(layer.extinction_per_km[channel]);
             if (!layer.scatters) continue;
-            const Real scattering = density * Real(layer.scattering_per_km[channel]);
-            sample.scattering[c] = sample.scattering[c] + scattering;
-            sample.scattered_to_eye[c] = sample.scattered_to_eye[c] + scattering * phase;
+            sample.scattered_to_eye[c] =
+                sample.scattered_to_eye[c] +
+                density * Real(layer.scattering_per_km.front()[channel]) * phase;
+            for (int l = 0; l <= sky.degree; ++l) {
+                const auto of_degree = static_cast<std::size_t>(l);
+                sample.scattering[l][c] =
+                    sample.scattering[l][c] +
+                    density * Real(layer.scattering_per_km[of_degree][channel]);
+            }
         }
+    }
+}
+
+// Returns the light that a km of air scatters again towards the eye, whose direction has the cosine
+// `mu` of the zenith angle: the sum of solved_scattering_table.h, which is that of the published lookup
+// (examples/lookups/moments.glsl).
+template <class Real, int kChannels>
+HWY_INLINE void scattered_again(const SkyMarch& sky, const MarchPoint<Real>& point, Real mu,
+                                Real cosine_to_sun, const AirSample<Real, kChannels>& air,
+                                Real* value) {
+    const LookupTable& table = sky.tables->multiple_scattering;
+    const TexelPlace<Real> place = scattering_place(sky, point);
+    const Real one(1.0f);
+    const Real sun_mu = minimum(maximum(point.sun_s_km / point.r_km, -one), one);
+    mu = minimum(maximum(mu, -one), one);
+    const Real sine = square_root((one - mu) * (one + mu));
+    const Real sines = sine * square_root((one - sun_mu) * (one + sun_mu));
+    const Real along = cosine_to_sun - mu * sun_mu;
+    // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
+    const Real azimuth_cosine =
+        select(absolute(along) < sines, along / sines, select(along < Real(0.0f), -one, one));
+    for (int c = 0; c < kChannels; ++c) value[c] = Real(0.0f);
+    Real last = one;  // cos(m phi), by Chebyshev's recursion
+    Real before = azimuth_cosine;
+    Real sectoral = one;  // P_m^m
+    for (int m = 0; m <= sky.degree; ++m) {
+        Real lower(0.0f);
+        Real harmonic = sectoral;  // P_l^m, by the recursion that ascends in l
+        for (int l = m; l <= sky.degree; ++l) {
+            Real moment[kChannels];
+            look_up<Real, kChannels>(table, place, (l * (l + 1) / 2 + m) * kChannels, moment);
+            for (int c = 0; c < kChannels; ++c) {
+                value[c] = value[c] + air.scattering[l][c] * (harmonic * last) * moment[c];
+            }
+            const Real higher = (Real(static_cast<float>(2 * l + 1)) * mu * harmonic -
+                                 Real(static_cast<float>(l + m)) * lower) *
+                                Real(1 / static_cast<float>(l + 1 - m));
+            lower = harmonic;
+            harmonic = higher;
+        }
+        sectoral = sectoral * sine * Real(static_cast<float>(2 * m + 1));
+        const Real next = azimuth_cosine * (last + last) - before;
+        before = last;
+        last = next;
     }
 }
 
 // Marches one ray per lane. `phases` has the phase functions of the layers in each channel, `stride`
 // apart.
 template <class Real, int kChannels>
-HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const float* phases,
+HWY_INLINE void march(const SkyMarch& sky, const MarchRay<Real>& ray, const float* phases,
                       int stride, Real* radiance) {
-    const MarchPath<Real> path = path_of(sky, mu);
+    const MarchPath<Real> path = path_of(sky, ray);
     const Real begin = -square_root(path.densest_km);
     const Real range = square_root(path.length_km - path.densest_km) - begin;
     Real throughput[kChannels];
@@ -228,17 +300,17 @@ HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const fl
         const Real t = path.densest_km + Real(0.5f) * (from + to);
         from = to;
         const MarchPoint<Real> point =
-            point_at(sky, altitude_at(sky, path.s_km, t), Real(sky.sun_s_km) + t * cosine_to_sun);
+            point_at(sky, altitude_at(sky, ray, t), ray.sun_s_km + t * ray.cosine_to_sun);
         AirSample<Real, kChannels> air;
         sample_air(sky, point.altitude_km, phases, stride, air);
         Real sun[kChannels];
-        Real psi[kChannels];
+        Real again[kChannels];
         sunlight<Real, kChannels>(sky, point, sun);
-        multiple_scattering<Real, kChannels>(sky, point, psi);
+        scattered_again(sky, point, (ray.s_km + t) / point.r_km, ray.cosine_to_sun, air, again);
         for (int c = 0; c < kChannels; ++c) {
             const Real depth = air.extinction[c] * width;
             const Real transmitted = exponential_of_negative(-depth);
-            const Real source = air.scattered_to_eye[c] * sun[c] + air.scattering[c] * psi[c];
+            const Real source = air.scattered_to_eye[c] * sun[c] + again[c];
             radiance[c] = radiance[c] +
                           throughput[c] * source * width * mean_transmittance(depth, transmitted);
             throughput[c] = throughput[c] * transmitted;
@@ -246,7 +318,7 @@ HWY_INLINE void march(const SkyMarch& sky, Real mu, Real cosine_to_sun, const fl
     }
     if (!any(path.hits_ground)) return;
     Real ground[kChannels];
-    ground_radiance<Real, kChannels>(sky, Real(sky.sun_s_km) + path.length_km * cosine_to_sun,
+    ground_radiance<Real, kChannels>(sky, ray.sun_s_km + path.length_km * ray.cosine_to_sun,
                                      ground);
     for (int c = 0; c < kChannels; ++c) {
         radiance[c] =
@@ -259,10 +331,11 @@ HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* rad
     using Access = LaneAccess<Real>;
     for (int i = 0; i < rays.count; i += Access::kCount) {
         const auto at = static_cast<std::size_t>(i);
-        const Real cosine = Access::load(rays.cosine_to_sun.data() + at);
+        const MarchRay<Real> ray = {
+            Access::load(rays.altitude_km.data() + at), Access::load(rays.s_km.data() + at),
+            Access::load(rays.sun_s_km.data() + at), Access::load(rays.cosine_to_sun.data() + at)};
         Real value[kChannels];
-        march<Real, kChannels>(sky, Access::load(rays.mu.data() + at), cosine,
-                               rays.phases.data() + at, rays.count, value);
+        march<Real, kChannels>(sky, ray, rays.phases.data() + at, rays.count, value);
         for (int c = 0; c < kChannels; ++c) Access::store(value[c], radiance + c * rays.count + i);
     }
 }

@@ -28,28 +28,32 @@ struct LookupTable {
     int width = 0;
     int height = 0;
     int channels = 0;
-    // Channels are interleaved. The last column and the last row are repeated, so that a lookup
-    // always has a right and an upper neighbour.
+    // Channels are interleaved, and those of a moment stand together. The last column and the last
+    // row are repeated, so that a lookup always has a right and an upper neighbour.
     int texels_per_row = 0;
     std::vector<float> texels;
     float scale_x = 0, offset_x = 0;
     float scale_y = 0, offset_y = 0;
 };
 
+// The largest degree of a table's moments.
+inline constexpr int kMostMomentDegree = 8;
+
 struct SkyTables {
     LookupTable transmittance;           // x_mu, x_r of bakers/air/transmittance_mapping.h
     bool holds_optical_depth = false;    // transmittance is exp(-value)
     LookupTable multiple_scattering;     // sun's coordinate, altitude / thickness
+    int degree = 0;                      // of its moments; 0: it holds the mean radiance alone
     bool twilight = false;               // the mapping of the sun's coordinate is "twilight"
     std::vector<double> wavelengths_nm;  // of each channel, where the file states them
     ScreenColor screen;                  // how the light of the channels is shown
 };
 
-// Makes the tables from two assets of the same atmosphere. The manifest tells what an asset's
-// mapping and parameters are. E0304 if an asset is of another kind, its mapping is unknown, its
-// parameters are no recipe, or the numbers of channels differ.
+// Makes the tables from two assets of the same atmosphere; without the second no light is scattered
+// again. The manifest tells what an asset's mapping and parameters are. E0304 if an asset is of another
+// kind, its mapping is unknown, its parameters are no recipe, or the numbers of channels differ.
 config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
-                                           const PreviewAsset& multiple_scattering);
+                                           const PreviewAsset* multiple_scattering);
 
 // Returns the transmittance from an altitude towards the sun at r mu_s = `sun_s_km`, one value per
 // channel; 0 if the planet hides the sun.

@@ -15,99 +15,105 @@ namespace skybake {
 
 namespace {
 
-// Half of the sun's mean angular diameter from Earth, 0.533 degrees.
-
 std::array<float, kMaxChannels> floats(const Spectrum& values) {
     return {static_cast<float>(values.x), static_cast<float>(values.y),
             static_cast<float>(values.z), static_cast<float>(values.w)};
 }
 
-MarchLayer march_layer(const SkyLayer& layer) {
+MarchLayer march_layer(const SkyLayer& layer, int degree) {
     MarchLayer result;
     if (!layer.alone.exponential_layers.empty()) {
-        const ExponentialLayer& air = layer.alone.exponential_layers.front();
-        result.scale_height_km = static_cast<float>(air.scale_height_km);
-        result.scattering_per_km = floats(air.scattering_per_km);
-        result.extinction_per_km = floats(air.extinction_per_km);
+        result.scale_height_km =
+            static_cast<float>(layer.alone.exponential_layers.front().scale_height_km);
     } else {
-        const PiecewiseLayer& air = layer.alone.piecewise_layers.front();
-        for (const LinearPiece& piece : air.pieces) {
-            result.pieces.push_back({static_cast<float>(piece.bottom_km),
-                                     static_cast<float>(piece.top_km),
-                                     static_cast<float>(piece.density_at_bottom),
-                                     static_cast<float>(piece.density_per_km)});
-        }
-        result.scattering_per_km = floats(air.scattering_per_km);
-        result.extinction_per_km = floats(air.extinction_per_km);
+        result.pieces = layer.alone.piecewise_layers.front().pieces;
     }
+    const Coefficients full = full_coefficients(layer);
+    for (const Spectrum& moment : scattered_moments(layer, degree)) {
+        result.scattering_per_km.push_back(floats(full.scattering_per_km * moment));
+    }
+    result.extinction_per_km = floats(full.extinction_per_km);
     result.scatters = layer.scatters;
     return result;
 }
 
-SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                    int steps) {
+SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, int steps) {
     const Medium& air = medium.air;
     SkyMarch sky;
     sky.channels = air.channels;
+    sky.degree = tables.degree;
     sky.ground_radius_km = static_cast<float>(air.ground_radius_km);
     sky.thickness_km = static_cast<float>(air.thickness_km);
     sky.top_horizon_km = static_cast<float>(horizon_distance_km(shell_of(air), air.thickness_km));
-    sky.camera_altitude_km = static_cast<float>(view.camera_altitude_km);
-    sky.sun_s_km =
-        static_cast<float>((air.ground_radius_km + view.camera_altitude_km) * sun_sine(view));
     sky.ground_albedo = floats(air.ground_albedo);
-    for (const SkyLayer& layer : medium.layers) sky.layers.push_back(march_layer(layer));
+    for (const SkyLayer& layer : medium.layers) {
+        sky.layers.push_back(march_layer(layer, tables.degree));
+    }
     sky.tables = &tables;
     sky.steps = steps;
     return sky;
 }
 
-void add_ray(const SkyDirection& direction, MarchRays& rays) {
-    rays.mu.push_back(static_cast<float>(direction.mu));
-    rays.cosine_to_sun.push_back(static_cast<float>(direction.cosine_to_sun));
+void add_ray(const SkyRay& ray, MarchRays& rays) {
+    rays.altitude_km.push_back(static_cast<float>(ray.altitude_km));
+    rays.s_km.push_back(static_cast<float>(ray.s_km));
+    rays.sun_s_km.push_back(static_cast<float>(ray.sun_s_km));
+    rays.cosine_to_sun.push_back(static_cast<float>(ray.cosine_to_sun));
     ++rays.count;
 }
 
-// Fills in the phase functions of all layers for the directions of the rays.
-void add_phases(const SkyMedium& medium, const std::vector<SkyDirection>& directions,
-                MarchRays& rays) {
+// Fills in the phase functions of all layers for the rays.
+void add_phases(const SkyMedium& medium, const std::vector<SkyRay>& from, MarchRays& rays) {
     const auto channels = static_cast<std::size_t>(medium.air.channels);
-    rays.phases.resize(medium.layers.size() * channels * directions.size());
+    rays.phases.resize(medium.layers.size() * channels * from.size());
     for (std::size_t layer = 0; layer < medium.layers.size(); ++layer) {
-        for (std::size_t i = 0; i < directions.size(); ++i) {
-            const Spectrum phase =
-                phase_values(medium.layers[layer].phase, directions[i].one_minus_cosine,
-                             directions[i].one_plus_cosine);
+        for (std::size_t i = 0; i < from.size(); ++i) {
+            const Spectrum phase = first_phase_values(
+                medium.layers[layer], from[i].one_minus_cosine, from[i].one_plus_cosine);
             for (std::size_t c = 0; c < channels; ++c) {
-                rays.phases[(layer * channels + c) * directions.size() + i] =
+                rays.phases[(layer * channels + c) * from.size() + i] =
                     static_cast<float>(phase[c]);
             }
         }
     }
 }
 
+// Returns the radiance along rays, of which there is at least one.
+template <class March>
+std::vector<Spectrum> marched(const SkyMedium& medium, const SkyMarch& sky,
+                              std::vector<SkyRay> rays, const March& march) {
+    std::vector<Spectrum> light(rays.size());
+    while (rays.size() % kMarchPadding != 0) rays.push_back(rays.back());
+    MarchRays together;
+    for (const SkyRay& ray : rays) add_ray(ray, together);
+    add_phases(medium, rays, together);
+    const auto channels = static_cast<std::size_t>(sky.channels);
+    std::vector<float> radiance(rays.size() * channels);
+    march(sky, together, radiance.data());
+    for (std::size_t i = 0; i < light.size(); ++i) {
+        for (std::size_t c = 0; c < channels; ++c) light[i][c] = radiance[c * rays.size() + i];
+    }
+    return light;
+}
+
 // Renders the left half of a row; the right half is its mirror image.
 template <class March>
 void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& view, int y,
                 const March& march, Image2<float>& image) {
-    MarchRays rays;
+    const SunZenith sun = {sun_sine(view), sun_cosine(view)};
     std::vector<int> columns;
-    std::vector<SkyDirection> directions;
+    std::vector<SkyRay> rays;
     for (int x = 0; x < (view.width + 1) / 2; ++x) {
         const std::optional<SkyDirection> direction = direction_at(view, x, y);
         if (!direction) continue;
         columns.push_back(x);
-        directions.push_back(*direction);
+        rays.push_back(sky_ray(shell_of(medium.air), view.camera_altitude_km, sun, *direction));
     }
     if (columns.empty()) return;
-    while (directions.size() % kMarchPadding != 0) directions.push_back(directions.back());
-    for (const SkyDirection& direction : directions) add_ray(direction, rays);
-    add_phases(medium, directions, rays);
-    std::vector<float> radiance(static_cast<std::size_t>(rays.count * sky.channels));
-    march(sky, rays, radiance.data());
+    const std::vector<Spectrum> light = marched(medium, sky, std::move(rays), march);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (int c = 0; c < sky.channels; ++c) {
-            const float value = radiance[static_cast<std::size_t>(c * rays.count) + i];
+            const auto value = static_cast<float>(light[i][static_cast<std::size_t>(c)]);
             image.texel(columns[i], y)[c] = value;
             image.texel(view.width - 1 - columns[i], y)[c] = value;
         }
@@ -117,7 +123,7 @@ void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& vie
 template <class March>
 Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                      int threads, int steps, const March& march) {
-    const SkyMarch sky = make_march(medium, tables, view, steps);
+    const SkyMarch sky = make_march(medium, tables, steps);
     Image2<float> image(view.width, view.height, sky.channels);
     parallel_for(view.height, threads,
                  [&](int y) { render_row(medium, sky, view, y, march, image); });
@@ -125,6 +131,15 @@ Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const Sky
 }
 
 }  // namespace
+
+Coefficients full_coefficients(const SkyLayer& layer) {
+    const auto of = [](const auto& air) {
+        return Coefficients{air.scattering_per_km, air.extinction_per_km};
+    };
+    const Medium& alone = layer.alone;
+    return alone.exponential_layers.empty() ? of(alone.piecewise_layers.front())
+                                            : of(alone.exponential_layers.front());
+}
 
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps) {
@@ -134,6 +149,22 @@ Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
                                 const SkyView& view, int threads) {
     return render(medium, tables, view, threads, kSkySteps, march_rays_scalar);
+}
+
+std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,
+                                const std::vector<SkyRay>& rays, int steps, int threads) {
+    constexpr std::ptrdiff_t kTogether = 8 * kMarchPadding;
+    const SkyMarch sky = make_march(medium, tables, steps);
+    std::vector<Spectrum> light(rays.size());
+    const auto count = static_cast<std::ptrdiff_t>(rays.size());
+    parallel_for(static_cast<int>((count + kTogether - 1) / kTogether), threads, [&](int part) {
+        const std::ptrdiff_t begin = part * kTogether;
+        const std::ptrdiff_t end = std::min(begin + kTogether, count);
+        std::ranges::copy(
+            marched(medium, sky, {rays.begin() + begin, rays.begin() + end}, march_rays),
+            light.begin() + begin);
+    });
+    return light;
 }
 
 }  // namespace skybake

@@ -4,7 +4,8 @@
 //   L = sum over segments of T (1 - e^(-sigma_t dt)) / sigma_t
 //           [ sum over layers of sigma_s p(nu) T_sun + sigma_s Psi ]
 //
-// in 1/sr for a solar irradiance of 1. Densities are taken at the middle of each segment, and the
+// in 1/sr for a solar irradiance of 1. Where the table holds moments, the sum of
+// solved_scattering_table.h over them takes the place of Psi. Densities are taken at the middle of each segment, and the
 // integral over the segment is exact for them (Hillaire 2020, "A Scalable and Production Ready Sky
 // and Atmosphere Rendering Technique", section 5.2). The sun is a point. If the planet hides it,
 // T_sun is 0; this is tested before the lookup.
@@ -41,5 +42,12 @@ Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const
 // Does the same without vectors. It is the specification of render_sky.
 Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
                                 const SkyView& view, int threads);
+
+// Returns the coefficients of a layer where its density is 1.
+Coefficients full_coefficients(const SkyLayer& layer);
+
+// Returns the radiance along rays of any cameras and suns, in as many segments.
+std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,
+                                const std::vector<SkyRay>& rays, int steps, int threads);
 
 }  // namespace skybake

@@ -82,7 +82,7 @@ room bakers/workspace math field io assets
 room bakers/plot field io
 room bakers/render math color field io air light occupancy march plot
 room bakers/report math field io assets plot
-room bakers/plan math field io air light occupancy march assets workspace plot report
+room bakers/plan math field io air light occupancy march assets workspace plot render report
 room bakers/preview math color field io air light occupancy march assets workspace plot render report
 
 # The drawing of bakers/FLOW.md leaves out arrows that follow from others: rooms are listed after all that

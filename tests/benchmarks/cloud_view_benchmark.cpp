@@ -42,7 +42,7 @@ Scene make_scene(const std::string& preset) {
     Scene scene;
     scene.air = make_sky_medium(parameters.atmosphere);
     scene.tables =
-        *make_sky_tables(*assets.of_kind("transmittance"), *assets.of_kind("multiple_scattering"))
+        *make_sky_tables(*assets.of_kind("transmittance"), assets.of_kind("multiple_scattering"))
              .value;
     scene.cloud = cloud_medium(parameters.clouds.front(),
                                assets.of_kind("cloud_volume")->voxels.data(), {256, 256, 64}, 1, 0);

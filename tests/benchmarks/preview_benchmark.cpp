@@ -37,7 +37,7 @@ Sky make_earth() {
         asset.table = baked.value->image();
     }
     return {make_sky_medium(recipe.value->parameters.atmosphere),
-            *make_sky_tables(transmittance, multiple_scattering).value,
+            *make_sky_tables(transmittance, &multiple_scattering).value,
             recipe.value->parameters.atmosphere};
 }
 

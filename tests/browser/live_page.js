@@ -18,7 +18,7 @@ preset = "earth_hillaire"
 [bake.transmittance]
 size = [64, 32]
 [bake.multiple_scattering]
-mapping = "twilight"
+content = "moments"
 size = [32, 32]
 `;
 const cloud = `
@@ -78,6 +78,22 @@ const tests = {
         assert.deepEqual(wrong, []);
         assert.deepEqual(page.complaints, []);
         assert.deepEqual(page.requests, [pathToFileURL(path.join(out, 'index.html')).href]);
+    },
+
+    // Through haze the light depends on direction, by many percent of it.
+    async 'marches the moments of haze in each direction'(browser) {
+        const haze = '[atmosphere.layers.mie]\nscattering = "4e-5 /m"\nextinction = "4.4e-5 /m"\n';
+        const text = tables.replace('\n[bake', `\n${haze}[bake`).replace('"moments"', '"moments"\ndegree = 4') + cloud;
+        execFileSync(program, ['bake', write('haze.toml', text), '-o', path.join(work, 'haze'), '-q']);
+        const out = path.join(work, 'of_haze');
+        execFileSync(program, ['preview', path.join(work, 'haze'), '--live', '-o', out, '-q']);
+        const page = await open(browser, path.join(out, 'index.html'));
+        const view = {...views.clear_sky, bound: 0.6};
+        const {measure, wrong} = await comparison(page, 'haze', 'cumulus_lit', {
+            towards: {...view, heading: 105, sun_elevation: 4}, beside: {...view, heading: 15, sun_elevation: 40},
+            away: {...view, heading: 285, sun_elevation: 10, pitch: 20}});
+        for (const name of ['towards', 'beside', 'away']) await measure('as baked', name, true);
+        assert.deepEqual(wrong, []);
     },
 
     async 'leaps change no picture, only its cost'(browser) {

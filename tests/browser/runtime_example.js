@@ -26,9 +26,11 @@ const is_port = name_of_example !== 'webgl';
 // the first copy, from where rays and what shades them stay within it.
 const below = {...common, position: [3000, 3000, 200], pitch: 68, fov: 36};
 const views = {
-    clouds: {...below, sun_elevation: 50, bound: 1.7},
-    evening: {...below, sun_elevation: 30, bound: 2.25},
+    clouds: {...below, sun_elevation: 50, bound: 0.8},
+    evening: {...below, sun_elevation: 30, bound: 0.85},
     clear_sky: {...common, position: [0, 0, 3000], pitch: 30, sun_elevation: 20, bound: 0.6},
+    // The sky opposite the sun below the horizon, whose light depends most on direction.
+    dusk: {...common, position: [0, 0, 3000], heading: 355, pitch: 25, sun_elevation: -4, exposure: 1000, bound: 0.6},
     ground: {...common, position: [0, 0, 99000], pitch: -8, fov: 60, sun_elevation: 20, bound: 0.65},
 };
 
@@ -49,7 +51,7 @@ function preview(name) {
     const shown = pitch < 0 ? [path.join(work, 'recipe.toml'), ...without_extinction] : [path.join(example, 'baked')];
     execFileSync(program, ['preview', ...shown, '-o', path.join(work, `preview_${name}`), '-q', '--table-sky', '--camera', camera, '--size', size.join('x'), '--exposure', String(Math.log2(exposure)),
         '--sun-elevation', String(sun_elevation), '--sun-azimuth', String(sun_azimuth)]);
-    return `preview_${name}/cloud_lit_sun_${sun_elevation}.png`;
+    return `preview_${name}/cloud_lit_sun_${String(sun_elevation).replace('-', 'minus_')}.png`;
 }
 
 // A copy of the bake in which one file has its rows, or a volume its slices, in the opposite order.

@@ -1,14 +1,15 @@
 // The march of a runtime with stored tables, beside quadrature that shares neither steps nor tables.
-#include "bakers/plan/stored_sky.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "bakers/assets/multiple_scattering/stored_orders.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/field/baked.h"
+#include "bakers/io/manifest/metadata.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/plan/scene_views.h"
+#include "bakers/render/sky_view.h"
 #include "config/assets/multiple_scattering.h"
 
 namespace skybake {
@@ -17,12 +18,13 @@ namespace {
 class StoredSky : public ::testing::Test {
   protected:
     StoredSky()
-        : recipe_(*config::parse_recipe("preset = \"earth_hillaire\"\n"
-                                        "[bake.t]\nasset = \"transmittance\"\nsize = [512, 128]\n"
-                                        "[bake.m]\nasset = \"multiple_scattering\"\n"
-                                        "size = [64, 64]\ncontent = \"moments\"\ndegree = 4\n",
-                                        "recipe")
-                       .value),
+        : recipe_(
+              *config::parse_recipe("preset = \"earth_hillaire\"\n[atmosphere]\nground_albedo = 0\n"
+                                    "[bake.t]\nasset = \"transmittance\"\nsize = [512, 128]\n"
+                                    "[bake.m]\nasset = \"multiple_scattering\"\n"
+                                    "size = [64, 64]\ncontent = \"moments\"\ndegree = 4\n",
+                                    "recipe")
+                   .value),
           medium_(make_sky_medium(recipe_.parameters.atmosphere)),
           transmittance_(baked("t")),
           moments_(baked("m")),
@@ -30,32 +32,28 @@ class StoredSky : public ::testing::Test {
 
     Shell shell() const { return shell_of(recipe_.parameters.atmosphere); }
 
-    const config::Bake& bake(const std::string& name) const {
-        for (const config::Bake& one : recipe_.parameters.bakes) {
-            if (one.name == name) return one;
-        }
-        throw std::logic_error(name);
-    }
-
     Baked baked(const std::string& name) const {
-        return *bake_asset(recipe_, bake(name), {.certification = Certification::off}).value;
+        const config::Bake& bake = config::bake_named(recipe_.parameters, name);
+        return *bake_asset(recipe_, bake, {.certification = Certification::off}).value;
     }
 
-    std::vector<Spectrum> march(const Baked& moments, int steps) const {
-        const auto orders =
-            stored_orders(recipe_.parameters, bake("m").as<config::MultipleScatteringBake>(),
-                          medium_, moments.image());
-        const StoredTexels stored{"bruneton", {512, 128}, 3};
-        const AssetPlaces places =
-            baker_of(bake("t")).places(recipe_.parameters, bake("t"), stored);
-        return march_sky({medium_, transmittance_, places, orders.get()}, views_, steps, 1);
+    std::vector<Spectrum> march(const Baked& moments, int steps, int threads = 1) const {
+        const PreviewAsset transmittance = {describe(transmittance_), transmittance_.image(), {}};
+        const PreviewAsset scattering = {describe(moments), moments.image(), {}};
+        std::vector<SkyRay> rays;
+        for (const SkySample& view : views_) {
+            rays.push_back(camera_ray(shell(), view.altitude_km, view.sun, view.direction).in_air);
+        }
+        return march_sky(medium_, *make_sky_tables(transmittance, &scattering).value, rays, steps,
+                         threads);
     }
 
     // The largest relative difference from quadrature with the same moments and exact sunlight.
     double error(const Baked& moments, int steps) const {
-        const auto orders =
-            stored_orders(recipe_.parameters, bake("m").as<config::MultipleScatteringBake>(),
-                          medium_, moments_.image());
+        const auto orders = stored_orders(
+            recipe_.parameters,
+            config::bake_named(recipe_.parameters, "m").as<config::MultipleScatteringBake>(),
+            medium_, moments_.image());
         const SkyIntegrator integrator(medium_, orders.get());
         const std::vector<Spectrum> found = march(moments, steps);
         double largest = 0;
@@ -101,13 +99,7 @@ TEST_F(StoredSky, WrongTablesShow) {
 }
 
 TEST_F(StoredSky, SameBitsForAnyThreads) {
-    const auto orders =
-        stored_orders(recipe_.parameters, bake("m").as<config::MultipleScatteringBake>(), medium_,
-                      moments_.image());
-    const AssetPlaces places =
-        baker_of(bake("t")).places(recipe_.parameters, bake("t"), {"bruneton", {512, 128}, 3});
-    const MarchedTables tables{medium_, transmittance_, places, orders.get()};
-    EXPECT_EQ(march_sky(tables, views_, 8, 1), march_sky(tables, views_, 8, 3));
+    EXPECT_EQ(march(moments_, 8, 1), march(moments_, 8, 3));
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     const PreviewAssets assets = baked(kSky);
     const std::string film = film_lookup(assets, 1);
     const auto tables =
-        make_sky_tables(*assets.of_kind("transmittance"), *assets.of_kind("multiple_scattering"));
+        make_sky_tables(*assets.of_kind("transmittance"), assets.of_kind("multiple_scattering"));
     const GroundIrradiance ground =
         ground_irradiance({make_sky_medium(assets.recipe->parameters.atmosphere), *tables.value},
                           {kDaylightElevation, 0}, 1);

@@ -40,7 +40,7 @@ inline void bake_tables(Sky& sky) {
         asset.table = baked.value->image();
     }
     sky.medium = make_sky_medium(sky.recipe.parameters.atmosphere);
-    auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);
+    auto tables = make_sky_tables(sky.transmittance, &sky.multiple_scattering);
     EXPECT_TRUE(tables.value);
     if (tables.value) sky.tables = std::move(*tables.value);
 }

@@ -4,7 +4,7 @@
 
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -20,25 +20,14 @@ SkyLight solved(const config::Atmosphere& atmosphere) {
     return {atmosphere, config::SkyOrders::all, {}, kOptions};
 }
 
-// The two tables of examples/sky.toml for Hillaire's air: as they are, or with multiple scattering by
-// Hillaire's closure at the size and mapping that the key's defaults have.
-test::Sky example_sky(std::vector<std::string> settings) {
-    settings.emplace_back("preset=\"earth_hillaire\"");
-    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
-    std::ostringstream text;
-    text << file.rdbuf();
-    test::Sky sky;
-    sky.recipe = test::recipe_of(text.str(), settings);
-    test::bake_tables(sky);
-    return sky;
-}
-
 // Tests a case in which the better sky looked worse, since the reference was the other one's closure.
 TEST(SkyReference, SolvedTablesAreNearerToItThanHillairesAtEverySun) {
-    const test::Sky better = example_sky({});
-    const test::Sky worse = example_sky({"bake.multiple_scattering.method=\"converged\"",
-                                         "bake.multiple_scattering.mapping=\"hillaire\"",
-                                         "bake.multiple_scattering.size=[32,32]"});
+    std::ifstream file(SKYBAKE_EXAMPLES "/sky.toml");
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    test::Sky better;
+    better.recipe = test::recipe_of(text, {"preset=\"earth_hillaire\""});
+    test::bake_tables(better);
+    const test::Sky worse = test::sky_of("earth_hillaire");
     const SkyLight light = solved(better.recipe.parameters.atmosphere);
     for (const double sun : {60.0, 10.0, 0.0, -4.0}) {
         const SkyView view = test::dome(20, 0.2, sun);

@@ -1,17 +1,21 @@
 #include "bakers/render/sky_view.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <string>
 
+#include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/render/sky_rays.h"
 #include "tests/preview/closure_sky.h"
 #include "tests/preview/skies.h"
 #include "tests/support/every_target.h"
+#include "tests/support/number_rows.h"
 
 namespace skybake {
 namespace {
@@ -41,6 +45,14 @@ test::Sky peculiar_sky() {
          "bake.multiple_scattering.max_texel_error=0.02"});
 }
 
+// All orders solved, as "hillaire" or "moments".
+test::Sky solved_sky(const char* preset, const char* content, const char* setting = "format=1") {
+    return test::sky_of(preset,
+                        {"bake.multiple_scattering.method=\"solved\"",
+                         "bake.multiple_scattering.mapping=\"twilight\"",
+                         fmt::format("bake.multiple_scattering.content=\"{}\"", content), setting});
+}
+
 // Views that reach the hard places: sun on the horizon, below it and in the zenith, camera on the
 // ground, above it and at the top, ground and sky.
 std::vector<SkyView> hard_views(double thickness_km) {
@@ -62,7 +74,8 @@ double largest(const Image2<float>& image) {
 
 TEST(SkyView, HasTheSameBitsOnEveryTargetAsItsSpecification) {
     for (const test::Sky& sky :
-         {test::sky_of("earth_hillaire"), peculiar_sky(), test::sky_of("earth_clear_mountain")}) {
+         {test::sky_of("earth_hillaire"), peculiar_sky(), test::sky_of("earth_clear_mountain"),
+          solved_sky("earth_hillaire", "moments", "bake.multiple_scattering.degree=3")}) {
         for (const SkyView& view : {test::dome(37, 0.2, 5), test::panorama(46, 3, -3)}) {
             const Image2<float> wanted = render_sky_scalar(sky.medium, sky.tables, view, 1);
             EXPECT_GT(largest(wanted), 0);
@@ -138,12 +151,46 @@ TEST(SkyView, IsFiniteAndNotNegativeInHardPlaces) {
             }
         }
     }
-    const test::Sky peculiar = peculiar_sky();
-    for (const SkyView& view : hard_views(peculiar.medium.air.thickness_km)) {
-        for (const float value : render_sky(peculiar.medium, peculiar.tables, view, 1).texels) {
-            ASSERT_TRUE(value >= 0 && value < 1e3) << view.sun_elevation_degrees;
+    for (const test::Sky& sky : {peculiar_sky(), solved_sky("earth_urban_haze", "moments")}) {
+        for (const SkyView& view : hard_views(sky.medium.air.thickness_km)) {
+            for (const float value : render_sky(sky.medium, sky.tables, view, 1).texels) {
+                ASSERT_TRUE(value >= 0 && value < 1e3) << view.sun_elevation_degrees;
+            }
         }
     }
+}
+
+// Against the path-traced radiance of Earth's air over black ground that closure_sky_test.cpp has.
+TEST(SkyView, MomentsAreNearerToPathsThanTheMeanRadiance) {
+    const auto rows = test::number_rows(SKYBAKE_TEST_DATA "/truth_sky_setH0_h0.5.csv");
+    const auto median_error = [&](const char* content) {
+        const test::Sky sky = solved_sky("earth_hillaire", content, "atmosphere.ground_albedo=0");
+        std::vector<SkyRay> rays;
+        for (const auto& v : rows) {
+            const SunZenith sun = {std::cos(v[1] / kDegreesPerRadian),
+                                   std::sin(v[1] / kDegreesPerRadian)};
+            const double zenith = v[2] / kDegreesPerRadian;
+            rays.push_back(sky_ray(shell_of(sky.medium.air), v[0], sun,
+                                   sky_direction(sun, std::cos(zenith), std::sin(zenith),
+                                                 std::cos(v[3] / kDegreesPerRadian))));
+        }
+        const std::vector<Spectrum> found = march_sky(sky.medium, sky.tables, rays, 160, 1);
+        std::vector<double> errors;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            errors.push_back(
+                std::fabs(found[i][static_cast<std::size_t>(rows[i][4])] / rows[i][11] - 1));
+        }
+        std::sort(errors.begin(), errors.end());
+        return errors[errors.size() / 2];
+    };
+    EXPECT_LT(median_error("moments"), 0.5 * median_error("hillaire"));
+}
+
+// The first moment is the mean radiance, and pictures of a table show it alone.
+TEST(SkyTables, PicturesOfMomentsAreThoseOfTheMeanRadiance) {
+    const auto shown = table_pictures(solved_sky("earth_hillaire", "moments").multiple_scattering);
+    const auto mean = table_pictures(solved_sky("earth_hillaire", "hillaire").multiple_scattering);
+    EXPECT_EQ(shown.at(6).picture.rgb, mean.at(6).picture.rgb);
 }
 
 // Larger tables leave less of the difference to direct integration, down to what marching costs.
@@ -250,24 +297,27 @@ TEST(SkyTables, KnowsWhatATableHoldsByItsKeyAndNotByItsWords) {
             test::sky_of("earth_hillaire", {"bake.transmittance.content=\"" + content + "\""});
         for (const char* words : {"optical depth", "transmittance", "light"}) {
             sky.transmittance.entry.content = words;
-            const auto tables = make_sky_tables(sky.transmittance, sky.multiple_scattering);
+            const auto tables = make_sky_tables(sky.transmittance, &sky.multiple_scattering);
             ASSERT_TRUE(tables.value) << words;
             EXPECT_EQ(tables.value->holds_optical_depth, is_depth) << words;
         }
         sky.transmittance.entry.parameters = "[bake.transmittance]\ncontent = \"shade\"\n";
-        EXPECT_FALSE(make_sky_tables(sky.transmittance, sky.multiple_scattering).value);
+        EXPECT_FALSE(make_sky_tables(sky.transmittance, &sky.multiple_scattering).value);
     }
 }
 
 TEST(SkyTables, RefusesWhatIsNoPair) {
     const test::Sky& sky = earth();
-    EXPECT_FALSE(make_sky_tables(sky.multiple_scattering, sky.transmittance).value);
+    EXPECT_FALSE(make_sky_tables(sky.multiple_scattering, &sky.transmittance).value);
     PreviewAsset strange = sky.transmittance;
     strange.entry.mapping = "linear";
-    EXPECT_FALSE(make_sky_tables(strange, sky.multiple_scattering).value);
+    EXPECT_FALSE(make_sky_tables(strange, &sky.multiple_scattering).value);
+    PreviewAsset cut = solved_sky("earth_hillaire", "moments").multiple_scattering;
+    cut.table = Image2<float>(64, 64, 3);  // no six tables
+    EXPECT_FALSE(make_sky_tables(sky.transmittance, &cut).value);
     PreviewAsset grey = sky.multiple_scattering;
     grey.table = Image2<float>(32, 32, 1);
-    const auto outcome = make_sky_tables(sky.transmittance, grey);
+    const auto outcome = make_sky_tables(sky.transmittance, &grey);
     EXPECT_FALSE(outcome.value);
     ASSERT_EQ(outcome.diagnostics.size(), 1U);
     EXPECT_EQ(outcome.diagnostics[0].code, "E0304");

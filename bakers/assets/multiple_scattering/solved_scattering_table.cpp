@@ -91,7 +91,6 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
         "Psi (1/sr): mean radiance of all light but the sun's own, per unit of solar irradiance; "
         "multiply by sigma_s alone";
     if (degree > 0) {
-        table.kind = "multiple_scattering_moments";
         table.content = fmt::format(
             "moments M_lm (1/sr) of the light, degree {}: sigma_s chi_l M_lm P_l^m(mu) cos(m phi), "
             "summed over l and m, is what an eye that looks along (mu, phi) gets from a km of a "

@@ -10,6 +10,7 @@
 
 #include "bakers/assets/registry/registry.h"
 #include "bakers/march/cloud_light.h"
+#include "bakers/render/sky_view.h"
 #include "bakers/render/sun_disc.h"
 #include "config/recipe/recipe.h"
 
@@ -24,29 +25,30 @@ std::string light_of(const Spectrum& value, int channels) {
     return text + ")";
 }
 
-// Returns "const Light NAME[n] = Light[n](...);" with one value for each layer.
-template <class Value>
-std::string layer_values(const std::string& name, const SkyMedium& medium, const Value& value_of) {
-    std::string values;
+// Returns "const Light NAME[n] = Light[n](...);" with `of_each` values for each layer.
+template <class Values>
+std::string layer_values(const std::string& name, const SkyMedium& medium, std::size_t of_each,
+                         const Values& values_of) {
+    std::vector<std::string> values;
     for (const SkyLayer& layer : medium.layers) {
-        values +=
-            (values.empty() ? "" : ",\n    ") + light_of(value_of(layer), medium.air.channels);
+        for (const Spectrum& value : values_of(layer)) {
+            values.push_back(light_of(value, medium.air.channels));
+        }
     }
-    if (values.empty()) values = "Light(0.0)";
-    const std::size_t count = std::max<std::size_t>(medium.layers.size(), 1);
-    return fmt::format("const Light {}[{}] = Light[{}](\n    {});\n", name, count, count, values);
+    if (values.empty()) values.resize(of_each, "Light(0.0)");
+    return fmt::format("const Light {}[{}] = Light[{}](\n    {});\n", name, values.size(),
+                       values.size(), fmt::join(values, ",\n    "));
 }
 
-const Spectrum& scattering_of(const SkyLayer& layer) {
-    return layer.alone.exponential_layers.empty()
-               ? layer.alone.piecewise_layers.front().scattering_per_km
-               : layer.alone.exponential_layers.front().scattering_per_km;
+// Returns the coefficient of scattering times the phase function's moments up to a degree.
+std::vector<Spectrum> scattering_of(const SkyLayer& layer, int degree) {
+    std::vector<Spectrum> moments = scattered_moments(layer, degree);
+    for (Spectrum& moment : moments) moment *= full_coefficients(layer).scattering_per_km;
+    return moments;
 }
 
-const Spectrum& extinction_of(const SkyLayer& layer) {
-    return layer.alone.exponential_layers.empty()
-               ? layer.alone.piecewise_layers.front().extinction_per_km
-               : layer.alone.exponential_layers.front().extinction_per_km;
+std::vector<Spectrum> extinction_of(const SkyLayer& layer) {
+    return {full_coefficients(layer).extinction_per_km};
 }
 
 // Returns density_at, and the pieces of layers that are linear piece by piece.
@@ -124,25 +126,30 @@ std::string limb_glsl(const SkyTables& tables, int channels) {
 std::string live_air_glsl(const LiveLight& light) {
     const Medium& air = light.medium.air;
     const Shell shell = shell_of(air);
+    const int degree = light.tables.degree;
     return fmt::format("#define Light vec{}\n", air.channels) +
            fmt::format("const float R = {}, D = {};\n", glsl_number(shell.ground_radius_km),
                        glsl_number(shell.thickness_km)) +
-           fmt::format("const int LAYERS = {};\n",
-                       std::max<std::size_t>(light.medium.layers.size(), 1)) +
+           fmt::format("const int LAYERS = {}, DEGREE = {};\n",
+                       std::max<std::size_t>(light.medium.layers.size(), 1), degree) +
            fmt::format("const Light ALBEDO = {};\n", light_of(air.ground_albedo, air.channels)) +
            limb_glsl(light.tables, air.channels) +
-           layer_values("SCATTERING", light.medium, scattering_of) +
-           layer_values("EXTINCTION_OF_AIR", light.medium, extinction_of) +
+           layer_values("SCATTERING", light.medium, static_cast<std::size_t>(degree) + 1,
+                        [&](const SkyLayer& layer) { return scattering_of(layer, degree); }) +
+           layer_values("EXTINCTION_OF_AIR", light.medium, 1, extinction_of) +
            densities(light.medium) +
            lookup_of(*light.recipe, *light.transmittance, "baked_transmittance") + "\n" +
            lookup_of(*light.recipe, *light.multiple_scattering, "baked_multiple_scattering") +
            "\n" + std::string(published_lookup("phase")) +
            fmt::format(
-               "uniform highp sampler2D transmittance_table;\n"
-               "Light sun_through(float h, float mu) {{ return {}; }}\n",
+               "uniform highp sampler2D transmittance_table, scattering_table;\n"
+               "Light sun_through(float h, float mu) {{ return {}; }}\n"
+               "Light light_moment(float h, float mu, int part) {{\n"
+               "    return baked_multiple_scattering(scattering_table, h, mu{});\n}}\n",
                light.tables.holds_optical_depth
                    ? "exp(-baked_transmittance(transmittance_table, h, mu))"
-                   : "baked_transmittance(transmittance_table, h, mu)") +
+                   : "baked_transmittance(transmittance_table, h, mu)",
+               degree > 0 ? ", part" : "") +
            fmt::format("vec3 shown(Light light) {{ return {}; }}\n",
                        screen_glsl(light.tables.screen, air.channels));
 }

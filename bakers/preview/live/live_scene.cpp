@@ -54,7 +54,7 @@ std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAss
         !has_section(recipe, *scattering)) {
         return std::nullopt;
     }
-    auto tables = make_sky_tables(*transmittance, *scattering);
+    auto tables = make_sky_tables(*transmittance, scattering);
     if (!tables.value) return std::nullopt;
     LiveLight light{&recipe, transmittance, scattering,
                     make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};

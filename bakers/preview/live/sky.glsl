@@ -1,7 +1,7 @@
 // The air, marched by its two tables as bakers/render/sky_view.h describes. The camera is h km above the ground,
 // z is up, and light is per unit of solar irradiance, in the channels of the tables. Above this text stand the
 // numbers of the recipe and the lookups of the tables (live_glsl.h).
-uniform highp sampler2D scattering_table, phase_table;
+uniform highp sampler2D phase_table;
 uniform vec3 sun;
 
 const float PI = 3.14159265;
@@ -14,12 +14,36 @@ Light sunlight(float h, float s) {
     return sun_through(h, s / (R + h));
 }
 
-Light scattered_light(float h, float s) { return baked_multiple_scattering(scattering_table, h, s / (R + h)); }
+// What a km of air scatters again towards the eye, whose direction has the cosine mu of its zenith angle and nu of its
+// angle to the sun (scattered_again of bakers/render/sky_march.cpp). `scattering` are the air's coefficients times the
+// moments of its phase functions.
+Light scattered_again(float h, float s, float mu, float nu, Light scattering[DEGREE + 1]) {
+    float sun_mu = clamp(s / (R + h), -1.0, 1.0), view_mu = clamp(mu, -1.0, 1.0);
+    float sine = sqrt((1.0 - view_mu) * (1.0 + view_mu)), sines = sine * sqrt((1.0 - sun_mu) * (1.0 + sun_mu));
+    float along = nu - view_mu * sun_mu;
+    float azimuth_cosine = abs(along) < sines ? along / sines : along < 0.0 ? -1.0 : 1.0;
+    Light sum = Light(0.0);
+    float last = 1.0, before = azimuth_cosine, sectoral = 1.0;                  // cos(m phi), P_m^m
+    for (int m = 0; m <= DEGREE; ++m) {
+        float lower = 0.0, harmonic = sectoral;                                 // P_l^m
+        for (int l = m; l <= DEGREE; ++l) {
+            sum += scattering[l] * (harmonic * last) * light_moment(h, sun_mu, l * (l + 1) / 2 + m);
+            float higher = (float(2 * l + 1) * view_mu * harmonic - float(l + m) * lower) / float(l + 1 - m);
+            lower = harmonic;
+            harmonic = higher;
+        }
+        sectoral *= sine * float(2 * m + 1);
+        float next = 2.0 * azimuth_cosine * last - before;
+        before = last;
+        last = next;
+    }
+    return sum;
+}
 
 // The radiance of the ground.
 Light ground_light(float s) {
     Light direct = max(s / R, 0.0) * sunlight(0.0, s) / PI;
-    Light from_sky = max(2.0 * scattered_light(0.0, s) - ALBEDO * direct, 0.0) / (1.0 + ALBEDO);
+    Light from_sky = max(2.0 * light_moment(0.0, s / R, 0) - ALBEDO * direct, 0.0) / (1.0 + ALBEDO);
     return ALBEDO * (direct + from_sky);
 }
 
@@ -60,15 +84,17 @@ Air air_along(float h, vec3 ray) {
         float y = begin + range * float(i) / float(SKY_STEPS), to = y * abs(y), width = to - from;
         float t = densest + 0.5 * (from + to), q = t * (t + 2.0 * s);
         float altitude = clamp(h + q / (sqrt(max(r * r + q, 0.0)) + r), 0.0, D), sun_s = r * sun.z + t * nu;
-        Light extinction = Light(0.0), scattering = Light(0.0), to_eye = Light(0.0);
+        Light extinction = Light(0.0), to_eye = Light(0.0), scattering[DEGREE + 1];
+        for (int l = 0; l <= DEGREE; ++l) scattering[l] = Light(0.0);
         for (int layer = 0; layer < LAYERS; ++layer) {
             float density = density_at(layer, altitude);
             extinction += density * EXTINCTION_OF_AIR[layer];
-            scattering += density * SCATTERING[layer];
-            to_eye += density * SCATTERING[layer] * phases[layer];
+            to_eye += density * SCATTERING[layer * (DEGREE + 1)] * phases[layer];
+            for (int l = 0; l <= DEGREE; ++l) scattering[l] += density * SCATTERING[layer * (DEGREE + 1) + l];
         }
         Light depth = extinction * width, passed = exp(-depth);
-        Light source = to_eye * sunlight(altitude, sun_s) + scattering * scattered_light(altitude, sun_s);
+        Light again = scattered_again(altitude, sun_s, (s + t) / (R + altitude), nu, scattering);
+        Light source = to_eye * sunlight(altitude, sun_s) + again;
         air.light += air.through * source * width * mean_through(depth, passed);
         air.through *= passed;
         from = to;

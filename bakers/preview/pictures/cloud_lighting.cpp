@@ -22,7 +22,7 @@ std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
                                     const PreviewAsset& transmittance,
                                     const PreviewAsset& multiple_scattering, std::string name,
                                     int threads) {
-    auto tables = make_sky_tables(transmittance, multiple_scattering);
+    auto tables = make_sky_tables(transmittance, &multiple_scattering);
     if (!tables.value) return std::nullopt;
     Lighting lighting{make_sky_medium(atmosphere), std::move(*tables.value), std::move(name),
                       nullptr, nullptr};

@@ -318,7 +318,7 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
                                          const PreviewAsset& transmittance,
                                          const PreviewAsset& multiple_scattering,
                                          const SkyPreviewOptions& options, int threads) {
-    config::Outcome<SkyTables> tables = make_sky_tables(transmittance, multiple_scattering);
+    config::Outcome<SkyTables> tables = make_sky_tables(transmittance, &multiple_scattering);
     std::vector<PreviewPicture> pictures;
     if (!tables.value) return pictures;
     SkyMedium medium = make_sky_medium(atmosphere);

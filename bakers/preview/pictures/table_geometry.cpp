@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/multiple_scattering/stored_orders.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/asset_parameters.h"
@@ -59,9 +60,8 @@ std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
     }
     if (const auto* scattering = bake.find<config::MultipleScatteringBake>()) {
         const bool solved = scattering->method == config::MultipleScatteringMethod::solved;
-        if (solved && scattering->content == config::MultipleScatteringContent::moments) {
-            return std::nullopt;  // several tables in one
-        }
+        geometry.tables_ = tables_of(*scattering);
+        geometry.size_[1] /= geometry.tables_;
         geometry.suns_ = sun_columns(scattering->mapping, solved ? parameters.scene : std::nullopt,
                                      geometry.shell_);
         return geometry;

@@ -24,6 +24,8 @@ class TableGeometry {
     // Whether its texels are optical depths in place of transmittances.
     bool holds_optical_depth() const { return holds_optical_depth_; }
     double thickness_km() const { return shell_.thickness_km; }
+    // How many tables of equal size lie below each other. The functions below are those of the first.
+    int tables() const { return tables_; }
     // One per channel.
     const std::vector<double>& wavelengths_nm() const { return wavelengths_nm_; }
 
@@ -48,6 +50,7 @@ class TableGeometry {
 
     bool is_transmittance_ = false;
     bool holds_optical_depth_ = false;
+    int tables_ = 1;
     Shell shell_;
     TexelConvention convention_ = TexelConvention::end_points_on_texel_centres;
     SunColumns suns_;  // of multiple scattering

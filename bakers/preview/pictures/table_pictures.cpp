@@ -74,7 +74,9 @@ struct Quantity {
 
 Quantity quantity_of(const TableGeometry& geometry) {
     if (!geometry.is_transmittance()) {
-        return {"Multiple scattering", "Ψ (1/sr)", "sun zenith angle (deg)", true};
+        const bool has_moments = geometry.tables() > 1;
+        return {has_moments ? "Mean radiance, the first moment" : "Multiple scattering", "Ψ (1/sr)",
+                "sun zenith angle (deg)", true};
     }
     if (geometry.holds_optical_depth()) {
         return {"Optical depth", "optical depth to the top", "zenith angle of the ray (deg)", true};
@@ -355,7 +357,11 @@ std::vector<PreviewPicture> table_pictures(const PreviewAsset& asset) {
     const Image2<float>& table = asset.table;
     if (table.width <= 0 || table.height <= 0 || table.channels <= 0) return {};
     if (const auto geometry = TableGeometry::of(asset.entry)) {
-        return TablePictures(asset, *geometry).make();
+        PreviewAsset first = asset;
+        first.table.height /= geometry->tables();
+        first.table.texels.resize(first.table.texels.size() /
+                                  static_cast<std::size_t>(geometry->tables()));
+        return TablePictures(first, *geometry).make();
     }
     const auto coordinate = [](double t) { return t; };
     const Image2<float> colors = ScreenColor(asset.entry.conventions, table.channels).shown(table);

@@ -7,6 +7,8 @@ const float R = 6360.0, D = 100.0, ALBEDO = 0.3, PI = 3.14159265;
 const vec3 RAYLEIGH = vec3(5.802e-3, 1.3558e-2, 3.31e-2), OZONE = vec3(6.5e-4, 1.881e-3, 8.5e-5);
 const float MIE = 3.996e-3, MIE_EXTINCTION = 4.44e-3, MIE_G = 0.8;
 const int SKY_STEPS = 40;
+// Legendre moments of the two phase functions below, as examples/lookups/moments.glsl takes them.
+const vec3 RAYLEIGH_MOMENTS = vec3(1.0, 0.0, 0.1), MIE_MOMENTS = vec3(1.0, 0.8436, 0.7097);
 
 // Rayleigh's phase function, and that of Cornette and Shanks, in 1/sr.
 float rayleigh_phase(float nu) { return 0.0596831037 * (1.0 + nu * nu); }
@@ -24,11 +26,20 @@ vec3 sunlight(float h, float s) {
 // The mean radiance of the sky there. The table has that of all directions, half of which are ground.
 vec3 skylight(float h, float s) {
     vec3 sun = max(s / (R + h), 0.0) * sunlight(h, s) / PI;
-    vec3 mean = baked_multiple_scattering(multiple_scattering_table, h, s / (R + h));
+    vec3 mean = baked_multiple_scattering(multiple_scattering_table, h, s / (R + h), 0);
     return max(2.0 * mean - ALBEDO * sun, 0.0) / (1.0 + ALBEDO);
 }
 
 vec3 ground(float s) { return ALBEDO * (max(s / R, 0.0) * sunlight(0.0, s) / PI + skylight(0.0, s)); }
+
+// What a km of air scatters again towards the eye. mu is the cosine of the view's zenith angle there, sun_mu
+// that of the sun's, and nu that of the angle between them.
+vec3 scattered_air(float h, vec2 density, float mu, float sun_mu, float nu) {
+    float sines = sqrt(max((1.0 - mu * mu) * (1.0 - sun_mu * sun_mu), 0.0)), along = nu - mu * sun_mu;
+    float c = abs(along) < sines ? along / sines : sign(along);             // a vertical has no azimuth
+    return density.x * RAYLEIGH * baked_multiple_scattering_scattered(multiple_scattering_table, h, sun_mu, mu, c, RAYLEIGH_MOMENTS)
+         + density.y * MIE * baked_multiple_scattering_scattered(multiple_scattering_table, h, sun_mu, mu, c, MIE_MOMENTS);
+}
 
 struct Air { vec3 light, through; };
 
@@ -50,9 +61,8 @@ Air air_along(float h, vec3 ray, vec3 sun, float reach, int steps) {
         vec2 density = exp(-altitude / vec2(8.0, 1.2));
         vec3 extinction = density.x * RAYLEIGH + density.y * MIE_EXTINCTION +
                           max(1.0 - abs(altitude - 25.0) / 15.0, 0.0) * OZONE;
-        vec3 mean = baked_multiple_scattering(multiple_scattering_table, altitude, sun_s / (R + altitude));
         vec3 source = (density.x * rayleigh + density.y * mie) * sunlight(altitude, sun_s) +
-                      (density.x * RAYLEIGH + density.y * MIE) * mean;
+                      scattered_air(altitude, density, (s + t) / (R + altitude), sun_s / (R + altitude), nu);
         vec3 passed = exp(-extinction * width);
         air.light += air.through * source * (1.0 - passed) / extinction;
         air.through *= passed;

@@ -7,6 +7,8 @@ static const float R = 6360.0, D = 100.0, ALBEDO = 0.3, PI = 3.14159265;
 static const float3 RAYLEIGH = float3(5.802e-3, 1.3558e-2, 3.31e-2), OZONE = float3(6.5e-4, 1.881e-3, 8.5e-5);
 static const float MIE = 3.996e-3, MIE_EXTINCTION = 4.44e-3, MIE_G = 0.8;
 static const int SKY_STEPS = 40;
+// Legendre moments of the two phase functions below, as examples/lookups/moments.glsl takes them.
+static const float3 RAYLEIGH_MOMENTS = float3(1.0, 0.0, 0.1), MIE_MOMENTS = float3(1.0, 0.8436, 0.7097);
 
 // Rayleigh's phase function, and that of Cornette and Shanks, in 1/sr.
 float rayleigh_phase(float nu) { return 0.0596831037 * (1.0 + nu * nu); }
@@ -24,11 +26,22 @@ float3 sunlight(float h, float s) {
 // The mean radiance of the sky there. The table has that of all directions, half of which are ground.
 float3 skylight(float h, float s) {
     float3 sun = max(s / (R + h), 0.0) * sunlight(h, s) / PI;
-    float3 mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, h, s / (R + h));
+    float3 mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, h, s / (R + h), 0);
     return max(2.0 * mean - ALBEDO * sun, 0.0) / (1.0 + ALBEDO);
 }
 
 float3 ground(float s) { return ALBEDO * (max(s / R, 0.0) * sunlight(0.0, s) / PI + skylight(0.0, s)); }
+
+// What a km of air scatters again towards the eye. mu is the cosine of the view's zenith angle there, sun_mu
+// that of the sun's, and nu that of the angle between them.
+float3 scattered_air(float h, float2 density, float mu, float sun_mu, float nu) {
+    float sines = sqrt(max((1.0 - mu * mu) * (1.0 - sun_mu * sun_mu), 0.0)), along = nu - mu * sun_mu;
+    float c = abs(along) < sines ? along / sines : sign(along);             // a vertical has no azimuth
+    return density.x * RAYLEIGH * baked_multiple_scattering_scattered(multiple_scattering_table, multiple_scattering_sampler,
+                                                                      h, sun_mu, mu, c, RAYLEIGH_MOMENTS)
+         + density.y * MIE * baked_multiple_scattering_scattered(multiple_scattering_table, multiple_scattering_sampler,
+                                                                 h, sun_mu, mu, c, MIE_MOMENTS);
+}
 
 struct Air { float3 light, through; };
 
@@ -50,10 +63,8 @@ Air air_along(float h, float3 ray, float3 sun, float reach, int steps) {
         float2 density = exp(-altitude / float2(8.0, 1.2));
         float3 extinction = density.x * RAYLEIGH + density.y * MIE_EXTINCTION +
                             max(1.0 - abs(altitude - 25.0) / 15.0, 0.0) * OZONE;
-        float3 mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, altitude,
-                                                sun_s / (R + altitude));
         float3 source = (density.x * rayleigh + density.y * mie) * sunlight(altitude, sun_s) +
-                        (density.x * RAYLEIGH + density.y * MIE) * mean;
+                        scattered_air(altitude, density, (s + t) / (R + altitude), sun_s / (R + altitude), nu);
         float3 passed = exp(-extinction * width);
         air.light += air.through * source * (1.0 - passed) / extinction;
         air.through *= passed;

@@ -13,6 +13,9 @@ const MIE = 3.996e-3;
 const MIE_EXTINCTION = 4.44e-3;
 const MIE_G = 0.8;
 const SKY_STEPS = 40;
+// Legendre moments of the two phase functions below, as examples/lookups/moments.glsl takes them.
+const RAYLEIGH_MOMENTS = vec3f(1.0, 0.0, 0.1);
+const MIE_MOMENTS = vec3f(1.0, 0.8436, 0.7097);
 
 // Rayleigh's phase function, and that of Cornette and Shanks, in 1/sr.
 fn rayleigh_phase(nu: f32) -> f32 { return 0.0596831037 * (1.0 + nu * nu); }
@@ -30,11 +33,24 @@ fn sunlight(h: f32, s: f32) -> vec3f {
 // The mean radiance of the sky there. The table has that of all directions, half of which are ground.
 fn skylight(h: f32, s: f32) -> vec3f {
     let sun = max(s / (R + h), 0.0) * sunlight(h, s) / PI;
-    let mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, h, s / (R + h));
+    let mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, h, s / (R + h), 0);
     return max(2.0 * mean - ALBEDO * sun, vec3f(0.0)) / (1.0 + ALBEDO);
 }
 
 fn ground(s: f32) -> vec3f { return ALBEDO * (max(s / R, 0.0) * sunlight(0.0, s) / PI + skylight(0.0, s)); }
+
+// What a km of air scatters again towards the eye. mu is the cosine of the view's zenith angle there, sun_mu
+// that of the sun's, and nu that of the angle between them.
+fn scattered_air(h: f32, density: vec2f, mu: f32, sun_mu: f32, nu: f32) -> vec3f {
+    let sines = sqrt(max((1.0 - mu * mu) * (1.0 - sun_mu * sun_mu), 0.0));
+    let along = nu - mu * sun_mu;
+    var c = sign(along);                                                    // a vertical has no azimuth
+    if (abs(along) < sines) { c = along / sines; }
+    return density.x * RAYLEIGH * baked_multiple_scattering_scattered(multiple_scattering_table, multiple_scattering_sampler,
+                                                                      h, sun_mu, mu, c, RAYLEIGH_MOMENTS)
+         + density.y * MIE * baked_multiple_scattering_scattered(multiple_scattering_table, multiple_scattering_sampler,
+                                                                 h, sun_mu, mu, c, MIE_MOMENTS);
+}
 
 struct Air { light: vec3f, through: vec3f }
 
@@ -67,10 +83,8 @@ fn air_along(h: f32, ray: vec3f, sun: vec3f, reach: f32, steps: i32) -> Air {
         let density = exp(-altitude / vec2f(8.0, 1.2));
         let extinction = density.x * RAYLEIGH + density.y * MIE_EXTINCTION +
                          max(1.0 - abs(altitude - 25.0) / 15.0, 0.0) * OZONE;
-        let mean = baked_multiple_scattering(multiple_scattering_table, multiple_scattering_sampler, altitude,
-                                             sun_s / (R + altitude));
         let source = (density.x * rayleigh + density.y * mie) * sunlight(altitude, sun_s) +
-                     (density.x * RAYLEIGH + density.y * MIE) * mean;
+                     scattered_air(altitude, density, (s + t) / (R + altitude), sun_s / (R + altitude), nu);
         let passed = exp(-extinction * width);
         air.light += air.through * source * (1.0 - passed) / extinction;
         air.through *= passed;
