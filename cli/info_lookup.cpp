@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
@@ -19,7 +20,6 @@
 #include "cli/command.h"
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/cloud_volume.h"
 #include "config/recipe/asset_parameters.h"
 #include "config/sections/files.h"
 #include "config/text/key_path.h"
@@ -172,14 +172,12 @@ std::string numbers_glsl(const config::Parameters& parameters, const config::Bak
     }
     const auto* volume = bake.find<config::CloudVolumeBake>();
     if (volume == nullptr) return text;
-    const config::Cloud& cloud = config::cloud_named(parameters, volume->cloud);
+    const config::Cloud cloud = spanned_cloud(parameters, *volume);
     return text +
-           number_glsl("vec3", name + "_extent_m",
-                       glsl_vector({cloud.extent[0].meters, cloud.extent[1].meters,
-                                    cloud.extent[2].meters}),
-                       "The extent of the cloud's tile along x, y and z.") +
-           number_glsl("float", name + "_base_m", glsl_number(cloud.base_altitude.meters),
-                       "The altitude of its base.") +
+           number_glsl("vec3", name + "_corner_m", glsl_vector(corner_m_of(cloud)),
+                       "The lower corner of its box, whose z is the altitude of its base.") +
+           number_glsl("vec3", name + "_extent_m", glsl_vector(extent_m_of(cloud)),
+                       "What its voxels span along x, y and z.") +
            number_glsl("float", name + "_extinction_per_m",
                        glsl_number(cloud.extinction_scale.per_meter),
                        "The extinction where its density is 1.");

@@ -604,8 +604,8 @@ TEST(PrintedLookups, AreInTheLibraryOfTheirFolder) {
     namespace library = gpu::printed::colours;
     EXPECT_FLOAT_EQ(library::baked_ground_radius_km(), 6360);
     EXPECT_FLOAT_EQ(library::baked_top_radius_km(), 6460);
-    EXPECT_FLOAT_EQ(library::baked_cloud_extent_m().y, 3200);
-    EXPECT_FLOAT_EQ(library::baked_cloud_base_m(), 1200);
+    EXPECT_FLOAT_EQ(library::baked_cloud_extent_m().y, 2400);
+    EXPECT_FLOAT_EQ(library::baked_cloud_corner_m().z, 1200);
     EXPECT_FLOAT_EQ(metal::printed::colours::baked_cloud_extinction_per_m(),
                     library::baked_cloud_extinction_per_m());
     const BakedFile file("transmittance.exr");

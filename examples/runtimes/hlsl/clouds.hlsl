@@ -1,7 +1,7 @@
 // The clouds of recipe.toml, lit by the sun and the sky: a march that leaps by the baked grid, and one from
 // each sample towards the sun. cloud_table and cells_table are the textures. `camera` is in metres, z is the
 // altitude.
-#define BASE baked_cloud_base_m()                                           // of the recipe
+#define BASE baked_cloud_corner_m().z                                       // of the recipe
 #define TOP (BASE + baked_cloud_extent_m().z)
 #define EXTINCTION baked_cloud_extinction_per_m()
 static const float STEP = 23.4, SUN_STEP = 23.4, UP_STEP = 47.0, OPAQUE = 0.002;// m; a voxel, and two

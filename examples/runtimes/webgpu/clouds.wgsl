@@ -7,7 +7,7 @@ const OPAQUE = 0.002;
 const SKY_OF_CLOUDS = 12;                                                   // steps through the air before them
 const OCTAVES = 8;
 
-fn base() -> f32 { return baked_cloud_base_m(); }                           // of the recipe
+fn base() -> f32 { return baked_cloud_corner_m().z; }                       // of the recipe
 fn top() -> f32 { return base() + baked_cloud_extent_m().z; }
 
 // Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023). Light that is
