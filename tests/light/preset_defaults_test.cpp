@@ -85,8 +85,12 @@ TEST(Mars, SaysWhatShowsItsDustRight) {
         EXPECT_NE(std::find(kinds.begin(), kinds.end(), right), kinds.end());
         EXPECT_NE(better.find(right), std::string::npos) << better;
     }
-    // Haze of a closed form is held by moments.
-    const config::Recipe earth = recipe_of(std::string(config::find_preset("earth")->text));
+    // Haze of a closed form is held by moments, which is what a table of the mean says.
+    std::string text(config::find_preset("earth")->text);
+    const std::string moments = "content = \"moments\"\n";
+    ASSERT_NE(text.find(moments), text.npos);
+    text.erase(text.find(moments), moments.size());
+    const config::Recipe earth = recipe_of(text);
     for (const config::Bake& bake : earth.parameters.bakes) {
         if (bake.name != "multiple_scattering") continue;
         EXPECT_NE(baker_of(bake).traced(earth.parameters, bake)->better.find("moments"),

@@ -181,8 +181,8 @@ TEST(EveryAsset, VolumesHaveTheRecipesNumbers) {
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_EQ(number(cloud.axes[i], "first_m"), i == 2 ? 1200 : 0);
         EXPECT_EQ(number(cloud.axes[i], "extent_m"), extent[i]);
-        EXPECT_EQ(number(cells.axes[i], "cell_voxels"), 4);
-        EXPECT_EQ(number(cells.axes[i], "cell_m"), 4 * extent[i] / cloud.size[i]);
+        EXPECT_EQ(number(cells.axes[i], "cell_voxels"), 2);
+        EXPECT_EQ(number(cells.axes[i], "cell_m"), 2 * extent[i] / cloud.size[i]);
         EXPECT_EQ(number(cells.axes[i], "first_m"), i == 2 ? 1200 : 0);
         EXPECT_EQ(number(cells.axes[i], "extent_m"),
                   number(cells.axes[i], "cell_m") * cells.size[i]);
