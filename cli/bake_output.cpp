@@ -137,7 +137,7 @@ std::string assets_text(const BakedFolder& baked, int columns) {
         }
     }
     // Cover, errors of colours and of the sky, and the time of a certificate, of colours and of light.
-    for (const std::size_t column : {12, 11, 10, 8, 6, 5}) {
+    for (const std::size_t column : {12U, 11U, 10U, 8U, 6U, 5U}) {
         if (!table.drop_if_empty(column)) continue;
         std::erase(expendable, column);
         for (std::size_t& other : expendable) other -= other > column ? 1 : 0;

@@ -119,8 +119,9 @@ namespace {
 
 // Whether a voxel at the tile's sides has at least a twentieth of the greatest density.
 bool reaches_sides(const PreviewAsset& volume) {
-    const auto [width, rows, depth] =
-        std::array{volume.entry.size[0], volume.entry.size[1], volume.entry.size[2]};
+    const int width = volume.entry.size[0];
+    const int rows = volume.entry.size[1];
+    const int depth = volume.entry.size[2];
     const std::size_t channels = volume.entry.channels.size();
     const double greatest = volume.entry.levels.front().statistics.front().max;
     const auto is_cloud = [&](int x, int y, int z) {

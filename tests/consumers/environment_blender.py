@@ -1,8 +1,8 @@
 """Blender lights a white, level plane with environments as their NAME.json says.
 
 A diffuse plane of albedo 1 sends back the irradiance over pi. Blender's path tracer integrates the map with its own
-weights and samples, and knows nothing of the numbers beside it. The sun's disc is in one map, whose light is the
-sum of sun and sky.
+weights and samples, and knows nothing of the numbers beside it. The sun's disc is in one map, and a lamp stands for
+it beside the others; light is the sum of sun and sky. Each script takes away the lamp of the sky before.
 
 Runs itself within Blender, headless, as `blender -b --python environment_blender.py -- FOLDER`.
 """
@@ -75,9 +75,8 @@ def main():
         found = json.loads((folder / "found.json").read_text())
         for name in NAMES:
             lights = json.loads((folder / f"{name}.json").read_text())
-            light = list(lights["sky"]["irradiance_of_level_surface"])
-            if lights["sun"]["disc_in_map"]:
-                light = [a + b for a, b in zip(light, lights["sun"]["irradiance_of_level_surface"])]
+            parts = zip(lights["sky"]["irradiance_of_level_surface"], lights["sun"]["irradiance_of_level_surface"])
+            light = [sky + sun for sky, sun in parts]
             for channel, irradiance in enumerate(light):
                 wanted = irradiance / math.pi
                 print(name, "RGB"[channel], found[name][channel], wanted, found[name][channel] / wanted - 1)

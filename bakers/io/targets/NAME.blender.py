@@ -64,6 +64,10 @@ $if FORMAT=exr$output = nodes.new("ShaderNodeOutputWorld")
 $if FORMAT=exr$world.node_tree.links.new(texture.outputs["Color"], background.inputs["Color"])
 $if FORMAT=exr$world.node_tree.links.new(background.outputs["Background"], output.inputs["Surface"])
 $if FORMAT=exr$scene.world = world
+$if FORMAT=exr$
+$if FORMAT=exr$# The sun of an earlier sky goes with its world.
+$if FORMAT=exr$for lamp in [thing for thing in bpy.data.objects if thing.get("skybake") == "sun"]:
+$if FORMAT=exr$    bpy.data.objects.remove(lamp)
 $if LAMP=yes$
 $if LAMP=yes$# The strength is the irradiance of a surface that faces the sun, in the unit of the map.
 $if LAMP=yes$sun = bpy.data.lights.new("$NAME$", "SUN")
@@ -71,6 +75,7 @@ $if LAMP=yes$sun.energy = $IRRADIANCE$
 $if LAMP=yes$sun.color = ($SUN_R$, $SUN_G$, $SUN_B$)
 $if LAMP=yes$sun.angle = 0.0093  # 0.533 degrees
 $if LAMP=yes$lamp = bpy.data.objects.new("$NAME$", sun)
+$if LAMP=yes$lamp["skybake"] = "sun"
 $if LAMP=yes$lamp.rotation_mode = "QUATERNION"
 $if LAMP=yes$lamp.rotation_quaternion = mathutils.Vector(($SUN_AHEAD$, -($SUN_RIGHT$), $SUN_UP$)).to_track_quat("Z", "Y")
 $if LAMP=yes$scene.collection.objects.link(lamp)

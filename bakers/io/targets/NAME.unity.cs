@@ -104,7 +104,8 @@ $if IS_SKY=yes$            string path = AssetDatabase.GUIDToAssetPath(id);
 $if IS_SKY=yes$            if (Path.GetFileName(path) != "$NAME$.mat") continue;
 $if IS_SKY=yes$            RenderSettings.skybox = AssetDatabase.LoadAssetAtPath<Material>(path);
 $if IS_SKY=yes$        }
-$if LAMP=yes$        var sun = new GameObject("$NAME$ sun").AddComponent<Light>();
+$if LAMP=yes$        var lamp = GameObject.Find("$NAME$ sun") ?? new GameObject("$NAME$ sun");
+$if LAMP=yes$        if (!lamp.TryGetComponent(out Light sun)) sun = lamp.AddComponent<Light>();
 $if LAMP=yes$        sun.type = LightType.Directional;
 $if LAMP=yes$        sun.color = new Color($SUN_R$f, $SUN_G$f, $SUN_B$f).gamma;
 $if LAMP=yes$        sun.intensity = $ENERGY$f;  // the irradiance of a surface that faces the sun, over pi

@@ -92,7 +92,7 @@ std::string lamp_basis(const glm::dvec3& to_sun) {
     const glm::dvec3 x = glm::length(level) > 0 ? glm::normalize(level) : glm::dvec3(1, 0, 0);
     const glm::dmat3 rows = glm::transpose(glm::dmat3(x, glm::cross(to_sun, x), to_sun));
     std::string text;
-    for (int i = 0; i < 3; ++i) {
+    for (glm::length_t i = 0; i < 3; ++i) {
         text += fmt::format("{:.7g}, {:.7g}, {:.7g}, ", rows[i].x, rows[i].y, rows[i].z);
     }
     return text;
