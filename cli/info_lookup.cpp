@@ -183,7 +183,7 @@ std::string numbers_glsl(const config::Parameters& parameters, const config::Bak
                        "The extinction where its density is 1.");
 }
 
-// Prints the lookup of a file in GLSL.
+// Returns the lookup of a file in GLSL; its heading names the language that it will be translated to.
 Outcome<Lookup> lookup_of_file(const fs::path& path, ShadingLanguage language) {
     const auto file = described(path);
     if (!file.value) return {{}, file.diagnostics};

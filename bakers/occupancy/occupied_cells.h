@@ -62,9 +62,8 @@ class CellSource : public VoxelSource {
 
     const CellRanges& ranges() const { return ranges_; }
     const OccupiedCells& occupied() const { return occupied_; }
-    const std::vector<std::uint8_t>& leaps() const {
-        return leap_;
-    }  // empty if no channel has them
+    // Empty if no channel has them.
+    const std::vector<std::uint8_t>& leaps() const { return leap_; }
 
   private:
     float value(config::OccupancyContent content, std::size_t cell) const;

@@ -6,6 +6,7 @@
 //   node godot.js PROGRAM FOLDER
 const {answers_of_godot, floats_of, write_byte} = require('./godot_project.js');
 const {cube_probes, direction_of} = require('./cube_probes.js');
+const {faults_of_lamp, normals_of} = require('./lit_planes.js');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
@@ -54,10 +55,6 @@ function views_of(asset) {
     });
 }
 
-// Planes that face the sun (right, up, ahead), upwards and to all sides.
-const normals_of = (asset) => [asset.details.sun_direction, [0, 1, 0], [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, 0.6, 0.8],
-                               [0, 0.6, -0.8]];
-
 // Returns the question to the project about an asset of the manifest.
 function question(asset) {
     const named = (end) => asset.files.map((file) => file.path).find((name) => name.endsWith(end));
@@ -98,12 +95,15 @@ function faults_of_fog(asset, fog) {
         ? [] : [`${asset.name}: the fog is ${JSON.stringify(fog)}`];
 }
 
+// Light as a byte of sRGB.
+const encoded = (value) => 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
+
 // Returns a radiance as a camera shows it, from 0 to 255: the renderer takes the shader's result, which is the curve of
 // sRGB, back by a polynomial, and gives it the curve again by a power that is 0 where it is dark.
 //
 // Source: Godot 4.6, drivers/gles3/shaders/tonemap_inc.glsl.
 function shown(value) {
-    const given = value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+    const given = encoded(value) / 255;
     const linear = given * (given * (given * 0.305306011 + 0.682171111) + 0.012522878);
     return 255 * Math.max(1.055 * linear ** 0.416666667 - 0.055, 0);
 }
@@ -112,18 +112,6 @@ function faults_of_sky(asset, colors) {
     return views_of(asset).flatMap(({probe}, i) => probe.value.flatMap((value, c) =>
         Math.abs(colors[i][c] - shown(value)) <= 1.5 ? [] :
             [`${asset.name}, view ${i}: ${colors[i]} is not ${probe.value.map(shown)}`]));
-}
-
-// White planes reflect the irradiance over pi.
-function faults_of_lamp(asset, colors) {
-    const {sun_direction: sun, sun_irradiance: irradiance} = asset.details;
-    const encoded = (value) => 255 * (value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055);
-    return normals_of(asset).flatMap((normal, i) => {
-        const cosine = Math.max(0, normal.reduce((sum, x, axis) => sum + x * sun[axis], 0));
-        const wanted = irradiance.map((light) => encoded(light * cosine / Math.PI));
-        return wanted.every((color, c) => Math.abs(colors[i][c] - color) <= 1.5) ? [] :
-            [`${asset.name}: the plane that faces ${normal} has ${colors[i]}, not ${wanted}`];
-    });
 }
 
 // Image.Format of Godot, by the type and the number of channels in the file.
@@ -140,7 +128,7 @@ function faults_of_texture(asset, answer) {
 function faults_of(asset, answer) {
     const faults = [...faults_of_texture(asset, answer), ...faults_of_probes(asset, answer.bits)];
     if (asset.kind === 'cloud_volume') faults.push(...faults_of_fog(asset, answer.fog));
-    if (asset.kind === 'environment') faults.push(...faults_of_sky(asset, answer.seen), ...faults_of_lamp(asset, answer.lit));
+    if (asset.kind === 'environment') faults.push(...faults_of_sky(asset, answer.seen), ...faults_of_lamp(asset, answer.lit, encoded, 1.5));
     return faults;
 }
 

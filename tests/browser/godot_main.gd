@@ -61,12 +61,26 @@ func bits_of(asset: Dictionary, texture: Texture) -> Array:
 	return bytes
 
 
-# The colours, 0 to 255, that a camera sees in the middle of its picture when it looks into these directions.
-func colors_of(environment: Environment, directions: Array) -> Array:
+# A world of its own, for one camera.
+func small_viewport() -> SubViewport:
 	var viewport := SubViewport.new()
 	viewport.size = Vector2i(9, 9)
 	viewport.own_world_3d = true
 	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	return viewport
+
+
+# The colour, 0 to 255, in the middle of the next picture.
+func color_in(viewport: SubViewport) -> Array:
+	for i in 3:
+		await RenderingServer.frame_post_draw
+	var color := viewport.get_texture().get_image().get_pixel(4, 4)
+	return [color.r8, color.g8, color.b8]
+
+
+# The colours, 0 to 255, that a camera sees in the middle of its picture when it looks into these directions.
+func colors_of(environment: Environment, directions: Array) -> Array:
+	var viewport := small_viewport()
 	var camera := Camera3D.new()
 	camera.environment = environment
 	camera.fov = 1.0
@@ -76,20 +90,14 @@ func colors_of(environment: Environment, directions: Array) -> Array:
 	for direction: Array in directions:
 		var ahead := Vector3(direction[0], direction[1], direction[2])
 		camera.look_at_from_position(Vector3.ZERO, ahead, Vector3.BACK if absf(ahead.y) > 0.9 else Vector3.UP)
-		for i in 3:
-			await RenderingServer.frame_post_draw
-		var color := viewport.get_texture().get_image().get_pixel(4, 4)
-		colors.append([color.r8, color.g8, color.b8])
+		colors.append(await color_in(viewport))
 	viewport.queue_free()
 	return colors
 
 
 # The colours, 0 to 255, of white matt planes with these normals under the lamp of the scene alone.
 func lit_planes(scene: PackedScene, normals: Array) -> Array:
-	var viewport := SubViewport.new()
-	viewport.size = Vector2i(9, 9)
-	viewport.own_world_3d = true
-	viewport.render_target_update_mode = SubViewport.UPDATE_ALWAYS
+	var viewport := small_viewport()
 	var sky := scene.instantiate()
 	var plane := MeshInstance3D.new()
 	plane.mesh = QuadMesh.new()
@@ -108,10 +116,7 @@ func lit_planes(scene: PackedScene, normals: Array) -> Array:
 		var up := Vector3.BACK if absf(facing.y) > 0.9 else Vector3.UP
 		plane.basis = Basis.looking_at(-facing, up)
 		camera.look_at_from_position(facing, Vector3.ZERO, up)
-		for i in 3:
-			await RenderingServer.frame_post_draw
-		var color := viewport.get_texture().get_image().get_pixel(4, 4)
-		colors.append([color.r8, color.g8, color.b8])
+		colors.append(await color_in(viewport))
 	viewport.queue_free()
 	return colors
 

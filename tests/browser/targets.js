@@ -4,6 +4,7 @@
 //   node targets.js PROGRAM FOLDER TARGET
 const {browser_with_a_page} = require('./page_of.js');
 const {cube_probes} = require('./cube_probes.js');
+const {faults_of_lamp, normals_of} = require('./lit_planes.js');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
@@ -66,20 +67,12 @@ const worlds = {
     babylon: {cube: (right, up, ahead) => [right, up, ahead], longitude_latitude: (right, up, ahead) => [ahead, up, -right]},
 };
 
-// Returns the faults of the lamp in the place of the sun: of white planes with several normals, which reflect the
-// irradiance that falls on them over pi.
-async function faults_of_lamp(page, asset, url) {
+// Returns the faults of the lamp in the place of the sun.
+async function faults_of_sun(page, asset, url) {
     const world = worlds[target][asset.mapping.name];
-    const sun = asset.details.sun_direction, irradiance = asset.details.sun_irradiance;
-    const normals = [sun, [0, 1, 0], [0.6, 0.8, 0], [-0.6, 0.8, 0], [0, 0.6, 0.8], [0, 0.6, -0.8]];
     const values = await page.evaluate(([name, ...rest]) => window.light[name](...rest),
-        [target, url, normals.map((normal) => world(...normal))]);
-    return normals.flatMap((normal, i) => {
-        const cosine = Math.max(0, normal.reduce((sum, x, axis) => sum + x * sun[axis], 0));
-        const wanted = irradiance.map((light) => light * cosine / Math.PI);
-        return wanted.every((light, c) => Math.abs(values[i][c] - light) <= 0.005 * Math.max(...irradiance)) ? [] :
-            [`${asset.name}: the plane that faces ${normal} has ${values[i]}, not ${wanted}`];
-    });
+        [target, url, normals_of(asset).map((normal) => world(...normal))]);
+    return faults_of_lamp(asset, values, (light) => light, 0.005 * Math.max(...asset.details.sun_irradiance));
 }
 
 async function main() {
@@ -97,7 +90,7 @@ async function main() {
         const sidecar = asset.files.find((file) => file.format === 'sidecar');
         probes += asset.probes.length;
         if (asset.kind === 'environment') {
-            faults.push(...await faults_of_lamp(page, asset, `/baked/${sidecar.path}`));
+            faults.push(...await faults_of_sun(page, asset, `/baked/${sidecar.path}`));
             ++lamps;
         }
         if (asset.mapping.name === 'cube') {

@@ -18,6 +18,8 @@ SIZE = 16
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from blender_scene import white_matt  # noqa: E402
+
 
 def run(bpy, folder):
     """Renders the plane from above in the light of each map, which its sidecar loads."""
@@ -30,15 +32,7 @@ def run(bpy, folder):
     scene.collection.objects.link(camera)
     scene.camera = camera
     bpy.ops.mesh.primitive_plane_add(size=100)
-    material = bpy.data.materials.new("white")
-    material.use_nodes = True
-    nodes = material.node_tree.nodes
-    nodes.clear()
-    white = nodes.new("ShaderNodeBsdfDiffuse")
-    white.inputs["Color"].default_value = (1, 1, 1, 1)
-    output = nodes.new("ShaderNodeOutputMaterial")
-    material.node_tree.links.new(white.outputs["BSDF"], output.inputs["Surface"])
-    bpy.context.object.data.materials.append(material)
+    bpy.context.object.data.materials.append(white_matt(bpy))
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.cycles.samples = 256

@@ -18,6 +18,8 @@ VOXEL = 25  # m
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
+from blender_scene import white_matt  # noqa: E402
+
 
 def rendered(bpy, folder, name, size, samples):
     """Red, green and blue of each pixel, rows from the bottom."""
@@ -52,15 +54,7 @@ def lit_planes(bpy, folder):
     bpy.ops.mesh.primitive_plane_add(size=2)
     plane = bpy.context.object
     plane.rotation_mode = scene.camera.rotation_mode = "QUATERNION"
-    material = bpy.data.materials.new("white")
-    material.use_nodes = True
-    nodes = material.node_tree.nodes
-    nodes.clear()
-    matt = nodes.new("ShaderNodeBsdfDiffuse")
-    matt.inputs["Color"].default_value = (1, 1, 1, 1)
-    output = nodes.new("ShaderNodeOutputMaterial")
-    material.node_tree.links.new(matt.outputs["BSDF"], output.inputs["Surface"])
-    plane.data.materials.append(material)
+    plane.data.materials.append(white_matt(bpy))
     scene.camera.data.ortho_scale = 0.1
     found = []
     for right, up, ahead in NORMALS:

@@ -101,8 +101,7 @@ GlslFunction leap_function(const std::string& cell, const std::string& full,
     return {
         .comment =
             "Returns how far the ray goes on from p, in metres, before it leaves the cells that "
-            "are "
-            "known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.",
+            "are known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.",
         .result = "float",
         .arguments = "sampler3D cloud, sampler3D cells, vec3 p, vec3 ray",
         .value = fmt::format("cloud_leap(cloud, cells, {}, {}, p - corner, ray, tile)", cell, full),
@@ -115,8 +114,7 @@ GlslFunction march_function(const std::string& cell, const std::string& full,
     return {
         .comment =
             "Returns the sum of densities times metres over `count` samples, all of them within "
-            "the "
-            "layer, at from, from + ray * stride and so on.",
+            "the layer, at from, from + ray * stride and so on.",
         .result = "float",
         .arguments =
             "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count",
