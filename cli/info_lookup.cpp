@@ -15,8 +15,8 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/metadata.h"
-#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/load_assets.h"
+#include "bakers/preview/runtime/runtime_library.h"
 #include "cli/command.h"
 #include "cli/events.h"
 #include "config/assets/asset_kind.h"
@@ -153,34 +153,29 @@ void print(Console& console, bool json, const fs::path& path, const Lookup& look
                         : lookup.text);
 }
 
-// A function without arguments: all languages have those.
-std::string number_glsl(std::string_view type, const std::string& name, const std::string& value,
-                        std::string_view comment) {
-    return fmt::format("// {}\n{} {}() {{ return {}; }}\n\n", comment, type, name, value);
-}
-
 // Returns the numbers of the recipe that a runtime needs beside the texels of a bake.
 std::string numbers_glsl(const config::Parameters& parameters, const config::Bake& bake,
                          const std::string& name) {
     std::string text;
     if (const config::Atmosphere& air = parameters.atmosphere; air.top_radius.meters > 0) {
-        text +=
-            number_glsl("float", "baked_ground_radius_km",
-                        glsl_number(air.ground_radius.kilometers()), "The radius of the ground.") +
-            number_glsl("float", "baked_top_radius_km", glsl_number(air.top_radius.kilometers()),
-                        "The radius at which the air ends.");
+        text += number_function("float", "baked_ground_radius_km",
+                                glsl_number(air.ground_radius.kilometers()),
+                                "The radius of the ground.") +
+                number_function("float", "baked_top_radius_km",
+                                glsl_number(air.top_radius.kilometers()),
+                                "The radius at which the air ends.");
     }
     const auto* volume = bake.find<config::CloudVolumeBake>();
     if (volume == nullptr) return text;
     const config::Cloud cloud = spanned_cloud(parameters, *volume);
     return text +
-           number_glsl("vec3", name + "_corner_m", glsl_vector(corner_m_of(cloud)),
-                       "The lower corner of its box, whose z is the altitude of its base.") +
-           number_glsl("vec3", name + "_extent_m", glsl_vector(extent_m_of(cloud)),
-                       "What its voxels span along x, y and z.") +
-           number_glsl("float", name + "_extinction_per_m",
-                       glsl_number(cloud.extinction_scale.per_meter),
-                       "The extinction where its density is 1.");
+           number_function("vec3", name + "_corner_m", glsl_vector(corner_m_of(cloud)),
+                           "The lower corner of its box, whose z is the altitude of its base.") +
+           number_function("vec3", name + "_extent_m", glsl_vector(extent_m_of(cloud)),
+                           "What its voxels span along x, y and z.") +
+           number_function("float", name + "_extinction_per_m",
+                           glsl_number(cloud.extinction_scale.per_meter),
+                           "The extinction where its density is 1.");
 }
 
 // Returns the lookup of a file in GLSL; its heading names the language that it will be translated to.
@@ -225,23 +220,21 @@ void add_paragraphs(std::string_view text, std::set<std::string, std::less<>>& s
     }
 }
 
-// Prints the lookups of all assets of a folder, each function once, with the recipe's numbers and how
-// pictures of them show light.
+// Prints the lookups of all assets of a folder, each function once, with the recipe's numbers, and marches
+// through its air and clouds.
 ExitCode show_library(const fs::path& folder, ShadingLanguage language, bool json,
                       Console& console) {
     const auto manifest = read_manifest(folder);
     if (!manifest.value) return console.report(manifest.diagnostics);
     std::set<std::string, std::less<>> seen;
     std::string text;
-    bool has_sky = false;
     for (const ManifestAsset& asset : manifest.value->assets) {
-        has_sky = has_sky || asset.kind == "multiple_scattering";
         const auto lookup = lookup_of_file(folder / asset.files.front().path, language);
         if (!lookup.value) return console.report(lookup.diagnostics);
         add_paragraphs(lookup.value->text + "\n" + lookup.value->numbers, seen, text);
     }
-    const auto assets = has_sky ? load_folder(folder) : Outcome<PreviewAssets>{};
-    if (assets.value) add_paragraphs(film_lookup(*assets.value, 1), seen, text);
+    const auto assets = load_folder(folder, LoadedTexels::tables);
+    if (assets.value) add_paragraphs(runtime_library(*assets.value, 1), seen, text);
     if (text.ends_with("\n\n")) text.pop_back();
     print(console, json, folder, {"baked", translated(text, language)}, language);
     return ExitCode::done;

@@ -168,7 +168,7 @@ std::vector<Diagnostic> add_unclaimed(const fs::path& path, PreviewAssets& shown
 
 }  // namespace
 
-Outcome<PreviewAssets> load_folder(const fs::path& path) {
+Outcome<PreviewAssets> load_folder(const fs::path& path, LoadedTexels texels) {
     const ManifestPlace place = manifest_place(path);
     const Outcome<Manifest> manifest = read_manifest_file(place.file);
     if (!manifest.value) return {{}, manifest.diagnostics};
@@ -182,6 +182,10 @@ Outcome<PreviewAssets> load_folder(const fs::path& path) {
     add_recipe(*manifest.value, place, shown);
     std::vector<Diagnostic> warnings;
     for (const ManifestAsset& entry : manifest.value->assets) {
+        if (texels == LoadedTexels::tables && entry.is_volume()) {
+            shown.assets.push_back({entry, {}, {}});
+            continue;
+        }
         auto problems = add_asset(place.folder, entry, shown);
         if (has_error(problems)) return {{}, std::move(problems)};
         warnings.insert(warnings.end(), problems.begin(), problems.end());

@@ -16,8 +16,11 @@ namespace skybake {
 // Loads all assets of a baked folder, the recipe that its manifest recorded, and the plots of a
 // report in the folder. `path` is the folder or the manifest. E0300 and E0304 are those of the
 // readers of manifests and files; also E0304 if the manifest has no assets. Warning W0304, which
-// also becomes a note: a shown file is not the one that the manifest describes.
-config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path);
+// also becomes a note: a shown file is not the one that the manifest describes. Volumes
+// have no voxels where only tables are wanted.
+enum class LoadedTexels { all, tables };
+config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path,
+                                           LoadedTexels texels = LoadedTexels::all);
 
 // Adds an asset that was baked before, under the given name. Returns false and adds nothing if a file
 // cannot be read, or differs from its entry.

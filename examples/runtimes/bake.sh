@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Bakes what an example draws into its folder `baked`, with lookups.LANGUAGE, which reads the files there.
-#   bake.sh webgl|webgpu|glsl|hlsl [SKYBAKE [FOLDER]]
+#   bake.sh webgl|webgpu|glsl|hlsl|npm [SKYBAKE [FOLDER]]
 set -euo pipefail
 here=$(dirname "$0")
 example=$1
 skybake=${2:-skybake}
 baked=${3:-$here/$example/baked}
 case $example in
-    webgl | glsl) language=glsl ;;
+    webgl | glsl | npm) language=glsl ;;
     webgpu) language=wgsl ;;
     hlsl) language=hlsl ;;
 esac

@@ -63,8 +63,8 @@ const tests = {
         const page = await open(browser, path.join(out, 'index.html'));
         const {measure, wrong} = await comparison(page, 'baked', 'cumulus_lit', views);
         for (const name of Object.keys(views)) await measure('as baked', name, true);
-        for (const [name, view] of [['transmittance_table', 'clear_sky'], ['scattering_table', 'clear_sky'],
-            ['phase_table', 'clear_sky'], ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds'],
+        for (const [name, view] of [['transmittance_table', 'clear_sky'], ['multiple_scattering_table', 'clear_sky'],
+            ['cloud_table_0', 'clouds'], ['cells_table_0', 'clouds'],
             ['shift_table', 'clouds']]) {
             for (const how of ['flipped', 'zeroed']) {
                 // A phase function that lies in two rows upside down is another layer's; leaps of 0 only cost time.

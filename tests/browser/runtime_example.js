@@ -1,8 +1,9 @@
 'use strict';
 // Compares the picture of an example of examples/runtimes, in Chromium without a GPU, with that of `skybake preview`
 // of the same bake from the same camera; it must be another picture if one of the files is upside down. The shaders
-// for Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that.
-//   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl
+// for Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that. The modules for three.js and
+// Babylon.js draw with these programs.
+//   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl|three|babylon
 const assert = require('node:assert/strict');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
@@ -11,7 +12,9 @@ const {browser_with_a_page, on_canvas, site} = require('./page_of.js');
 
 const [, , program, folder, examples, name_of_example] = process.argv;
 const work = fs.mkdtempSync(path.join(folder, `${name_of_example}-`));
-const example = path.join(work, name_of_example);
+const is_module = ['three', 'babylon'].includes(name_of_example);
+const name_of_folder = is_module ? 'npm' : name_of_example;
+const example = path.join(work, name_of_folder);
 const has_page = fs.existsSync(path.join(examples, name_of_example, 'index.html'));
 
 // Small pictures have four samples for each pixel in the preview, and so here.
@@ -66,9 +69,20 @@ function upside_down(name) {
     return path.basename(copy);
 }
 
+// What a page finds modules by. Babylon.js is a script, whose names a module gives to the one that imports it.
+const names_of_babylon = ['Constants', 'Effect', 'Mesh', 'RawTexture', 'RawTexture3D', 'ShaderMaterial', 'Vector3', 'VertexData'];
+const module_scripts = `<script type="importmap">${JSON.stringify({imports: {
+    three: '/modules/three/build/three.module.js',
+    '@babylonjs/core': `data:text/javascript,export const {${names_of_babylon}} = BABYLON;`,
+    'skybake/three': '/work/npm/skybake.three.js', 'skybake/babylon': '/work/npm/skybake.babylon.js'}})}</script>
+    ${name_of_example === 'babylon' ? '<script src="/modules/babylonjs/babylon.js"></script>' : ''}
+    <script src="page/module_page.js"></script>`;
+
 // Draws a view of a bake. `shader` is WebGL's, of an example that has no page of its own. Its rows begin at the top,
 // as they do in Vulkan.
-const draw = (page, folder, view, shader) => page.evaluate(async ([url, view, main, shader]) => {
+const draw = (page, folder, view, shader) => is_module ? page.evaluate(async ([name, url, view]) =>
+    window.reduced(await window.draw_by_module[name](url, view), 2), [name_of_example, `work/${folder}`, view]) :
+    page.evaluate(async ([url, view, main, shader]) => {
     const {renderer} = await import(main);
     const canvas = document.createElement('canvas');
     (await renderer(canvas, url, shader))(view);
@@ -111,6 +125,20 @@ async function check_page(page, picture) {
     assert.ok(await differs() > page_bound);
 }
 
+// A wall behind all the air has the colour of the sky, one before it has its own, and one between has some of both.
+async function check_walls(page) {
+    const view = {...views.clear_sky, exposure: 3, wall: 0x000000};
+    const wall = (colour, distance) => page.evaluate(([url, ...rest]) => window.wall_behind_air(url, ...rest),
+        [`work/${name_of_folder}/baked`, {...view, wall: colour}, distance]);
+    const near = await wall(0x808080, 10), far = await wall(0x000000, 4e5), half_way = await wall(0x000000, 1e4);
+    console.log('walls behind air:', near.before_wall, half_way.before_wall, far.before_wall, 'and the sky:', far.sky);
+    near.before_wall.forEach((value) => assert.ok(Math.abs(value - 128) <= 1));
+    far.before_wall.forEach((value, c) => {
+        assert.ok(Math.abs(value - far.sky[c]) <= 2 && value > 20);         // 12 steps in the place of 40
+        assert.ok(half_way.before_wall[c] > 4 && half_way.before_wall[c] < value - 4);
+    });
+}
+
 function rms(a, b, [first, end]) {
     const from = 4 * size[0] * first, values = a.slice(from, 4 * size[0] * end);
     let sum = 0;
@@ -120,10 +148,11 @@ function rms(a, b, [first, end]) {
 
 async function main() {
     fs.cpSync(examples, work, {recursive: true, filter: (one) => path.basename(one) !== 'baked'});
-    execFileSync(path.join(work, 'bake.sh'), [name_of_example, program], {stdio: 'ignore'});
-    const shader = has_page ? undefined : ported_shader();
-    const {browser, page} = await browser_with_a_page(work, {work, page: __dirname},
-        '<script src="page/pictures_page.js"></script>', name_of_example === 'webgpu' ? on_canvas : undefined);
+    execFileSync(path.join(work, 'bake.sh'), [name_of_folder, program], {stdio: 'ignore'});
+    const shader = has_page || is_module ? undefined : ported_shader();
+    const {browser, page} = await browser_with_a_page(work, {work, page: __dirname, modules: path.join(folder, 'node_modules')},
+        `<script src="page/pictures_page.js"></script>${is_module ? module_scripts : ''}`,
+        name_of_example === 'webgpu' ? on_canvas : undefined);
     const pictures = {};
     const wrong = [];
     const measure = async (folder, name, is_right) => {
@@ -133,11 +162,12 @@ async function main() {
     };
     for (const name of Object.keys(views).filter((view) => !is_port || view !== 'evening')) {
         pictures[name] = await page.evaluate((url) => window.picture(url), `work/${preview(name)}`);
-        await measure(`${name_of_example}/baked`, name, true);
+        await measure(`${name_of_folder}/baked`, name, true);
     }
     for (const name of is_port ? [] : ['transmittance', 'multiple_scattering']) await measure(upside_down(name), 'clear_sky', false);
     for (const name of is_port ? ['cloud'] : ['cloud', 'cells']) await measure(upside_down(name), 'clouds', false);
     assert.deepEqual(wrong, []);
+    if (name_of_example === 'three') await check_walls(page);
     if (has_page) await check_page(page, await draw(page, `${name_of_example}/baked`, first_view, shader));
     assert.deepEqual(page.complaints, []);
     await browser.close();

@@ -6,6 +6,7 @@ $if FORMAT=exr$$if LAMP=yes$The map lacks the sun's disc, so the script adds the
 
 Run it in Blender's text editor, or as `blender scene.blend --python $NAME$.blender.py`.
 """
+import math
 import os
 
 import bpy
@@ -33,7 +34,7 @@ $if FORMAT=vdb$shader = nodes.new("ShaderNodeVolumePrincipled")
 $if FORMAT=vdb$shader.inputs["Color"].default_value = (1, 1, 1, 1)  # the albedo of water droplets
 $if FORMAT=vdb$shader.inputs["Density Attribute"].default_value = "$GRID$"
 $if FORMAT=vdb$shader.inputs["Density"].default_value = $EXTINCTION$  # 1/m, where the grid is 1
-$if FORMAT=vdb$shader.inputs["Anisotropy"].default_value = 0.8
+$if FORMAT=vdb$shader.inputs["Anisotropy"].default_value = 0.87  # the mean cosine of droplets of 12 um
 $if FORMAT=vdb$output = nodes.new("ShaderNodeOutputMaterial")
 $if FORMAT=vdb$material.node_tree.links.new(shader.outputs["Volume"], output.inputs["Volume"])
 $if FORMAT=vdb$volume.materials.append(material)
@@ -42,6 +43,16 @@ $if FORMAT=vdb$# Clouds are white because light is scattered many times. By defa
 $if FORMAT=vdb$scene.render.engine = "CYCLES"
 $if FORMAT=vdb$scene.cycles.volume_bounces = max(scene.cycles.volume_bounces, 64)
 $if FORMAT=vdb$scene.cycles.max_bounces = max(scene.cycles.max_bounces, 64)
+$if FORMAT=vdb$
+$if FORMAT=vdb$# A camera that has all of the cloud in its picture, from a little below, unless the scene has one of its own.
+$if FORMAT=vdb$if scene.camera is None or scene.camera.name == "Camera":
+$if FORMAT=vdb$    camera = bpy.data.objects.new("$NAME$ camera", bpy.data.cameras.new("$NAME$"))
+$if FORMAT=vdb$    scene.collection.objects.link(camera)
+$if FORMAT=vdb$    scene.camera = camera
+$if FORMAT=vdb$    camera.rotation_euler = (math.radians(98), 0, math.radians(63 - 90))
+$if FORMAT=vdb$    corners = [c for x in ($LOW_X$, $HIGH_X$) for y in ($LOW_Y$, $HIGH_Y$) for z in ($LOW_Z$, $HIGH_Z$) for c in (x, y, z)]
+$if FORMAT=vdb$    camera.location, _ = camera.camera_fit_coords(bpy.context.evaluated_depsgraph_get(), corners)
+$if FORMAT=vdb$    camera.location.z = max(camera.location.z, 2)
 $if FORMAT=vdb$
 $if FORMAT=vdb$# By default cameras see nothing beyond 100 m.
 $if FORMAT=vdb$reach = 10 * max($EXTENT_X$, $EXTENT_Y$, $HIGH_Z$)
@@ -79,3 +90,7 @@ $if LAMP=yes$lamp["skybake"] = "sun"
 $if LAMP=yes$lamp.rotation_mode = "QUATERNION"
 $if LAMP=yes$lamp.rotation_quaternion = mathutils.Vector(($SUN_AHEAD$, -($SUN_RIGHT$), $SUN_UP$)).to_track_quat("Z", "Y")
 $if LAMP=yes$scene.collection.objects.link(lamp)
+$if LAMP=yes$
+$if LAMP=yes$# Light is per irradiance of the sun, and dark as it is: white that faces the sun becomes bright.
+$if LAMP=yes$if scene.view_settings.exposure == 0:
+$if LAMP=yes$    scene.view_settings.exposure = math.log2(0.8 * math.pi / $IRRADIANCE$)

@@ -253,5 +253,5 @@ Light ground_mottle(vec3 camera, vec3 ray, float pixel) {
         sum += 0.125 * share * share * (3.0 - 2.0 * share) * value_noise(p / cell, noise);
         p = mat2(0.8, 0.6, -0.6, 0.8) * p;
     }
-    return 1.0 + sum * min((1.0 / max(ALBEDO, Light(1e-9)) - 1.0) / 0.75, Light(1.0));
+    return 1.0 + sum * min((1.0 / max(air_ground_albedo(), Light(1e-9)) - 1.0) / 0.75, Light(1.0));
 }

@@ -21,7 +21,7 @@ Light radiance_of(ivec2 texel) {
     float h = altitude_of(texel.y / DIRECTIONS, is_sky);
     Air air = air_along(h, ray);
     if (!air.grounded) return air.light;
-    return air.light + air.through * ground_light((R + h) * sun.z + air.end * dot(ray, sun));
+    return air.light + air.through * ground_light((R + h) * sun.z + air.end_km * dot(ray, sun));
 }
 
 // The mean over half of the sky; all directions weigh the same or, for an irradiance, by the sine of their elevation.

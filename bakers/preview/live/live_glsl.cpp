@@ -8,163 +8,44 @@
 #include <cmath>
 #include <cstddef>
 
-#include "bakers/assets/registry/registry.h"
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/march/cloud_light.h"
-#include "bakers/render/sky_view.h"
-#include "bakers/render/sun_disc.h"
-#include "config/recipe/recipe.h"
+#include "bakers/preview/embedded_text.h"
+#include "bakers/preview/runtime/runtime_library.h"
 
 namespace skybake {
 namespace {
 
-std::string light_of(const Spectrum& value, int channels) {
-    std::string text = "Light(";
-    for (int c = 0; c < channels; ++c) {
-        text += (c > 0 ? ", " : "") + glsl_number(value[static_cast<std::size_t>(c)]);
+// Layers whose phase function is a table read it from their row.
+AirTextures live_textures(const RuntimeAir& air) {
+    AirTextures textures;
+    textures.names = {table_name(air.transmittance->entry.name),
+                      table_name(air.multiple_scattering->entry.name)};
+    if (has_phase_rows(air.medium)) textures.names.emplace_back(phase_rows_name);
+    for (std::size_t i = 0; i < air.medium.layers.size(); ++i) {
+        const bool has_table = air.medium.layers[i].phase.of(0).table != nullptr;
+        textures.phases.push_back(
+            has_table ? fmt::format("phase_in_row({}, {}, ray, sun)", phase_rows_name, i) : "");
     }
-    return text + ")";
-}
-
-// Returns "const Light NAME[n] = Light[n](...);" with `of_each` values for each layer.
-template <class Values>
-std::string layer_values(const std::string& name, const SkyMedium& medium, std::size_t of_each,
-                         const Values& values_of) {
-    std::vector<std::string> values;
-    for (const SkyLayer& layer : medium.layers) {
-        for (const Spectrum& value : values_of(layer)) {
-            values.push_back(light_of(value, medium.air.channels));
-        }
-    }
-    if (values.empty()) values.resize(of_each, "Light(0.0)");
-    return fmt::format("const Light {}[{}] = Light[{}](\n    {});\n", name, values.size(),
-                       values.size(), fmt::join(values, ",\n    "));
-}
-
-// Returns the coefficient of scattering times the phase function's moments up to a degree.
-std::vector<Spectrum> scattering_of(const SkyLayer& layer, int degree) {
-    std::vector<Spectrum> moments = scattered_moments(layer, degree);
-    for (Spectrum& moment : moments) moment *= full_coefficients(layer).scattering_per_km;
-    return moments;
-}
-
-std::vector<Spectrum> extinction_of(const SkyLayer& layer) {
-    return {full_coefficients(layer).extinction_per_km};
-}
-
-// Returns density_at, and the pieces of layers that are linear piece by piece.
-std::string densities(const SkyMedium& medium) {
-    std::string pieces;
-    std::string cases;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < medium.layers.size(); ++i) {
-        const Medium& alone = medium.layers[i].alone;
-        if (!alone.exponential_layers.empty()) {
-            cases += fmt::format("    if (layer == {}) return exp(h * {});\n", i,
-                                 glsl_number(-1 / alone.exponential_layers[0].scale_height_km));
-            continue;
-        }
-        const std::vector<LinearPiece>& own = alone.piecewise_layers.front().pieces;
-        for (const LinearPiece& piece : own) {
-            pieces += fmt::format("{}vec4({}, {}, {}, {})", pieces.empty() ? "" : ",\n    ",
-                                  glsl_number(piece.bottom_km), glsl_number(piece.top_km),
-                                  glsl_number(piece.density_at_bottom),
-                                  glsl_number(piece.density_per_km));
-        }
-        cases += fmt::format("    if (layer == {}) return density_of_pieces({}, {}, h);\n", i,
-                             count, count + own.size());
-        count += own.size();
-    }
-    if (count == 0)
-        return "float density_at(int layer, float h) {\n" + cases + "    return 0.0;\n}\n";
-    return fmt::format(
-        "// Altitudes of bottom and top in km, the density at the bottom, and its slope.\n"
-        "const vec4 PIECES[{0}] = vec4[{0}](\n    {1});\n"
-        "float density_of_pieces(int first, int end, float h) {{\n"
-        "    for (int i = first; i < end; ++i) {{\n"
-        "        if (h >= PIECES[i].x && h < PIECES[i].y) return PIECES[i].z + PIECES[i].w * (h - "
-        "PIECES[i].x);\n"
-        "    }}\n    return 0.0;\n}}\n"
-        "float density_at(int layer, float h) {{\n{2}    return 0.0;\n}}\n",
-        count, pieces, cases);
-}
-
-// Returns the lookup of a table under that name.
-std::string lookup_of(const config::Recipe& recipe, const PreviewAsset& asset,
-                      const std::string& name) {
-    const config::Bake& bake = config::bake_named(recipe.parameters, asset.entry.name);
-    return lookup_glsl(
-        baker_of(bake).lookup(recipe.parameters, bake,
-                              {asset.entry.mapping, asset.entry.size, asset.entry.channels.size()}),
-        name);
-}
-
-// Returns an expression for linear sRGB of the channels of `light`.
-std::string screen_glsl(const ScreenColor& screen, int channels) {
-    Image2<float> units(channels, 1, channels);
-    for (int c = 0; c < channels; ++c) units.texel(c, 0)[c] = 1;
-    const Image2<float> columns = screen.shown(units);
-    std::vector<std::string> terms;
-    for (int c = 0; c < channels; ++c) {
-        const float* to = columns.texel(c, 0);
-        terms.push_back(
-            fmt::format("light.{} * {}", "xyzw"[c], glsl_vector({to[0], to[1], to[2]})));
-    }
-    return fmt::format("{}", fmt::join(terms, " +\n           "));
-}
-
-// Returns the exponents of the sun's darkening towards its limb.
-std::string limb_glsl(const SkyTables& tables, int channels) {
-    Spectrum exponents{};
-    for (std::size_t c = 0; c < static_cast<std::size_t>(channels); ++c) {
-        exponents[c] = limb_exponent(wavelength_nm_of(tables, c));
-    }
-    return fmt::format("const Light LIMB = {};\n", light_of(exponents, channels));
+    return textures;
 }
 
 }  // namespace
 
-std::string live_air_glsl(const LiveLight& light) {
-    const Medium& air = light.medium.air;
-    const Shell shell = shell_of(air);
-    const int degree = light.tables.degree;
-    return fmt::format("#define Light vec{}\n", air.channels) +
-           fmt::format("const float R = {}, D = {};\n", glsl_number(shell.ground_radius_km),
-                       glsl_number(shell.thickness_km)) +
-           fmt::format("const int LAYERS = {}, DEGREE = {};\n",
-                       std::max<std::size_t>(light.medium.layers.size(), 1), degree) +
-           fmt::format("const Light ALBEDO = {};\n", light_of(air.ground_albedo, air.channels)) +
-           limb_glsl(light.tables, air.channels) +
-           layer_values("SCATTERING", light.medium, static_cast<std::size_t>(degree) + 1,
-                        [&](const SkyLayer& layer) { return scattering_of(layer, degree); }) +
-           layer_values("EXTINCTION_OF_AIR", light.medium, 1, extinction_of) +
-           densities(light.medium) +
-           lookup_of(*light.recipe, *light.transmittance, "baked_transmittance") + "\n" +
-           lookup_of(*light.recipe, *light.multiple_scattering, "baked_multiple_scattering") +
-           "\n" + std::string(published_lookup("phase")) +
-           fmt::format(
-               "uniform highp sampler2D transmittance_table, scattering_table;\n"
-               "Light sun_through(float h, float mu) {{ return {}; }}\n"
-               "Light light_moment(float h, float mu, int part) {{\n"
-               "    return baked_multiple_scattering(scattering_table, h, mu{});\n}}\n",
-               light.tables.holds_optical_depth
-                   ? "exp(-baked_transmittance(transmittance_table, h, mu))"
-                   : "baked_transmittance(transmittance_table, h, mu)",
-               degree > 0 ? ", part" : "") +
-           fmt::format("vec3 shown(Light light) {{ return {}; }}\n",
-                       screen_glsl(light.tables.screen, air.channels));
+bool has_phase_rows(const SkyMedium& medium) {
+    return std::any_of(medium.layers.begin(), medium.layers.end(),
+                       [](const SkyLayer& layer) { return layer.phase.of(0).table != nullptr; });
 }
 
-std::string film_glsl(const LiveLight& light) {
-    const int channels = light.medium.air.channels;
-    return std::string(published_lookup("film")) + "\n" +
-           glsl_comment(fmt::format(
-               "Returns what a screen shows, sRGB, of the light that this air sends, as previews "
-               "do: "
-               "`light`, in the tables' channels, is multiplied by the exposure before; {}.",
-               light.tables.screen.words())) +
-           fmt::format(
-               "vec3 shown_by_film(vec{} light) {{\n    return srgb_of(film(in_gamut({})));\n}}\n",
-               channels, screen_glsl(light.tables.screen, channels));
+std::string live_air_glsl(const RuntimeAir& air) {
+    const Shell shell = shell_of(air.medium.air);
+    const AirTextures textures = live_textures(air);
+    const std::string names = fmt::format("{}", fmt::join(textures.names, ", "));
+    return fmt::format("#define Light {}\n#define AIR_TABLES {}\n", light_type(air), names) +
+           fmt::format("uniform highp sampler2D {};\nconst float R = {}, D = {};\n", names,
+                       glsl_number(shell.ground_radius_km), glsl_number(shell.thickness_km)) +
+           std::string(published_lookup("phase")) + std::string(embedded_text("phase.glsl")) +
+           air_glsl(air, textures) + linear_srgb_glsl(air);
 }
 
 namespace {

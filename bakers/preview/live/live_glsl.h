@@ -6,26 +6,17 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
-#include "bakers/preview/bake_assets.h"
 #include "bakers/preview/live/live_clouds.h"
-#include "bakers/render/sky_tables.h"
+#include "bakers/preview/runtime/runtime_air.h"
 
 namespace skybake {
 
-// An atmosphere with the two tables that rays are marched by.
-struct LiveLight {
-    const config::Recipe* recipe = nullptr;
-    const PreviewAsset* transmittance = nullptr;
-    const PreviewAsset* multiple_scattering = nullptr;
-    SkyMedium medium;
-    SkyTables tables;
-};
+// Whether a layer's phase function is a table, and the texture of such tables.
+bool has_phase_rows(const SkyMedium& medium);
+inline constexpr const char* phase_rows_name = "phase_rows";
 
 // Returns the constants and functions that sky.glsl names, with the lookups of the tables.
-std::string live_air_glsl(const LiveLight& light);
-
-// Returns examples/lookups/film.glsl and a function that calls it with the daylight of the air.
-std::string film_glsl(const LiveLight& light);
+std::string live_air_glsl(const RuntimeAir& air);
 
 // Returns those that tiles.glsl and clouds.glsl name, with the published lookups. There is at least one
 // cloud.

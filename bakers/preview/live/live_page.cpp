@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "bakers/assets/description/glsl_lookup.h"
+#include "bakers/preview/embedded_text.h"
 #include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 
@@ -17,9 +18,10 @@ using Json = nlohmann::ordered_json;
 std::string shaders_json() {
     Json shaders;
     for (const char* name : {"sky", "tiles", "clouds", "light", "direct", "picture"}) {
-        shaders[name] = live_text(std::string(name) + ".glsl");
+        shaders[name] = embedded_text(std::string(name) + ".glsl");
     }
-    shaders["screen"] = fmt::format("{}\n{}", published_lookup("film"), live_text("screen.glsl"));
+    shaders["screen"] =
+        fmt::format("{}\n{}", published_lookup("film"), embedded_text("screen.glsl"));
     return safe_in_script(shaders.dump());
 }
 
@@ -34,18 +36,18 @@ std::string files_json(const PreviewPage& page) {
 }  // namespace
 
 std::string live_html(const PreviewPage& page) {
-    return filled(live_text("live.html"),
+    return filled(embedded_text("live.html"),
                   {{"generator", html_text(generator())},
                    {"title", html_text(page.title)},
-                   {"style", std::string(live_text("live.css"))},
+                   {"style", std::string(embedded_text("live.css"))},
                    {"pictures", pictures_html(page)},
                    {"shaders", shaders_json()},
                    {"scene", safe_in_script(page.live_scene)},
                    {"files", files_json(page)},
-                   {"renderer", std::string(live_text("live_diffuse.js")) +
-                                    std::string(live_text("live_clouds.js")) +
-                                    std::string(live_text("live_renderer.js"))},
-                   {"script", std::string(live_text("live.js"))},
+                   {"renderer", std::string(embedded_text("live_diffuse.js")) +
+                                    std::string(embedded_text("live_clouds.js")) +
+                                    std::string(embedded_text("live_renderer.js"))},
+                   {"script", std::string(embedded_text("live.js"))},
                    {"watch", watch_element(page.watch_revision)}});
 }
 

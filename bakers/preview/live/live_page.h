@@ -22,8 +22,4 @@ inline constexpr const char* live_scene_name = "live_scene.js";
 std::vector<PreviewFile> live_files(const PreviewPage& page);
 std::vector<std::string> live_file_names(const PreviewPage& page);
 
-// The texts of the files beside this one, which the program contains: live.html, live.css, live.js,
-// live_clouds.js, live_diffuse.js, live_renderer.js, and the shaders by their names.
-std::string_view live_text(std::string_view name);
-
 }  // namespace skybake

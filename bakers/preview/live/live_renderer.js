@@ -93,7 +93,7 @@ class LiveRenderer {
     // Floats are stored as halves where they could not be filtered. Grids of cells are fetched without a filter.
     upload({name, label, size, channels, type, array}) {
         const {gl} = this, flat = size.length === 2, target = flat ? gl.TEXTURE_2D : gl.TEXTURE_3D;
-        const filtered = !/^(cells_table_\d+|phase_table|shift_table)$/.test(name);
+        const filtered = !/^(cells_table_\d+|phase_rows|shift_table)$/.test(name);
         const wide = type === 'float' && (this.filters_floats || !filtered);
         const internal = type === 'unorm8' ? [, gl.R8, gl.RG8, gl.RGB8, gl.RGBA8]
             : wide ? [, gl.R32F, gl.RG32F, gl.RGB32F, gl.RGBA32F] : [, gl.R16F, gl.RG16F, gl.RGB16F, gl.RGBA16F];

@@ -12,11 +12,10 @@
 #include <vector>
 
 #include "bakers/preview/check_options.h"
-#include "bakers/preview/live/film_lookup.h"
 #include "bakers/preview/live/live_clouds.h"
 #include "bakers/preview/live/live_glsl.h"
 #include "bakers/preview/live/live_textures.h"
-#include "bakers/render/white_balance.h"
+#include "bakers/preview/runtime/runtime_library.h"
 #include "config/assets/asset_kind.h"
 #include "config/recipe/recipe.h"
 
@@ -40,37 +39,11 @@ bool read_air(const PreviewAssets& assets) {
                        [](const PreviewAsset& asset) { return needs_air(asset.entry.kind); });
 }
 
-bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
-    const auto& bakes = recipe.parameters.bakes;
-    return std::any_of(bakes.begin(), bakes.end(),
-                       [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
-}
-
-std::optional<LiveLight> light_of(const config::Recipe& recipe, const PreviewAssets& assets,
-                                  int threads) {
-    const PreviewAsset* transmittance = assets.of_kind("transmittance");
-    const PreviewAsset* scattering = assets.of_kind("multiple_scattering");
-    if (transmittance == nullptr || scattering == nullptr || !has_section(recipe, *transmittance) ||
-        !has_section(recipe, *scattering)) {
-        return std::nullopt;
-    }
-    auto tables = make_sky_tables(*transmittance, scattering);
-    if (!tables.value) return std::nullopt;
-    LiveLight light{&recipe, transmittance, scattering,
-                    make_sky_medium(recipe.parameters.atmosphere), std::move(*tables.value)};
-    light.tables.screen = daylight_screen({light.medium, light.tables}, threads);
-    return light;
-}
-
 // Returns the two tables of the recipe's atmosphere, or of the preset `earth` if no asset reads its air.
 Outcome<PreviewAssets> bake_light(const PreviewAssets& assets, const PreviewOptions& options) {
     const auto light = options.light != nullptr ? options.light : std::make_shared<PictureLight>();
     return light->tables(read_air(assets) ? &*assets.recipe : nullptr,
                          {.threads = options.threads, .progress = options.progress});
-}
-
-bool has_colours(const std::optional<LiveLight>& light) {
-    return light && (light->medium.air.channels == 3 || light->medium.air.channels == 4);
 }
 
 // --- The view ------------------------------------------------------------------------------------
@@ -133,16 +106,18 @@ CloudCamera sky_camera(const PreviewOptions& options) {
             request.field_degrees.value_or(70)};
 }
 
-Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const LiveLight& light,
+Json scene_of(const PreviewAssets& assets, const PreviewOptions& options, const RuntimeAir& light,
               const std::string& light_name) {
     Json scene = {{"title", assets.title}, {"notes", assets.notes}, {"light", light_name}};
     scene["air"] = live_air_glsl(light);
-    scene["textures"] = {
-        table_texture("transmittance_table", light.transmittance->entry.name,
-                      light.transmittance->table),
-        table_texture("scattering_table", light.multiple_scattering->entry.name,
-                      light.multiple_scattering->table),
-        table_texture("phase_table", "phase functions of the recipe", live_phases(light.medium))};
+    for (const PreviewAsset* asset : {light.transmittance, light.multiple_scattering}) {
+        const std::string& name = asset->entry.name;
+        scene["textures"].push_back(table_texture(table_name(name), name, asset->table));
+    }
+    if (has_phase_rows(light.medium)) {
+        scene["textures"].push_back(table_texture(phase_rows_name, "phase functions of the recipe",
+                                                  live_phases(light.medium)));
+    }
     CloudCamera camera = sky_camera(options);
     scene["clouds"] = Json::array();
     scene["cloud_glsl"] = "";
@@ -166,13 +141,13 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
                               "show the folder of a bake, or a recipe")}};
     }
     std::string light_name = "the recipe's atmosphere";
-    std::optional<LiveLight> light = light_of(*assets.recipe, assets, options.threads);
+    std::optional<RuntimeAir> light = runtime_air(*assets.recipe, assets, options.threads);
     PreviewAssets baked;
     if (!light) {
         auto made = bake_light(assets, options);
         if (!made.value) return {{}, std::move(made.diagnostics)};
         baked = std::move(*made.value);
-        light = light_of(*baked.recipe, baked, options.threads);
+        light = runtime_air(*baked.recipe, baked, options.threads);
         light_name = read_air(assets)
                          ? "the recipe's atmosphere, whose tables were baked for this page"
                          : "the preset earth, whose tables were baked for this page";
@@ -185,11 +160,6 @@ Outcome<std::string> live_scene(const PreviewAssets& assets, const PreviewOption
     }
     const Json scene = scene_of(assets, options, *light, light_name);
     return {scene.dump(-1, ' ', false, Json::error_handler_t::replace), {}};
-}
-
-std::string film_lookup(const PreviewAssets& assets, int threads) {
-    const auto light = assets.recipe ? light_of(*assets.recipe, assets, threads) : std::nullopt;
-    return has_colours(light) ? film_glsl(*light) : "";
 }
 
 }  // namespace skybake

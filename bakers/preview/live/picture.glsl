@@ -64,7 +64,7 @@ void main() {
     ground *= ground_mottle(camera, ray, 2.0 * tan_half_fov / size.x);
 #endif
     if (air.grounded) {
-        light += air.through * ground * ground_light((R + h) * sun.z + air.end * dot(ray, sun));
+        light += air.through * ground * ground_light((R + h) * sun.z + air.end_km * dot(ray, sun));
     } else if (has_disc) {
         float angle_of_pixel = 2.0 * tan_half_fov / size.x;
         light += (has_glare ? 0.99 : 1.0) * sun_disc(ray, air.through, angle_of_pixel);
@@ -77,6 +77,6 @@ void main() {
     reads = float(fetches);
 #endif
     if (has_glare) light += glare_at(h, ray);
-    color = vec4(shown(light), reads);
+    color = vec4(linear_srgb(light), reads);
     if (weight < 1.0) color = mix(texelFetch(before, ivec2(gl_FragCoord.xy), 0), color, weight);
 }

@@ -18,8 +18,6 @@ layout(binding = 4) uniform sampler3D cells_table;
 layout(location = 0) out vec4 color;
 
 #include "baked/lookups.glsl"
-#include "sky.glsl"
-#include "clouds.glsl"
 #include "picture.glsl"
 
 void main() { color = picture(vec2(gl_FragCoord.x, size.y - gl_FragCoord.y)); }

@@ -19,21 +19,15 @@ SamplerState multiple_scattering_sampler : register(s1);
 SamplerState cloud_sampler : register(s2);
 
 #include "baked/lookups.hlsl"
-#include "sky.hlsl"
-#include "clouds.hlsl"
 
 float4 main(float4 at : SV_Position) : SV_Target {
     float2 pixel = float2(at.x, size.y - at.y);                             // from the lower left corner
     float2 place = (2.0 * pixel - size) / size.x * tan_half_fov;
     float3 ray = normalize(forward + place.x * right + place.y * up);
-    float h = camera.z * 1e-3;
-    float3 light = sky(h, ray, sun);
     // Jimenez 2014: neighbouring pixels differ much.
     float noise = frac(52.9829189 * frac(dot(pixel, float2(0.06711056, 0.00583715))));
-    Clouds clouds = clouds_along(camera, ray, sun, 144e3, noise);
-    if (clouds.through < 1.0) {
-        Air air = air_along(h, ray, sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
-        light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
-    }
+    float3 light = skybake_view(transmittance_table, transmittance_sampler, multiple_scattering_table,
+                                multiple_scattering_sampler, cloud_table, cloud_sampler, cells_table, camera, ray, sun,
+                                2.0 * tan_half_fov / size.x, noise);
     return float4(shown_by_film(exposure * light), 1.0);
 }

@@ -44,8 +44,8 @@ function linked(gl, fragment) {
 
 async function shader_of(folder) {
     const here = (name) => new URL(name, import.meta.url);
-    const parts = await Promise.all([here('head.glsl'), `${folder}/lookups.glsl`, here('../glsl/sky.glsl'),
-        here('../glsl/clouds.glsl'), here('../glsl/picture.glsl')].map(text_of));
+    const parts = await Promise.all([here('head.glsl'), `${folder}/lookups.glsl`,
+        here('../glsl/picture.glsl')].map(text_of));
     return parts.join('\n');
 }
 

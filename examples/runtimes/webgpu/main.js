@@ -36,9 +36,7 @@ function sampler_of(device, {axes}) {
 
 async function shader_of(folder) {
     const here = (name) => new URL(name, import.meta.url);
-    const parts = await Promise.all([here('picture.wgsl'), `${folder}/lookups.wgsl`, here('sky.wgsl'),
-        here('clouds.wgsl')].map(text_of));
-    return parts.join('\n');
+    return (await Promise.all([here('picture.wgsl'), `${folder}/lookups.wgsl`].map(text_of))).join('\n');
 }
 
 // Returns `draw`, which takes a view.

@@ -27,14 +27,10 @@ struct View {
     let pixel = vec2f(at.x, view.size.y - at.y);                            // from the lower left corner
     let place = (2.0 * pixel - view.size) / view.size.x * view.tan_half_fov;
     let ray = normalize(view.forward + place.x * view.right + place.y * view.up);
-    let h = view.camera.z * 1e-3;
-    var light = sky(h, ray, view.sun);
     // Jimenez 2014: neighbouring pixels differ much.
     let noise = fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715))));
-    let clouds = clouds_along(view.camera, ray, view.sun, 144e3, noise);
-    if (clouds.through < 1.0) {
-        let air = air_along(h, ray, view.sun, clouds.distance * 1e-3, SKY_OF_CLOUDS);
-        light = air.through * clouds.light + (1.0 - clouds.through) * air.light + clouds.through * light;
-    }
+    let light = skybake_view(transmittance_table, transmittance_sampler, multiple_scattering_table,
+        multiple_scattering_sampler, cloud_table, cloud_sampler, cells_table, view.camera, ray, view.sun,
+        2.0 * view.tan_half_fov / view.size.x, noise);
     return vec4f(shown_by_film(view.exposure * light), 1.0);
 }

@@ -1,0 +1,59 @@
+// What a ray sees of clouds.
+struct Clouds {
+    Light light;       // of the clouds and of the air before them
+    float through;     // the share of what is behind them that is seen
+    float distance_m;  // the mean distance of what is seen of them
+};
+
+// Droplets of 12 um: Henyey-Greenstein's and Draine's functions (Jendersie and d'Eon 2023), in 1/sr. `offset` is 1 -
+// cosine of the angle. Light that is scattered n more times sees them wider by 2^-n (Wrenninge et al. 2013).
+float cloud_peak(float g, float offset) {
+    float apart = (1.0 - g) * (1.0 - g) + 2.0 * g * offset;
+    return 0.0795774715 * (1.0 - g * g) / (apart * sqrt(apart));
+}
+float cloud_droplets(float offset, float wide) {
+    float g = 0.56686 * wide, alpha = 23.385 * wide, cosine = 1.0 - offset;
+    float draine = cloud_peak(g, offset) * (1.0 + alpha * cosine * cosine) / (1.0 + alpha * (1.0 + 2.0 * g * g) / 3.0);
+    return mix(cloud_peak(0.99045 * wide, offset), draine, 0.48742);
+}
+
+// What light that is scattered 0 to 3 and 4 to 7 more times adds, where no cloud takes any of it.
+struct CloudOctaves {
+    vec4 few;
+    vec4 many;
+};
+
+CloudOctaves cloud_octaves(vec3 ray, vec3 sun) {
+    float offset = 0.5 * dot(ray - sun, ray - sun);
+    CloudOctaves octaves;
+    octaves.few = vec4(cloud_droplets(offset, 1.0), cloud_droplets(offset, 0.5), cloud_droplets(offset, 0.25),
+                       cloud_droplets(offset, 0.125)) * vec4(1.0, 0.7, 0.49, 0.343);
+    octaves.many = vec4(cloud_droplets(offset, 0.0625), cloud_droplets(offset, 0.03125), cloud_droplets(offset, 0.015625),
+                        cloud_droplets(offset, 0.0078125)) * vec4(0.2401, 0.16807, 0.117649, 0.0823543);
+    return octaves;
+}
+
+float cloud_sunlit(CloudOctaves octaves, float depth) {
+    return dot(octaves.few, exp(-depth * vec4(1.0, 0.5, 0.25, 0.125))) +
+           dot(octaves.many, exp(-depth * vec4(0.0625, 0.03125, 0.015625, 0.0078125)));
+}
+
+// Samples lie at u (1 + growth u) steps with u = k + noise, so that they are as far apart as pixels are. Returns the u
+// of a distance in steps.
+float cloud_samples_to(float distance, float growth) {
+    return 2.0 * max(distance, 0.0) / (1.0 + sqrt(1.0 + 4.0 * growth * max(distance, 0.0)));
+}
+
+// What is seen of two layers of clouds, whichever of them is nearer.
+Clouds cloud_both(Clouds one, Clouds other) {
+    Clouds near = one, far = other, seen;
+    if (other.through < 1.0 && (one.through >= 1.0 || other.distance_m < one.distance_m)) {
+        near = other;
+        far = one;
+    }
+    float opacity = 1.0 - near.through, behind = near.through * (1.0 - far.through);
+    seen.light = near.light + near.through * far.light;
+    seen.through = near.through * far.through;
+    seen.distance_m = (opacity * near.distance_m + behind * far.distance_m) / max(opacity + behind, 0.000000001);
+    return seen;
+}
