@@ -28,7 +28,7 @@ def preview(skybake, folder, camera):
     text = (f"position={x:.1f}m,{y:.1f}m,{z:.1f}m heading={heading:.3f}deg pitch={pitch:.3f}deg "
             f"fov={math.degrees(camera.data.angle_x):.3f}deg")
     subprocess.run([skybake, "preview", folder / "cloud.vdb", "--single", "--camera", text, "--sun-elevation", "30",
-                    "--sun-azimuth", "0", "--size", "x".join(map(str, SIZE)), "--tone-curve", "exponential", "--exposure",
+                    "--sun-azimuth=-27", "--size", "x".join(map(str, SIZE)), "--tone-curve", "exponential", "--exposure",
                     str(EXPOSURE), "-o", folder / "preview", "-q"], check=True)
     return folder / "preview" / "cloud_lit_sun_30.png"
 

@@ -7,6 +7,9 @@
 
 #include "bakers/assets/optical_depth/column_table.h"
 #include "bakers/io/manifest/asset_files.h"
+#include "bakers/preview/load_assets.h"
+#include "bakers/preview/runtime/runtime_library.h"
+#include "bakers/render/sky_view.h"
 #include "tests/lookups/printed_call.h"
 
 namespace metal::printed {
@@ -612,6 +615,60 @@ TEST(PrintedLookups, AreInTheLibraryOfTheirFolder) {
     const auto own =
         SKYBAKE_CALL(transmittance_exr, baked_transmittance, file.texture(), 2.0F, 0.4F);
     EXPECT_EQ(SKYBAKE_CALL(colours, baked_transmittance, file.texture(), 2.0F, 0.4F), own);
+}
+
+// The sky that a library marches is that of previews, which have the same tables: at the ground and high
+// above it, towards the zenith, the horizon and the ground, by day, at dusk and below the horizon.
+template <class Sky>
+void expect_sky_of_previews(const std::string& folder, const Sky& sky) {
+    const auto assets = load_folder(kFolder / folder, LoadedTexels::tables);
+    ASSERT_TRUE(assets.value && assets.value->recipe);
+    const auto air = runtime_air(*assets.value->recipe, *assets.value, 1);
+    ASSERT_TRUE(has_colours(air));
+    struct View {
+        double altitude_km, sun_mu, mu;
+    };
+    std::vector<View> views;
+    std::vector<SkyRay> rays;
+    for (const double altitude_km : {0.0, 2.0, 40.0}) {
+        for (const double sun_mu : {0.8, 0.05, -0.08}) {
+            for (const double mu : {1.0, 0.3, 0.01, -0.3}) {
+                const SunZenith sun = {sun_mu, std::sqrt(1 - sun_mu * sun_mu)};
+                views.push_back({altitude_km, sun_mu, mu});
+                rays.push_back(sky_ray(shell_of(air->medium.air), altitude_km, sun,
+                                       sky_direction(sun, mu, std::sqrt(1 - mu * mu), -0.6)));
+            }
+        }
+    }
+    const std::vector<Spectrum> marched = march_sky(air->medium, air->tables, rays, kSkySteps, 1);
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        const auto& [altitude_km, sun_mu, mu] = views[i];
+        const double level = std::sqrt(1 - mu * mu);
+        const auto found =
+            widened(sky(vec3(0, 0, 1000 * altitude_km), vec3(-0.6 * level, 0.8 * level, mu),
+                        vec3(std::sqrt(1 - sun_mu * sun_mu), 0, sun_mu)));
+        for (int c = 0; c < air->medium.air.channels; ++c) {
+            const double wanted = marched[i][static_cast<std::size_t>(c)];
+            EXPECT_NEAR(found[static_cast<glm::length_t>(c)], wanted, 0.002 * wanted + 1e-9)
+                << folder << ", ray " << i << ", channel " << c;
+        }
+    }
+}
+
+TEST(PrintedLookups, MarchTheSkyOfPreviews) {
+    const BakedFile transmittance("transmittance.exr");
+    const BakedFile hillaire("hillaire.exr");
+    expect_sky_of_previews("colours", [&](const vec3& camera, const vec3& ray, const vec3& sun) {
+        return SKYBAKE_CALL(colours, skybake_sky, transmittance.texture(), hillaire.texture(),
+                            camera, ray, sun, 0.001F);
+    });
+    const BakedFile of_four("transmittance.exr", "four_wavelengths");
+    const BakedFile twilight("twilight.exr", "four_wavelengths");
+    expect_sky_of_previews(
+        "four_wavelengths", [&](const vec3& camera, const vec3& ray, const vec3& sun) {
+            return SKYBAKE_CALL(four_wavelengths_four_wavelengths, skybake_sky, of_four.texture(),
+                                twilight.texture(), camera, ray, sun, 0.001F);
+        });
 }
 
 }  // namespace

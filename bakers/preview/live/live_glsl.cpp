@@ -41,7 +41,10 @@ std::string live_air_glsl(const RuntimeAir& air) {
     const Shell shell = shell_of(air.medium.air);
     const AirTextures textures = live_textures(air);
     const std::string names = fmt::format("{}", fmt::join(textures.names, ", "));
-    return fmt::format("#define Light {}\n#define AIR_TABLES {}\n", light_type(air), names) +
+    return fmt::format(
+               "#define Light {}\n#define AIR_TABLES {}\n#define SUN_TABLE {}\n"
+               "#define LIGHT_TABLE {}\n",
+               light_type(air), names, textures.names[0], textures.names[1]) +
            fmt::format("uniform highp sampler2D {};\nconst float R = {}, D = {};\n", names,
                        glsl_number(shell.ground_radius_km), glsl_number(shell.thickness_km)) +
            std::string(published_lookup("phase")) + std::string(embedded_text("phase.glsl")) +

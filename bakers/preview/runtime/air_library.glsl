@@ -18,23 +18,23 @@ float air_mean_through_of(float x, float through) {
 AIR_OF_RECIPE
 
 // Sunlight at an altitude.
-Light air_sunlight(TABLES, float h, float s) {
+Light air_sunlight(sampler2D SUN_TABLE, float h, float s) {
     float radius = baked_ground_radius_km();
     if (s < -sqrt(h * (2.0 * radius + h))) return Light(0.0);               // the planet hides it
-    return air_sun_through(GIVEN, h, s / (radius + h));
+    return air_sun_through(SUN_TABLE, h, s / (radius + h));
 }
 
 // The mean radiance of the sky at an altitude. The table has that of all directions, half of which are ground.
-Light air_skylight(TABLES, float h, float s) {
+Light air_skylight(sampler2D SUN_TABLE, sampler2D LIGHT_TABLE, float h, float s) {
     float sun_mu = s / (baked_ground_radius_km() + h);
-    Light direct = max(sun_mu, 0.0) * air_sunlight(GIVEN, h, s) * 0.318309886;
-    return max(2.0 * air_mean_light(GIVEN, h, sun_mu) - air_ground_albedo() * direct, 0.0) / (1.0 + air_ground_albedo());
+    Light direct = max(sun_mu, 0.0) * air_sunlight(SUN_TABLE, h, s) * 0.318309886;
+    return max(2.0 * air_mean_light(LIGHT_TABLE, h, sun_mu) - air_ground_albedo() * direct, 0.0) / (1.0 + air_ground_albedo());
 }
 
 // The radiance of the ground.
-Light air_ground_light(TABLES, float s) {
-    Light direct = max(s / baked_ground_radius_km(), 0.0) * air_sunlight(GIVEN, 0.0, s) * 0.318309886;
-    return air_ground_albedo() * (direct + air_skylight(GIVEN, 0.0, s));
+Light air_ground_light(sampler2D SUN_TABLE, sampler2D LIGHT_TABLE, float s) {
+    Light direct = max(s / baked_ground_radius_km(), 0.0) * air_sunlight(SUN_TABLE, 0.0, s) * 0.318309886;
+    return air_ground_albedo() * (direct + air_skylight(SUN_TABLE, LIGHT_TABLE, 0.0, s));
 }
 
 struct Air {
@@ -66,7 +66,7 @@ Air air_along(TABLES, float h, vec3 ray, vec3 sun, float reach, int steps) {
     air.grounded = span.z > 0.5 && span.y <= reach;
     float densest = min(span.x, air.end_km), begin = -sqrt(densest), range = sqrt(max(air.end_km - densest, 0.0)) - begin;
     float last = -densest, i = 1.0;
-    AirPhases phases = air_phases(GIVEN, ray, sun);
+    AirPhases phases = air_phases(PHASES_GIVEN ray, sun);
     while (i <= float(steps)) {
         float y = begin + range * i / float(steps), next = y * abs(y), width = next - last;
         float t = densest + 0.5 * (last + next), q = t * (t + 2.0 * s);
@@ -74,8 +74,8 @@ Air air_along(TABLES, float h, vec3 ray, vec3 sun, float reach, int steps) {
         float sun_s = r * sun.z + t * nu;
         AirPoint here = air_at(altitude, phases);
         Light depth = here.extinction * width, passed = exp(-depth);
-        Light source = here.to_eye * air_sunlight(GIVEN, altitude, sun_s) +
-                       air_scattered_again(GIVEN, here, altitude, sun_s, (s + t) / (radius + altitude), nu);
+        Light source = here.to_eye * air_sunlight(SUN_TABLE, altitude, sun_s) +
+                       air_scattered_again(LIGHT_TABLE, here, altitude, sun_s ANGLES);
         air.light += air.through * source * width * air_mean_through(depth, passed);
         air.through *= passed;
         last = next;
@@ -85,17 +85,15 @@ Air air_along(TABLES, float h, vec3 ray, vec3 sun, float reach, int steps) {
 }
 
 // The share of light that the air lets through from `reach` km away, by Simpson's rule.
-Light air_through(TABLES, float h, vec3 ray, float reach, int steps) {
+Light air_through(float h, vec3 ray, float reach, int steps) {
     float r = baked_ground_radius_km() + h, s = r * ray.z, width = reach / float(steps), i = 0.0;
-    AirPhases phases = air_phases(GIVEN, ray, ray);
     Light depth = Light(0.0);
     while (i <= 2.0 * float(steps)) {
         float t = 0.5 * i * width, q = t * (t + 2.0 * s);
         float altitude = clamp(h + q / (sqrt(max(r * r + q, 0.0)) + r), 0.0, baked_air_thickness_km());
         float share = i - 2.0 * floor(0.5 * i) > 0.5 ? 4.0 : 2.0;
         if (i < 0.5 || i > 2.0 * float(steps) - 0.5) share = 1.0;
-        AirPoint here = air_at(altitude, phases);
-        depth += share * here.extinction;
+        depth += share * air_extinction(altitude);
         i += 1.0;
     }
     return exp(-depth * width / 6.0);

@@ -1,3 +1,8 @@
+// The sum of densities times metres over `count` samples at start + ray * stride * i.
+float NAME_sum(LAYER, vec3 start, vec3 ray, float stride, int count) {
+    SUM;
+}
+
 // The optical depth of the cloud from p to its layer's top or base, at most as far as its tile is wide, by up to 256
 // samples that are `stride` metres or more apart.
 float NAME_depth(LAYER, vec3 p, vec3 ray, float stride) {
@@ -21,10 +26,10 @@ Clouds NAME_seen(TABLES, LAYER, vec3 camera_m, vec3 ray, vec3 sun, float reach_m
     if (nearest >= farthest) return seen;
     CloudOctaves octaves = cloud_octaves(ray, sun);
     float radius = baked_ground_radius_km(), low = 0.001 * base, high = 0.001 * (base + height);
-    Light sun_low = air_sunlight(GIVEN, low, (radius + low) * sun.z);
-    Light sun_high = air_sunlight(GIVEN, high, (radius + high) * sun.z);
-    Light from_sky = air_skylight(GIVEN, high, (radius + high) * sun.z);
-    Light from_ground = air_ground_light(GIVEN, radius * sun.z);
+    Light sun_low = air_sunlight(SUN_TABLE, low, (radius + low) * sun.z);
+    Light sun_high = air_sunlight(SUN_TABLE, high, (radius + high) * sun.z);
+    Light from_sky = air_skylight(SUN_TABLE, LIGHT_TABLE, high, (radius + high) * sun.z);
+    Light from_ground = air_ground_light(SUN_TABLE, LIGHT_TABLE, radius * sun.z);
     float k = max(floor(cloud_samples_to(nearest / STEP_M, pixel)) - 1.0, 0.0);
     float end = floor(cloud_samples_to(farthest / STEP_M, pixel)) + 2.0;
     bool was_empty = true;
@@ -32,8 +37,8 @@ Clouds NAME_seen(TABLES, LAYER, vec3 camera_m, vec3 ray, vec3 sun, float reach_m
         float t = STEP_M * (k + noise) * (1.0 + pixel * (k + noise)), leap = 0.0, density = 0.0;
         bool is_inside = t >= nearest && t <= farthest;
         vec3 p = camera_m + ray * t;
-        if (is_inside && was_empty) leap = NAME_leap_at(LAYER_GIVEN, p, ray);
-        if (is_inside && leap <= 0.0) density = NAME_density_at(LAYER_GIVEN, p);
+        if (is_inside && was_empty) leap = LEAP;
+        if (is_inside && leap <= 0.0) density = DENSITY;
         was_empty = density <= 0.0;
         if (density > 0.0) {
             float depth = sun.z > 0.0 ? NAME_depth(LAYER_GIVEN, p, sun, STEP_M) : 1000000.0;

@@ -34,8 +34,9 @@ CloudOctaves cloud_octaves(vec3 ray, vec3 sun) {
 }
 
 float cloud_sunlit(CloudOctaves octaves, float depth) {
-    return dot(octaves.few, exp(-depth * vec4(1.0, 0.5, 0.25, 0.125))) +
-           dot(octaves.many, exp(-depth * vec4(0.0625, 0.03125, 0.015625, 0.0078125)));
+    vec4 few = exp(-depth * vec4(1.0, 0.5, 0.25, 0.125));
+    vec4 many = exp(-depth * vec4(0.0625, 0.03125, 0.015625, 0.0078125));
+    return dot(octaves.few, few) + dot(octaves.many, many);
 }
 
 // Samples lie at u (1 + growth u) steps with u = k + noise, so that they are as far apart as pixels are. Returns the u

@@ -96,14 +96,17 @@ std::string phases_glsl(const SkyMedium& medium, const AirTextures& textures) {
         members = "    float of_none;\n";
         values = "    phases.of_none = 0.0;\n";
     }
+    const bool needs_cosines = values.find("air_phase(") != std::string::npos;
     return fmt::format(
         "// The phase functions of the air's layers between a ray and the sun, in 1/sr.\n"
         "struct AirPhases {{\n{}}};\n\n"
-        "AirPhases air_phases(TABLES, vec3 ray, vec3 sun) {{\n"
-        "    float ahead = 0.5 * dot(ray - sun, ray - sun), back = 0.5 * dot(ray + sun, ray + "
-        "sun);\n"
+        "AirPhases air_phases(PHASE_TABLES vec3 ray, vec3 sun) {{\n{}"
         "    AirPhases phases;\n{}    return phases;\n}}\n\n",
-        members, values);
+        members,
+        needs_cosines ? "    float ahead = 0.5 * dot(ray - sun, ray - sun), back = 0.5 * dot(ray "
+                        "+ sun, ray + sun);\n"
+                      : "",
+        values);
 }
 
 std::string point_glsl(const RuntimeAir& air) {
@@ -129,14 +132,16 @@ std::string point_glsl(const RuntimeAir& air) {
         if (!layer.scatters) return std::string();
         return fmt::format("phases.of_{} * {}", i, scattering_glsl(layer, 0, channels));
     });
+    const std::string extinction_function = fmt::format(
+        "Light air_extinction(float h) {{\n{}    return {};\n}}\n\n", densities, extinction);
     return fmt::format(
         "// The air at a place, per km: its extinction, what it scatters to the eye of sunlight, "
         "and its\n"
         "// scattering times the moments of the phase functions.\n"
         "struct AirPoint {{\n    Light extinction;\n    Light to_eye;\n{}}};\n\n"
         "AirPoint air_at(float h, AirPhases phases) {{\n{}    AirPoint here;\n"
-        "    here.extinction = {};\n    here.to_eye = {};\n{}    return here;\n}}\n\n",
-        members, densities, extinction, to_eye, values);
+        "    here.extinction = {};\n    here.to_eye = {};\n{}    return here;\n}}\n\n{}",
+        members, densities, extinction, to_eye, values, extinction_function);
 }
 
 // --- Tables --------------------------------------------------------------------------------------
@@ -144,8 +149,9 @@ std::string point_glsl(const RuntimeAir& air) {
 std::string sun_through_glsl(const RuntimeAir& air) {
     const std::string call = fmt::format("{}({}, h, mu)", glsl_name(air.transmittance->entry.name),
                                          table_name(air.transmittance->entry.name));
-    return fmt::format("Light air_sun_through(TABLES, float h, float mu) {{ return {}; }}\n\n",
-                       air.tables.holds_optical_depth ? "exp(-" + call + ")" : call);
+    return fmt::format(
+        "Light air_sun_through(sampler2D SUN_TABLE, float h, float mu) {{ return {}; }}\n\n",
+        air.tables.holds_optical_depth ? "exp(-" + call + ")" : call);
 }
 
 // The light that is scattered again, as a call of the table's lookup.
@@ -199,14 +205,16 @@ std::string scattered_again_glsl(const RuntimeAir& air) {
     }
     return fmt::format(
         "// The mean of the light that is scattered again, over all directions.\n"
-        "Light air_mean_light(TABLES, float h, float sun_mu) {{ return {}; }}\n\n"
-        "// What a km of air scatters again into a ray, whose direction has the cosine mu of its "
-        "zenith angle\n"
-        "// and nu of its angle to the sun.\n"
-        "Light air_scattered_again(TABLES, AirPoint here, float h, float sun_s, float mu, float "
-        "nu) {{\n"
+        "Light air_mean_light(sampler2D LIGHT_TABLE, float h, float sun_mu) {{ return {}; }}\n\n"
+        "// What a km of air scatters again into a ray{}.\n"
+        "Light air_scattered_again(sampler2D LIGHT_TABLE, AirPoint here, float h, float sun_s{}) "
+        "{{\n"
         "    float sun_mu = clamp(sun_s / (baked_ground_radius_km() + h), -1.0, 1.0);\n{}}}\n\n",
-        light_call(air, 0), sum);
+        light_call(air, 0),
+        air.tables.degree > 0 ? ", whose direction has the cosine mu of its zenith angle\n"
+                                "// and nu of its angle to the sun"
+                              : "",
+        air.tables.degree > 0 ? ", float mu, float nu" : "", sum);
 }
 
 std::string mean_through_glsl(int channels) {
@@ -274,12 +282,22 @@ std::string with_textures(std::string_view text, const RuntimeAir& air,
                           const std::vector<std::string>& names) {
     std::vector<std::string> declared;
     for (const std::string& name : names) declared.push_back("sampler2D " + name);
+    std::string phases_declared;
+    std::string phases_given;
+    for (std::size_t i = 2; i < names.size(); ++i) {
+        phases_declared += declared[i] + ", ";
+        phases_given += names[i] + ", ";
+    }
+    const std::string angles = air.tables.degree > 0 ? ", (s + t) / (radius + altitude), nu" : "";
     std::string result(text);
-    for (const auto& [word, by] :
-         {std::pair{"Light", light_type(air)},
-          std::pair{"TABLES", fmt::format("{}", fmt::join(declared, ", "))},
-          std::pair{"GIVEN", fmt::format("{}", fmt::join(names, ", "))}}) {
-        result = std::regex_replace(result, std::regex(fmt::format("\\b{}\\b", word)), by);
+    for (const auto& [pattern, by] :
+         {std::pair{"\\bLight\\b", light_type(air)},
+          std::pair{"\\bTABLES\\b", fmt::format("{}", fmt::join(declared, ", "))},
+          std::pair{"\\bGIVEN\\b", fmt::format("{}", fmt::join(names, ", "))},
+          std::pair{"\\bSUN_TABLE\\b", names[0]}, std::pair{"\\bLIGHT_TABLE\\b", names[1]},
+          std::pair{"\\bPHASE_TABLES ", phases_declared},
+          std::pair{"\\bPHASES_GIVEN ", phases_given}, std::pair{" ANGLES\\b", angles}}) {
+        result = std::regex_replace(result, std::regex(pattern), by);
     }
     return result;
 }

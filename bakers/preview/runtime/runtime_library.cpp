@@ -124,33 +124,34 @@ std::string declared(const std::vector<std::string>& names) {
     return fmt::format("sampler3D {}", fmt::join(names, ", sampler3D "));
 }
 
-// Returns the functions by which a march reads the cloud, whose names are told from those of lookups.
-std::string reading_glsl(const RuntimeCloud& cloud) {
+// What a march reads of a cloud at a place p, as GLSL.
+struct CloudReading {
+    std::string density;
+    std::string leap;  // how far a ray may go on from p without meeting cloud, in metres
+    std::string
+        sum;  // the body of a sum of densities times metres over samples at p + ray * stride * i
+};
+
+CloudReading reading_of(const RuntimeCloud& cloud) {
     const std::vector<std::string> textures = textures_of(cloud);
     const bool at_runtime = cloud.cloud.threshold_at == config::ThresholdAt::runtime;
-    const std::string head = fmt::format("({}, vec3 p", declared(textures));
-    const std::string density = fmt::format("{}{}({}, p)", glsl_name(cloud.volume->name),
-                                            at_runtime ? "_density" : "", textures[0]);
+    CloudReading reading;
+    reading.density = fmt::format("{}{}({}, p)", glsl_name(cloud.volume->name),
+                                  at_runtime ? "_density" : "", textures[0]);
     const std::string leaps = cloud.leaps != nullptr ? glsl_name(cloud.leaps->name) : "";
-    const std::string leap =
-        leaps.empty() ? "0.0"
-                      : fmt::format("{}_leap({}, p, ray)", leaps, fmt::join(textures, ", "));
-    std::string sum = fmt::format(
-        " {{\n    float sum = 0.0, i = 0.0;\n    while (i < float(count)) {{\n"
-        "        sum += NAME_density_at({}, p + ray * (stride * i));\n        i += 1.0;\n    }}\n"
-        "    return sum * stride;\n}}\n\n",
-        fmt::join(textures, ", "));
+    const std::string given = fmt::format("{}", fmt::join(textures, ", "));
+    reading.leap = leaps.empty() ? "0.0" : fmt::format("{}_leap({}, p, ray)", leaps, given);
     if (!leaps.empty() && !at_runtime) {
-        sum = fmt::format(" {{\n    return {}_march({}, p, ray, stride, count);\n}}\n\n", leaps,
-                          fmt::join(textures, ", "));
+        reading.sum = fmt::format("return {}_march({}, start, ray, stride, count);", leaps, given);
+    } else {
+        reading.sum = fmt::format(
+            "float sum = 0.0, i = 0.0;\n    while (i < float(count)) {{\n"
+            "        vec3 p = start + ray * (stride * i);\n        sum += {};\n        i += 1.0;\n "
+            "   }}\n"
+            "    return sum * stride;",
+            reading.density);
     }
-    return fmt::format(
-        "float NAME_density_at{0}) {{ return {1}; }}\n\n"
-        "// How far a ray may go on from p without meeting cloud, in metres.\n"
-        "float NAME_leap_at{0}, vec3 ray) {{ return {2}; }}\n\n"
-        "// The sum of densities times metres over `count` samples at p + ray * stride * i.\n"
-        "float NAME_sum{0}, vec3 ray, float stride, int count){3}",
-        head, density, leap, sum);
+    return reading;
 }
 
 // The steps and the reach of previews.
@@ -166,13 +167,14 @@ MarchSteps steps_of(const RuntimeCloud& cloud) {
 std::string layer_glsl(const RuntimeCloud& cloud) {
     const MarchSteps steps = steps_of(cloud);
     const std::vector<std::string> textures = textures_of(cloud);
-    const std::string baked = glsl_name(cloud.volume->name);
-    std::string text = reading_glsl(cloud) + std::string(embedded_text("cloud_layer_library.glsl"));
+    const CloudReading reading = reading_of(cloud);
+    std::string text(embedded_text("cloud_layer_library.glsl"));
     for (const auto& [word, by] :
          {std::pair{"NAME_", march_name(cloud) + "_"},
           std::pair{"BAKED_", glsl_name(cloud.volume->name) + "_"},
           std::pair{"STEP_M\\b", glsl_number(steps.step_m)},
-          std::pair{"REACH_M\\b", glsl_number(steps.reach_m)},
+          std::pair{"REACH_M\\b", glsl_number(steps.reach_m)}, std::pair{"SUM;", reading.sum},
+          std::pair{"DENSITY\\b", reading.density}, std::pair{"LEAP\\b", reading.leap},
           std::pair{"LAYER\\b", declared(textures)},
           std::pair{"LAYER_GIVEN\\b", fmt::format("{}", fmt::join(textures, ", "))}}) {
         text = std::regex_replace(text, std::regex(fmt::format("\\b{}", word)), by);

@@ -5,7 +5,7 @@ Light skybake_sky(TABLES, vec3 camera_m, vec3 ray, vec3 sun, float pixel) {
     Air air = air_along(GIVEN, h, ray, sun, 1000000.0, 40);
     if (!air.grounded) return air.light + air_sun_disc(ray, sun, air.through, pixel);
     float sun_s = (baked_ground_radius_km() + h) * sun.z + air.end_km * dot(ray, sun);
-    return air.light + air.through * air_ground_light(GIVEN, sun_s);
+    return air.light + air.through * air_ground_light(SUN_TABLE, LIGHT_TABLE, sun_s);
 }
 
 // The air before a surface: what is seen of it is light + through * the surface's own light.
