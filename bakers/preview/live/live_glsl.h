@@ -15,7 +15,7 @@ namespace skybake {
 bool has_phase_rows(const SkyMedium& medium);
 inline constexpr const char* phase_rows_name = "phase_rows";
 
-// Returns the constants and functions that sky.glsl names, with the lookups of the tables.
+// Returns the air of the recipe as sky.glsl and the page's other shaders call it (runtime_air.h).
 std::string live_air_glsl(const RuntimeAir& air);
 
 // Returns those that tiles.glsl and clouds.glsl name, with the published lookups. There is at least one
