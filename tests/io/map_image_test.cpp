@@ -203,8 +203,8 @@ TEST(MapImageFails, ForOtherFiles) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "empty.png", "");
     testing::write_bytes(folder / "text.png", "P2\n1 1\n255\n0\n");  // a picture, of another kind
-    expect_refused(folder / "empty.png", "it is neither PNG nor TIFF nor OpenEXR");
-    expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR");
+    expect_refused(folder / "empty.png", "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
+    expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
     expect_refused(data / "deep.exr", "it is a deep image");
     expect_refused(data / "uint.exr", "its values are of type uint");
     expect_refused(data / "window.exr", "its data window is not its display window");
