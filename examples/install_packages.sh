@@ -27,7 +27,7 @@ if [[ $mode == --tests || $mode == --more || $mode == --all ]]; then
     if [[ $mode == --all ]]; then
         packages+=(
             blender buildah dpkg-dev ffmpeg fish groff imagemagick libfilament-tools libnanovdb-tools libopenvdb-tools lintian mmdebstrap
-            munge nginx-light openimageio-tools python3-numpy python3-openvdb python3-yaml slurm-wlm zsh
+            munge nginx-light openimageio-tools povray python3-numpy python3-openvdb python3-vtk9 python3-yaml slurm-wlm xvfb zsh
         )
     fi
 fi

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limits>
 
+#include "bakers/field/rgbe.h"
 #include "bakers/field/value_kernel.h"
 #include "bakers/math/half_conversion.h"
 
@@ -36,6 +37,7 @@ PixelRange range_of(PixelType type) {
     if (type == PixelType::float32) return {-kLargest, kLargest};
     if (type == PixelType::half) return {-kLargestHalf, kLargestHalf};
     if (type == PixelType::bc6h) return {0, kLargestHalf};
+    if (type == PixelType::rgbe) return {0, largest_rgbe};
     // The difference of two values must be finite.
     if (config::is_leaf_coded(type)) return {-kLargest / 2, kLargest / 2};
     return {0, 1};
@@ -44,6 +46,7 @@ PixelRange range_of(PixelType type) {
 const char* range_text(PixelType type) {
     if (type == PixelType::float32) return "the finite numbers";
     if (type == PixelType::bc6h) return "[0, 65504]";
+    if (type == PixelType::rgbe) return "[0, 1.69e38]";
     if (config::is_leaf_coded(type)) return "[-1.7e38, 1.7e38]";
     return type == PixelType::half ? "[-65504, 65504]" : "[0, 1]";
 }
@@ -70,6 +73,8 @@ double bits_per_value(PixelType type) {
             return 4;
         case PixelType::bc6h:
             return 8.0 / 3;
+        case PixelType::rgbe:
+            return 32.0 / 3;
         case PixelType::fp8:
             return 8 + 96 * 8 / 512.0;  // leaves have a head of 96 bytes
         case PixelType::fp16:
@@ -215,6 +220,7 @@ void load_values(const char* bytes, std::size_t count, PixelType type, float* ou
 }
 
 void round_values(float* values, std::size_t count, PixelType type) {
+    if (type == PixelType::rgbe) return round_to_rgbe(values, count);
     if (type == PixelType::float32 || config::is_block_coded(type)) return;
     constexpr std::size_t kPiece = 4096;
     std::array<char, kPiece * 2> stored;

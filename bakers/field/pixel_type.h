@@ -16,7 +16,7 @@ namespace skybake {
 // nearest: for half, ties go to even; for unorm8 and unorm16, the result is the float nearest to a
 // multiple of 1/255 or 1/65535, and ties go upwards. The result is infinite if a half overflows. A
 // unorm type expects values in [0, 1] and does not clamp others, so check range_of() before
-// storing. Types that code blocks hold decoded values, which are not rounded further
+// storing. Types that code blocks, and rgbe, hold decoded values, which are not rounded further
 // (block_voxels.h): they are stored as floats wherever this header stores values.
 float round_to_pixel_type(double value, config::PixelType type);
 
@@ -60,7 +60,8 @@ void store_values(const float* values, std::size_t count, config::PixelType type
 // Converts stored bytes to floats: exactly, but for unorm to the nearest floats.
 void load_values(const char* bytes, std::size_t count, config::PixelType type, float* out);
 
-// Rounds the values in place to what a file of the type holds. Every value must fit the type.
+// Rounds the values in place to what a file of the type holds. Every value must fit the type; for rgbe,
+// three channels are interleaved, and texels that it cannot hold stay as they are.
 void round_values(float* values, std::size_t count, config::PixelType type);
 
 }  // namespace skybake

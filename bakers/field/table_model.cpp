@@ -30,6 +30,9 @@ Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
     for (std::size_t i = 0; i < texels.texels.size(); ++i) {
         image.texels[i] = store(texels.texels[i], type, range);
     }
+    if (type == config::PixelType::rgbe) {
+        round_values(image.texels.data(), image.texels.size(), type);
+    }
     return image;
 }
 

@@ -71,6 +71,7 @@ inline constexpr Choice pixel_type_choices[] = {
     {PixelType::bc6h, "bc6h", "BC6H: 8 bits per texel of R G B, half; dds and ktx2"},
     {PixelType::fp8, "fp8", "NanoVDB's 8 bits between the extremes of 8 x 8 x 8 voxels"},
     {PixelType::fp16, "fp16", "NanoVDB's 16 bits between the extremes of 8 x 8 x 8 voxels"},
+    {PixelType::rgbe, "rgbe", "8 bits of each of R G B, with one exponent for the three; hdr"},
 };
 inline constexpr Choice layout_choices[] = {
     {SheetLayout::stack, "stack", "slices below each other, slice 0 first"},
@@ -150,8 +151,8 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
          "slices in a row of the atlas; by default a divisor of the slices, near to a square",
          column_range, When{"layout", atlas}, Role::files},
         {"flip", Kind::flag, &AssetFiles::flip,
-         "whether EXR, PNG and TGA images are upside down, for readers that take the "
-         "lower left texel for the first",
+         "whether EXR, PNG, TGA and HDR images are upside down, for readers that take "
+         "the lower left texel for the first",
          Default{words.flip}, Role::files},
         {"mips", Kind::levels, &AssetFiles::mips, words.mips, level_range, Default{"1"},
          Hint{"\"all\" goes down to one voxel"}, Role::files},

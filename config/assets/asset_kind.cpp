@@ -206,13 +206,14 @@ std::vector<Bake> decode_bakes(const Table& root, const Parameters& recipe, Deco
         }
     }
     for (OpenBake& bake : open) {
-        resolve_target(bake.section, bake.kind->facts.name, recipe, decoder);
-        if (bake.kind->resolve && !bake.kind->facts.of_another_bake) {
+        const AssetFacts& facts = bake.kind->facts;
+        resolve_target(bake.section, facts.name, recipe, decoder);
+        check_formats(bake.section, facts.is_table, facts.use_of_light == UseOfLight::colors,
+                      decoder);
+        if (bake.kind->resolve && !facts.of_another_bake) {
             bake.kind->resolve(bake.section, {recipe}, decoder);
         }
-        if (bake.kind->facts.is_table && !bake.kind->facts.of_another_bake) {
-            resolve_table_files(bake.section, decoder);
-        }
+        if (facts.is_table && !facts.of_another_bake) resolve_table_files(bake.section, decoder);
         for (const std::string_view key : {"layers", "mie_layers", "kinds"}) {
             check_layer_names(bake.section, key, root, recipe.atmosphere, decoder);
         }

@@ -141,10 +141,8 @@ std::vector<Read> reads_of(const Parameters& parameters, const CloudDistanceBake
 }  // namespace
 
 const AssetKind& asset_kind(Tag<CloudDistanceBake>) {
-    static const auto rows =
-        with_file_fields(distance_table, {.formats = R"(["bin"])",
-                                          .mips = "number of levels, which is 1",
-                                          .pixel_type = R"("unorm16")"});
+    static const auto rows = with_file_fields(
+        distance_table, {.formats = R"(["bin"])", .mips = "number of levels, which is 1"});
     static const AssetKind kind = make_asset_kind<CloudDistanceBake>(
         {
             .name = "cloud_distance",

@@ -28,6 +28,8 @@ int bytes_of(PixelType type) {
             return 4;
         case PixelType::half:
         case PixelType::unorm16:
+        case PixelType::fp16:
+        case PixelType::rgbe:
             return 2;
         case PixelType::unorm8:
         case PixelType::bc4:
@@ -35,8 +37,6 @@ int bytes_of(PixelType type) {
         case PixelType::bc6h:
         case PixelType::fp8:
             return 1;
-        case PixelType::fp16:
-            return 2;
     }
     return 0;
 }
@@ -173,20 +173,29 @@ void check_pixel_type(const DecodedSection& bake, Decoder& decoder) {
     const auto type = pixel_type_of(bake);
     if (!type) return;
     std::vector<std::string_view> without;
+    const FormatFacts* first = nullptr;
     for (const FileFormat format : formats_of(bake)) {
-        if (!facts_of(format).holds(*type)) without.push_back(facts_of(format).name);
+        const FormatFacts& facts = facts_of(format);
+        if (facts.holds(*type)) continue;
+        if (without.empty()) first = &facts;
+        without.push_back(facts.name);
     }
     check_references(bake, decoder);
-    if (without.empty()) return;
+    if (first == nullptr) return;
     std::vector<std::string_view> with;
     for (const FormatFacts& facts : file_formats) {
         if (facts.holds(*type) && !facts.only_refers) with.push_back(facts.name);
+    }
+    std::vector<std::string_view> types;
+    for (const Choice& choice : decoded.field->choices) {
+        if (first->holds(static_cast<PixelType>(choice.enumerator))) types.push_back(choice.name);
     }
     decoder.diagnostics.error(
         "E0131", decoded.source ? decoded.source->place : bake.place,
         fmt::format("`{}`: {} files cannot hold {}", join_path(bake.path, "pixel_type"),
                     fmt::join(without, " and "), choice_name(*decoded.field, *type)),
-        fmt::format("{} hold it", fmt::join(with, ", ")));
+        fmt::format("{} hold it; {} holds {}", fmt::join(with, ", "), first->name,
+                    fmt::join(types, ", ")));
 }
 
 void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& decoder) {
@@ -200,7 +209,7 @@ void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& d
         fmt::format("`{}`: {} codes {} channel{}, and [{}] has {}",
                     join_path(bake.path, "pixel_type"), choice_name(*decoded.field, *type), coded,
                     coded == 1 ? "" : "s", bake.path, channels),
-        "bc4 codes one channel, bc6h three");
+        "bc4 codes one channel, bc6h and rgbe three");
 }
 
 void refuse_blocks(const DecodedSection& bake, std::string_view what, Decoder& decoder) {
@@ -284,23 +293,29 @@ std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
     return std::nullopt;
 }
 
-void check_table_formats(const DecodedSection& bake, Decoder& decoder) {
+}  // namespace
+
+void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, Decoder& decoder) {
     for (const FileFormat format : formats_of(bake)) {
-        if (!facts_of(format).only_volumes) continue;
+        const FormatFacts& facts = facts_of(format);
+        const bool misses_colors = facts.only_colors && !(is_table && has_colors);
+        if (!(facts.only_volumes && is_table) && !misses_colors) continue;
         decoder.diagnostics.error(
             "E0131", bake.at("formats").source->place,
-            fmt::format("`{}`: {} files hold volumes, and [{}] is a table",
-                        join_path(bake.path, "formats"), facts_of(format).name, bake.path),
-            "most other formats hold tables");
+            fmt::format("`{}`: {} files hold {}, and [{}] {}", join_path(bake.path, "formats"),
+                        facts.name, misses_colors ? "colours of the sky in tables" : "volumes",
+                        bake.path, misses_colors ? "has none" : "is a table"),
+            misses_colors ? "environment, sky_view and irradiance have them"
+                          : "most other formats hold tables");
     }
-    refuse_blocks(bake, "a table", decoder);
+    if (has_colors && decoder.channels && pixel_type_of(bake) == PixelType::rgbe) {
+        check_channels(bake, static_cast<std::size_t>(*decoder.channels), decoder);
+    }
 }
-
-}  // namespace
 
 void resolve_table_files(DecodedSection& bake, Decoder& decoder) {
     check_pixel_type(bake, decoder);
-    check_table_formats(bake, decoder);
+    refuse_blocks(bake, "a table", decoder);
     if (const auto size = table_size(bake)) {
         resolve_files(bake, *size, Halving::down, decoder);
         return;

@@ -30,6 +30,10 @@ std::string voxels_to_string(const VoxelCounts& size);
 // does not have (E0131).
 void check_pixel_type(const DecodedSection& bake, Decoder& decoder);
 
+// Reports formats that do not hold the asset: that of volumes for a table, that of colours for another
+// asset or other channels (E0131).
+void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, Decoder& decoder);
+
 // Reports pixel types that code blocks of another number of channels (E0131).
 void check_channels(const DecodedSection& bake, std::size_t channels, Decoder& decoder);
 

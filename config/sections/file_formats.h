@@ -11,7 +11,7 @@ namespace skybake::config {
 
 enum class Compression { none, zip, zips, piz };
 
-enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda, tif, f32 };
+enum class FileFormat { exr, vdb, bin, png, dds, ktx2, nvdb, vol, npy, tga, usda, tif, f32, hdr };
 enum class SheetLayout { stack, atlas };
 enum class VdbCompression { none, zip, blosc };
 enum class Ktx2Compression { none, zstd };
@@ -20,6 +20,7 @@ enum class Ktx2Compression { none, zstd };
 enum class Target {
     three,
     babylon,
+    playcanvas,
     takram,
     godot,
     unity,
@@ -44,6 +45,7 @@ struct FormatFacts {
     PixelTypes pixel_types;
     bool is_image = false;        // holds the slices of a volume in one image
     bool only_volumes = false;    // it cannot hold tables
+    bool only_colors = false;     // it holds tables of the colours of light in three channels
     bool has_all_levels = false;  // one file holds all levels of detail
     bool deflates = false;        // always deflates; EXR and VDB follow their `compression`
     bool only_refers = false;     // has no texels: it names the asset's VDB files
@@ -118,6 +120,12 @@ inline constexpr std::array file_formats = {
                 .name = "f32",
                 .description = "texture of CalcMySky and Stellarium, four floats per texel",
                 .pixel_types = PixelTypes(PixelType::float32)},
+    FormatFacts{.format = FileFormat::hdr,
+                .name = "hdr",
+                .description = "Radiance picture of a sky, in three channels; rgbe",
+                .pixel_types = PixelTypes(PixelType::rgbe),
+                .is_image = true,
+                .only_colors = true},
 };
 
 constexpr const FormatFacts& facts_of(FileFormat format) {

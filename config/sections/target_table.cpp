@@ -82,6 +82,16 @@ TargetUse panorama_of(Words sidecars) {
     return use;
 }
 
+// The sky as a Radiance panorama, which is for light of three channels.
+TargetUse radiance_of(Words sidecars) {
+    TargetUse use = panorama_of(std::move(sidecars));
+    use.formats = {FileFormat::hdr};
+    use.pixel_types = PixelTypes(PixelType::rgbe);
+    use.pixel_type = PixelType::rgbe;
+    use.light_channels = 3;
+    return use;
+}
+
 // Rows of keys ask for this before the variables of this file would have their values.
 std::vector<TargetFacts> make_targets() {
     // The groups of assets that programs treat alike: pictures of numbers, and textures of two or three axes.
@@ -113,6 +123,10 @@ std::vector<TargetFacts> make_targets() {
          {textures_of(most, FileFormat::bin, {"*.babylon.js"}),
           flipbook_of(FileFormat::bin, {"*.babylon.js"}),
           sky_of(FileFormat::bin, {"*.babylon.js"}, {panorama, cube})}},
+        {Target::playcanvas,
+         "playcanvas",
+         "PlayCanvas: HDR panoramas and DDS cubes, each with a module that loads it",
+         {radiance_of({"*.playcanvas.js"}), sky_of(FileFormat::dds, {"*.playcanvas.js"}, {cube})}},
         {Target::takram,
          "takram",
          "@takram/three-atmosphere and three-clouds: bare texels and pictures, with modules",
@@ -140,7 +154,9 @@ std::vector<TargetFacts> make_targets() {
           sky_of(FileFormat::bin, unity, {panorama, cube})}},
         {Target::unreal,
          "unreal",
-         "Unreal 5.4 and later: DDS textures and VDB volumes, with Python scripts that import them",
+         "Unreal 5.4 and later: DDS textures, VDB volumes and HDR skies, with Python scripts that "
+         "import "
+         "them",
          {{.assets = all_of({tables, textures}),
            .formats = {FileFormat::dds},
            .pixel_types = volume_types,
@@ -150,7 +166,8 @@ std::vector<TargetFacts> make_targets() {
           {.assets = clouds,
            .formats = {FileFormat::vdb, FileFormat::dds},
            .pixel_types = floating_types,
-           .sidecars = {"*.unreal.py"}}}},
+           .sidecars = {"*.unreal.py"}},
+          radiance_of({"*.unreal.py"})}},
         {Target::bevy,
          "bevy",
          "Bevy 0.19 and later: KTX2 textures, with Rust modules that load them",

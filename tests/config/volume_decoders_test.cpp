@@ -212,7 +212,7 @@ TEST(CloudDistanceDecoder, HasItsDefaults) {
     EXPECT_EQ(bake.range, (std::array<Length, 2>{{{-256}, {4096}}}));
     EXPECT_EQ(bake.core.meters, 0);
     EXPECT_EQ(bake.contents, std::vector<DistanceContent>{DistanceContent::distance});
-    EXPECT_EQ(bake.pixel_type, PixelType::unorm16);
+    EXPECT_EQ(bake.pixel_type, PixelType::half);
     EXPECT_EQ(bake.formats, std::vector<FileFormat>{FileFormat::bin});
     EXPECT_EQ(bake.mips, 1);
 }

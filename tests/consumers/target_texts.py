@@ -117,6 +117,19 @@ def calls(text, function):
             if isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == function]
 
 
+def check_unreal_sky(failures, text):
+    """Unreal's texture compressor looks up u = (1 + atan2(x, -y) / pi) / 2: ahead is -y, and +x is to the right of it."""
+    [[_, _, rotation]] = [call for call in calls(text, "spawn_actor_from_class") if call[0] == "unreal.DirectionalLight"]
+    failures.expect(rotation, "from_sun", "the rotation of Unreal's sun")
+    [[forward]] = calls(text, "make_rot_from_x")
+    ray = [eval(x) for x in re.fullmatch(r"unreal.Vector\((.*)\)", forward).group(1).split(",")]
+    u, (right, up, ahead) = (1 + math.atan2(-ray[0], ray[1]) / math.pi) / 2, SUN
+    failures.expect_near(u, 0.5 + math.atan2(right, ahead) / (2 * math.pi), 1e-6, "the azimuth of Unreal's sun")
+    failures.expect_near(-ray[2], up, 1e-6, "the height of Unreal's sun")
+    failures.expect([call[1] for call in calls(text, "set_editor_property") if call[0].lower() == "'cubemap'"],
+                    ["texture", "texture"], "the cube of Unreal's sky")
+
+
 def check_unreal(failures, name, text):
     """Unreal counts in centimetres, with y against that of a right-handed file, and volumes have the place of their file.
 
@@ -191,7 +204,9 @@ def main():
                 check_brackets(failures, name, text)
             if name.endswith(".tscn") and "FogVolume" in text:
                 check_godot_place(failures, text)
-            if name.endswith(".unreal.py"):
+            if name == "sky.unreal.py":
+                check_unreal_sky(failures, text)
+            elif name.endswith(".unreal.py"):
                 check_unreal(failures, name, text)
             if name == "sky.unity.cs":
                 check_unity_sky(failures, text, is_cube)

@@ -114,6 +114,7 @@ const std::vector<Sample>& samples() {
         sample_of(FileFormat::tga, PixelType::unorm8, 4, 1, false),
         sample_of(FileFormat::tga, PixelType::unorm8, 1, 1, false),
         sample_of(FileFormat::tif, PixelType::float32, 3, 1, false),
+        sample_of(FileFormat::hdr, PixelType::rgbe, 3, 1, false),
         sample_of(FileFormat::f32, PixelType::float32, 3, 1, false),
         cube_of(FileFormat::dds, false),
         cube_of(FileFormat::ktx2, false),

@@ -116,7 +116,9 @@ std::string hash_of_stored(const fs::path& folder, const ManifestAsset& asset,
     if (file.format == "exr") return hash_of_exr(path);
     const std::string& format = file.format;
     if (format == "vdb" || format == "nvdb") return hash_of_vdb(path, asset, file);
-    if (format == "png" || format == "tga") return hash_of_png(path, asset, file);
+    if (format == "png" || format == "tga" || format == "hdr") {
+        return hash_of_png(path, asset, file);
+    }
     if (format == "ktx2" || format == "tif") return hash_of_levels(path, asset, file);
     const std::set<std::string> bare = {"bin", "dds", "f32", "json", "npy", "usda", "vol"};
     EXPECT_TRUE(bare.contains(format)) << format;
@@ -261,9 +263,9 @@ TEST(GoldenRecipes, BakeEveryAssetAndFormat) {
             formats.insert(fs::path(path).extension().string());
         }
     }
-    EXPECT_EQ(formats,
-              (std::set<std::string>{".bin", ".dds", ".exr", ".f32", ".json", ".ktx2", ".npy",
-                                     ".nvdb", ".png", ".tga", ".tif", ".usda", ".vdb", ".vol"}));
+    EXPECT_EQ(formats, (std::set<std::string>{".bin", ".dds", ".exr", ".f32", ".hdr", ".json",
+                                              ".ktx2", ".npy", ".nvdb", ".png", ".tga", ".tif",
+                                              ".usda", ".vdb", ".vol"}));
 }
 
 // The lines `key = value` of a baker's own sections, by their keys, of all recipes.

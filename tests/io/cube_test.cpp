@@ -58,11 +58,11 @@ Baked numbered_cube() {
 TEST(Cubes, HaveTheHeaderOfDx10) {
     const TemporaryFolder folder;
     const std::string bytes =
-        written(folder, FileFormat::dds, cube_of(8, 3, PixelType::half, 2), 1);
+        written(folder, FileFormat::dds, cube_of(8, 3, PixelType::unorm8, 2), 1);
     EXPECT_EQ(word(bytes, 4 + 4), 0x1U | 0x2U | 0x4U | 0x8U | 0x1000U | 0x20000U);
     EXPECT_EQ(word(bytes, 4 + 8), 8U) << "height";
     EXPECT_EQ(word(bytes, 4 + 12), 8U) << "width";
-    EXPECT_EQ(word(bytes, 4 + 16), 8U * 8) << "pitch";
+    EXPECT_EQ(word(bytes, 4 + 16), 8U * 4) << "pitch";
     EXPECT_EQ(word(bytes, 4 + 20), 0U) << "depth";
     EXPECT_EQ(word(bytes, 4 + 24), 2U) << "mips";
     EXPECT_EQ(word(bytes, 4 + 104), 0x8U | 0x1000U | 0x400000U) << "complex, texture, mips";
@@ -71,7 +71,23 @@ TEST(Cubes, HaveTheHeaderOfDx10) {
     EXPECT_EQ(word(bytes, 132), 3U) << "2-D";
     EXPECT_EQ(word(bytes, 136), 4U) << "cube";
     EXPECT_EQ(word(bytes, 140), 1U) << "number of cubes";
-    EXPECT_EQ(bytes.size(), 148U + 6 * 8 * (8 * 8 + 4 * 4));
+    EXPECT_EQ(bytes.size(), 148U + 6 * 4 * (8 * 8 + 4 * 4));
+}
+
+// D3DFMT_A16B16G16R16F is 113, and DDSCAPS2 says that it is a cube. The header ends there.
+TEST(Cubes, OfHalvesHaveTheHeaderBeforeDx10) {
+    const TemporaryFolder folder;
+    const Baked cube = cube_of(8, 3, PixelType::half, 2);
+    const std::string bytes = written(folder, FileFormat::dds, cube, 1);
+    EXPECT_EQ(word(bytes, 4 + 76), 4U) << "four characters";
+    EXPECT_EQ(word(bytes, 4 + 80), 113U);
+    EXPECT_EQ(word(bytes, 4 + 108), 0xFE00U);
+    EXPECT_EQ(bytes.size(), 128U + 6 * 8 * (8 * 8 + 4 * 4));
+    EXPECT_EQ(testing::texels_of(FileFormat::dds, cube, 0, folder / "a.file").size(), 6U * 64 * 3);
+    const auto facts = format_of(FileFormat::dds).inspect(folder / "a.file");
+    ASSERT_TRUE(facts.value.has_value());
+    EXPECT_EQ(facts.value->pixel_type, PixelType::half);
+    EXPECT_EQ(facts.value->channels, 4U);
 }
 
 // KTX 2.0, section 3: faceCount is 6, the height is the width, and KTXorientation is `rd`.
@@ -189,7 +205,7 @@ TEST(Cubes, AreToldFromImages) {
 // A file whose two headers disagree is damaged.
 TEST(Cubes, OfDdsHaveHeadersThatAgree) {
     const TemporaryFolder folder;
-    const Baked cube = cube_of(4, 1, PixelType::half);
+    const Baked cube = cube_of(4, 1, PixelType::unorm8);
     std::string bytes = written(folder, FileFormat::dds, cube, 1);
     bytes[136] = 0;
     testing::write_bytes(folder / "a.file", bytes);

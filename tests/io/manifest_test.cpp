@@ -339,9 +339,9 @@ TEST(Manifest, SchemaTravelsInTheProgram) {
     const std::string schema = manifest_schema();
     EXPECT_NE(schema.find("\"title\": \"skybake manifest\""), std::string::npos);
     EXPECT_NE(schema.find(R"("enum": ["exr", "vdb", "bin", "png", "dds", "ktx2", "nvdb", "vol", )"
-                          R"("npy", "tga", "usda", "tif", "f32", "json", "sidecar"])"),
+                          R"("npy", "tga", "usda", "tif", "f32", "hdr", "json", "sidecar"])"),
               std::string::npos);
-    EXPECT_NE(schema.find(R"("enum": ["exr", "png", "tga"])"), std::string::npos);
+    EXPECT_NE(schema.find(R"("enum": ["exr", "png", "tga", "hdr"])"), std::string::npos);
 }
 
 TEST(Manifest, MissingOneIsNotADamagedOne) {

@@ -199,12 +199,22 @@ void expect_refused(const std::filesystem::path& path, const std::string& words,
     EXPECT_NE(error.find(words), std::string::npos) << error;
 }
 
+TEST(MapImage, MayBeARadiancePicture) {
+    const TemporaryFolder folder;
+    const std::string texels = {char(128), 64, 32, char(128), 16, char(200), 1, 127};
+    const std::string head = "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n";
+    for (const char* first : {"#?RADIANCE\n", "#?RGBE\n"}) {
+        testing::write_bytes(folder / "map.hdr", first + head + texels);
+        EXPECT_EQ(read(folder / "map.hdr", "G").value->values, over(512, {128, 200}));
+    }
+}
+
 TEST(MapImageFails, ForOtherFiles) {
     const TemporaryFolder folder;
     testing::write_bytes(folder / "empty.png", "");
     testing::write_bytes(folder / "text.png", "P2\n1 1\n255\n0\n");  // a picture, of another kind
-    expect_refused(folder / "empty.png", "it is neither PNG nor TIFF nor OpenEXR");
-    expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR");
+    expect_refused(folder / "empty.png", "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
+    expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
     expect_refused(data / "deep.exr", "it is a deep image");
     expect_refused(data / "uint.exr", "its values are of type uint");
     expect_refused(data / "window.exr", "its data window is not its display window");

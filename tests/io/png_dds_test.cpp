@@ -155,6 +155,28 @@ TEST(Dds, NamesTheFormatOfEachPixelType) {
     }
 }
 
+// D3DFORMAT of Direct3D 9, which 2-D textures of half and float have in place of DX10's header.
+TEST(Dds, NamesOldFormatsWhereTheyExist) {
+    const TemporaryFolder folder;
+    const std::array<std::pair<PixelType, std::array<std::uint32_t, 2>>, 2> wanted = {
+        {{PixelType::float32, {114, 116}}, {PixelType::half, {111, 113}}}};
+    for (const auto& [type, formats] : wanted) {
+        for (const int channels : {1, 3, 4}) {
+            Baked table = plain_volume({5, 3, 1}, channels, type);
+            table.axes.resize(2);
+            const std::string bytes = written(folder, FileFormat::dds, table, 1);
+            EXPECT_EQ(word(bytes, 84), formats[channels == 1 ? 0 : 1]);
+            const std::size_t stored_channels =
+                channels == 3 ? 4 : static_cast<std::size_t>(channels);
+            EXPECT_EQ(bytes.size(), 128 + 15 * stored_channels * (type == PixelType::half ? 2 : 4));
+            EXPECT_EQ(wrong_values(FileFormat::dds, table, folder / "a.file"), 0);
+        }
+        Baked table = plain_volume({9, 7, 1}, 3, type);
+        table.axes.resize(2);
+        testing::expect_refuses_damage(FileFormat::dds, table);
+    }
+}
+
 TEST(Dds, ReadsBackAndDoesNotDependOnThreads) {
     const TemporaryFolder folder;
     for (const PixelType type : kTypes) {

@@ -136,7 +136,7 @@ void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 }  // namespace
 
 const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
-    static const Baker<CloudDistanceBake> row = {.version = 3,
+    static const Baker<CloudDistanceBake> row = {.version = 4,
                                                  .bake = bake,
                                                  .estimate = estimate,
                                                  .needs = needs_of_source<CloudDistanceBake>,

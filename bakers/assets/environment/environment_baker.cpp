@@ -209,7 +209,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 15,
+    static const Baker<EnvironmentBake> row = {.version = 16,
                                                .bake = bake,
                                                .estimate = estimate,
                                                .needs = needs,

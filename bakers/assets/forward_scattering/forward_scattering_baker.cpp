@@ -52,7 +52,7 @@ AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const Stored
 }  // namespace
 
 const Baker<ForwardScatteringBake>& baker(BakerTag<ForwardScatteringBake>) {
-    static const Baker<ForwardScatteringBake> row = {.version = 1,
+    static const Baker<ForwardScatteringBake> row = {.version = 2,
                                                      .bake = bake,
                                                      .estimate = estimate,
                                                      .places = places,

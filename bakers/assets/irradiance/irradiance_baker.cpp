@@ -114,7 +114,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 13,
+    static const Baker<config::IrradianceBake> row = {.version = 14,
                                                       .bake = bake,
                                                       .estimate = estimate,
                                                       .needs = needs,

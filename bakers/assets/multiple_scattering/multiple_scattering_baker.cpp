@@ -217,7 +217,7 @@ void draft(MultipleScatteringBake& asset, int) {
 
 const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
     static const Baker<config::MultipleScatteringBake> row = {
-        .version = 13,
+        .version = 14,
         .bake = bake,
         .estimate = estimate,
         .needs = needs,

@@ -72,7 +72,7 @@ AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const Stor
 
 const Baker<config::PhaseBake>& baker(BakerTag<config::PhaseBake>) {
     static const Baker<config::PhaseBake> row = {
-        .version = 6,
+        .version = 7,
         .bake = bake,
         .estimate = estimate,
         .places = places,

@@ -154,7 +154,7 @@ void draft(SkyViewBake& asset, int) {
 
 const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
     static const Baker<config::SkyViewBake> row = {
-        .version = 14,
+        .version = 15,
         .bake = bake,
         .estimate = estimate,
         .needs = needs,

@@ -64,7 +64,7 @@ void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64
 
 const Baker<config::TransmittanceBake>& baker(BakerTag<config::TransmittanceBake>) {
     static const Baker<config::TransmittanceBake> row = {
-        .version = 7,
+        .version = 8,
         .bake = bake,
         .estimate = estimate,
         .places = places,

@@ -83,7 +83,7 @@ void draft(WeatherMapBake& asset, int most_texels) {
 }  // namespace
 
 const Baker<WeatherMapBake>& baker(BakerTag<WeatherMapBake>) {
-    static const Baker<WeatherMapBake> row = {.version = 2,
+    static const Baker<WeatherMapBake> row = {.version = 3,
                                               .bake = bake,
                                               .estimate = estimate,
                                               .places = places,

@@ -10,6 +10,7 @@
 #include "bakers/io/formats/dds/dds.h"
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/formats/f32/f32.h"
+#include "bakers/io/formats/hdr/hdr.h"
 #include "bakers/io/formats/ktx2/ktx2.h"
 #include "bakers/io/formats/npy/npy.h"
 #include "bakers/io/formats/nvdb/nvdb_file.h"
@@ -28,7 +29,7 @@ std::span<const Format> formats() {
     static const std::array all = {exr_format(), vdb_format(),  bin_format(),  png_format(),
                                    dds_format(), ktx2_format(), nvdb_format(), vol_format(),
                                    npy_format(), tga_format(),  usda_format(), tif_format(),
-                                   f32_format()};
+                                   f32_format(), hdr_format()};
     return all;
 }
 

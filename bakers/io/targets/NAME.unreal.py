@@ -1,4 +1,5 @@
 $if FORMAT=dds,png$"""Imports $FILE$ into Unreal as /Game/skybake/$ID$ with all settings made: run this script in the editor
+$if FORMAT=hdr$"""Imports $FILE$ into Unreal as the cube /Game/skybake/$ID$ and lights the level with it: run this script in the editor
 $if FORMAT=vdb$$if PLAYS=no$"""Imports $FILE$ into Unreal as /Game/skybake/$ID$ and puts it into the level: run this script in the editor
 $if FORMAT=vdb$$if PLAYS=yes$"""Imports the $FRAMES$ files of $NAME$ into Unreal as one that plays and puts it into the level: run this in the editor
 (Tools > Execute Python Script; the plug-in Python Editor Script Plugin must be on).
@@ -6,6 +7,8 @@ $if FORMAT=dds,png$It also makes the material function MF_$ID$, which samples th
 $if FORMAT=png$The sheet has $COLUMNS$ x $ROWS$ frames, counted from the left and from the top, as SubUV materials have it.
 $if FORMAT=vdb$It makes the material M_$ID$ and a Heterogeneous Volume where the recipe has the cloud: Unreal counts in
 $if FORMAT=vdb$centimetres and its y points the other way. It is for Unreal 5.4 and later, which place a volume by its file.
+$if FORMAT=hdr$It makes a HDRI Backdrop where that plug-in is on, else a Sky Light: straight ahead is -y, up +z and right +x.
+$if LAMP=yes$The sky lacks the sun's disc, so it also makes the sun, whose intensity is the irradiance in the unit of the map.
 """
 import os
 
@@ -93,4 +96,35 @@ $if FORMAT=vdb$$if PLAYS=yes$volume.set_start_frame(0)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_end_frame($FRAMES$ - 1)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_looping(True)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_playing(True)
+$if FORMAT=hdr$# Faces of cubes that are made of panoramas have 512 texels along an edge, if nothing else is said.
+$if FORMAT=hdr$texture.set_editor_property("max_texture_size", 1 << ($WIDTH$ // 2 - 1).bit_length())
+$if FORMAT=hdr$
+$if FORMAT=hdr$actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
+$if FORMAT=hdr$for actor in actors.get_all_level_actors():
+$if FORMAT=hdr$    if actor.get_actor_label() in ("skybake sky", "skybake sun"):
+$if FORMAT=hdr$        actors.destroy_actor(actor)
+$if FORMAT=hdr$backdrop = unreal.load_class(None, "/HDRIBackdrop/Blueprints/HDRIBackdrop.HDRIBackdrop_C")
+$if FORMAT=hdr$sky = actors.spawn_actor_from_class(backdrop or unreal.SkyLight, unreal.Vector(0, 0, 0), unreal.Rotator(0, 0, 0))
+$if FORMAT=hdr$sky.set_actor_label("skybake sky")
+$if FORMAT=hdr$if backdrop:  # it has a sky light of its own
+$if FORMAT=hdr$    sky.set_editor_property("Cubemap", texture)
+$if FORMAT=hdr$    sky.set_editor_property("Intensity", 1.0)
+$if FORMAT=hdr$else:
+$if FORMAT=hdr$    light = sky.get_component_by_class(unreal.SkyLightComponent)
+$if FORMAT=hdr$    light.set_mobility(unreal.ComponentMobility.MOVABLE)
+$if FORMAT=hdr$    light.set_editor_property("source_type", unreal.SkyLightSourceType.SLS_SPECIFIED_CUBEMAP)
+$if FORMAT=hdr$    light.set_editor_property("cubemap", texture)
+$if FORMAT=hdr$    light.set_editor_property("lower_hemisphere_is_black", False)  # the map has the ground
+$if FORMAT=hdr$    light.set_editor_property("intensity", 1.0)
+$if FORMAT=hdr$    light.recapture_sky()
+$if LAMP=yes$
+$if LAMP=yes$# A directional light shines along its +x.
+$if LAMP=yes$from_sun = unreal.MathLibrary.make_rot_from_x(unreal.Vector(-($SUN_RIGHT$), $SUN_AHEAD$, -($SUN_UP$)))
+$if LAMP=yes$lamp = actors.spawn_actor_from_class(unreal.DirectionalLight, unreal.Vector(0, 0, 0), from_sun)
+$if LAMP=yes$lamp.set_actor_label("skybake sun")
+$if LAMP=yes$sun = lamp.get_component_by_class(unreal.DirectionalLightComponent)
+$if LAMP=yes$sun.set_mobility(unreal.ComponentMobility.MOVABLE)
+$if LAMP=yes$sun.set_intensity($IRRADIANCE$)
+$if LAMP=yes$sun.set_light_color(unreal.LinearColor($SUN_R$, $SUN_G$, $SUN_B$))
+$if LAMP=yes$sun.set_editor_property("light_source_angle", 0.533)
 unreal.EditorAssetLibrary.save_directory(folder)

@@ -27,7 +27,10 @@ namespace fs = std::filesystem;
 static_assert(std::endian::native == std::endian::little,
               "headers are stored as they lie in memory");
 
-// The members of DDS_PIXELFORMAT, DDS_HEADER and DDS_HEADER_DXT10 in their order, each 32 bits.
+constexpr std::uint32_t four_characters_dx10 = 0x30315844;
+
+// The members of DDS_PIXELFORMAT, DDS_HEADER and DDS_HEADER_DXT10 in their order, each 32 bits. Files
+// have the last five only with the four characters of DX10.
 struct Header {
     std::array<char, 4> magic = {'D', 'D', 'S', ' '};
     std::uint32_t size = 124;
@@ -40,8 +43,8 @@ struct Header {
     std::array<std::uint32_t, 11> reserved{};
     std::uint32_t format_size = 32;
     std::uint32_t format_flags = 0;
-    std::array<char, 4> four_characters = {'D', 'X', '1', '0'};
-    std::array<std::uint32_t, 5> masks{};  // for formats without the DX10 header
+    std::uint32_t four_characters = four_characters_dx10;
+    std::array<std::uint32_t, 5> masks{};  // of formats without four characters
     std::uint32_t capabilities = 0;
     std::uint32_t capabilities_2 = 0;
     std::array<std::uint32_t, 3> unused{};
@@ -50,9 +53,11 @@ struct Header {
     std::uint32_t miscellaneous = 0;
     std::uint32_t array_size = 1;
     std::uint32_t alpha_mode = 0;
+
+    bool is_dx10() const { return four_characters == four_characters_dx10; }
+    std::size_t bytes() const { return is_dx10() ? 148 : 128; }
 };
-constexpr std::size_t header_bytes = 148;
-static_assert(sizeof(Header) == header_bytes);
+static_assert(sizeof(Header) == 148);
 
 constexpr std::uint32_t has_caps_height_width_format = 0x1007;
 constexpr std::uint32_t has_pitch = 0x8;
@@ -80,6 +85,12 @@ constexpr std::array<TexelCodes, 7> dxgi = {{
     {PixelType::bc4, {80, 0, 0}},
     {PixelType::bc5, {0, 83, 0}},
     {PixelType::bc6h, {0, 0, 95}},
+}};
+
+// D3DFORMAT values, which readers older than DX10 take for the four characters of 2-D textures and cubes.
+constexpr std::array<TexelCodes, 2> d3d = {{
+    {PixelType::float32, {114, 115, 116}},
+    {PixelType::half, {111, 112, 113}},
 }};
 
 Header header_of(const Baked& baked) {
@@ -117,6 +128,9 @@ Header header_of(const Baked& baked) {
     header.dxgi_format = texel_code(dxgi, baked.pixel_type, channels);
     header.dimension = extent.depth == 0 ? texture_2d : texture_3d;
     header.alpha_mode = channels == 4 ? alpha_is_custom : alpha_is_opaque;
+    const std::uint32_t old_format = texel_code(d3d, baked.pixel_type, channels);
+    const bool is_old_texture = extent.depth == 0 && extent.layers == 0;
+    if (is_old_texture && old_format != 0) header.four_characters = old_format;
     return header;
 }
 
@@ -138,15 +152,15 @@ std::uint32_t parts_of(const TextureExtent& extent) {
     return extent.layers > 0 ? extent.layers : extent.faces;
 }
 
-// Returns the places of all levels of a texture.
-std::vector<FacePlaces> face_places(const FileShape& shape) {
+// Returns the places of all levels of a texture behind its header.
+std::vector<FacePlaces> face_places(const FileShape& shape, const Header& header) {
     const std::uint32_t parts = parts_of(texture_extent(shape.size, false, shape.parts));
     std::vector<FacePlaces> places;
     std::uint64_t bytes = 0;
     std::array<int, 3> size = shape.size;
     for (int i = 0; i < shape.levels; ++i, size = next_texture_size(size, shape.parts)) {
         const std::uint64_t part = texture_bytes(size, shape.pixel_type, shape.channels) / parts;
-        places.push_back({header_bytes + bytes, part, 0, size});
+        places.push_back({header.bytes() + bytes, part, 0, size});
         bytes += part;
     }
     for (FacePlaces& level : places) level.face = bytes;
@@ -188,7 +202,7 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
     }
     FileOutput output(path);
     const Header header = header_of(content.baked);
-    output.write({reinterpret_cast<const char*>(&header), header_bytes});
+    output.write({reinterpret_cast<const char*>(&header), header.bytes()});
     const Baked& baked = content.baked;
     const std::vector<FacePlaces> places =
         face_places({.size = baked.levels.front().size,
@@ -196,7 +210,8 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
                      .pixel_type = baked.pixel_type,
                      .grid = {},
                      .levels = static_cast<int>(baked.levels.size()),
-                     .parts = texture_parts(baked)});
+                     .parts = texture_parts(baked)},
+                    header);
     bool complete = true;
     for (std::size_t level = 0; complete && level < places.size(); ++level) {
         complete =
@@ -210,9 +225,10 @@ Outcome<bool> write_dds_file(const FileContent& content, const fs::path& path) {
 std::optional<std::string> strange(const Header& header) {
     const Header plain;
     if (header.magic != plain.magic) return "it does not begin with `DDS `";
-    const bool is_dx10 = header.size == plain.size && header.format_size == plain.format_size &&
-                         header.four_characters == plain.four_characters;
-    if (!is_dx10) return "it does not have the header of DX10";
+    const bool is_known = header.is_dx10() || texel_kind(d3d, header.four_characters);
+    if (header.size != plain.size || header.format_size != plain.format_size || !is_known) {
+        return "it has neither the header of DX10 nor the format of floats or halves";
+    }
     const bool is_cube = (header.miscellaneous & is_texture_cube) != 0;
     const bool may_be_array = header.dimension == texture_2d && !is_cube;
     if (header.array_size != 1 && !may_be_array) return "it is an array of cubes or of volumes";
@@ -224,9 +240,17 @@ std::optional<std::string> strange(const Header& header) {
 
 Outcome<Header> read_header(FileInput& file, const fs::path& path) {
     Header header;
-    const auto done = file.read(0, reinterpret_cast<char*>(&header), header_bytes);
+    const auto done = file.read(0, reinterpret_cast<char*>(&header), sizeof header);
     if (!done) return {{}, {file.diagnostic()}};
-    if (*done < header_bytes) return {{}, {damaged_file(path, "DDS", "it ends within its header")}};
+    if (*done < header.bytes()) {
+        return {{}, {damaged_file(path, "DDS", "it ends within its header")}};
+    }
+    if (const auto kind = texel_kind(d3d, header.four_characters)) {  // what DX10 would say
+        header.dxgi_format = texel_code(dxgi, kind->type, kind->channels);
+        header.dimension = texture_2d;
+        header.miscellaneous = header.capabilities_2 == is_cube_of_six_faces ? is_texture_cube : 0;
+        header.array_size = 1;
+    }
     if (const auto reason = strange(header)) return {{}, {damaged_file(path, "DDS", *reason)}};
     return {header, {}};
 }
@@ -273,9 +297,9 @@ Outcome<bool> read_dds_file(const fs::path& path, const FileShape& shape, int le
     const Outcome<Header> header = read_header(*file.value, path);
     if (!header.value) return {{}, header.diagnostics};
     if (!fits(*header.value, shape)) return {{}, {other_size(path)}};
-    const FacePlaces wanted = face_places(shape)[static_cast<std::size_t>(level)];
+    const FacePlaces wanted = face_places(shape, *header.value)[static_cast<std::size_t>(level)];
     const std::uint64_t bytes = wanted.face * parts_of(extent_of(*header.value, shape.parts));
-    if (file.value->size() != header_bytes + bytes) return {{}, {other_size(path)}};
+    if (file.value->size() != header.value->bytes() + bytes) return {{}, {other_size(path)}};
     return read_texture(face_input(*file.value, wanted), wanted.size, shape.pixel_type,
                         shape.channels, visit);
 }

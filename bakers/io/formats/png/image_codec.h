@@ -36,13 +36,18 @@ struct ImageCodec {
     // Makes a PNG with 8 bits per channel, sRGB, from interleaved R G B with row 0 at the top. It
     // contains no date and no software's name, so the same picture gives the same bytes.
     EncodedPicture (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb);
+
+    // Makes a Radiance picture in the same way from texels that RGBE holds (bakers/field/rgbe.h), none of
+    // which it rounds.
+    EncodedPicture (*encode_hdr)(int width, int height, std::span<const float> rgb);
 };
 
 // The function that the module exports, and its name.
 using ImageCodecFunction = const ImageCodec* (*)();
 inline constexpr const char* image_codec_symbol = "skybake_image_codec";
 
-// The module's implementation of ImageCodec::encode_png.
+// The module's implementations.
 EncodedPicture encode_png(int width, int height, std::span<const std::uint8_t> rgb);
+EncodedPicture encode_hdr(int width, int height, std::span<const float> rgb);
 
 }  // namespace skybake

@@ -1,5 +1,5 @@
-// Reads pictures as maps over a cloud: one channel of a PNG, TIFF or OpenEXR file. The file's first
-// bytes decide which format it is, not its name.
+// Reads pictures as maps over a cloud: one channel of a PNG, TIFF, OpenEXR or Radiance file. The
+// file's first bytes decide which format it is, not its name.
 #pragma once
 
 #include <string>

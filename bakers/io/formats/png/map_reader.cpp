@@ -43,13 +43,15 @@ struct Format {
     std::string_view first_bytes;
 };
 using namespace std::string_view_literals;
-constexpr std::array<Format, 6> formats = {{
+constexpr std::array<Format, 8> formats = {{
     {"png", "\x89PNG\r\n\x1a\n"sv},
     {"openexr", "\x76\x2f\x31\x01\x02"sv},  // of version 2
     {"tiff", "II*\0"sv},
     {"tiff", "MM\0*"sv},
     {"tiff", "II+\0"sv},  // files beyond 4 GiB
     {"tiff", "MM\0+"sv},
+    {"hdr", "#?RADIAN"sv},
+    {"hdr", "#?RGBE"sv},
 }};
 
 // Returns the format of the file, or null if the library must not open it.
@@ -63,7 +65,7 @@ const char* format_of(const std::filesystem::path& path) {
     const auto format = std::find_if(formats.begin(), formats.end(), [&](const Format& known) {
         return begin.substr(0, known.first_bytes.size()) == known.first_bytes;
     });
-    expect(format != formats.end(), "it is neither PNG nor TIFF nor OpenEXR");
+    expect(format != formats.end(), "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
     if (format->name == "png"sv) {
         if (const auto damage = png_damage(file)) throw Refused(*damage);
     }
@@ -100,8 +102,7 @@ std::unique_ptr<ImageInput> open(const std::filesystem::path& path, const char* 
     ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     as_stored.attribute("oiio:RawColor", 1);
-    expect(input->open(path.string(), specification, as_stored),
-           reason(*input, path.string()));
+    expect(input->open(path.string(), specification, as_stored), reason(*input, path.string()));
     return input;
 }
 
