@@ -191,9 +191,8 @@ std::string retired_text(const BakedFolder& baked, bool prune) {
 std::string planned_retired_text(const FolderPlan& plan) {
     std::string text;
     for (const RetiredFile& file : plan.retired) {
-        const bool pruned =
-            std::any_of(plan.pruned.begin(), plan.pruned.end(),
-                        [&file](const RetiredFile& other) { return other.path == file.path; });
+        const bool pruned = std::ranges::any_of(
+            plan.pruned, [&file](const RetiredFile& other) { return other.path == file.path; });
         text +=
             pruned
                 ? fmt::format("  {} is no longer in the recipe and would be removed\n", file.path)
@@ -205,8 +204,8 @@ std::string planned_retired_text(const FolderPlan& plan) {
 // Returns "2 assets (1 up to date) (1 from the cache)".
 std::string count_text(const BakedFolder& baked) {
     const auto count_of = [&baked](AssetState state) {
-        return std::count_if(baked.assets.begin(), baked.assets.end(),
-                             [state](const FinishedAsset& asset) { return asset.state == state; });
+        return std::ranges::count_if(
+            baked.assets, [state](const FinishedAsset& asset) { return asset.state == state; });
     };
     const auto count = static_cast<std::ptrdiff_t>(baked.assets.size());
     const std::ptrdiff_t unchanged = count_of(AssetState::up_to_date);
@@ -345,11 +344,11 @@ std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
     constexpr double kLong = 600;  // seconds
     const double seconds = plan.seconds();
     if (!(seconds > kLong)) return {};
-    const auto longest = std::max_element(plan.assets.begin(), plan.assets.end(),
-                                          [](const auto& one, const auto& other) {
-                                              return (one.stale() ? one.estimate.seconds : 0) <
-                                                     (other.stale() ? other.estimate.seconds : 0);
-                                          });
+    const auto longest =
+        std::ranges::max_element(plan.assets, [](const auto& one, const auto& other) {
+            return (one.stale() ? one.estimate.seconds : 0) <
+                   (other.stale() ? other.estimate.seconds : 0);
+        });
     config::Diagnostic warning;
     warning.severity = config::Severity::warning;
     warning.code = "W0225";
@@ -375,7 +374,7 @@ void BakeReporter::planned(const FolderPlan& plan) {
 }
 
 std::unique_ptr<Progress> BakeReporter::begin(std::string_view asset) {
-    const auto at = std::find(stale_.begin(), stale_.end(), asset);
+    const auto at = std::ranges::find(stale_, asset);
     const bool counted = at != stale_.end();
     return std::make_unique<BakeProgress>(std::string(asset), console_,
                                           counted ? static_cast<int>(at - stale_.begin()) + 1 : 0,

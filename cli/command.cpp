@@ -91,9 +91,8 @@ Display display_of(const CommandLine& line, std::span<const std::string> words, 
     display.quiet = invocation[options::quiet];
     display.verbose = invocation[options::verbose];
     const bool misunderstood = !line.diagnostics.empty();
-    display.json =
-        invocation[options::json] ||
-        (misunderstood && std::find(words.begin(), words.end(), "--json") != words.end());
+    display.json = invocation[options::json] ||
+                   (misunderstood && std::ranges::find(words, "--json") != words.end());
     if (line.command != nullptr) display.command = line.command->name;
     return display;
 }

@@ -93,6 +93,28 @@ std::vector<config::Diagnostic> printable(std::vector<config::Diagnostic> diagno
     return diagnostics;
 }
 
+// It was tried before whether the threads can begin, but other processes may have taken them since.
+[[noreturn]] void end_of_process() {
+    remove_unfinished_files();
+    const char* reason = nullptr;  // without an exception, a thread that began has lost its owner
+    try {
+        if (const std::exception_ptr thrown = std::current_exception()) {
+            reason = "of an unknown kind";
+            std::rethrow_exception(thrown);
+        }
+    } catch (const std::exception& exception) {
+        reason = is_want_of_threads(exception) ? nullptr : exception.what();
+    } catch (...) {
+    }
+    if (reason == nullptr) {
+        std::fprintf(stderr, "error[E0306]: %.*s\n", static_cast<int>(want_of_threads.size()),
+                     want_of_threads.data());
+        ::_exit(static_cast<int>(ExitCode::io));
+    }
+    std::fprintf(stderr, "error[E0500]: internal error: %s\n", reason);
+    ::_exit(static_cast<int>(ExitCode::internal));
+}
+
 }  // namespace
 
 Sink descriptor_sink(int descriptor) {
@@ -223,32 +245,6 @@ bool is_want_of_threads(const std::exception& exception) {
     return (error != nullptr && error->code() == std::errc::resource_unavailable_try_again) ||
            std::string_view(exception.what()).starts_with("pthread_create");  // of TBB
 }
-
-namespace {
-
-// It was tried before whether the threads can begin, but other processes may have taken them since.
-[[noreturn]] void end_of_process() {
-    remove_unfinished_files();
-    const char* reason = nullptr;  // without an exception, a thread that began has lost its owner
-    try {
-        if (const std::exception_ptr thrown = std::current_exception()) {
-            reason = "of an unknown kind";
-            std::rethrow_exception(thrown);
-        }
-    } catch (const std::exception& exception) {
-        reason = is_want_of_threads(exception) ? nullptr : exception.what();
-    } catch (...) {
-    }
-    if (reason == nullptr) {
-        std::fprintf(stderr, "error[E0306]: %.*s\n", static_cast<int>(want_of_threads.size()),
-                     want_of_threads.data());
-        ::_exit(static_cast<int>(ExitCode::io));
-    }
-    std::fprintf(stderr, "error[E0500]: internal error: %s\n", reason);
-    ::_exit(static_cast<int>(ExitCode::internal));
-}
-
-}  // namespace
 
 void install_end_of_process() { std::set_terminate(end_of_process); }
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -143,8 +142,8 @@ std::string human_one(const Diagnostic& diagnostic, const Palette& palette) {
 
 // Returns "3 errors, 1 warning".
 std::string count_line(std::span<const Diagnostic> diagnostics) {
-    const auto errors = static_cast<std::size_t>(std::count_if(
-        diagnostics.begin(), diagnostics.end(),
+    const auto errors = static_cast<std::size_t>(std::ranges::count_if(
+        diagnostics,
         [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::error; }));
     const std::size_t warnings = diagnostics.size() - errors;
     if (warnings == 0) return counted(errors, "error") + "\n";

@@ -67,7 +67,7 @@ Json sarif_result(const config::Diagnostic& diagnostic) {
 Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
     std::vector<std::string> codes;
     for (const config::Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
-    std::sort(codes.begin(), codes.end());
+    std::ranges::sort(codes);
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     Json rules = Json::array();
     for (const std::string& code : codes) {
@@ -99,8 +99,6 @@ Json diagnostic_json(const config::Diagnostic& diagnostic) {
 }
 
 }  // namespace
-
-using Json = nlohmann::ordered_json;
 
 std::string event_line(const Json& event) {
     return event.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";

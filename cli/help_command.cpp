@@ -129,8 +129,7 @@ ExitCode run_help(const Invocation& invocation, Console& console) {
     const Command* command = nullptr;
     if (!invocation.arguments().empty()) {
         const std::string& name = invocation.arguments()[0];
-        const auto found = std::find_if(commands().begin(), commands().end(),
-                                        [&](const Command& one) { return one.name == name; });
+        const auto found = std::ranges::find(commands(), name, &Command::name);
         if (found == commands().end()) {
             return console.report(std::array{unknown_command(name, commands())});
         }
@@ -150,7 +149,7 @@ ExitCode run_help(const Invocation& invocation, Console& console) {
 std::vector<ExitCodeWords> exit_codes(std::span<const ExitCode> codes) {
     std::vector<ExitCodeWords> known(exit_code_words.begin(), exit_code_words.end());
     std::erase_if(known, [&](const ExitCodeWords& entry) {
-        return !codes.empty() && std::find(codes.begin(), codes.end(), entry.code) == codes.end();
+        return !codes.empty() && std::ranges::find(codes, entry.code) == codes.end();
     });
     return known;
 }

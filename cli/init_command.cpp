@@ -250,6 +250,17 @@ ExitCode run_init(const Invocation& invocation, Console& console) {
     return write_recipe(file, *preset.value, invocation[options::force], console);
 }
 
+OptionRow preset_row() {
+    OptionRow row = options::preset("the preset to start from, such as clouds.thesis", "earth");
+    row.offered = names_with("");
+    for (const PresetKind& kind : kinds) {
+        for (const config::Preset& preset : kind.all()) {
+            if (presets_for_init(preset.name).size() == 1) row.offered.emplace_back(preset.name);
+        }
+    }
+    return row;
+}
+
 }  // namespace
 
 std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem::path& path) {
@@ -264,21 +275,6 @@ std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem:
     return diagnostic;
 }
 
-namespace {
-
-OptionRow preset_row() {
-    OptionRow row = options::preset("the preset to start from, such as clouds.thesis", "earth");
-    row.offered = names_with("");
-    for (const PresetKind& kind : kinds) {
-        for (const config::Preset& preset : kind.all()) {
-            if (presets_for_init(preset.name).size() == 1) row.offered.emplace_back(preset.name);
-        }
-    }
-    return row;
-}
-
-}  // namespace
-
 Command init_command() {
     return {
         .name = "init",
@@ -287,8 +283,7 @@ Command init_command() {
         .arguments = {{.name = "file",
                        .help = "the recipe to write (default skybake.toml); - prints it",
                        .required = false}},
-        .options = {preset_row(),
-                    options::list("list the presets of each kind and write nothing"),
+        .options = {preset_row(), options::list("list the presets of each kind and write nothing"),
                     options::force("overwrite an existing file")},
         .examples = {{"skybake init earth.toml",
                       "writes the Earth's atmosphere, with the meaning of every value"},

@@ -70,6 +70,23 @@ Outcome<Recipe> recipe_from_standard_input(const std::vector<std::string>& setti
                                 settings);
 }
 
+// Returns the paths of keys in tables whose names a recipe does not choose, with an equals sign. An
+// asset's own name stands for that of its table.
+std::vector<std::string> keys_to_set() {
+    std::vector<std::string> keys;
+    for (const config::Section& section : config::sections()) {
+        const bool is_of_asset = !section.asset.empty();
+        if (section.path.starts_with("sweep") || section.path.starts_with("preview")) continue;
+        if (!is_of_asset && section.path.find('*') != std::string_view::npos) continue;
+        const std::string table =
+            is_of_asset ? fmt::format("bake.{}", section.asset) : std::string(section.path);
+        for (const config::Field& field : section.fields) {
+            keys.push_back(config::join_path(table, field.key) + "=");
+        }
+    }
+    return keys;
+}
+
 }  // namespace
 
 std::optional<std::uint64_t> parse_byte_size(std::string_view text) {
@@ -129,27 +146,6 @@ Outcome<double> read_max_memory(const std::string& text) {
 }
 
 }  // namespace options
-
-namespace {
-
-// Returns the paths of keys in tables whose names a recipe does not choose, with an equals sign. An
-// asset's own name stands for that of its table.
-std::vector<std::string> keys_to_set() {
-    std::vector<std::string> keys;
-    for (const config::Section& section : config::sections()) {
-        const bool is_of_asset = !section.asset.empty();
-        if (section.path.starts_with("sweep") || section.path.starts_with("preview")) continue;
-        if (!is_of_asset && section.path.find('*') != std::string_view::npos) continue;
-        const std::string table =
-            is_of_asset ? fmt::format("bake.{}", section.asset) : std::string(section.path);
-        for (const config::Field& field : section.fields) {
-            keys.push_back(config::join_path(table, field.key) + "=");
-        }
-    }
-    return keys;
-}
-
-}  // namespace
 
 OptionRow set_row() {
     OptionRow row = options::set("override a value of the recipe");
@@ -230,7 +226,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
     for (const Bake& bake : all) names.push_back(bake.name);
     const std::vector<std::string> only = invocation[options::only];
     for (const std::string& name : only) {
-        if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+        if (std::ranges::find(names, name) != names.end()) continue;
         problems.push_back(usage_error(fmt::format("--only: the recipe has no [bake.{}]", name),
                                        config::did_you_mean(name, names)));
     }
@@ -242,8 +238,7 @@ Outcome<BakeSelection> select_bakes(const Invocation& invocation) {
 
     BakeSelection selection;
     for (const Bake& bake : all) {
-        const bool wanted =
-            only.empty() || std::find(only.begin(), only.end(), bake.name) != only.end();
+        const bool wanted = only.empty() || std::ranges::find(only, bake.name) != only.end();
         if (wanted) selection.bakes.push_back(bake);
     }
     selection.threads = invocation[options::jobs];

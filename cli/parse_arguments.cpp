@@ -1,13 +1,9 @@
-// This is the only file that knows CLI11. The library sorts words into options and arguments. The
-// tables say what is allowed, and the texts of errors are written here.
 #include "cli/command.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <exception>
 #include <optional>
 #include <utility>
 
@@ -20,15 +16,15 @@ namespace {
 bool is_option(std::string_view word) { return word.size() > 1 && word[0] == '-'; }
 
 const OptionRow* find_option(std::span<const OptionRow> options, std::string_view name) {
-    const auto found =
-        std::find_if(options.begin(), options.end(),
-                     [name](const OptionRow& option) { return option.name == name; });
+    const auto found = std::ranges::find(options, name, &OptionRow::name);
     return found != options.end() ? &*found : nullptr;
 }
 
-bool has_letter(std::span<const OptionRow> options, char letter) {
-    return std::any_of(options.begin(), options.end(),
-                       [letter](const OptionRow& option) { return option.short_name == letter; });
+const OptionRow* find_letter(std::span<const OptionRow> options, char letter) {
+    const auto found = std::ranges::find_if(options, [letter](const OptionRow& option) {
+        return letter != 0 && option.short_name == letter;
+    });
+    return found != options.end() ? &*found : nullptr;
 }
 
 // Whether a word that begins like an option is one of these options. It may be spelt "--name",
@@ -36,8 +32,8 @@ bool has_letter(std::span<const OptionRow> options, char letter) {
 bool is_option_of(std::string_view word, std::span<const OptionRow> options) {
     if (!word.starts_with("--")) {
         word.remove_prefix(1);
-        return std::all_of(word.begin(), word.end(),
-                           [&](char letter) { return has_letter(options, letter); });
+        return std::ranges::all_of(
+            word, [&](char letter) { return find_letter(options, letter) != nullptr; });
     }
     word.remove_prefix(2);
     return word.empty() || find_option(options, word.substr(0, word.find('='))) != nullptr;
@@ -104,7 +100,7 @@ const Command* command_of_option(const std::string& option, std::span<const std:
     const Command* first = nullptr;
     for (const Command& command : commands) {
         if (misplaced_option(option, command).empty()) continue;
-        if (std::find(words.begin(), words.end(), command.name) != words.end()) return &command;
+        if (std::ranges::find(words, command.name) != words.end()) return &command;
         if (first == nullptr) first = &command;
     }
     return first;
@@ -139,51 +135,48 @@ config::Diagnostic missing_value(const OptionRow& option) {
         fmt::format("{} needs a value: --{} {}", dashed(option.name), option.name, option.value));
 }
 
-// Turns an error of the library into a diagnostic. The library names the option at fault at the
-// head of its message: "--output: 1 required ...", "json was given a disallowed flag override".
-config::Diagnostic malformed(const CLI::ParseError& error, std::span<const OptionRow> options) {
-    std::string_view text = error.what();
-    if (text.starts_with("--")) text.remove_prefix(2);
-    for (const OptionRow& option : options) {
-        if (!text.starts_with(option.name)) continue;
-        if (text.substr(option.name.size()).find_first_of(": ") != 0) continue;
-        if (!option.value.empty()) return missing_value(option);
-        return usage_error(fmt::format("{} takes no value", dashed(option.name)));
-    }
-    return usage_error("the options cannot be parsed");
-}
-
-// The library puts what it finds here.
+// The words of a command line, sorted by what they are.
 struct Found {
-    std::vector<std::vector<std::string>> values;  // per option
+    std::vector<std::vector<std::string>> values;  // per option; "true" for each use of a switch
     std::vector<std::string> arguments;
     std::vector<std::string> unknown;
+    std::optional<config::Diagnostic> malformed;  // an option lacks its value, or a switch has one
 };
 
-// Declares the options to the library and lets it sort the words. Throws CLI::ParseError.
+// Sorts words as most programs do: "--name value", "--name=value", "-n value", "-nvalue", switches
+// together as in "-qv", and arguments alone after "--". Ends at the first malformed option.
 Found sort_words(std::vector<std::string> words, std::span<const OptionRow> options) {
     Found found;
-    CLI::App app;
-    app.set_help_flag();
-    app.allow_extras();
-    std::vector<CLI::Option*> declared;
-    for (const OptionRow& option : options) {
-        const std::string name = option.short_name != 0
-                                     ? fmt::format("--{},-{}", option.name, option.short_name)
-                                     : fmt::format("--{}", option.name);
-        if (option.value.empty()) {
-            declared.push_back(app.add_flag(name)->disable_flag_override());
+    found.values.resize(options.size());
+    std::size_t next = 0;
+    while (next < words.size() && words[next] != "--") {
+        const std::string word = words[next++];
+        const bool is_long = word.starts_with("--");
+        const std::size_t end = std::min(is_long ? word.find('=') : 2, word.size());
+        const OptionRow* option = is_long ? find_option(options, word.substr(2, end - 2))
+                                          : find_letter(options, is_option(word) ? word[1] : 0);
+        if (option == nullptr) {
+            const bool is_number = is_option(word) && word[1] >= '0' && word[1] <= '9';
+            (is_option(word) && !is_number ? found.unknown : found.arguments).push_back(word);
+            continue;
+        }
+        const std::string rest = word.substr(std::min(is_long ? end + 1 : end, word.size()));
+        auto& values = found.values[static_cast<std::size_t>(option - options.data())];
+        if (option->value.empty() && is_long && !rest.empty()) {
+            found.malformed = usage_error(fmt::format("{} takes no value", dashed(option->name)));
+            return found;
+        }
+        if (option->value.empty()) {
+            values.emplace_back("true");
+            if (!rest.empty()) words[--next] = "-" + rest;
+        } else if (rest.empty() && next == words.size()) {
+            found.malformed = missing_value(*option);
+            return found;
         } else {
-            declared.push_back(app.add_option(name)->expected(1)->take_all());
+            values.push_back(rest.empty() ? words[next++] : rest);
         }
     }
-    app.add_option("arguments", found.arguments)->expected(-1);
-    std::reverse(words.begin(), words.end());  // the library takes them from the back
-    app.parse(std::move(words));
-    for (const CLI::Option* option : declared) found.values.push_back(option->results());
-    for (const std::string& word : app.remaining()) {
-        if (word != "--") found.unknown.push_back(word);
-    }
+    for (++next; next < words.size(); ++next) found.arguments.push_back(words[next]);
     return found;
 }
 
@@ -194,8 +187,7 @@ std::vector<config::Diagnostic> check_values(const OptionRow& option,
     std::vector<config::Diagnostic> problems;
     for (const std::string& value : values) {
         const bool counts = option.repeatable || &value == &values.back();
-        const bool known =
-            std::find(option.choices.begin(), option.choices.end(), value) != option.choices.end();
+        const bool known = std::ranges::find(option.choices, value) != option.choices.end();
         if (!option.choices.empty() && !known) problems.push_back(unknown_choice(option, value));
         if (!option.check || !counts) continue;
         const auto found = option.check(value);
@@ -277,9 +269,8 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
         return line;
     }
     if (position < rest.size()) {
-        const auto command =
-            std::find_if(commands.begin(), commands.end(),
-                         [&](const Command& entry) { return entry.name == rest[position]; });
+        const auto command = std::ranges::find_if(
+            commands, [&](const Command& entry) { return entry.name == rest[position]; });
         if (command == commands.end()) {
             line.diagnostics.push_back(unknown_command(rest[position], commands));
             return line;
@@ -293,11 +284,9 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
                                  ? fmt::format("skybake {} --help", line.command->name)
                                  : "skybake --help";
 
-    Found found;
-    try {
-        found = sort_words(std::move(rest), options);
-    } catch (const CLI::ParseError& error) {
-        line.diagnostics.push_back(malformed(error, options));
+    const Found found = sort_words(std::move(rest), options);
+    if (found.malformed) {
+        line.diagnostics.push_back(*found.malformed);
         return line;
     }
     take_options(found, options, line);

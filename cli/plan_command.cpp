@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
@@ -107,7 +106,7 @@ std::vector<std::size_t> shown_ways(const Plan& plan) {
     for (const auto& [name, best] : baselines) {
         if (!plan.ways[best].on_front) shown.push_back(best);
     }
-    std::stable_sort(shown.begin(), shown.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
         return plan.ways[a].figures.error < plan.ways[b].figures.error;
     });
     return shown;

@@ -91,7 +91,7 @@ std::string block_text(const std::vector<Line>& lines) {
 // table that was asked for.
 std::string values_text(const std::vector<Line>& lines, const std::string& asked) {
     std::string text;
-    const bool one_table = std::all_of(lines.begin(), lines.end(), [&](const Line& line) {
+    const bool one_table = std::ranges::all_of(lines, [&](const Line& line) {
         return !asked.empty() && line.table == lines.front().table;
     });
     for (std::size_t start = 0; start < lines.size();) {
@@ -141,9 +141,8 @@ bool has_atmosphere(const config::Parameters& parameters) {
 }
 
 bool shows_layers(const std::vector<Line>& lines) {
-    return std::any_of(lines.begin(), lines.end(), [](const Line& line) {
-        return line.table.starts_with("atmosphere.layers.");
-    });
+    return std::ranges::any_of(
+        lines, [](const Line& line) { return line.table.starts_with("atmosphere.layers."); });
 }
 
 // Returns the first path that ends in the names asked for: "atmosphere.layers.mie" for "mie".

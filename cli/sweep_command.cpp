@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -162,7 +160,7 @@ ExitCode report_unfinished(const std::vector<VariantResult>& results, Console& c
 // Whether no variant could even be planned. Then the recipe or the folder is at fault, not the
 // variants.
 bool all_failed(const std::vector<PlannedVariant>& plan) {
-    return !plan.empty() && std::all_of(plan.begin(), plan.end(), [](const PlannedVariant& one) {
+    return !plan.empty() && std::ranges::all_of(plan, [](const PlannedVariant& one) {
         return one.result.status == VariantStatus::failed;
     });
 }
@@ -252,8 +250,8 @@ ExitCode sweep(const Invocation& invocation, const SweepJob& job, Console& conso
         console.result(paths_text(job, results) + (writes_index ? index_paths_text(job) : ""));
     }
     report_warnings(results, console);
-    console.note(fmt::format("{} baked, {}\n", variants_text(reporter.made()),
-                             time_text(elapsed.count())));
+    console.note(
+        fmt::format("{} baked, {}\n", variants_text(reporter.made()), time_text(elapsed.count())));
     if (writes_index) console.note(earlier_note(folders_of_earlier_sweeps(job)));
     return report_unfinished(results, console);
 }

@@ -42,14 +42,21 @@ std::set<std::string> outermost_folders(const SweepScript& script) {
         const auto is_above = [](const std::string& above, const std::string& below) {
             return below == above || below.starts_with(above == "/" ? above : above + "/");
         };
-        if (std::any_of(folders.begin(), folders.end(),
-                        [&](const std::string& known) { return is_above(known, text); })) {
+        if (std::ranges::any_of(folders,
+                                [&](const std::string& known) { return is_above(known, text); })) {
             continue;
         }
         std::erase_if(folders, [&](const std::string& known) { return is_above(text, known); });
         folders.insert(text);
     }
     return folders;
+}
+
+// Escapes a word of a container's command, in which Kubernetes replaces $(NAME) and $$.
+std::string kubernetes_word(const std::string& word) {
+    std::string text;
+    for (const char c : shell_word(word)) text += c == '$' ? "$$" : std::string(1, c);
+    return text;
 }
 
 }  // namespace
@@ -76,17 +83,6 @@ std::string openjd_template(const SweepScript& script) {
                       {"steps", Json::array({bake, merge})}};
     return job.dump(2) + "\n";
 }
-
-namespace {
-
-// Escapes a word of a container's command, in which Kubernetes replaces $(NAME) and $$.
-std::string kubernetes_word(const std::string& word) {
-    std::string text;
-    for (const char c : shell_word(word)) text += c == '$' ? "$$" : std::string(1, c);
-    return text;
-}
-
-}  // namespace
 
 std::string kubernetes_job(const SweepScript& script) {
     // Kubernetes counts from 0, shards from 1.

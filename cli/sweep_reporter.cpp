@@ -23,10 +23,9 @@ std::string plural(std::size_t count, std::string_view what) {
 }
 
 std::size_t up_to_date_count(const std::vector<PlannedVariant>& plan) {
-    return static_cast<std::size_t>(
-        std::count_if(plan.begin(), plan.end(), [](const PlannedVariant& variant) {
-            return variant.result.status == VariantStatus::done;
-        }));
+    return static_cast<std::size_t>(std::ranges::count_if(plan, [](const PlannedVariant& variant) {
+        return variant.result.status == VariantStatus::done;
+    }));
 }
 
 std::string folder_of(const SweepJob& job, const VariantResult& variant) {
@@ -211,8 +210,8 @@ std::string planned_variant_events(const SweepJob& job, const std::vector<Planne
 
 std::string swept_event(const std::vector<VariantResult>& results, int made, double seconds) {
     const auto count = [&](VariantStatus status) {
-        return std::count_if(results.begin(), results.end(),
-                             [&](const VariantResult& one) { return one.status == status; });
+        return std::ranges::count_if(
+            results, [&](const VariantResult& one) { return one.status == status; });
     };
     return event_line({{"event", "swept"},
                        {"done", count(VariantStatus::done)},

@@ -158,7 +158,7 @@ bool TextTable::drop_if_empty(std::size_t column) {
     const auto has_text = [column](const std::vector<std::string>& row) {
         return column < row.size() && !row[column].empty();
     };
-    if (std::count_if(rows_.begin(), rows_.end(), has_text) > 1) return false;
+    if (std::ranges::count_if(rows_, has_text) > 1) return false;
     drop_column(column);
     return true;
 }
@@ -188,8 +188,8 @@ std::string TextTable::text_within(int terminal_columns, std::span<const std::si
     std::vector<std::size_t> shrinking(shrinkable.begin(), shrinkable.end());
     std::vector<std::size_t> dropped;
     const auto position = [&dropped](std::size_t column) {
-        const auto before = std::count_if(dropped.begin(), dropped.end(),
-                                          [column](std::size_t other) { return other < column; });
+        const auto before =
+            std::ranges::count_if(dropped, [column](std::size_t other) { return other < column; });
         return column - static_cast<std::size_t>(before);
     };
     for (const std::size_t column : expendable) {

@@ -8,7 +8,7 @@ set -euo pipefail
 
 packages=(
     cmake g++ ninja-build
-    fonts-dejavu-core libboost-iostreams-dev libcairo2-dev libcli11-dev libcurl4-openssl-dev
+    fonts-dejavu-core libboost-iostreams-dev libcairo2-dev libcurl4-openssl-dev
     libdeflate-dev libfmt-dev libglm-dev libhwy-dev libimath-dev libnanovdb-dev libopenexr-dev
     libopenimageio-dev libopenvdb-dev libpango1.0-dev libpng-dev libtbb-dev libtomlplusplus-dev libxxhash-dev
     libzstd-dev nlohmann-json3-dev pkg-config zlib1g-dev

@@ -86,7 +86,7 @@ WidePhase without_peak(const LayerPhase& phase) {
 }
 
 bool has_peaks_of_spheres(const SkyMedium& medium) {
-    return std::any_of(medium.layers.begin(), medium.layers.end(), [](const SkyLayer& layer) {
+    return std::ranges::any_of(medium.layers, [](const SkyLayer& layer) {
         return layer.scatters && layer.first_phase.functions.empty() &&
                layer.phase.functions.front().table != nullptr;
     });
@@ -120,9 +120,8 @@ SkyMedium without_forward_peaks(SkyMedium medium) {
             if (layer.scatters && layer.first_phase.functions.empty()) scale(kLargestDegree, layer);
         }
     }
-    const bool any =
-        std::any_of(medium.layers.begin(), medium.layers.end(),
-                    [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
+    const bool any = std::ranges::any_of(
+        medium.layers, [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
     if (any) medium.air = together(std::move(medium.air), medium.layers);
     return medium;
 }
@@ -138,7 +137,7 @@ SkyMedium delta_scaled(SkyMedium medium, int degree) {
 SkyMedium scattering_only(SkyMedium medium, const std::vector<std::string>& layers) {
     if (layers.empty()) return medium;
     for (SkyLayer& layer : medium.layers) {
-        if (std::find(layers.begin(), layers.end(), layer.name) != layers.end()) continue;
+        if (std::ranges::find(layers, layer.name) != layers.end()) continue;
         for (ExponentialLayer& part : layer.alone.exponential_layers) part.scattering_per_km = {};
         for (PiecewiseLayer& part : layer.alone.piecewise_layers) part.scattering_per_km = {};
         layer.scatters = false;

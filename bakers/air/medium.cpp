@@ -73,9 +73,8 @@ std::vector<LinearPiece> linear_pieces(const std::vector<ProfilePoint>& points,
 }
 
 double density_at(const PiecewiseLayer& layer, double altitude_km) {
-    const auto piece = std::lower_bound(
-        layer.pieces.begin(), layer.pieces.end(), altitude_km,
-        [](const LinearPiece& any, double altitude) { return any.top_km < altitude; });
+    const auto piece =
+        std::ranges::lower_bound(layer.pieces, altitude_km, {}, &LinearPiece::top_km);
     const bool inside = piece != layer.pieces.end() && altitude_km >= piece->bottom_km;
     return inside ? density_at(*piece, altitude_km) : 0;
 }
@@ -164,7 +163,7 @@ std::vector<double> kink_altitudes_km(const Medium& medium) {
             altitudes.push_back(piece.top_km);
         }
     }
-    std::sort(altitudes.begin(), altitudes.end());
+    std::ranges::sort(altitudes);
     altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());
     return altitudes;
 }
@@ -182,9 +181,9 @@ SkyMedium make_sky_medium(const config::Atmosphere& atmosphere) {
         if (sky_layer.alone.exponential_layers.empty() && sky_layer.alone.piecewise_layers.empty())
             continue;
         sky_layer.phase = layer_phase(layer);
-        sky_layer.scatters =
-            std::any_of(layer.scattering.begin(), layer.scattering.end(),
-                        [](const config::InverseLength& value) { return value.per_meter > 0; });
+        sky_layer.scatters = std::ranges::any_of(
+            layer.scattering,
+            [](const config::InverseLength& value) { return value.per_meter > 0; });
         medium.layers.push_back(std::move(sky_layer));
     }
     return medium;

@@ -130,8 +130,8 @@ void optical_depth_along(const Medium& medium, double altitude_km, double cos_ze
                          std::span<const double> distances_km, double* optical_depth) {
     const auto count = static_cast<int>(distances_km.size());
     const double s = (medium.ground_radius_km + altitude_km) * cos_zenith;
-    const bool turns = s < 0 && std::any_of(distances_km.begin(), distances_km.end(),
-                                            [s](double x) { return s + x > 0; });
+    const bool turns =
+        s < 0 && std::ranges::any_of(distances_km, [s](double x) { return s + x > 0; });
     if (!turns) {
         HWY_DYNAMIC_DISPATCH(OpticalDepthsAlong)
         (medium, altitude_km, s, distances_km.data(), count, optical_depth);

@@ -26,8 +26,8 @@ AzimuthRule make_full_circle_rule(int count) {
 AzimuthRule make_lit_part_rule(int count) {
     const QuadratureRule gauss = gauss_legendre(count);
     AzimuthRule rule{count, {}, {}};
-    std::copy(gauss.nodes.begin(), gauss.nodes.end(), rule.nodes);
-    std::copy(gauss.weights.begin(), gauss.weights.end(), rule.weights);
+    std::ranges::copy(gauss.nodes, rule.nodes);
+    std::ranges::copy(gauss.weights, rule.weights);
     return rule;
 }
 

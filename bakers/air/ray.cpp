@@ -16,14 +16,14 @@ std::vector<double> break_altitudes_km(const Medium& medium,
             if (altitude < medium.thickness_km) altitudes.push_back(altitude);
         }
     }
-    std::sort(altitudes.begin(), altitudes.end());
+    std::ranges::sort(altitudes);
     altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());
     return altitudes;
 }
 
 std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double s_km,
                                  double length_km, const std::vector<double>& altitudes_km) {
-    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
+    assert(std::ranges::is_sorted(altitudes_km));
     std::vector<RayBreak> breaks = {{0, -1}};
     const auto add = [&](double distance, int level) {
         if (distance > 0 && distance < length_km) breaks.push_back({distance, level});
@@ -45,8 +45,8 @@ std::vector<RayBreak> ray_breaks(const Shell& shell, double altitude_km, double 
     }
     if (s_km < 0) add(-s_km, -1);
     breaks.push_back({length_km, -1});
-    std::sort(breaks.begin(), breaks.end(),
-              [](const RayBreak& a, const RayBreak& b) { return a.distance_km < b.distance_km; });
+    std::ranges::sort(
+        breaks, [](const RayBreak& a, const RayBreak& b) { return a.distance_km < b.distance_km; });
     const auto same = [](const RayBreak& a, const RayBreak& b) {
         return a.distance_km == b.distance_km;
     };

@@ -47,7 +47,7 @@ TransmittanceField::TransmittanceField(const Medium& medium,
       channels_(medium.channels),
       columns_(size.columns) {
     assert(size.columns >= 8 && size.columns % 8 == 0 && altitudes_km.size() >= 2);
-    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
+    assert(std::ranges::is_sorted(altitudes_km));
     const double top_distance = horizon_distance_km(shell_, shell_.thickness_km);
     const auto x_of = [&](double altitude_km) {
         return horizon_distance_km(shell_, altitude_km) / top_distance;
@@ -116,9 +116,7 @@ void TransmittanceField::fill_slopes(const Block& block) {
 }
 
 TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
-    const auto above = std::upper_bound(
-        blocks_.begin(), blocks_.end(), altitude_km,
-        [](double altitude, const Block& block) { return altitude < block.bottom_km; });
+    const auto above = std::ranges::upper_bound(blocks_, altitude_km, {}, &Block::bottom_km);
     const Block& block = above == blocks_.begin() ? blocks_.front() : *(above - 1);
     const double x_r =
         horizon_distance_km(shell_, altitude_km) / horizon_distance_km(shell_, shell_.thickness_km);

@@ -127,7 +127,7 @@ bool too_coarse(const RayCell& cell, const Spectrum& whole, double tolerance) {
 
 ViewRay trace_view_ray(const Medium& medium, const std::vector<double>& break_altitudes_km,
                        double altitude_km, double s_km, bool hits_ground) {
-    assert(std::is_sorted(break_altitudes_km.begin(), break_altitudes_km.end()));
+    assert(std::ranges::is_sorted(break_altitudes_km));
     const Shell shell = shell_of(medium);
     ViewRay ray;
     ray.altitude_km = altitude_km;

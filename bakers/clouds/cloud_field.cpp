@@ -141,8 +141,8 @@ class BoxFiller {
     void fill_plain_channels() const {
         std::vector<float*> plain = channels_;
         std::fill(plain.begin(), plain.begin() + plan_.shaped_channels, nullptr);
-        const bool wanted = std::any_of(plain.begin(), plain.end(),
-                                        [](const float* channel) { return channel != nullptr; });
+        const bool wanted =
+            std::ranges::any_of(plain, [](const float* channel) { return channel != nullptr; });
         if (wanted) plan_.shape().fill(box_, plain);
     }
 
@@ -287,9 +287,8 @@ bool CloudField::is_empty(const VoxelBox& box) const {
     const Columns& columns = columns_.width > 0 ? columns_ : own_columns;
     const std::vector<ColumnBound> bounds = column_bounds(columns, x, width, y, rows);
     const float profile = profile_bound(plan_, z, depth);
-    return std::none_of(bounds.begin(), bounds.end(), [&](const ColumnBound& bound) {
-        return can_exceed_level(plan_, bound, profile);
-    });
+    return std::ranges::none_of(
+        bounds, [&](const ColumnBound& bound) { return can_exceed_level(plan_, bound, profile); });
 }
 
 }  // namespace skybake::cloud

@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <span>
 #include <utility>
 
 #include "bakers/clouds/tower_life.h"
@@ -87,6 +85,81 @@ void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPl
     if (cloud.full_at) plan.inverse_full = static_cast<float>(1 / *cloud.full_at);
 }
 
+using config::HeightPoint;
+
+// The heights at which a type begins, is full, begins to thin, and ends.
+struct Heights {
+    double begin, full, thin, end;
+};
+constexpr std::array<Heights, 3> kClassicHeights = {
+    {{0.02, 0.05, 0.09, 0.11}, {0.02, 0.2, 0.48, 0.625}, {0.01, 0.0625, 0.78, 1.0}}};
+
+double smooth_ramp(double from, double to, double h) {
+    const double x = std::clamp((h - from) / (to - from), 0.0, 1.0);
+    return x * x * (3 - 2 * x);
+}
+
+double classic_profile(const Heights& heights, double h) {
+    return smooth_ramp(heights.begin, heights.full, h) *
+           (1 - smooth_ramp(heights.thin, heights.end, h));
+}
+
+// Returns 1 - e^-x for x >= 0 without cancellation: the rounding errors of e^-x = u and of ln u are
+// the same and cancel (Kahan's method; Higham 2002, Accuracy and Stability of Numerical Algorithms,
+// section 1.14.1).
+double one_minus_exponential(double x) {
+    const double u = exponential(-x);
+    if (u == 1) return x;
+    if (u < 0.5) return 1 - u;
+    return (1 - u) * x / -logarithm(u);
+}
+
+double tabulated(const std::vector<HeightPoint>& table, double h) {
+    const auto above = std::ranges::upper_bound(table, h, {}, &HeightPoint::height);
+    if (above == table.begin()) return table.front().value;
+    if (above == table.end()) return table.back().value;
+    const HeightPoint& low = *(above - 1);
+    const double t = (h - low.height) / (above->height - low.height);
+    return low.value * (1 - t) + above->value * t;
+}
+
+using config::MapFilter;
+using config::MapWrap;
+
+// The coordinate within the picture.
+double wrapped(double coordinate, MapWrap wrap) {
+    if (wrap == MapWrap::clamp) return std::clamp(coordinate, 0.0, 1.0);
+    return coordinate - std::floor(coordinate);  // [0, 1]: 1 - 1e-20 rounds to 1
+}
+
+// `within` as of wrapped(): 1 is the far edge of the last pixel.
+int nearest_pixel(double within, int size) {
+    return std::min(static_cast<int>(within * size), size - 1);
+}
+
+// The two pixels around a place on one axis, and the place's distance from the first, in [0, 1) of
+// the distance to the second.
+struct Neighbours {
+    int first = 0;
+    int second = 0;
+    double fraction = 0;
+};
+
+Neighbours neighbours(double within, int size, MapWrap wrap) {
+    const double position = within * size - 0.5;
+    const double below = std::floor(position);
+    const int first = static_cast<int>(below);  // -1 to size - 1
+    const int second = first + 1;
+    const double fraction = position - below;
+    if (wrap == MapWrap::clamp) return {std::max(first, 0), std::min(second, size - 1), fraction};
+    return {first < 0 ? size - 1 : first, second == size ? 0 : second, fraction};
+}
+
+// In this form equal ends give exactly their value, and rounding leads beyond neither end: b - a
+// may round up by half an ulp, but its product with a fraction below 1 is then rounded to less than
+// b - a itself.
+double mixed(double a, double b, double fraction) { return a + (b - a) * fraction; }
+
 }  // namespace
 
 const VoxelSource& CloudPlan::shape() const {
@@ -133,50 +206,6 @@ CloudPlan make_cloud_plan(const Cloud& cloud, const CloudVolume& volume, const N
     return plan;
 }
 
-namespace {
-
-using config::HeightPoint;
-
-// The heights at which a type begins, is full, begins to thin, and ends.
-struct Heights {
-    double begin, full, thin, end;
-};
-constexpr std::array<Heights, 3> kClassicHeights = {
-    {{0.02, 0.05, 0.09, 0.11}, {0.02, 0.2, 0.48, 0.625}, {0.01, 0.0625, 0.78, 1.0}}};
-
-double smooth_ramp(double from, double to, double h) {
-    const double x = std::clamp((h - from) / (to - from), 0.0, 1.0);
-    return x * x * (3 - 2 * x);
-}
-
-double classic_profile(const Heights& heights, double h) {
-    return smooth_ramp(heights.begin, heights.full, h) *
-           (1 - smooth_ramp(heights.thin, heights.end, h));
-}
-
-// Returns 1 - e^-x for x >= 0 without cancellation: the rounding errors of e^-x = u and of ln u are
-// the same and cancel (Kahan's method; Higham 2002, Accuracy and Stability of Numerical Algorithms,
-// section 1.14.1).
-double one_minus_exponential(double x) {
-    const double u = exponential(-x);
-    if (u == 1) return x;
-    if (u < 0.5) return 1 - u;
-    return (1 - u) * x / -logarithm(u);
-}
-
-double tabulated(const std::vector<HeightPoint>& table, double h) {
-    const auto above = std::upper_bound(
-        table.begin(), table.end(), h,
-        [](double height, const HeightPoint& point) { return height < point.height; });
-    if (above == table.begin()) return table.front().value;
-    if (above == table.end()) return table.back().value;
-    const HeightPoint& low = *(above - 1);
-    const double t = (h - low.height) / (above->height - low.height);
-    return low.value * (1 - t) + above->value * t;
-}
-
-}  // namespace
-
 std::array<double, 3> classic_profiles(double h) {
     std::array<double, 3> values;
     for (std::size_t i = 0; i < 3; ++i) values[i] = classic_profile(kClassicHeights[i], h);
@@ -210,47 +239,6 @@ double height_profile(const config::HeightProfile& profile, double h) {
     const std::array<double, 3> weights = type_weights(profile.cloud_type);
     return values[0] * weights[0] + values[1] * weights[1] + values[2] * weights[2];
 }
-
-namespace {
-
-using config::MapFilter;
-using config::MapWrap;
-
-// The coordinate within the picture.
-double wrapped(double coordinate, MapWrap wrap) {
-    if (wrap == MapWrap::clamp) return std::clamp(coordinate, 0.0, 1.0);
-    return coordinate - std::floor(coordinate);  // [0, 1]: 1 - 1e-20 rounds to 1
-}
-
-// `within` as of wrapped(): 1 is the far edge of the last pixel.
-int nearest_pixel(double within, int size) {
-    return std::min(static_cast<int>(within * size), size - 1);
-}
-
-// The two pixels around a place on one axis, and the place's distance from the first, in [0, 1) of
-// the distance to the second.
-struct Neighbours {
-    int first = 0;
-    int second = 0;
-    double fraction = 0;
-};
-
-Neighbours neighbours(double within, int size, MapWrap wrap) {
-    const double position = within * size - 0.5;
-    const double below = std::floor(position);
-    const int first = static_cast<int>(below);  // -1 to size - 1
-    const int second = first + 1;
-    const double fraction = position - below;
-    if (wrap == MapWrap::clamp) return {std::max(first, 0), std::min(second, size - 1), fraction};
-    return {first < 0 ? size - 1 : first, second == size ? 0 : second, fraction};
-}
-
-// In this form equal ends give exactly their value, and rounding leads beyond neither end: b - a
-// may round up by half an ulp, but its product with a fraction below 1 is then rounded to less than
-// b - a itself.
-double mixed(double a, double b, double fraction) { return a + (b - a) * fraction; }
-
-}  // namespace
 
 MapLookup::MapLookup(MapImage image, MapWrap wrap, MapFilter filter)
     : image_(std::move(image)), wrap_(wrap), filter_(filter) {}

@@ -50,7 +50,7 @@ Columns make_columns(const CloudPlan& plan, int first_x, int width, int first_y,
     }
     std::vector<double> sums(x.size());
     for (std::size_t row = 0; row < y.size(); ++row) {
-        std::fill(sums.begin(), sums.end(), 0.0);
+        std::ranges::fill(sums, 0.0);
         plan.towers.add_row(y[row], x, sums.data());
         for (std::size_t i = 0; i < x.size(); ++i) {
             columns.towers[row * x.size() + i] = static_cast<float>(sums[i]);

@@ -120,7 +120,7 @@ class CoverSearch {
             values.resize(static_cast<std::size_t>(box.count()));
             channels.front() = values.data();
             field.fill(box, channels);
-            if (*std::max_element(values.begin(), values.end()) <= 0) continue;
+            if (*std::ranges::max_element(values) <= 0) continue;
             details.assign(values.size(), 0);
             if (plan_.detail) plan_.detail->fill(box, {details.data()});
             const std::size_t slice = width_ * static_cast<std::size_t>(rows);

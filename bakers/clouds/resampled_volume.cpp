@@ -131,34 +131,6 @@ class BoxMaker {
     int first_slice_ = 0;
 };
 
-}  // namespace
-
-std::vector<AxisTaps> axis_taps(int from, int to) {
-    std::vector<AxisTaps> taps;
-    for (int i = 0; i < to; ++i) {
-        taps.push_back(to < from ? mean_taps(from, to, i) : linear_taps(from, to, i));
-    }
-    return taps;
-}
-
-ResampledVolume::ResampledVolume(CloudVolume volume, const std::array<int, 3>& size)
-    : volume_(std::move(volume)), size_(size) {
-    for (std::size_t i = 0; i < 3; ++i) taps_[i] = axis_taps(volume_.source.size[i], size[i]);
-}
-
-// Returns the voxels of the source that a box takes. They may lie beyond the source.
-VoxelBox ResampledVolume::taken(const VoxelBox& box) const {
-    VoxelBox source;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const AxisTaps& last = taps_[i][static_cast<std::size_t>(box.origin[i] + box.size[i] - 1)];
-        source.origin[i] = taps_[i][static_cast<std::size_t>(box.origin[i])].first;
-        source.size[i] = last.first + static_cast<int>(last.weights.size()) - source.origin[i];
-    }
-    return source;
-}
-
-namespace {
-
 // A run of voxels along an axis that is one run of the source too.
 struct AxisPiece {
     int at = 0;      // in the box
@@ -188,6 +160,30 @@ void copy_piece(const VoxelBox& box, const AxisPiece& columns, const AxisPiece& 
 }
 
 }  // namespace
+
+std::vector<AxisTaps> axis_taps(int from, int to) {
+    std::vector<AxisTaps> taps;
+    for (int i = 0; i < to; ++i) {
+        taps.push_back(to < from ? mean_taps(from, to, i) : linear_taps(from, to, i));
+    }
+    return taps;
+}
+
+ResampledVolume::ResampledVolume(CloudVolume volume, const std::array<int, 3>& size)
+    : volume_(std::move(volume)), size_(size) {
+    for (std::size_t i = 0; i < 3; ++i) taps_[i] = axis_taps(volume_.source.size[i], size[i]);
+}
+
+// Returns the voxels of the source that a box takes. They may lie beyond the source.
+VoxelBox ResampledVolume::taken(const VoxelBox& box) const {
+    VoxelBox source;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const AxisTaps& last = taps_[i][static_cast<std::size_t>(box.origin[i] + box.size[i] - 1)];
+        source.origin[i] = taps_[i][static_cast<std::size_t>(box.origin[i])].first;
+        source.size[i] = last.first + static_cast<int>(last.weights.size()) - source.origin[i];
+    }
+    return source;
+}
 
 void ResampledVolume::read_source(const VoxelBox& box, float* values) const {
     const VoxelSource& voxels = *volume_.source.voxels;

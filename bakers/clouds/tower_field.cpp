@@ -4,7 +4,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 
 #include "bakers/math/transcendental.h"
@@ -102,10 +101,10 @@ void TowerField::add_images(const Images& tower, double y, std::span<const doubl
         for (double i = std::ceil(x.front() - reach_x - middle);
              i <= std::floor(x.back() + reach_x - middle); ++i) {
             const double image = middle + i;
-            const auto first = static_cast<std::size_t>(
-                std::lower_bound(x.begin(), x.end(), image - reach_x) - x.begin());
-            const auto last = static_cast<std::size_t>(
-                std::upper_bound(x.begin(), x.end(), image + reach_x) - x.begin());
+            const auto first =
+                static_cast<std::size_t>(std::ranges::lower_bound(x, image - reach_x) - x.begin());
+            const auto last =
+                static_cast<std::size_t>(std::ranges::upper_bound(x, image + reach_x) - x.begin());
             const auto exponent = [&](double place) {
                 const double dx = place - image;
                 return -0.5 * (q_y + dx * dx / tower.variance_x_given_y);
@@ -128,7 +127,7 @@ void TowerField::add_waves(const Waves& tower, double y, std::span<const double>
 }
 
 void TowerField::add_row(double y, std::span<const double> x, double* sums) const {
-    assert(std::is_sorted(x.begin(), x.end()));
+    assert(std::ranges::is_sorted(x));
     if (x.empty()) return;
     for (const Images& tower : narrow_) add_images(tower, y, x, sums);
     for (const Waves& tower : wide_) add_waves(tower, y, x, sums);

@@ -1,9 +1,7 @@
 #include "bakers/clouds/tower_life.h"
 
-#include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 
 namespace skybake::cloud {

@@ -53,13 +53,13 @@ class NormalEquations {
 std::vector<glm::dvec3> weights_of_lines(std::span<const double> wavelengths_nm,
                                          const ColorTarget& target) {
     std::vector<double> ascending(wavelengths_nm.begin(), wavelengths_nm.end());
-    std::sort(ascending.begin(), ascending.end());
+    std::ranges::sort(ascending);
     ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
     const std::vector<glm::dvec3> sorted = color_weights(ascending, target);
     std::vector<glm::dvec3> weights;
     for (const double nm : wavelengths_nm) {
-        const auto at = std::lower_bound(ascending.begin(), ascending.end(), nm);
-        const auto alike = std::count(wavelengths_nm.begin(), wavelengths_nm.end(), nm);
+        const auto at = std::ranges::lower_bound(ascending, nm);
+        const auto alike = std::ranges::count(wavelengths_nm, nm);
         weights.push_back(sorted[static_cast<std::size_t>(at - ascending.begin())] /
                           static_cast<double>(alike));
     }

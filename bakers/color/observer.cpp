@@ -1,7 +1,5 @@
 #include "bakers/color/observer.h"
 
-#include <cstddef>
-
 #include "bakers/color/spectral_nodes.h"
 
 namespace skybake {

@@ -31,7 +31,7 @@ std::vector<double> kinks(std::span<const double> wavelengths_nm) {
     for (std::size_t node = 0; node < kSpectralNodes; ++node) all.push_back(spectral_node_nm(node));
     for (const double nm : wavelengths_nm)
         if (is_visible(nm)) all.push_back(nm);
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     return all;
 }
 
@@ -41,7 +41,7 @@ std::vector<glm::dvec3> hat_xyz(std::span<const double> wavelengths_nm, Sunlight
     std::vector<glm::dvec3> hats(wavelengths_nm.size(), glm::dvec3(0));
     const auto add = [&](double nm, double weight) {
         const glm::dvec3 light = color_matching(nm) * irradiance(sunlight, nm) * weight;
-        const auto above = std::upper_bound(wavelengths_nm.begin(), wavelengths_nm.end(), nm);
+        const auto above = std::ranges::upper_bound(wavelengths_nm, nm);
         const auto high = static_cast<std::size_t>(above - wavelengths_nm.begin());
         if (high == 0 || high == wavelengths_nm.size()) {
             hats[high == 0 ? 0 : high - 1] += light;
@@ -85,7 +85,7 @@ double solar_illuminance_lux() {
 std::vector<glm::dvec3> color_weights(std::span<const double> wavelengths_nm,
                                       const ColorTarget& target) {
     assert(!wavelengths_nm.empty());
-    assert(std::is_sorted(wavelengths_nm.begin(), wavelengths_nm.end()));
+    assert(std::ranges::is_sorted(wavelengths_nm));
     const glm::dvec3 sun = unscaled_sun_xyz(target.sunlight);
     const glm::dmat3 matrix = from_xyz(target.space, target.white, sun / sun.y);
     std::vector<glm::dvec3> weights = hat_xyz(wavelengths_nm, target.sunlight);

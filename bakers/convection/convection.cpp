@@ -19,6 +19,29 @@ double cells_of(const Specification& wanted) {
     return double{1} * x * y * z;
 }
 
+// A cloud without its water.
+GrownCloud bare(const Specification& wanted, const Sounding& sounding) {
+    GrownCloud cloud;
+    cloud.cells = wanted.grid.cells;
+    cloud.cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
+    cloud.full_water = sounding.adiabatic_water;
+    cloud.water.resize(static_cast<std::size_t>(cloud.cells[0]) *
+                       static_cast<std::size_t>(cloud.cells[1]) *
+                       static_cast<std::size_t>(cloud.cells[2]));
+    return cloud;
+}
+
+// Names all members: it is not compiled until one that is added is named, too.
+std::string text_of(const Specification& wanted) {
+    const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
+                 top, patches, width, warmth, seed, growth] = wanted;
+    const auto& [cells, edges] = grid;
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
+                       fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
+                       inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
+                       fmt::join(width, " "), warmth, seed, growth);
+}
+
 }  // namespace
 
 Specification specification_of(const config::Cloud& cloud) {
@@ -48,33 +71,6 @@ Specification specification_of(const config::Cloud& cloud) {
     wanted.growth_s = 60 * convection.minutes;
     return wanted;
 }
-
-namespace {
-
-// A cloud without its water.
-GrownCloud bare(const Specification& wanted, const Sounding& sounding) {
-    GrownCloud cloud;
-    cloud.cells = wanted.grid.cells;
-    cloud.cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
-    cloud.full_water = sounding.adiabatic_water;
-    cloud.water.resize(static_cast<std::size_t>(cloud.cells[0]) *
-                       static_cast<std::size_t>(cloud.cells[1]) *
-                       static_cast<std::size_t>(cloud.cells[2]));
-    return cloud;
-}
-
-// Names all members: it is not compiled until one that is added is named, too.
-std::string text_of(const Specification& wanted) {
-    const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
-                 top, patches, width, warmth, seed, growth] = wanted;
-    const auto& [cells, edges] = grid;
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", fmt::join(cells, " "),
-                       fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
-                       inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
-                       fmt::join(width, " "), warmth, seed, growth);
-}
-
-}  // namespace
 
 std::shared_ptr<const GrownCloud> kept_or_grown(const Specification& wanted, KeptBytes* kept,
                                                 const BakeOptions& options) {

@@ -25,17 +25,6 @@ double around(double distance, double length) {
     return distance - length * std::floor(distance / length + 0.5);
 }
 
-}  // namespace
-
-float noise_at(std::uint64_t seed, const std::array<int, 3>& cell, int moment) {
-    std::uint64_t bits = mixed(seed);
-    for (const int i : {cell[0], cell[1], cell[2], moment})
-        bits = mixed(bits ^ static_cast<std::uint64_t>(i));
-    return static_cast<float>(2 * number(bits) - 1);
-}
-
-namespace {
-
 // Numbers in [0, 1), one after another.
 struct Numbers {
     std::uint64_t bits = 0;
@@ -57,6 +46,13 @@ Patch make_pulse(const Specification& wanted, const Patch& patch, Numbers& numbe
 }
 
 }  // namespace
+
+float noise_at(std::uint64_t seed, const std::array<int, 3>& cell, int moment) {
+    std::uint64_t bits = mixed(seed);
+    for (const int i : {cell[0], cell[1], cell[2], moment})
+        bits = mixed(bits ^ static_cast<std::uint64_t>(i));
+    return static_cast<float>(2 * number(bits) - 1);
+}
 
 std::vector<Patch> make_patches(const Specification& wanted) {
     constexpr int kPulses = 8;  // of a patch

@@ -343,8 +343,7 @@ std::array<std::array<float, 16>, 3> decode_bc6h(const std::uint8_t* block) {
     std::array<std::array<float, 16>, 3> decoded{};
     BitsReader bits(block);
     const int word = bits.take(5);
-    const auto mode = std::find_if(modes.begin(), modes.end(),
-                                   [word](const Mode& row) { return row.word == word; });
+    const auto mode = std::ranges::find(modes, word, &Mode::word);
     if (mode == modes.end()) return decoded;
     EndPoints ends;
     for (std::size_t c = 0; c < 3; ++c) ends[0][c] = bits.take(10);

@@ -63,6 +63,52 @@ MeasuredErrors measure(const TableModel& model, const ReferencePoints& points,
     return measured;
 }
 
+using Coordinates = std::array<double, 3>;
+
+std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
+                            const Coordinates& uvw) {
+    const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
+    const std::vector<float> values = voxels.at(taps);
+    std::vector<double> result(voxels.channels(), 0.0);
+    for (std::size_t i = 0; i < 8; ++i) {
+        for (std::size_t c = 0; c < result.size(); ++c) {
+            result[c] += taps[i].weight * double{values[i * result.size() + c]};
+        }
+    }
+    return result;
+}
+
+// Compares lookups with the reference at places, in tiles.
+VolumeErrors measure(const Level& level, config::PixelType type, const VolumeReference& reference,
+                     const std::vector<Coordinates>& places, const VolumeComparison& comparison,
+                     const BakeOptions& options) {
+    const StoredVoxels voxels(level, type);
+    std::vector<std::vector<double>> errors(places.size());
+    constexpr int kTile = 32;
+    const auto count = static_cast<int>(places.size());
+    for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
+        for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
+            if (options.cancelled()) return;
+            const auto at = static_cast<std::size_t>(i);
+            const std::vector<double> found = look_up(voxels, level, places[at]);
+            const std::vector<double> wanted = reference(places[at]);
+            errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
+                                           : shares_of_range(level, found, wanted);
+        }
+    });
+    VolumeErrors result;
+    result.points = count;
+    ErrorStatistics statistics;
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        for (const double error : errors[i]) {
+            if (std::fabs(error) > statistics.max()) result.worst = places[i];
+            statistics.add(error);
+        }
+    }
+    result.figures = statistics.figures();
+    return result;
+}
+
 }  // namespace
 
 int ReferencePoints::count() const {
@@ -125,56 +171,6 @@ MeasuredErrors measure_kernel(const TableModel& model, int level, const Referenc
                                 model.row(level, y, x, out);
                             }));
 }
-
-namespace {
-
-using Coordinates = std::array<double, 3>;
-
-std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
-                            const Coordinates& uvw) {
-    const std::array<VoxelTap, 8> taps = trilinear_taps(level.size, uvw, level.repeats);
-    const std::vector<float> values = voxels.at(taps);
-    std::vector<double> result(voxels.channels(), 0.0);
-    for (std::size_t i = 0; i < 8; ++i) {
-        for (std::size_t c = 0; c < result.size(); ++c) {
-            result[c] += taps[i].weight * double{values[i * result.size() + c]};
-        }
-    }
-    return result;
-}
-
-// Compares lookups with the reference at places, in tiles.
-VolumeErrors measure(const Level& level, config::PixelType type, const VolumeReference& reference,
-                     const std::vector<Coordinates>& places, const VolumeComparison& comparison,
-                     const BakeOptions& options) {
-    const StoredVoxels voxels(level, type);
-    std::vector<std::vector<double>> errors(places.size());
-    constexpr int kTile = 32;
-    const auto count = static_cast<int>(places.size());
-    for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
-        for (int i = tile * kTile; i < std::min(count, (tile + 1) * kTile); ++i) {
-            if (options.cancelled()) return;
-            const auto at = static_cast<std::size_t>(i);
-            const std::vector<double> found = look_up(voxels, level, places[at]);
-            const std::vector<double> wanted = reference(places[at]);
-            errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
-                                           : shares_of_range(level, found, wanted);
-        }
-    });
-    VolumeErrors result;
-    result.points = count;
-    ErrorStatistics statistics;
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-        for (const double error : errors[i]) {
-            if (std::fabs(error) > statistics.max()) result.worst = places[i];
-            statistics.add(error);
-        }
-    }
-    result.figures = statistics.figures();
-    return result;
-}
-
-}  // namespace
 
 std::vector<double> shares_of_range(const Level& level, const std::vector<double>& found,
                                     const std::vector<double>& wanted) {

@@ -52,7 +52,7 @@ ReadableTexture remembering(const ReadableTexture& texture) {
             kept.resize(8 * texture.channels);
             texture.read(taps, kept.data());
         }
-        std::copy(kept.begin(), kept.end(), values);
+        std::ranges::copy(kept, values);
     };
     return result;
 }
@@ -114,9 +114,8 @@ void measure_candidates(std::size_t first, const ProbedTexture& texture,
 }
 
 int places_that_show(const std::vector<ProbeCandidate>& candidates, std::size_t wrong) {
-    return static_cast<int>(
-        std::count_if(candidates.begin(), candidates.end(),
-                      [wrong](const ProbeCandidate& at) { return at.off[wrong] > kShows; }));
+    return static_cast<int>(std::ranges::count_if(
+        candidates, [wrong](const ProbeCandidate& at) { return at.off[wrong] > kShows; }));
 }
 
 ProbeCandidate candidate_at(const std::vector<ProbeSpace>& spaces, std::size_t space,
@@ -195,8 +194,8 @@ void for_each_row_of_texels(const std::vector<ProbeSpace>& spaces, const Texture
 void keep_what_shows(const std::vector<std::size_t>& wrongs, std::size_t first,
                      std::vector<ProbeCandidate>& candidates) {
     const auto shows_none = [&wrongs](const ProbeCandidate& at) {
-        return std::none_of(wrongs.begin(), wrongs.end(),
-                            [&at](std::size_t wrong) { return at.off[wrong] > kShows; });
+        return std::ranges::none_of(wrongs,
+                                    [&at](std::size_t wrong) { return at.off[wrong] > kShows; });
     };
     const auto from = candidates.begin() + static_cast<std::ptrdiff_t>(first);
     candidates.erase(std::remove_if(from, candidates.end(), shows_none), candidates.end());
@@ -252,9 +251,8 @@ class ProbeTaking {
             return sum;
         };
         const auto taken = [&] {
-            return std::count_if(
-                candidates_.begin(), candidates_.end(),
-                [&where](const ProbeCandidate& at) { return at.taken && where(at); });
+            return std::ranges::count_if(
+                candidates_, [&where](const ProbeCandidate& at) { return at.taken && where(at); });
         };
         while (taken() < count && take_best(gain, -1)) {
         }
@@ -285,7 +283,7 @@ class ProbeTaking {
 };
 
 void add_name(const std::string& name, std::vector<std::string>& names) {
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (std::ranges::find(names, name) == names.end()) names.push_back(name);
 }
 
 // Lists what the taken candidates catch. If two wrong lookups have the same name, both must show.
@@ -296,9 +294,9 @@ void add_names(const std::vector<ProbeCandidate>& candidates,
                ProbeSet& set) {
     std::vector<std::string> unseen;
     for (std::size_t wrong = 0; wrong < wrongs.size(); ++wrong) {
-        const auto caught = std::count_if(
-            candidates.begin(), candidates.end(),
-            [wrong](const ProbeCandidate& at) { return at.taken && at.off[wrong] > kShows; });
+        const auto caught = std::ranges::count_if(candidates, [wrong](const ProbeCandidate& at) {
+            return at.taken && at.off[wrong] > kShows;
+        });
         if (caught >= kSeveralProbes) {
             add_name(wrongs[wrong].name, set.catches);
         } else {
@@ -361,9 +359,8 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
     const bool everywhere = texels_of(use) <= kMostTexels && !few.empty();
     if (everywhere && texels_of(use) <= kFewTexels) {
         std::vector<ProbeCandidate> all;
-        for_each_row_of_texels(spaces, use, texture.dimensions, [&](auto row) {
-            std::move(row.begin(), row.end(), std::back_inserter(all));
-        });
+        for_each_row_of_texels(spaces, use, texture.dimensions,
+                               [&](auto row) { std::ranges::move(row, std::back_inserter(all)); });
         add(std::move(all));
     } else if (everywhere) {
         for_each_row_of_texels(spaces, use, texture.dimensions, [&](auto row) {

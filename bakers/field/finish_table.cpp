@@ -117,114 +117,6 @@ ProbeSpace table_space(const TableModel& model, std::array<int, 2> size, PlaceOf
     return space;
 }
 
-}  // namespace
-
-std::string place_text(const Place& place) {
-    std::string text;
-    for (const auto& [name, value] : place) {
-        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", name, value);
-    }
-    return text;
-}
-
-Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
-                             const BakeOptions& options, const PlaceOf& place_of, Baked table) {
-    const PointCounts counts = points_of(request, options.certification);
-    const bool certify = options.certification != Certification::off;
-    Outcome<TablePart> outcome;
-
-    // The choice uses its own points and the quick search, whatever the kind of certification, which
-    // must not change the texels.
-    std::array<int, 2> size = request.size;
-    int level = 0;
-    if (request.max_error) {
-        const ReferencePoints points = reference_points(model, request.choice, options);
-        // After an interruption, tiles were skipped, so results must not be read.
-        if (options.cancelled()) return outcome;
-        const auto check = [&](int at_level, const Image2<float>& image) {
-            return search_table(model, at_level, image, request.quick_search, options);
-        };
-        const TableSearch search =
-            smallest_table(model, *request.max_error, table.pixel_type, points, options, check);
-        if (options.cancelled()) return outcome;
-        if (!search.found) {
-            outcome.diagnostics.push_back(failure(
-                "E0403",
-                fmt::format("`{}`: no size meets max_error = {:.3g}; the best, {}x{}, has {:.3g}",
-                            table.name, *request.max_error, search.best.size[0],
-                            search.best.size[1], search.best.max_error),
-                "use a larger max_error, another mapping or pixel_type = \"float\""));
-            return outcome;
-        }
-        size = search.found->size;
-        level = search.found->level;
-    }
-    std::optional<ReferencePoints> texels;
-    if (!request.max_error && request.max_texel_error) {
-        texels = reference_texels(model, size, request.quick, options);
-        if (options.cancelled()) return outcome;
-        const LevelChoice choice = choose_level(model, request, *texels, options);
-        if (options.cancelled()) return outcome;
-        if (!choice.level) {
-            outcome.diagnostics.push_back(
-                failure("E0404",
-                        fmt::format("`{}`: no quadrature meets max_texel_error = {:.3g}; the "
-                                    "finest has {:.3g}",
-                                    table.name, *request.max_texel_error, choice.best_error),
-                        "use a larger max_texel_error"));
-            return outcome;
-        }
-        level = *choice.level;
-    }
-
-    if (options.cancelled()) return outcome;
-    const Image2<double> values = bake_texels(model, level, size, options);
-    set_image(store_texels(values, table.pixel_type, table.range), table);
-    if (options.cancelled()) return outcome;
-    if (const auto problem = check_range(values, table, place_of, model)) {
-        outcome.diagnostics.push_back(*problem);
-        return outcome;
-    }
-    // Values of both signs pass through zero, where they need no precision.
-    if (table.range.below_normal > 0 && model.lowest >= 0) {
-        Diagnostic warning = failure(
-            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
-                                 table.name, table.range.below_normal, values.texels.size(),
-                                 smallest_normal(table.pixel_type),
-                                 table.pixel_type == config::PixelType::half ? "half" : "float"));
-        warning.severity = config::Severity::warning;
-        outcome.diagnostics.push_back(std::move(warning));
-    }
-    if (model.cost_per_texel.size() > 1) {
-        table.details.emplace_back("quadrature_level", level + 1.0);
-        table.details.emplace_back("quadrature_levels",
-                                   static_cast<double>(model.cost_per_texel.size()));
-    }
-    table.certified = certify;
-    if (certify) {
-        const BakeTime time(BakePart::certificate);
-        // Choosing the level has already evaluated the texels of the quick certificate.
-        if (!texels || options.certification == Certification::full) {
-            texels = reference_texels(model, size, counts, options);
-        }
-        if (options.cancelled()) return outcome;
-        const FoundErrors lookup = search_table(model, level, table.image(),
-                                                search_of(request, options.certification), options);
-        if (options.cancelled()) return outcome;
-        table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
-        table.certificate.texel_points = texels->count();
-        table.certificate.lookup = lookup.figures;
-        table.certificate.lookup_points = lookup.points;
-        table.certificate.worst = place_text(place_of(
-            model.x_of_point ? model.x_of_point(lookup.worst_point[0]) : lookup.worst_point[0],
-            lookup.worst_row[0]));
-    }
-    outcome.value = TablePart{std::move(table), table_space(model, size, place_of)};
-    return outcome;
-}
-
-namespace {
-
 ProbedTexture probed_texture(const Image2<float>& image, const Level& level,
                              config::PixelType type) {
     ProbedTexture texture;
@@ -355,6 +247,110 @@ Image2<float> stacked_image(const std::vector<TablePart>& parts) {
 
 }  // namespace
 
+std::string place_text(const Place& place) {
+    std::string text;
+    for (const auto& [name, value] : place) {
+        text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", name, value);
+    }
+    return text;
+}
+
+Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
+                             const BakeOptions& options, const PlaceOf& place_of, Baked table) {
+    const PointCounts counts = points_of(request, options.certification);
+    const bool certify = options.certification != Certification::off;
+    Outcome<TablePart> outcome;
+
+    // The choice uses its own points and the quick search, whatever the kind of certification, which
+    // must not change the texels.
+    std::array<int, 2> size = request.size;
+    int level = 0;
+    if (request.max_error) {
+        const ReferencePoints points = reference_points(model, request.choice, options);
+        // After an interruption, tiles were skipped, so results must not be read.
+        if (options.cancelled()) return outcome;
+        const auto check = [&](int at_level, const Image2<float>& image) {
+            return search_table(model, at_level, image, request.quick_search, options);
+        };
+        const TableSearch search =
+            smallest_table(model, *request.max_error, table.pixel_type, points, options, check);
+        if (options.cancelled()) return outcome;
+        if (!search.found) {
+            outcome.diagnostics.push_back(failure(
+                "E0403",
+                fmt::format("`{}`: no size meets max_error = {:.3g}; the best, {}x{}, has {:.3g}",
+                            table.name, *request.max_error, search.best.size[0],
+                            search.best.size[1], search.best.max_error),
+                "use a larger max_error, another mapping or pixel_type = \"float\""));
+            return outcome;
+        }
+        size = search.found->size;
+        level = search.found->level;
+    }
+    std::optional<ReferencePoints> texels;
+    if (!request.max_error && request.max_texel_error) {
+        texels = reference_texels(model, size, request.quick, options);
+        if (options.cancelled()) return outcome;
+        const LevelChoice choice = choose_level(model, request, *texels, options);
+        if (options.cancelled()) return outcome;
+        if (!choice.level) {
+            outcome.diagnostics.push_back(
+                failure("E0404",
+                        fmt::format("`{}`: no quadrature meets max_texel_error = {:.3g}; the "
+                                    "finest has {:.3g}",
+                                    table.name, *request.max_texel_error, choice.best_error),
+                        "use a larger max_texel_error"));
+            return outcome;
+        }
+        level = *choice.level;
+    }
+
+    if (options.cancelled()) return outcome;
+    const Image2<double> values = bake_texels(model, level, size, options);
+    set_image(store_texels(values, table.pixel_type, table.range), table);
+    if (options.cancelled()) return outcome;
+    if (const auto problem = check_range(values, table, place_of, model)) {
+        outcome.diagnostics.push_back(*problem);
+        return outcome;
+    }
+    // Values of both signs pass through zero, where they need no precision.
+    if (table.range.below_normal > 0 && model.lowest >= 0) {
+        Diagnostic warning = failure(
+            "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
+                                 table.name, table.range.below_normal, values.texels.size(),
+                                 smallest_normal(table.pixel_type),
+                                 table.pixel_type == config::PixelType::half ? "half" : "float"));
+        warning.severity = config::Severity::warning;
+        outcome.diagnostics.push_back(std::move(warning));
+    }
+    if (model.cost_per_texel.size() > 1) {
+        table.details.emplace_back("quadrature_level", level + 1.0);
+        table.details.emplace_back("quadrature_levels",
+                                   static_cast<double>(model.cost_per_texel.size()));
+    }
+    table.certified = certify;
+    if (certify) {
+        const BakeTime time(BakePart::certificate);
+        // Choosing the level has already evaluated the texels of the quick certificate.
+        if (!texels || options.certification == Certification::full) {
+            texels = reference_texels(model, size, counts, options);
+        }
+        if (options.cancelled()) return outcome;
+        const FoundErrors lookup = search_table(model, level, table.image(),
+                                                search_of(request, options.certification), options);
+        if (options.cancelled()) return outcome;
+        table.certificate.texel = measure_lookups(model, table.image(), *texels).figures;
+        table.certificate.texel_points = texels->count();
+        table.certificate.lookup = lookup.figures;
+        table.certificate.lookup_points = lookup.points;
+        table.certificate.worst = place_text(place_of(
+            model.x_of_point ? model.x_of_point(lookup.worst_point[0]) : lookup.worst_point[0],
+            lookup.worst_row[0]));
+    }
+    outcome.value = TablePart{std::move(table), table_space(model, size, place_of)};
+    return outcome;
+}
+
 void add_level(const Image2<double>& texels, Baked& table) {
     Level level = table.levels.back();
     level.size = {texels.width, texels.height, 1};
@@ -364,8 +360,7 @@ void add_level(const Image2<double>& texels, Baked& table) {
 }
 
 bool add_part(Outcome<TablePart> part, StackedParts& parts) {
-    std::move(part.diagnostics.begin(), part.diagnostics.end(),
-              std::back_inserter(parts.diagnostics));
+    std::ranges::move(part.diagnostics, std::back_inserter(parts.diagnostics));
     if (!part.value) {
         parts.value.reset();
     } else {
@@ -401,7 +396,7 @@ Outcome<Baked> stack_tables(StackedParts stacked, const BakeOptions& options,
     add_levels(table);
     std::vector<Diagnostic> problems = look_over(spaces, options, table);
     if (options.cancelled()) return outcome;
-    std::move(problems.begin(), problems.end(), std::back_inserter(outcome.diagnostics));
+    std::ranges::move(problems, std::back_inserter(outcome.diagnostics));
     if (problems.empty()) outcome.value = std::move(table);
     return outcome;
 }

@@ -66,16 +66,6 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
     volume.certified = true;
 }
 
-}  // namespace
-
-void hold_voxels(const BakeOptions& options, Baked& volume) {
-    Level& level = volume.levels.front();
-    level.voxels = held_voxels(std::move(level.voxels), level.size,
-                               static_cast<int>(volume.channel_names.size()), options);
-}
-
-namespace {
-
 using NextSize = std::array<int, 3> (*)(const std::array<int, 3>& size);
 
 void add_levels(int count, NextSize next_size, const BakeOptions& options, Baked& volume) {
@@ -112,60 +102,6 @@ std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinis
                              volume.pixel_type, options, level);
 }
 
-}  // namespace
-
-void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,
-                Baked& volume) {
-    Level level;
-    level.size = size;
-    level.repeats = repeating_axes(volume.axes);
-    level.voxels = std::move(voxels);
-    volume.levels.push_back(std::move(level));
-}
-
-void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
-    add_levels(count, next_mip_size, options, volume);
-}
-
-void add_slice_levels(int count, const BakeOptions& options, Baked& volume) {
-    add_levels(count, next_slice_size, options, volume);
-}
-
-int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
-
-config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
-                                     const BakeOptions& options) {
-    config::Outcome<Baked> outcome;
-    code_levels(volume);
-    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
-        if (options.cancelled()) return outcome;
-        ColumnCount count{finish.covered_above.value_or(0)};
-        const bool counts = i == 0 && finish.covered_above;
-        outcome.diagnostics = survey_level(volume, static_cast<int>(i), finish.histogram_ranges,
-                                           options, counts ? &count : nullptr);
-        if (counts) volume.details.emplace_back(covered_columns, count.share);
-        if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;
-        if (const auto problem = add_level_probes(static_cast<int>(i), finish, options, volume)) {
-            outcome.diagnostics.push_back(*problem);
-            return outcome;
-        }
-    }
-    if (options.certification != Certification::off) {
-        const BakeTime time(BakePart::certificate);
-        if (finish.measure) {
-            volume.certificate = finish.measure(volume, options);
-            volume.certified = true;
-        } else if (finish.reference) {
-            certify(finish, options, volume);
-        }
-    }
-    if (options.cancelled()) return outcome;
-    outcome.value = std::move(volume);
-    return outcome;
-}
-
-namespace {
-
 using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
@@ -178,7 +114,7 @@ ProbedTexture probed_volume(const Level& level, int dimensions, config::PixelTyp
     texture.texture.read = [voxels = StoredVoxels(level, type)](const std::array<VoxelTap, 8>& taps,
                                                                 float* values) {
         const std::vector<float> found = voxels.at(taps);
-        std::copy(found.begin(), found.end(), values);
+        std::ranges::copy(found, values);
     };
     texture.type = type;
     for (const ValueStatistics& channel : level.statistics) {
@@ -324,6 +260,62 @@ ProbePlace texture_place(const UnitPlace& uvw) {
 }
 
 }  // namespace
+
+void hold_voxels(const BakeOptions& options, Baked& volume) {
+    Level& level = volume.levels.front();
+    level.voxels = held_voxels(std::move(level.voxels), level.size,
+                               static_cast<int>(volume.channel_names.size()), options);
+}
+
+void add_voxels(const std::array<int, 3>& size, std::shared_ptr<const VoxelSource> voxels,
+                Baked& volume) {
+    Level level;
+    level.size = size;
+    level.repeats = repeating_axes(volume.axes);
+    level.voxels = std::move(voxels);
+    volume.levels.push_back(std::move(level));
+}
+
+void add_mip_levels(int count, const BakeOptions& options, Baked& volume) {
+    add_levels(count, next_mip_size, options, volume);
+}
+
+void add_slice_levels(int count, const BakeOptions& options, Baked& volume) {
+    add_levels(count, next_slice_size, options, volume);
+}
+
+int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
+
+config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
+                                     const BakeOptions& options) {
+    config::Outcome<Baked> outcome;
+    code_levels(volume);
+    for (std::size_t i = 0; i < volume.levels.size(); ++i) {
+        if (options.cancelled()) return outcome;
+        ColumnCount count{finish.covered_above.value_or(0)};
+        const bool counts = i == 0 && finish.covered_above;
+        outcome.diagnostics = survey_level(volume, static_cast<int>(i), finish.histogram_ranges,
+                                           options, counts ? &count : nullptr);
+        if (counts) volume.details.emplace_back(covered_columns, count.share);
+        if (!outcome.diagnostics.empty() || options.cancelled()) return outcome;
+        if (const auto problem = add_level_probes(static_cast<int>(i), finish, options, volume)) {
+            outcome.diagnostics.push_back(*problem);
+            return outcome;
+        }
+    }
+    if (options.certification != Certification::off) {
+        const BakeTime time(BakePart::certificate);
+        if (finish.measure) {
+            volume.certificate = finish.measure(volume, options);
+            volume.certified = true;
+        } else if (finish.reference) {
+            certify(finish, options, volume);
+        }
+    }
+    if (options.cancelled()) return outcome;
+    outcome.value = std::move(volume);
+    return outcome;
+}
 
 std::optional<config::Diagnostic> add_volume_probes(const std::string& asset, int dimensions,
                                                     const ProbePlaces& place,

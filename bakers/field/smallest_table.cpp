@@ -44,7 +44,7 @@ std::vector<Candidate> candidates(const TableModel& model) {
             }
         }
     }
-    std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) {
+    std::ranges::stable_sort(all, [](const Candidate& a, const Candidate& b) {
         if (a.cost != b.cost) return a.cost < b.cost;
         return a.size[0] < b.size[0];
     });

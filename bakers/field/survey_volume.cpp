@@ -9,7 +9,6 @@
 #include <limits>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
@@ -189,7 +188,7 @@ float largest_of(const float* values, std::size_t count) {
             most[lane] = values[i + lane] > most[lane] ? values[i + lane] : most[lane];
         }
     }
-    float largest = *std::max_element(most.begin(), most.end());
+    float largest = *std::ranges::max_element(most);
     for (; i < count; ++i) largest = std::max(largest, values[i]);
     return largest;
 }
@@ -281,7 +280,7 @@ class Survey {
         level.content_hash = hasher_.hex();
         level.peaks = peaks_;
         if (count_ == nullptr) return;
-        const auto covered = std::count(covered_.begin(), covered_.end(), 1);
+        const auto covered = std::ranges::count(covered_, 1);
         count_->share = static_cast<double>(covered) / static_cast<double>(covered_.size());
     }
 

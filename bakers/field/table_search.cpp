@@ -30,7 +30,7 @@ std::vector<double> column_edges(const TableModel& model, int columns) {
 
 std::vector<double> row_edges(const TableModel& model, int rows) {
     std::vector<double> edges = cell_edges(model.convention, rows);
-    const auto half = std::lower_bound(edges.begin(), edges.end(), 0.5);
+    const auto half = std::ranges::lower_bound(edges, 0.5);
     // Lookups on the two sides of the middle read different rows.
     if (model.v_of && *half != 0.5) edges.insert(half, 0.5);
     return edges;

@@ -31,7 +31,7 @@ void VoxelArray::fill(const VoxelBox& box, const std::vector<float*>& channels) 
 }
 
 double VoxelArray::largest(std::size_t channel) const {
-    return *std::max_element(values_[channel].begin(), values_[channel].end());
+    return *std::ranges::max_element(values_[channel]);
 }
 
 VoxelArray read_voxels(const VoxelSource& source, const std::array<int, 3>& size, int channels,

@@ -29,7 +29,7 @@ void add_skin(const Medium& medium, double edge_km, double middle_km, double per
 }  // namespace
 
 bool LitSkins::hold(double altitude_km) const {
-    return std::any_of(layers.begin(), layers.end(), [&](const AltitudeRange& layer) {
+    return std::ranges::any_of(layers, [&](const AltitudeRange& layer) {
         return altitude_km > layer.bottom_km && altitude_km < layer.top_km;
     });
 }
@@ -47,7 +47,7 @@ LitSkins lit_skins(const Medium& medium) {
                      skins.altitudes_km);
         }
     }
-    std::sort(skins.altitudes_km.begin(), skins.altitudes_km.end());
+    std::ranges::sort(skins.altitudes_km);
     return skins;
 }
 

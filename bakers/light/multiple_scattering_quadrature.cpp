@@ -64,14 +64,14 @@ std::vector<double> quadrature_altitudes_km(const Medium& medium) {
             share_of(extinction_at(tables, altitude), extinction_at(medium, altitude));
         if (!(smallest(share, medium.channels) > kShareOfTables)) altitudes.push_back(altitude);
     }
-    std::sort(altitudes.begin(), altitudes.end());
+    std::ranges::sort(altitudes);
     altitudes.erase(std::unique(altitudes.begin(), altitudes.end()), altitudes.end());
     return altitudes;
 }
 
 RowQuadrature make_row_quadrature(const Medium& medium, const std::vector<double>& altitudes_km,
                                   double altitude_km, const QuadratureLevel& level) {
-    assert(std::is_sorted(altitudes_km.begin(), altitudes_km.end()));
+    assert(std::ranges::is_sorted(altitudes_km));
     assert(level.zenith_nodes >= 1);
     const Shell shell = shell_of(medium);
     const double r = shell.ground_radius_km + altitude_km;

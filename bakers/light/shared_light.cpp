@@ -57,9 +57,9 @@ SolverSettings settings_of(const LightRequest& request, const SkyMedium& medium)
 }  // namespace
 
 bool has_spheres(const config::Atmosphere& atmosphere) {
-    return std::any_of(
-        atmosphere.layers.begin(), atmosphere.layers.end(),
-        [](const config::Layer& layer) { return layer.phase == config::Phase::mie; });
+    return std::ranges::any_of(atmosphere.layers, [](const config::Layer& layer) {
+        return layer.phase == config::Phase::mie;
+    });
 }
 
 SkyMedium medium_of(const LightRequest& request) {

@@ -32,8 +32,7 @@ namespace {
 // Elevations of the sun's disc whose colours are measured, not fitted.
 constexpr std::array kMeasuredDiscs_deg = {5.0, 1.0, 0.0};
 bool is_measured(double elevation_deg) {
-    return std::find(kMeasuredDiscs_deg.begin(), kMeasuredDiscs_deg.end(), elevation_deg) !=
-           kMeasuredDiscs_deg.end();
+    return std::ranges::find(kMeasuredDiscs_deg, elevation_deg) != kMeasuredDiscs_deg.end();
 }
 
 // The sun's own light counts as so many views, since it lights all that a runtime draws.
@@ -103,41 +102,6 @@ class ColorSamples {
     std::vector<double> luminances_;
 };
 
-}  // namespace
-
-ColorSkies::ColorSkies(const config::Atmosphere& atmosphere,
-                       const std::vector<config::Length>& given, const BakeOptions& options)
-    : ColorSkies(sky_spectra(atmosphere, given, spectrum_views(), options)) {}
-
-ColorSkies::ColorSkies(Spectra spectra)
-    : views_(spectrum_views().size()), spectra_(std::move(spectra)) {}
-
-ColorError ColorSkies::error(const std::vector<config::Length>& wavelengths,
-                             const config::Color& color,
-                             const std::vector<glm::dvec3>& weights) const {
-    const Spectra few = at_wavelengths(spectra_, wavelengths);
-    const ColorSamples samples(spectra_, few, spectrum_nm(), target_of(color));
-    ColorError error;
-    std::vector<double> errors;
-    for (std::size_t i = 0; i < views_; ++i) {
-        if (!is_fitted(i)) errors.push_back(samples.error(i, weights));
-    }
-    std::sort(errors.begin(), errors.end());
-    error.skies = static_cast<int>(errors.size());
-    error.median = errors[errors.size() / 2];
-    error.ninth_decile = errors[errors.size() * 9 / 10];
-    error.max = errors.back();
-    for (std::size_t d = 0; d < kMeasuredDiscs_deg.size(); ++d) {
-        const auto at =
-            std::find(kSpectrumDiscs_deg.begin(), kSpectrumDiscs_deg.end(), kMeasuredDiscs_deg[d]);
-        error.disc[d] = samples.error(
-            views_ + static_cast<std::size_t>(at - kSpectrumDiscs_deg.begin()), weights);
-    }
-    return error;
-}
-
-namespace {
-
 // The light to which weights are fitted: `views` views and the discs.
 std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t views,
                                         const std::vector<config::Length>& wavelengths,
@@ -159,22 +123,6 @@ std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t view
     return fitted;
 }
 
-}  // namespace
-
-std::vector<glm::dvec3> ColorSkies::fitted_weights(const std::vector<config::Length>& wavelengths,
-                                                   const config::Color& color) const {
-    const ColorTarget target = target_of(color);
-    return fit_color_weights(in_nm(wavelengths),
-                             fitted_samples(spectra_, views_, wavelengths, target), target);
-}
-
-std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
-                                             const config::Color& color) {
-    return fit_color_weights(in_nm(wavelengths), {}, target_of(color));
-}
-
-namespace {
-
 SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
     const ColorSkies skies(request.atmosphere, request.wavelengths, options);
     if (options.cancelled()) return {};
@@ -187,6 +135,48 @@ SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
 constexpr double kSecondsOfFit = 1;
 
 }  // namespace
+
+ColorSkies::ColorSkies(const config::Atmosphere& atmosphere,
+                       const std::vector<config::Length>& given, const BakeOptions& options)
+    : ColorSkies(sky_spectra(atmosphere, given, spectrum_views(), options)) {}
+
+ColorSkies::ColorSkies(Spectra spectra)
+    : views_(spectrum_views().size()), spectra_(std::move(spectra)) {}
+
+ColorError ColorSkies::error(const std::vector<config::Length>& wavelengths,
+                             const config::Color& color,
+                             const std::vector<glm::dvec3>& weights) const {
+    const Spectra few = at_wavelengths(spectra_, wavelengths);
+    const ColorSamples samples(spectra_, few, spectrum_nm(), target_of(color));
+    ColorError error;
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < views_; ++i) {
+        if (!is_fitted(i)) errors.push_back(samples.error(i, weights));
+    }
+    std::ranges::sort(errors);
+    error.skies = static_cast<int>(errors.size());
+    error.median = errors[errors.size() / 2];
+    error.ninth_decile = errors[errors.size() * 9 / 10];
+    error.max = errors.back();
+    for (std::size_t d = 0; d < kMeasuredDiscs_deg.size(); ++d) {
+        const auto at = std::ranges::find(kSpectrumDiscs_deg, kMeasuredDiscs_deg[d]);
+        error.disc[d] = samples.error(
+            views_ + static_cast<std::size_t>(at - kSpectrumDiscs_deg.begin()), weights);
+    }
+    return error;
+}
+
+std::vector<glm::dvec3> ColorSkies::fitted_weights(const std::vector<config::Length>& wavelengths,
+                                                   const config::Color& color) const {
+    const ColorTarget target = target_of(color);
+    return fit_color_weights(in_nm(wavelengths),
+                             fitted_samples(spectra_, views_, wavelengths, target), target);
+}
+
+std::vector<glm::dvec3> linear_color_weights(const std::vector<config::Length>& wavelengths,
+                                             const config::Color& color) {
+    return fit_color_weights(in_nm(wavelengths), {}, target_of(color));
+}
 
 Need need_of(const ColorRequest& request) {
     return {NeedKey(request), "colours of wavelengths", kSecondsOfFit, 0};

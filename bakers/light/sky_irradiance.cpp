@@ -97,18 +97,6 @@ std::vector<WeightedAngle> even_azimuths(int count) {
     return azimuths;
 }
 
-}  // namespace
-
-// The rays of one zenith angle.
-struct SkyIrradiance::TracedZenith {
-    double mu;
-    double sine;
-    double weight;  // of an integral over the zenith angle
-    SkyRow row;
-};
-
-namespace {
-
 // Adds the integral over zenith angles and azimuths, on both sides of the sun. `light` returns the
 // light of a row, given its rays and the cosines of its azimuths.
 template <class TracedZeniths, class Light>
@@ -133,6 +121,14 @@ void add_integral(const Shell& shell, double altitude_km, const SunZenith& sun,
 }
 
 }  // namespace
+
+// The rays of one zenith angle.
+struct SkyIrradiance::TracedZenith {
+    double mu;
+    double sine;
+    double weight;  // of an integral over the zenith angle
+    SkyRow row;
+};
 
 SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km)
     : light_(light),

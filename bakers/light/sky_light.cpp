@@ -83,8 +83,8 @@ const TransmittanceField& SkyLight::sunlight() const {
 }
 
 bool SkyLight::has_peaks() const {
-    return std::any_of(medium_.layers.begin(), medium_.layers.end(),
-                       [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
+    return std::ranges::any_of(
+        medium_.layers, [](const SkyLayer& layer) { return !layer.first_phase.functions.empty(); });
 }
 
 Spectrum SkyLight::wanted(const SkyRadiance& radiance) const {

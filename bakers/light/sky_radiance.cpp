@@ -116,7 +116,7 @@ std::vector<double> SkyIntegrator::cuts_km(const SkyRay& ray) const {
             if (x > 0 && x < ray.length_km && ray.sun_s_km + x * nu < 0) cuts.push_back(x);
         }
     }
-    std::sort(cuts.begin(), cuts.end());
+    std::ranges::sort(cuts);
     return cuts;
 }
 
@@ -197,10 +197,10 @@ SkyRadiance SkyIntegrator::radiance(const SkyRay& ray) const {
 
 std::vector<SkyRadiance> SkyIntegrator::up_to(const SkyRay& ray,
                                               const std::vector<double>& distances_km) const {
-    assert(std::is_sorted(distances_km.begin(), distances_km.end()));
+    assert(std::ranges::is_sorted(distances_km));
     std::vector<double> cuts = ray.length_km > 0 ? cuts_km(ray) : std::vector<double>{0};
     cuts.insert(cuts.end(), distances_km.begin(), distances_km.end());
-    std::sort(cuts.begin(), cuts.end());
+    std::ranges::sort(cuts);
     const std::vector<Spectrum> of_layers = phases(ray);
     std::vector<SkyRadiance> result;
     SkyRadiance sum;

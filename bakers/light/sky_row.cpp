@@ -1,7 +1,6 @@
 #include "bakers/light/sky_row.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -43,52 +42,6 @@ Spectrum interpolate(const std::vector<Spectrum>& values, const std::vector<doub
     }
     return above / below;
 }
-
-}  // namespace
-
-SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
-               const HigherOrders* higher_orders, const SkyRay& any,
-               const TransmittanceField* sunlight)
-    : integrator_(integrator),
-      medium_(medium),
-      higher_orders_(higher_orders),
-      shell_(shell_of(medium.air)),
-      any_(any),
-      sunlight_(sunlight) {
-    const ray_pieces::CutRay ray = ray_pieces::cut(medium.air, any.altitude_km, any.s_km,
-                                                   any.length_km, integrator.skins().altitudes_km);
-    for (const ray_pieces::Piece& piece : ray.pieces) add_piece(piece);
-    transmittance_ = exponential(-ray.depth);
-    for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
-        higher_orders_at_.push_back(higher_orders_->at(
-            nodes_[n].altitude_km, view_cosine(nodes_[n]), nodes_[n].scattering));
-    }
-}
-
-double SkyRow::view_cosine(const Node& node) const {
-    return std::clamp((any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km),
-                      -1.0,
-                      1.0);  // rounding
-}
-
-void SkyRow::add_piece(const ray_pieces::Piece& piece) {
-    pieces_.push_back({piece.from_km, piece.to_km, nodes_.size(),
-                       integrator_.skins().hold(piece.nodes[kMiddleNode].altitude_km)});
-    for (const ray_pieces::Node& at : piece.nodes) {
-        Node node;
-        node.distance_km = at.distance_km;
-        node.altitude_km = at.altitude_km;
-        node.horizon_km = horizon_distance_km(shell_, at.altitude_km);
-        node.weight = at.width_km * at.transmittance;
-        for (const SkyLayer& layer : medium_.layers) {
-            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, at.altitude_km)
-                                                     : Spectrum{});
-        }
-        nodes_.push_back(std::move(node));
-    }
-}
-
-namespace {
 
 // Sums over layers: each layer's light is multiplied by its phase function.
 class SumsOfLayers {
@@ -146,6 +99,48 @@ class SumsByLayer {
 };
 
 }  // namespace
+
+SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
+               const HigherOrders* higher_orders, const SkyRay& any,
+               const TransmittanceField* sunlight)
+    : integrator_(integrator),
+      medium_(medium),
+      higher_orders_(higher_orders),
+      shell_(shell_of(medium.air)),
+      any_(any),
+      sunlight_(sunlight) {
+    const ray_pieces::CutRay ray = ray_pieces::cut(medium.air, any.altitude_km, any.s_km,
+                                                   any.length_km, integrator.skins().altitudes_km);
+    for (const ray_pieces::Piece& piece : ray.pieces) add_piece(piece);
+    transmittance_ = exponential(-ray.depth);
+    for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
+        higher_orders_at_.push_back(higher_orders_->at(
+            nodes_[n].altitude_km, view_cosine(nodes_[n]), nodes_[n].scattering));
+    }
+}
+
+double SkyRow::view_cosine(const Node& node) const {
+    return std::clamp((any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km),
+                      -1.0,
+                      1.0);  // rounding
+}
+
+void SkyRow::add_piece(const ray_pieces::Piece& piece) {
+    pieces_.push_back({piece.from_km, piece.to_km, nodes_.size(),
+                       integrator_.skins().hold(piece.nodes[kMiddleNode].altitude_km)});
+    for (const ray_pieces::Node& at : piece.nodes) {
+        Node node;
+        node.distance_km = at.distance_km;
+        node.altitude_km = at.altitude_km;
+        node.horizon_km = horizon_distance_km(shell_, at.altitude_km);
+        node.weight = at.width_km * at.transmittance;
+        for (const SkyLayer& layer : medium_.layers) {
+            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, at.altitude_km)
+                                                     : Spectrum{});
+        }
+        nodes_.push_back(std::move(node));
+    }
+}
 
 // Adds what a ray receives on a lit stretch of a piece through which the shadow's edge runs. What
 // the stretch sends to the eye is interpolated between the piece's nodes.

@@ -130,8 +130,8 @@ class WideRow {
             const std::vector<double>& azimuths)
         : row_(row), medium_(medium), view_(view), azimuths_(azimuths), order_(azimuths.size()) {
         std::iota(order_.begin(), order_.end(), std::size_t{0});
-        std::stable_sort(order_.begin(), order_.end(),
-                         [&](std::size_t a, std::size_t b) { return azimuths[a] < azimuths[b]; });
+        std::ranges::stable_sort(
+            order_, [&](std::size_t a, std::size_t b) { return azimuths[a] < azimuths[b]; });
         for (std::size_t place = 0; place < order_.size(); ++place) {
             const double azimuth = azimuths[order_[place]];
             if (place > 0 && azimuth == azimuths[order_[place - 1]]) continue;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/march/voxel_blocks.h"

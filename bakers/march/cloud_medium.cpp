@@ -74,7 +74,7 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
     grid.cell = cell;
     grid.cells = CellGrid{voxels, cell}.size();
     grid.reach.reserve(leaps.size());
-    const bool nothing = std::none_of(leaps.begin(), leaps.end(), [](float l) { return l == 0; });
+    const bool nothing = std::ranges::none_of(leaps, [](float l) { return l == 0; });
     for (const float leap : leaps) {
         if (leap == 0) {
             grid.reach.push_back(-1);
@@ -143,7 +143,7 @@ CloudMedium coarse_medium(const CloudMedium& medium, const std::array<int, 3>& b
     for (float& shift : coarse.variation.shift_y) scaled(1, shift);
     scaled(0, coarse.variation.margin_x);
     scaled(1, coarse.variation.margin_y);
-    coarse.variation.greatest = *std::max_element(means.begin(), means.end());
+    coarse.variation.greatest = *std::ranges::max_element(means);
     return coarse;
 }
 

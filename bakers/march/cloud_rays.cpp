@@ -5,7 +5,6 @@
 #include <hwy/aligned_allocator.h>
 #include <hwy/highway.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <type_traits>

@@ -114,8 +114,8 @@ float sun_depth_at(const LightInCloud& light, std::array<float, 3> place) {
 LitRay lit_ray(const LightInCloud& light, const glm::dvec3& look, double offset) {
     LitRay ray;
     const Harmonics values = harmonics(-look);
-    std::transform(values.begin(), values.end(), ray.harmonics.begin(),
-                   [](double value) { return static_cast<float>(value); });
+    std::ranges::transform(values, ray.harmonics.begin(),
+                           [](double value) { return static_cast<float>(value); });
     ray.once = phase_value(droplets(), offset) / light.share;
     ray.forward = std::max(1 - offset, 0.0);
     ray.column = forward_scattering::angle_coordinate_of_offset(offset) * (light.forward.width - 1);

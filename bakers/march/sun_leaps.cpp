@@ -65,7 +65,7 @@ std::vector<BeamPiece> beam_pieces(const std::array<BeamAxis, 3>& axes, double l
         add_crossings(axis.high, last, times);
     }
     times.push_back(last);
-    std::sort(times.begin(), times.end());
+    std::ranges::sort(times);
     std::vector<BeamPiece> pieces;
     double begin = 0;
     for (const double end : times) {
@@ -160,7 +160,7 @@ std::vector<float> sun_leaps(const LeapGrid& grid, const std::array<int, 3>& vox
     for (std::size_t a = 0; a < 3; ++a) fastest = std::max(fastest, std::fabs(direction[a]));
     const bool regular = voxels[0] % grid.cell == 0 && voxels[1] % grid.cell == 0 &&
                          samples * fastest <= kLongestBeam &&
-                         *std::max_element(voxels.begin(), voxels.end()) <= kLongestBeam;
+                         *std::ranges::max_element(voxels) <= kLongestBeam;
     std::array<BeamAxis, 3> axes;
     for (std::size_t a = 0; a < 3; ++a) {
         axes[a] = beam_axis(direction[a] / grid.cell, kBeamMargin / grid.cell);

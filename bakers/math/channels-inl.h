@@ -1,6 +1,5 @@
 // The four channels of a Spectrum, held in vectors of any width, with the operations that
-// transcendental-inl.h requires of a Real. Kernels that Highway dispatches include this file; code
-// that is compiled once for all processors includes channels.h.
+// transcendental-inl.h requires of a Real, for kernels that Highway dispatches.
 //
 // Highway includes this file once per target (see its foreach_target.h), so it has no ordinary
 // include guard.

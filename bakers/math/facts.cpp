@@ -25,19 +25,14 @@ struct FactWriter {
     }
 };
 
-}  // namespace
-
-std::string fact_text(const FactValue& value) { return std::visit(FactWriter{}, value); }
-
-namespace {
-
 const FactValue* find_fact(const Facts& facts, const std::string& name) {
-    const auto found = std::find_if(facts.begin(), facts.end(),
-                                    [&name](const auto& fact) { return fact.first == name; });
+    const auto found = std::ranges::find(facts, name, &Facts::value_type::first);
     return found == facts.end() ? nullptr : &found->second;
 }
 
 }  // namespace
+
+std::string fact_text(const FactValue& value) { return std::visit(FactWriter{}, value); }
 
 std::string fact_named(const Facts& facts, const std::string& name) {
     const FactValue* fact = find_fact(facts, name);

@@ -43,8 +43,8 @@ Intermediates::Expected::~Expected() {
 }
 
 std::shared_ptr<Intermediates::Node> Intermediates::find(const NeedKey& key) const {
-    const auto found = std::find_if(nodes_.begin(), nodes_.end(),
-                                    [&](const auto& node) { return node->key == key; });
+    const auto found =
+        std::ranges::find_if(nodes_, [&](const auto& node) { return node->key == key; });
     return found != nodes_.end() ? *found : nullptr;
 }
 

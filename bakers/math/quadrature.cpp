@@ -23,6 +23,11 @@ Legendre legendre(int n, double x) {
     return {current, n * (x * current - previous) / (x * x - 1)};
 }
 
+double member(double step, int index) {
+    const double sum = 0.5 + step * (index + 1);
+    return sum - std::floor(sum);
+}
+
 }  // namespace
 
 QuadratureRule gauss_legendre(int count) {
@@ -47,15 +52,6 @@ QuadratureRule gauss_legendre(int count) {
     }
     return rule;
 }
-
-namespace {
-
-double member(double step, int index) {
-    const double sum = 0.5 + step * (index + 1);
-    return sum - std::floor(sum);
-}
-
-}  // namespace
 
 std::vector<PointRow> low_discrepancy_points(int rows, int per_row) {
     assert(rows >= 0 && per_row >= 0);

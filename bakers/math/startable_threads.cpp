@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <future>
 #include <string>
-#include <system_error>
 #include <thread>
 #include <vector>
 

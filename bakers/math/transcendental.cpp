@@ -32,9 +32,6 @@ namespace skybake {
 HWY_EXPORT(Exponentials);
 
 double exponential(double x) { return HWY_NAMESPACE::exponential(x); }
-HWY_NAMESPACE::Channels exponential(const HWY_NAMESPACE::Channels& x) {
-    return HWY_NAMESPACE::exponential(x);
-}
 Spectrum exponential(const Spectrum& x) {
     return HWY_NAMESPACE::exponential(HWY_NAMESPACE::Channels(x)).spectrum();
 }

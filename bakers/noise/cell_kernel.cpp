@@ -5,7 +5,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cassert>
 #include <limits>
 
 #include "bakers/noise/cell_kernel.h"

@@ -21,13 +21,22 @@ struct LeastKey {
 class LeastKeys {
   public:
     // All numbers are unknown at first.
-    LeastKeys(std::size_t width, std::size_t height, std::size_t frames);
+    LeastKeys(std::size_t width, std::size_t height, std::size_t frames)
+        : width_(width), height_(height), rows_(height * frames), frames_(frames) {}
 
     // Says that numbers of a row, from `first` to `last`, have not become smaller.
-    void grown(std::size_t frame, std::size_t row, std::size_t first, std::size_t last);
+    void grown(std::size_t frame, std::size_t row, std::size_t first, std::size_t last) {
+        Bound& bound = rows_[frame * height_ + row];
+        if (bound.place < first || bound.place > last) return;
+        bound.is_exact = false;
+        if (frames_[frame].place == row) frames_[frame].is_exact = false;
+    }
 
     // Says that any number of a row may have changed.
-    void forget(std::size_t frame, std::size_t row);
+    void forget(std::size_t frame, std::size_t row) {
+        rows_[frame * height_ + row] = {};
+        frames_[frame].is_exact = false;
+    }
 
     // Returns the least number of a frame; of equal ones that of the lowest row, then of the lowest
     // column. key(row, column) are the frame's numbers.
@@ -60,8 +69,20 @@ class LeastKeys {
         bool is_exact = false;
     };
 
-    LeastKey result(std::size_t frame) const;
-    std::size_t lowest_row(std::size_t frame) const;
+    LeastKey result(std::size_t frame) const {
+        const std::size_t row = frames_[frame].place;
+        const Bound& bound = rows_[frame * height_ + row];
+        return {bound.least, row, bound.place};
+    }
+
+    std::size_t lowest_row(std::size_t frame) const {
+        const Bound* rows = &rows_[frame * height_];
+        std::size_t lowest = 0;
+        for (std::size_t row = 1; row < height_; ++row) {
+            if (rows[row].least < rows[lowest].least) lowest = row;
+        }
+        return lowest;
+    }
 
     std::size_t width_;
     std::size_t height_;

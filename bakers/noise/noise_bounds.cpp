@@ -37,7 +37,7 @@ template <class Function>
 Interval over_corners(const Interval& a, const Interval& b, const Function& function) {
     const std::array<double, 4> values = {function(a[0], b[0]), function(a[0], b[1]),
                                           function(a[1], b[0]), function(a[1], b[1])};
-    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    const auto [least, most] = std::ranges::minmax_element(values);
     return {*least, *most};
 }
 

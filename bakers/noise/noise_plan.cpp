@@ -141,6 +141,24 @@ void add_drift(const config::Noise& noise, std::array<TileAxis, 3>& axes) {
     }
 }
 
+double fade(double u) { return u * u * u * (u * (6 * u - 15) + 10); }
+double fade_derivative(double u, double one_minus_u) {
+    const double product = u * one_minus_u;
+    return 30 * product * product;
+}
+
+// u and 1 - u, each with all its digits.
+struct Fraction {
+    double u = 0;
+    double one_minus_u = 0;
+};
+
+Fraction fraction_of(const LatticePosition& position) {
+    const auto denominator = static_cast<double>(position.denominator);
+    return {static_cast<double>(position.numerator) / denominator,
+            static_cast<double>(position.denominator - position.numerator) / denominator};
+}
+
 }  // namespace
 
 NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size) {
@@ -188,28 +206,6 @@ bool is_resolved(const std::array<TileAxis, 3>& axes, const std::array<int, 3>& 
     }
     return true;
 }
-
-namespace {
-
-double fade(double u) { return u * u * u * (u * (6 * u - 15) + 10); }
-double fade_derivative(double u, double one_minus_u) {
-    const double product = u * one_minus_u;
-    return 30 * product * product;
-}
-
-// u and 1 - u, each with all its digits.
-struct Fraction {
-    double u = 0;
-    double one_minus_u = 0;
-};
-
-Fraction fraction_of(const LatticePosition& position) {
-    const auto denominator = static_cast<double>(position.denominator);
-    return {static_cast<double>(position.numerator) / denominator,
-            static_cast<double>(position.denominator - position.numerator) / denominator};
-}
-
-}  // namespace
 
 GradientBasis gradient_basis(const LatticePosition& position) {
     const auto [u, one_minus_u] = fraction_of(position);

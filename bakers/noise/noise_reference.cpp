@@ -122,7 +122,7 @@ double curl_part(const config::Noise& noise, const NoiseChannel& channel,
         return slope(last, next) - slope(next, last);
     });
     const Frequency& first = octaves.frequencies.front();
-    return sum / *std::max_element(first.begin(), first.end());
+    return sum / *std::ranges::max_element(first);
 }
 
 // The place at which a channel is read instead of `place`.

@@ -1,7 +1,6 @@
 #include "bakers/noise/noise_stacks.h"
 
 #include <algorithm>
-#include <cassert>
 #include <numeric>
 
 namespace skybake::noise {
@@ -128,7 +127,7 @@ GradientStack curl_stack(const NoiseOctaves& octaves, std::size_t component,
     const std::size_t next = (component + 1) % 3;
     const std::size_t last = (component + 2) % 3;
     const auto& first_octave = octaves.frequencies.front();
-    const double unit = *std::max_element(first_octave.begin(), first_octave.end());
+    const double unit = *std::ranges::max_element(first_octave);
     GradientStack stack;
     const std::vector<double> weights = weights_of(octaves);
     for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -10,9 +10,8 @@ namespace skybake::noise {
 StackFiller::StackFiller(const GradientStack& stack, const std::array<TileAxis, 3>& axes,
                          const VoxelBox& box, const ChunkLayout& layout, bool displaced)
     : stack_(stack), row_stride_(layout.row_stride), displaced_(displaced) {
-    const bool separable =
-        std::all_of(stack.octaves.begin(), stack.octaves.end(),
-                    [&](const auto& octave) { return is_resolved(axes, octave.frequency); });
+    const bool separable = std::ranges::all_of(
+        stack.octaves, [&](const auto& octave) { return is_resolved(axes, octave.frequency); });
     if (layout.pointwise || displaced || !separable) {
         octave_.reserve(layout.floats);
     } else {

@@ -42,7 +42,7 @@ class Pattern {
             for (std::size_t i = 0; i < pixels_; ++i) {
                 order[i] = {first_hash(shape_.seed, frame, i), i};
             }
-            std::sort(order.begin(), order.end());
+            std::ranges::sort(order);
             for (std::size_t i = 0; i < first_pixels(pixels_); ++i) {
                 energy_.add(frame, order[i].second);
             }

@@ -72,8 +72,8 @@ class BlockVoxels {
             boxes.push_back({{0, first, planes_.first}, {grid.voxels[0], height, planes_.count()}});
             count += static_cast<std::size_t>(boxes.back().count());
         }
-        empty_ = std::all_of(boxes.begin(), boxes.end(),
-                             [&](const VoxelBox& box) { return source.voxels.is_empty(box); });
+        empty_ = std::ranges::all_of(
+            boxes, [&](const VoxelBox& box) { return source.voxels.is_empty(box); });
         if (empty_) return;
         voxels_.resize(count);
         float* target = voxels_.data();

@@ -29,7 +29,7 @@ class CellRow {
 
     bool read(const VoxelBits& bits, CellKind kind, int y, int z) {
         cells_between(bits, kind, y, z, words_.data());
-        return std::any_of(words_.begin(), words_.end(), [](std::uint64_t w) { return w != 0; });
+        return std::ranges::any_of(words_, [](std::uint64_t w) { return w != 0; });
     }
 
     // Writes the squared distance from each point of the axis to the nearest cell of the row, which

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <utility>
 
-#include "config/assets/cloud_distance.h"
 #include "bakers/occupancy/cell_blocks.h"
+#include "config/assets/cloud_distance.h"
 
 namespace skybake::occupancy {
 
@@ -15,7 +15,7 @@ using config::DistanceContent;
 namespace {
 
 bool has(const std::vector<DistanceContent>& contents, DistanceContent content) {
-    return std::find(contents.begin(), contents.end(), content) != contents.end();
+    return std::ranges::find(contents, content) != contents.end();
 }
 
 double mean_of(const BlockRows& rows, Span x, Span y, Span z) {
@@ -75,7 +75,7 @@ DistanceSource::DistanceSource(const VoxelBits& bits, const DistanceGrid& grid,
                          }
                      });
     if (fields_.core_m == 0 && !depth_.empty()) {
-        fields_.core_m = double{*std::max_element(depth_.begin(), depth_.end())};
+        fields_.core_m = double{*std::ranges::max_element(depth_)};
     }
 }
 

@@ -25,7 +25,7 @@ SampledRay ray_upwards(int n, const std::array<int, 3>& voxels,
     const Place direction = {sine * cosine_of_turns(n * kGoldenTurn),
                              sine * cosine_of_turns(n * kGoldenTurn - 0.25), cosine};
     const Place start = {x * voxels[0], y * voxels[1], 0};
-    const double step_m = *std::min_element(voxel_m.begin(), voxel_m.end());
+    const double step_m = *std::ranges::min_element(voxel_m);
     SampledRay ray;
     for (std::size_t a = 0; a < 3; ++a) {
         ray.step[a] = direction[a] * step_m / voxel_m[a];

@@ -59,31 +59,6 @@ void dilate(OccupiedCells& cells, std::size_t axis) {
     }
 }
 
-}  // namespace
-
-double occupied_share(const OccupiedCells& cells) {
-    const auto count = std::count(cells.occupied.begin(), cells.occupied.end(), 1);
-    return static_cast<double>(count) / static_cast<double>(cells.occupied.size());
-}
-
-OccupiedCells occupied_cells(const CellRanges& ranges, float threshold) {
-    OccupiedCells cells{ranges.size, {}};
-    cells.occupied.reserve(ranges.maximum.size());
-    for (const float maximum : ranges.maximum)
-        cells.occupied.push_back(maximum > threshold ? 1 : 0);
-    return cells;
-}
-
-OccupiedCells occupied_cells_as_in_thesis(const ChannelSource& source, const CellGrid& grid,
-                                          float threshold, const BakeOptions& options) {
-    OccupiedCells cells{grid.size(), std::vector<std::uint8_t>(count_of(grid.size()))};
-    for_each_block(source, grid, 0, options, eighths_into(cells, grid, threshold));
-    for (std::size_t axis = 0; axis < 3; ++axis) dilate(cells, axis);
-    return cells;
-}
-
-namespace {
-
 template <class Value, class Combine>
 std::vector<Value> halved(const std::vector<Value>& values, const std::array<int, 3>& size,
                           const Combine& combine) {
@@ -122,23 +97,6 @@ Value greater(Value a, Value b) {
     return std::max(a, b);
 }
 
-}  // namespace
-
-std::array<int, 3> next_level_size(const std::array<int, 3>& size) {
-    return {(size[0] + 1) / 2, (size[1] + 1) / 2, (size[2] + 1) / 2};
-}
-
-CellRanges next_level(const CellRanges& ranges) {
-    return {next_level_size(ranges.size), halved(ranges.minimum, ranges.size, smaller<float>),
-            halved(ranges.maximum, ranges.size, greater<float>)};
-}
-
-OccupiedCells next_level(const OccupiedCells& cells) {
-    return {next_level_size(cells.size), halved(cells.occupied, cells.size, greater<std::uint8_t>)};
-}
-
-namespace {
-
 using config::OccupancyContent;
 using config::PixelType;
 
@@ -155,6 +113,40 @@ float next_half_up(float half) {
 double steps_of(PixelType type) { return type == PixelType::unorm8 ? 255 : 65535; }
 
 }  // namespace
+
+double occupied_share(const OccupiedCells& cells) {
+    const auto count = std::ranges::count(cells.occupied, 1);
+    return static_cast<double>(count) / static_cast<double>(cells.occupied.size());
+}
+
+OccupiedCells occupied_cells(const CellRanges& ranges, float threshold) {
+    OccupiedCells cells{ranges.size, {}};
+    cells.occupied.reserve(ranges.maximum.size());
+    for (const float maximum : ranges.maximum)
+        cells.occupied.push_back(maximum > threshold ? 1 : 0);
+    return cells;
+}
+
+OccupiedCells occupied_cells_as_in_thesis(const ChannelSource& source, const CellGrid& grid,
+                                          float threshold, const BakeOptions& options) {
+    OccupiedCells cells{grid.size(), std::vector<std::uint8_t>(count_of(grid.size()))};
+    for_each_block(source, grid, 0, options, eighths_into(cells, grid, threshold));
+    for (std::size_t axis = 0; axis < 3; ++axis) dilate(cells, axis);
+    return cells;
+}
+
+std::array<int, 3> next_level_size(const std::array<int, 3>& size) {
+    return {(size[0] + 1) / 2, (size[1] + 1) / 2, (size[2] + 1) / 2};
+}
+
+CellRanges next_level(const CellRanges& ranges) {
+    return {next_level_size(ranges.size), halved(ranges.minimum, ranges.size, smaller<float>),
+            halved(ranges.maximum, ranges.size, greater<float>)};
+}
+
+OccupiedCells next_level(const OccupiedCells& cells) {
+    return {next_level_size(cells.size), halved(cells.occupied, cells.size, greater<std::uint8_t>)};
+}
 
 float stored_up(float value, PixelType type) {
     if (type == PixelType::float32) return value;
@@ -178,8 +170,7 @@ CellSource::CellSource(CellRanges ranges, OccupiedCells occupied,
       occupied_(std::move(occupied)),
       contents_(std::move(contents)),
       pixel_type_(pixel_type) {
-    const bool leaps =
-        std::find(contents_.begin(), contents_.end(), OccupancyContent::leap) != contents_.end();
+    const bool leaps = std::ranges::find(contents_, OccupancyContent::leap) != contents_.end();
     if (leaps) leap_ = leap_distance(occupied_);
 }
 

@@ -36,54 +36,14 @@ WayAsset resolved(const Way& way, const std::vector<std::size_t>& numbers) {
     return asset;
 }
 
-}  // namespace
-
-std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
-    std::vector<std::size_t> numbers;
-    while (numbers.size() < way.assets.size()) {
-        const auto at = std::find(all_.begin(), all_.end(), resolved(way, numbers));
-        if (at == all_.end()) break;
-        numbers.push_back(static_cast<std::size_t>(at - all_.begin()));
-    }
-    return numbers;
-}
-
-void WayAssets::add(const Way& way) {
-    for (;;) {
-        const std::vector<std::size_t> numbers = numbers_of(way);
-        if (numbers.size() == way.assets.size()) return;
-        all_.push_back(resolved(way, numbers));
-    }
-}
-
-std::vector<const BakedAsset*> WayAssets::of(const Way& way,
-                                             const std::vector<BakedAsset>& baked) const {
-    std::vector<const BakedAsset*> own;
-    for (const std::size_t number : numbers_of(way)) own.push_back(&baked[number]);
-    return own;
-}
-
-std::vector<std::string> WayAssets::settings() const {
-    std::vector<std::string> settings;
-    for (std::size_t i = 0; i < all_.size(); ++i) {
-        for (const auto& [key, value] : all_[i].keys) {
-            settings.push_back(fmt::format("bake.{}.{}={}", bake_name(i), key, value));
-        }
-    }
-    return settings;
-}
-
-namespace {
-
 class AssetBakery {
   public:
     AssetBakery(const Recipe& recipe, std::size_t count, const BakeOptions& options)
         : recipe_(recipe), options_(options), shared_(options.held_voxel_bytes) {
         for (std::size_t i = 0; i < count; ++i) {
             const auto& bakes = recipe.parameters.bakes;
-            bakes_.push_back(&*std::find_if(bakes.begin(), bakes.end(), [&](const auto& bake) {
-                return bake.name == bake_name(i);
-            }));
+            bakes_.push_back(&*std::ranges::find_if(
+                bakes, [&](const auto& bake) { return bake.name == bake_name(i); }));
         }
         options_.intermediates = &shared_;
         options_.certification = Certification::off;
@@ -121,8 +81,7 @@ class AssetBakery {
         std::vector<SharedWork> shared;
         std::vector<std::size_t> made;
         for (const Need& need : needs_of(bake)) {
-            const auto known = std::find_if(known_.begin(), known_.end(),
-                                            [&](const auto& one) { return one.key == need.key; });
+            const auto known = std::ranges::find(known_, need.key, &SharedWork::key);
             if (known == known_.end()) made.push_back(shared.size());
             shared.push_back(known == known_.end() ? SharedWork{need.key, 0} : *known);
         }
@@ -142,6 +101,41 @@ class AssetBakery {
 
 }  // namespace
 
+std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
+    std::vector<std::size_t> numbers;
+    while (numbers.size() < way.assets.size()) {
+        const auto at = std::ranges::find(all_, resolved(way, numbers));
+        if (at == all_.end()) break;
+        numbers.push_back(static_cast<std::size_t>(at - all_.begin()));
+    }
+    return numbers;
+}
+
+void WayAssets::add(const Way& way) {
+    for (;;) {
+        const std::vector<std::size_t> numbers = numbers_of(way);
+        if (numbers.size() == way.assets.size()) return;
+        all_.push_back(resolved(way, numbers));
+    }
+}
+
+std::vector<const BakedAsset*> WayAssets::of(const Way& way,
+                                             const std::vector<BakedAsset>& baked) const {
+    std::vector<const BakedAsset*> own;
+    for (const std::size_t number : numbers_of(way)) own.push_back(&baked[number]);
+    return own;
+}
+
+std::vector<std::string> WayAssets::settings() const {
+    std::vector<std::string> settings;
+    for (std::size_t i = 0; i < all_.size(); ++i) {
+        for (const auto& [key, value] : all_[i].keys) {
+            settings.push_back(fmt::format("bake.{}.{}={}", bake_name(i), key, value));
+        }
+    }
+    return settings;
+}
+
 Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
                                            BakeOptions options) {
     return AssetBakery(recipe, assets.size(), options).bake();
@@ -154,7 +148,7 @@ double bake_seconds(const std::vector<const BakedAsset*>& assets) {
         seconds += asset->seconds;
         for (const SharedWork& work : asset->shared) {
             const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
-            if (std::any_of(counted.begin(), counted.end(), is_same)) continue;
+            if (std::ranges::any_of(counted, is_same)) continue;
             seconds += work.seconds;
             counted.push_back(work);
         }

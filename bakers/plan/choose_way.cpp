@@ -72,9 +72,8 @@ std::size_t knee_of(std::span<const WayFigures> ways) {
         const double cost = way.fetches * std::sqrt(std::max(way.bytes, kCachedBytes));
         return std::array{way.error * std::sqrt(cost), way.error, way.fetches, way.bytes};
     };
-    const auto knee = std::min_element(
-        ways.begin(), ways.end(),
-        [&](const WayFigures& a, const WayFigures& b) { return order(a) < order(b); });
+    const auto knee = std::ranges::min_element(
+        ways, [&](const WayFigures& a, const WayFigures& b) { return order(a) < order(b); });
     return static_cast<std::size_t>(knee - ways.begin());
 }
 

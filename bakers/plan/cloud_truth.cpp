@@ -75,7 +75,7 @@ void CloudTruth::trace(double paths) {
 double CloudTruth::exposure() const {
     std::vector<double> seen;
     for (const std::size_t i : covered_) seen.push_back(light_[i].sum());
-    std::sort(seen.begin(), seen.end());
+    std::ranges::sort(seen);
     if (seen.empty() || !(seen[seen.size() * 9 / 10] > 0)) return 0;
     return 1.5 / seen[seen.size() * 9 / 10];
 }
@@ -99,7 +99,7 @@ SkyError CloudTruth::error(const std::vector<double>& found, double& rms) const 
         noise += std::pow(shown * k * traced.standard_error, 2);
     }
     const auto count = static_cast<double>(errors.size());
-    std::sort(errors.begin(), errors.end());
+    std::ranges::sort(errors);
     rms = std::sqrt(std::max(squares - noise, 0.0) / count);
     const auto decile = [&](double share) {
         return errors[static_cast<std::size_t>(share * (count - 1))];

@@ -1,7 +1,6 @@
 #include "bakers/plan/cloud_views.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -6,11 +6,11 @@
 #include <glm/geometric.hpp>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/math/harmonics.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/march/cloud_light.h"
+#include "bakers/math/harmonics.h"
 #include "bakers/occupancy/marcher.h"
 
 namespace skybake {
@@ -134,8 +134,8 @@ class SampleLight {
 
   private:
     double small_angles(double depth) const {
-        return textures_.small_angles->at(
-            {forward_scattering::angle_coordinate_of_offset(offset_), forward_scattering::depth_coordinate(depth), 0.5});
+        return textures_.small_angles->at({forward_scattering::angle_coordinate_of_offset(offset_),
+                                           forward_scattering::depth_coordinate(depth), 0.5});
     }
 
     const CloudWay& way_;
@@ -185,7 +185,7 @@ double StoredTexture::sum_at(const glm::dvec3& place, const double* factors) con
 }
 
 double stride_m(const CloudWay& way, const CloudLayer& layer) {
-    return way.stride * *std::min_element(layer.voxel_m.begin(), layer.voxel_m.end());
+    return way.stride * *std::ranges::min_element(layer.voxel_m);
 }
 
 MarchedRay march_cloud(const CloudWay& way, const CloudTextures& textures, const glm::dvec3& place,

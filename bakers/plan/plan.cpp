@@ -26,7 +26,7 @@ std::vector<PlanSubject> subjects_of(const config::Parameters& parameters) {
     const auto draws = [&](config::Draws what) {
         if (!parameters.scene) return true;
         const std::vector<config::Draws>& all = parameters.scene->draws;
-        return std::find(all.begin(), all.end(), what) != all.end();
+        return std::ranges::find(all, what) != all.end();
     };
     std::vector<PlanSubject> subjects;
     if (draws(config::Draws::sky) && parameters.atmosphere.top_radius.meters > 0) {

@@ -155,7 +155,7 @@ std::string choice_text(const Plan& plan) {
         fmt::format("# {}: {}.\n# {}, for {}.\n", name_of(plan.subject), full_name(chosen.way),
                     figures_text(plan, chosen.figures), plan.scene);
     const std::vector<std::size_t> front = front_by_error(plan);
-    const auto at = std::find(front.begin(), front.end(), plan.chosen);
+    const auto at = std::ranges::find(front, plan.chosen);
     if (at != front.begin()) text += neighbour_text(plan, "better way", *(at - 1));
     if (at + 1 != front.end()) text += neighbour_text(plan, "less accurate way", *(at + 1));
     if (chosen.way.steps > 0) {
@@ -179,7 +179,7 @@ std::vector<std::size_t> front_by_error(const Plan& plan) {
     for (std::size_t i = 0; i < plan.ways.size(); ++i) {
         if (plan.ways[i].on_front) front.push_back(i);
     }
-    std::stable_sort(front.begin(), front.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(front, [&](std::size_t a, std::size_t b) {
         return plan.ways[a].figures.error < plan.ways[b].figures.error;
     });
     return front;

@@ -86,9 +86,8 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
 // The weights of colours, if tables of light hold colours; any asset of light states them.
 std::vector<glm::dvec3> weights_of(const config::Parameters& parameters,
                                    const std::vector<BakedAsset>& assets) {
-    const auto stated = std::find_if(assets.begin(), assets.end(), [](const BakedAsset& asset) {
-        return asset.baked.conventions.color.has_value();
-    });
+    const auto stated = std::ranges::find_if(
+        assets, [](const BakedAsset& asset) { return asset.baked.conventions.color.has_value(); });
     if (!holds_colors(parameters) || stated == assets.end()) return {};
     return weights_of(*stated->baked.conventions.color);
 }

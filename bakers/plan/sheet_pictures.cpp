@@ -1,7 +1,6 @@
 #include "bakers/plan/sheet_pictures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
@@ -49,7 +48,7 @@ Colour difference_colour(double off) {
 double exposure_of(const LightPicture& truth) {
     std::vector<double> values;
     for (const glm::dvec3& color : truth.pixels) values.push_back(luminance(color));
-    std::sort(values.begin(), values.end());
+    std::ranges::sort(values);
     const double bright = values[values.size() * 9 / 10];
     return bright > 0 ? 1.5 / bright : 1;
 }
@@ -78,7 +77,7 @@ Picture exposed_difference(const LightPicture& light, const LightPicture& truth,
 std::vector<std::size_t> best_of_families(const std::vector<MeasuredWay>& ways) {
     std::vector<std::size_t> sorted(ways.size());
     std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::stable_sort(sorted.begin(), sorted.end(), [&](std::size_t a, std::size_t b) {
+    std::ranges::stable_sort(sorted, [&](std::size_t a, std::size_t b) {
         return ways[a].figures.error < ways[b].figures.error;
     });
     std::set<std::string> seen;

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "bakers/plan/found_sky.h"

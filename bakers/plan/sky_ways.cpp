@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <string_view>
 
 #include "bakers/report/variants.h"
@@ -112,7 +111,7 @@ void add_pictures(const std::vector<std::string>& suns, const std::string& camer
 std::vector<SkyWay> sky_ways(const std::vector<SkyBy>& by, const std::vector<std::string>& suns,
                              const std::string& camera) {
     const auto allows = [&](SkyBy one) {
-        return by.empty() || std::find(by.begin(), by.end(), one) != by.end();
+        return by.empty() || std::ranges::find(by, one) != by.end();
     };
     std::vector<SkyWay> ways;
     if (allows(SkyBy::march)) add_marches(ways);

@@ -86,7 +86,7 @@ class Ticks {
             found.push_back(tick_at(i * step));
             if (found.size() > most_ticks) break;
         }
-        if (last_ < first_) std::reverse(found.begin(), found.end());
+        if (last_ < first_) std::ranges::reverse(found);
         return found;
     }
 
@@ -104,16 +104,15 @@ class Ticks {
                 }
             }
         }
-        if (last_ < first_) std::reverse(found.begin(), found.end());
+        if (last_ < first_) std::ranges::reverse(found);
         return found;
     }
 
     bool spaced(const std::vector<AxisTick>& ticks) const {
         if (ticks.size() > most_ticks) return false;
-        return std::adjacent_find(ticks.begin(), ticks.end(),
-                                  [this](const AxisTick& a, const AxisTick& b) {
-                                      return b.t - a.t < gap_;
-                                  }) == ticks.end();
+        return std::ranges::adjacent_find(ticks, [this](const AxisTick& a, const AxisTick& b) {
+                   return b.t - a.t < gap_;
+               }) == ticks.end();
     }
 
     // Puts ticks of the coarsest step that fits into gaps wide enough for three.

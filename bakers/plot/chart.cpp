@@ -273,6 +273,21 @@ void draw_families(Drawing& drawing, const Figure& figure, const LegendRows& leg
     }
 }
 
+std::vector<double> all_of(const std::vector<ChartLine>& lines,
+                           std::vector<double> ChartLine::*values) {
+    std::vector<double> all;
+    for (const ChartLine& line : lines) {
+        all.insert(all.end(), (line.*values).begin(), (line.*values).end());
+    }
+    return all;
+}
+
+std::vector<double> all_of(const std::vector<ChartPoint>& points, double ChartPoint::*value) {
+    std::vector<double> all;
+    for (const ChartPoint& point : points) all.push_back(point.*value);
+    return all;
+}
+
 }  // namespace
 
 Drawing drawing_of(const Chart& chart) {
@@ -323,32 +338,13 @@ Drawing drawing_of(const Figure& figure) {
 }
 
 int family_index(std::vector<std::string>& families, const std::string& family) {
-    const auto at = std::find(families.begin(), families.end(), family);
+    const auto at = std::ranges::find(families, family);
     const auto index = at - families.begin();
     if (at == families.end()) families.push_back(family);
     return static_cast<int>(index);
 }
 
 // --- Kinds of charts ----------------------------------------------------------------------------
-
-namespace {
-
-std::vector<double> all_of(const std::vector<ChartLine>& lines,
-                           std::vector<double> ChartLine::*values) {
-    std::vector<double> all;
-    for (const ChartLine& line : lines) {
-        all.insert(all.end(), (line.*values).begin(), (line.*values).end());
-    }
-    return all;
-}
-
-std::vector<double> all_of(const std::vector<ChartPoint>& points, double ChartPoint::*value) {
-    std::vector<double> all;
-    for (const ChartPoint& point : points) all.push_back(point.*value);
-    return all;
-}
-
-}  // namespace
 
 Picture false_colour_chart(const Image2<float>& field, const ColourScale& scale,
                            const std::string& title, const ChartAxis& across, const ChartAxis& up,

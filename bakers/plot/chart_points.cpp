@@ -105,72 +105,6 @@ Segment leader_of(const Label& label, const Box& box) {
             std::clamp(label.y, box.top, box.bottom)};
 }
 
-}  // namespace
-
-std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& area,
-                                             const std::vector<Box>& obstacles,
-                                             const std::vector<Segment>& lines) {
-    std::vector<Box> taken = obstacles;
-    std::vector<Segment> drawn = lines;
-    std::vector<std::optional<Box>> boxes;
-    for (const Label& label : labels) {
-        std::optional<Box> best;
-        double best_price = 0;
-        for (const double distance : label_distances) {
-            for (int i = 0; i < label_directions; ++i) {
-                const double angle = 2 * std::numbers::pi * i / label_directions;
-                const Box box = box_at(label, distance, angle);
-                if (!within(box, area)) continue;
-                const auto hit = [&](const Box& other) { return overlap(box, other); };
-                if (std::any_of(taken.begin(), taken.end(), hit)) continue;
-                double price = distance + price_of_leaning * std::fabs(std::sin(angle));
-                for (const Segment& line : drawn) {
-                    if (crosses(line, box)) price += price_of_crossing;
-                }
-                if (!best || price < best_price) {
-                    best = box;
-                    best_price = price;
-                }
-            }
-        }
-        if (best) {
-            taken.push_back(*best);
-            drawn.push_back(leader_of(label, *best));
-        }
-        boxes.push_back(best);
-    }
-    return boxes;
-}
-
-// --- Points -------------------------------------------------------------------------------------
-
-DrawingPoint place_in(const PlotArea& plot, const Chart& chart, double x, double y) {
-    return {plot.x + place_on(chart.across, x) * plot.width,
-            plot.y + (1 - place_on(chart.up, y)) * plot.height};
-}
-
-void draw_marker(Drawing& drawing, DrawingPoint at, int family) {
-    Shape marker;
-    marker.closed = true;
-    marker.fill = family_colours[static_cast<std::size_t>(family) % family_colours.size()];
-    marker.stroke = paper_colour;
-    marker.stroke_width = 0.7;
-    for (const DrawingPoint& corner : corners_of(family)) {
-        marker.points.push_back({at.x + marker_size * corner.x, at.y + marker_size * corner.y});
-    }
-    if (marker.points.empty()) {
-        marker.points = {at};
-        marker.radius = marker_size;
-    }
-    drawing.items.emplace_back(std::move(marker));
-}
-
-void draw_front_sample(Drawing& drawing, DrawingPoint left, double length) {
-    drawing.line({left, {left.x + length, left.y}}, front_width, front_colour);
-}
-
-namespace {
-
 class PointDrawing {
   public:
     PointDrawing(Drawing& drawing, const Chart& chart, const PlotArea& plot)
@@ -197,8 +131,8 @@ class PointDrawing {
         for (const ChartPoint& point : chart_.points) {
             if (point.on_front && std::isfinite(point.x)) front.push_back(&point);
         }
-        std::sort(front.begin(), front.end(),
-                  [](const ChartPoint* a, const ChartPoint* b) { return a->x < b->x; });
+        std::ranges::sort(front,
+                          [](const ChartPoint* a, const ChartPoint* b) { return a->x < b->x; });
         std::vector<Segment> lines;
         for (std::size_t i = 1; i < front.size(); ++i) {
             const DrawingPoint from = place_of(*front[i - 1]), to = place_of(*front[i]);
@@ -238,7 +172,7 @@ class PointDrawing {
         for (const bool emphasised : {true, false}) {
             for (const ChartPoint& point : chart_.points) {
                 const DrawingPoint place = place_of(point);
-                const bool told = std::any_of(points.begin(), points.end(), [&](const auto* other) {
+                const bool told = std::ranges::any_of(points, [&](const auto* other) {
                     const DrawingPoint there = place_of(*other);
                     return !point.emphasised && other->label.ends_with(point.label) &&
                            std::hypot(there.x - place.x, there.y - place.y) < same_place;
@@ -311,6 +245,68 @@ class PointDrawing {
 };
 
 }  // namespace
+
+std::vector<std::optional<Box>> place_labels(const std::vector<Label>& labels, const Box& area,
+                                             const std::vector<Box>& obstacles,
+                                             const std::vector<Segment>& lines) {
+    std::vector<Box> taken = obstacles;
+    std::vector<Segment> drawn = lines;
+    std::vector<std::optional<Box>> boxes;
+    for (const Label& label : labels) {
+        std::optional<Box> best;
+        double best_price = 0;
+        for (const double distance : label_distances) {
+            for (int i = 0; i < label_directions; ++i) {
+                const double angle = 2 * std::numbers::pi * i / label_directions;
+                const Box box = box_at(label, distance, angle);
+                if (!within(box, area)) continue;
+                const auto hit = [&](const Box& other) { return overlap(box, other); };
+                if (std::ranges::any_of(taken, hit)) continue;
+                double price = distance + price_of_leaning * std::fabs(std::sin(angle));
+                for (const Segment& line : drawn) {
+                    if (crosses(line, box)) price += price_of_crossing;
+                }
+                if (!best || price < best_price) {
+                    best = box;
+                    best_price = price;
+                }
+            }
+        }
+        if (best) {
+            taken.push_back(*best);
+            drawn.push_back(leader_of(label, *best));
+        }
+        boxes.push_back(best);
+    }
+    return boxes;
+}
+
+// --- Points -------------------------------------------------------------------------------------
+
+DrawingPoint place_in(const PlotArea& plot, const Chart& chart, double x, double y) {
+    return {plot.x + place_on(chart.across, x) * plot.width,
+            plot.y + (1 - place_on(chart.up, y)) * plot.height};
+}
+
+void draw_marker(Drawing& drawing, DrawingPoint at, int family) {
+    Shape marker;
+    marker.closed = true;
+    marker.fill = family_colours[static_cast<std::size_t>(family) % family_colours.size()];
+    marker.stroke = paper_colour;
+    marker.stroke_width = 0.7;
+    for (const DrawingPoint& corner : corners_of(family)) {
+        marker.points.push_back({at.x + marker_size * corner.x, at.y + marker_size * corner.y});
+    }
+    if (marker.points.empty()) {
+        marker.points = {at};
+        marker.radius = marker_size;
+    }
+    drawing.items.emplace_back(std::move(marker));
+}
+
+void draw_front_sample(Drawing& drawing, DrawingPoint left, double length) {
+    drawing.line({left, {left.x + length, left.y}}, front_width, front_colour);
+}
 
 void draw_points(Drawing& drawing, const Chart& chart, const PlotArea& plot) {
     PointDrawing(drawing, chart, plot).draw();

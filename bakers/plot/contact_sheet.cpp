@@ -85,28 +85,6 @@ Sheet lay_out(const std::vector<Picture>& pictures, const std::vector<std::strin
     return sheet;
 }
 
-}  // namespace
-
-Picture contact_sheet(const std::vector<Picture>& pictures,
-                      const std::vector<std::string>& captions, int columns) {
-    const Sheet sheet = lay_out(pictures, captions, columns);
-    Drawing drawing;
-    drawing.width = gutter + sheet.columns * (sheet.cell_width + gutter);
-    drawing.height = sheet.height;
-    for (std::size_t i = 0; i < pictures.size(); ++i) {
-        const int index = static_cast<int>(i);
-        const int x = gutter + index % sheet.columns * (sheet.cell_width + gutter);
-        const int y = sheet.row_tops[static_cast<std::size_t>(index / sheet.columns)];
-        place(drawing, pictures[i], {x, y, sheet.cell_width, sheet.picture_height});
-        write_lines(drawing, sheet.captions[i],
-                    {x + sheet.cell_width / 2.0, double(y + sheet.picture_height + first_baseline)},
-                    TextAlign::centre);
-    }
-    return painted(on_dark_paper(std::move(drawing)));
-}
-
-namespace {
-
 // The layout of all blocks of a sheet.
 struct BlockGrid {
     PlotArea first_cell;  // its place across, and its size
@@ -173,6 +151,24 @@ int draw_block(Drawing& drawing, const SheetBlock& block, const BlockGrid& grid,
 }
 
 }  // namespace
+
+Picture contact_sheet(const std::vector<Picture>& pictures,
+                      const std::vector<std::string>& captions, int columns) {
+    const Sheet sheet = lay_out(pictures, captions, columns);
+    Drawing drawing;
+    drawing.width = gutter + sheet.columns * (sheet.cell_width + gutter);
+    drawing.height = sheet.height;
+    for (std::size_t i = 0; i < pictures.size(); ++i) {
+        const int index = static_cast<int>(i);
+        const int x = gutter + index % sheet.columns * (sheet.cell_width + gutter);
+        const int y = sheet.row_tops[static_cast<std::size_t>(index / sheet.columns)];
+        place(drawing, pictures[i], {x, y, sheet.cell_width, sheet.picture_height});
+        write_lines(drawing, sheet.captions[i],
+                    {x + sheet.cell_width / 2.0, double(y + sheet.picture_height + first_baseline)},
+                    TextAlign::centre);
+    }
+    return painted(on_dark_paper(std::move(drawing)));
+}
 
 Picture contact_sheet(const std::vector<SheetBlock>& blocks) {
     const BlockGrid grid = lay_out(blocks);

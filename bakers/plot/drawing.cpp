@@ -76,6 +76,17 @@ std::string tooltips_of(const Drawing& drawing) {
     return text;
 }
 
+void darken(Colour& colour) {
+    constexpr std::array<std::array<Colour, 2>, 4> pairs = {
+        {{ink_colour, dark_ink_colour},
+         {pale_ink_colour, dark_pale_ink_colour},
+         {grid_colour, dark_grid_colour},
+         {paper_colour, dark_paper_colour}}};
+    const auto pair =
+        std::ranges::find_if(pairs, [&](const auto& one) { return one[0] == colour; });
+    if (pair != pairs.end()) colour = (*pair)[1];
+}
+
 }  // namespace
 
 // --- Drawings -----------------------------------------------------------------------------------
@@ -129,24 +140,9 @@ Picture painted(const Drawing& drawing) {
     const ChartModule* const functions = chart_module().functions;
     if (functions != nullptr) return functions->paint(drawing);
     Picture blank(drawing.width, drawing.height);
-    std::fill(blank.rgb.begin(), blank.rgb.end(), paper_colour[0]);
+    std::ranges::fill(blank.rgb, paper_colour[0]);
     return blank;
 }
-
-namespace {
-
-void darken(Colour& colour) {
-    constexpr std::array<std::array<Colour, 2>, 4> pairs = {
-        {{ink_colour, dark_ink_colour},
-         {pale_ink_colour, dark_pale_ink_colour},
-         {grid_colour, dark_grid_colour},
-         {paper_colour, dark_paper_colour}}};
-    const auto pair =
-        std::find_if(pairs.begin(), pairs.end(), [&](const auto& one) { return one[0] == colour; });
-    if (pair != pairs.end()) colour = (*pair)[1];
-}
-
-}  // namespace
 
 Drawing on_dark_paper(Drawing drawing) {
     for (DrawingItem& item : drawing.items) {

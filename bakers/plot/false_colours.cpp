@@ -90,6 +90,13 @@ Image2<float> repeated(const Image2<float>& field, int times) {
     return large;
 }
 
+template <std::size_t kStops>
+Colour between(const std::array<Colour, kStops>& stops, double t) {
+    const double place = t * static_cast<double>(kStops - 1);
+    const auto stop = std::min(static_cast<std::size_t>(place), stops.size() - 2);
+    return mixed(stops[stop], stops[stop + 1], place - static_cast<double>(stop));
+}
+
 }  // namespace
 
 Colour sequential_colour(double t) {
@@ -101,17 +108,6 @@ Colour sequential_colour(double t) {
     }
     return colour;
 }
-
-namespace {
-
-template <std::size_t kStops>
-Colour between(const std::array<Colour, kStops>& stops, double t) {
-    const double place = t * static_cast<double>(kStops - 1);
-    const auto stop = std::min(static_cast<std::size_t>(place), stops.size() - 2);
-    return mixed(stops[stop], stops[stop + 1], place - static_cast<double>(stop));
-}
-
-}  // namespace
 
 Colour diverging_colour(double t) { return between(diverging_stops, t); }
 

@@ -163,8 +163,7 @@ class PreviewBake {
         BakeClock clock;
         Outcome<Baked> baked = bake_asset(recipe_, bake, options_);
         const Timing timing = {clock.seconds(), 0, thread_count(options_.threads)};
-        std::move(baked.diagnostics.begin(), baked.diagnostics.end(),
-                  std::back_inserter(diagnostics_));
+        std::ranges::move(baked.diagnostics, std::back_inserter(diagnostics_));
         if (!baked.value) return false;
         shown_.assets.push_back(baked.value->is_table()
                                     ? table_asset(*baked.value, timing)
@@ -200,9 +199,8 @@ Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
 }
 
 const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
-    const auto found = std::find_if(assets.begin(), assets.end(), [&](const PreviewAsset& asset) {
-        return asset.entry.kind == kind;
-    });
+    const auto found = std::ranges::find_if(
+        assets, [&](const PreviewAsset& asset) { return asset.entry.kind == kind; });
     return found == assets.end() ? nullptr : &*found;
 }
 

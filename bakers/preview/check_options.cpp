@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <string_view>
 #include <utility>
@@ -20,9 +19,34 @@ struct GivenOption {
 };
 
 config::Diagnostic unused_option(std::string name, std::string_view reason) {
-    std::replace(name.begin(), name.end(), '_', '-');
+    std::ranges::replace(name, '_', '-');
     return option_fault(fmt::format("no picture of this preview uses --{}", name),
                         std::string(reason));
+}
+
+// Whether a voxel at the tile's sides has at least a twentieth of the greatest density.
+bool reaches_sides(const PreviewAsset& volume) {
+    const int width = volume.entry.size[0];
+    const int rows = volume.entry.size[1];
+    const int depth = volume.entry.size[2];
+    const std::size_t channels = volume.entry.channels.size();
+    const double greatest = volume.entry.levels.front().statistics.front().max;
+    const auto is_cloud = [&](int x, int y, int z) {
+        const std::size_t at = (static_cast<std::size_t>(z) * static_cast<std::size_t>(rows) +
+                                static_cast<std::size_t>(y)) *
+                                   static_cast<std::size_t>(width) +
+                               static_cast<std::size_t>(x);
+        return greatest > 0 && double{volume.voxels[at * channels]} >= greatest / 20;
+    };
+    for (int z = 0; z < depth; ++z) {
+        for (int x = 0; x < width; ++x) {
+            if (is_cloud(x, 0, z) || is_cloud(x, rows - 1, z)) return true;
+        }
+        for (int y = 0; y < rows; ++y) {
+            if (is_cloud(0, y, z) || is_cloud(width - 1, y, z)) return true;
+        }
+    }
+    return false;
 }
 
 }  // namespace
@@ -114,35 +138,6 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
         *options.altitude_m / 1000, top_m / 1000);
     return diagnostic;
 }
-
-namespace {
-
-// Whether a voxel at the tile's sides has at least a twentieth of the greatest density.
-bool reaches_sides(const PreviewAsset& volume) {
-    const int width = volume.entry.size[0];
-    const int rows = volume.entry.size[1];
-    const int depth = volume.entry.size[2];
-    const std::size_t channels = volume.entry.channels.size();
-    const double greatest = volume.entry.levels.front().statistics.front().max;
-    const auto is_cloud = [&](int x, int y, int z) {
-        const std::size_t at = (static_cast<std::size_t>(z) * static_cast<std::size_t>(rows) +
-                                static_cast<std::size_t>(y)) *
-                                   static_cast<std::size_t>(width) +
-                               static_cast<std::size_t>(x);
-        return greatest > 0 && double{volume.voxels[at * channels]} >= greatest / 20;
-    };
-    for (int z = 0; z < depth; ++z) {
-        for (int x = 0; x < width; ++x) {
-            if (is_cloud(x, 0, z) || is_cloud(x, rows - 1, z)) return true;
-        }
-        for (int y = 0; y < rows; ++y) {
-            if (is_cloud(0, y, z) || is_cloud(width - 1, y, z)) return true;
-        }
-    }
-    return false;
-}
-
-}  // namespace
 
 std::vector<config::Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
                                                    const PreviewOptions& options) {

@@ -25,9 +25,9 @@ const Section* section_named(const config::Parameters& parameters, const std::st
 }
 
 const config::Cloud* cloud_of(const config::Parameters& parameters, const CloudVolumeBake* bake) {
-    const auto cloud =
-        std::find_if(parameters.clouds.begin(), parameters.clouds.end(),
-                     [&](const config::Cloud& one) { return bake && one.name == bake->cloud; });
+    const auto cloud = std::ranges::find_if(parameters.clouds, [&](const config::Cloud& one) {
+        return bake && one.name == bake->cloud;
+    });
     return cloud == parameters.clouds.end() ? nullptr : &*cloud;
 }
 
@@ -124,9 +124,8 @@ std::vector<CloudPreviewInput> scene_input(const PreviewAssets& assets,
     for (const PreviewAsset& asset : assets.assets) {
         CloudPreviewInput input = cloud_input(assets, asset, options);
         if (input.volume == nullptr || input.cloud == nullptr) continue;
-        const auto same = std::find_if(layers.begin(), layers.end(), [&](const auto& other) {
-            return other.cloud->name == input.cloud->name;
-        });
+        const auto same = std::ranges::find_if(
+            layers, [&](const auto& other) { return other.cloud->name == input.cloud->name; });
         if (same == layers.end()) {
             layers.push_back(std::move(input));
         } else if (input.volume->voxels.size() > same->volume->voxels.size()) {

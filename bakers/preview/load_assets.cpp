@@ -82,9 +82,8 @@ std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& 
 
 // Whether an error is among the diagnostics, so that loading cannot go on.
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& one) {
-        return one.severity == config::Severity::error;
-    });
+    return std::ranges::any_of(
+        diagnostics, [](const Diagnostic& one) { return one.severity == config::Severity::error; });
 }
 
 // Adds one asset of a manifest to the shown ones and returns diagnostics. Warnings also become

@@ -68,7 +68,7 @@ SweepVariant read_variant(const Json& json, const std::vector<std::string>& path
     for (const Json& asset : json.at("assets")) {
         const auto name = asset.at("name").get<std::string>();
         variant.figures[name] = read_figures(asset);
-        if (std::find(sweep.assets.begin(), sweep.assets.end(), name) == sweep.assets.end()) {
+        if (std::ranges::find(sweep.assets, name) == sweep.assets.end()) {
             sweep.assets.push_back(name);
         }
     }
@@ -81,8 +81,8 @@ std::vector<std::string> read_labels(const Json& axis, std::span<const std::stri
     for (const Json& point : axis.at("values")) {
         std::string label;
         for (std::size_t i = 0; i < names.size(); ++i) {
-            label += fmt::format("{}{} {}", i == 0 ? "" : ", ", names[i],
-                                 swept_value(point.at(i)).text);
+            label +=
+                fmt::format("{}{} {}", i == 0 ? "" : ", ", names[i], swept_value(point.at(i)).text);
         }
         labels.push_back(std::move(label));
     }
@@ -190,8 +190,8 @@ config::Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
     try {
         const Json json = Json::parse(*text.value);
         if (const int format = json.at("format").get<int>(); format != sweep_format) {
-            reason = fmt::format("it has format {} in place of {}; run the sweep again",
-                                 format, sweep_format);
+            reason = fmt::format("it has format {} in place of {}; run the sweep again", format,
+                                 sweep_format);
         } else if (std::optional<PreviewSweep> sweep = read_sweep(json)) {
             std::ifstream times(folder / sweep_timing_name);
             add_times(times, *sweep);

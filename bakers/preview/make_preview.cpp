@@ -6,7 +6,6 @@
 #include <iterator>
 #include <string_view>
 #include <utility>
-#include <variant>
 
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_inputs.h"
@@ -188,28 +187,6 @@ class Preview {
     int stage_ = 0;
 };
 
-}  // namespace
-
-int picture_stages(std::size_t assets, const LitPictures& lit, const PreviewOptions& options) {
-    return static_cast<int>(assets) + (lit.sky ? 1 : 0) + (has_scene(lit, options) ? 1 : 0);
-}
-
-bool has_scene(const LitPictures& lit, const PreviewOptions& options) {
-    return lit.sky && lit.clouds && !lit.sweep && !options.single && options.turntable == 0;
-}
-
-std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
-    const auto has = [&recipe](std::string_view kind) {
-        return std::any_of(
-            recipe.parameters.bakes.begin(), recipe.parameters.bakes.end(),
-            [kind](const config::Bake& bake) { return config::kind_of(bake).facts.name == kind; });
-    };
-    if (!has("transmittance") || !has("multiple_scattering")) return {};
-    return needs_of_sky_pictures(recipe.parameters.atmosphere);
-}
-
-namespace {
-
 // Makes the page that renders the assets. Its pictures are those of a draft, for browsers that
 // cannot; a draft has none, because it is to be there at once, as is the page itself.
 Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const PreviewOptions& options) {
@@ -238,6 +215,24 @@ Outcome<PreviewPage> make_live_preview(const PreviewAssets& assets, const Previe
 }
 
 }  // namespace
+
+int picture_stages(std::size_t assets, const LitPictures& lit, const PreviewOptions& options) {
+    return static_cast<int>(assets) + (lit.sky ? 1 : 0) + (has_scene(lit, options) ? 1 : 0);
+}
+
+bool has_scene(const LitPictures& lit, const PreviewOptions& options) {
+    return lit.sky && lit.clouds && !lit.sweep && !options.single && options.turntable == 0;
+}
+
+std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
+    const auto has = [&recipe](std::string_view kind) {
+        return std::ranges::any_of(recipe.parameters.bakes, [kind](const config::Bake& bake) {
+            return config::kind_of(bake).facts.name == kind;
+        });
+    };
+    if (!has("transmittance") || !has("multiple_scattering")) return {};
+    return needs_of_sky_pictures(recipe.parameters.atmosphere);
+}
 
 Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options) {
     auto unused = unused_options(lit_pictures_of(assets), options);

@@ -16,7 +16,7 @@ using config::OccupancyContent;
 std::optional<std::vector<float>> values_of(const PreviewAsset& grid,
                                             const config::OccupancyBake& bake,
                                             OccupancyContent content) {
-    const auto found = std::find(bake.contents.begin(), bake.contents.end(), content);
+    const auto found = std::ranges::find(bake.contents, content);
     if (found == bake.contents.end()) return std::nullopt;
     const auto channel = static_cast<std::size_t>(found - bake.contents.begin());
     const bool unorm = bake.pixel_type == config::PixelType::unorm8 ||

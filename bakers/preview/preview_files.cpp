@@ -147,7 +147,7 @@ std::vector<config::Diagnostic> foreign_preview_files(const fs::path& folder,
     for (const std::string& name : names) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(folder / name, error))) continue;
-        if (std::find(earlier.begin(), earlier.end(), name) != earlier.end()) continue;
+        if (std::ranges::find(earlier, name) != earlier.end()) continue;
         diagnostics.push_back(foreign_file(folder / name));
     }
     return diagnostics;

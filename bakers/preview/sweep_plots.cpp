@@ -60,9 +60,9 @@ bool shares_light(const PreviewSweep& sweep, const std::string& asset) {
 }
 
 bool is_measured(const PreviewSweep& sweep, const std::string& asset, std::string_view figure) {
-    return std::any_of(
-        sweep.variants.begin(), sweep.variants.end(),
-        [&](const SweepVariant& variant) { return figure_of(variant, asset, figure).has_value(); });
+    return std::ranges::any_of(sweep.variants, [&](const SweepVariant& variant) {
+        return figure_of(variant, asset, figure).has_value();
+    });
 }
 
 // Returns the points of the variants that have both figures. The first axis of several gives the

@@ -48,7 +48,8 @@ Picture sheet_by_axes(const PreviewSweep& sweep, const std::vector<Picture>& pic
         const SweepVariant& variant = sweep.variants[i];
         const std::size_t at = block_of(sweep, variant);
         while (blocks.size() <= at) {
-            blocks.push_back({"", columns, rows, std::vector<Picture>(rows.size() * columns.size())});
+            blocks.push_back(
+                {"", columns, rows, std::vector<Picture>(rows.size() * columns.size())});
         }
         std::string title;
         for (std::size_t axis = 0; axis + 2 < sweep.axes.size(); ++axis) {
@@ -147,11 +148,11 @@ std::optional<double> rms_difference(const Picture& picture, const Picture& othe
 std::vector<PreviewPicture> sweep_sheets(const PreviewSweep& sweep,
                                          const std::vector<Picture>& pictures,
                                          const std::string& light) {
-    const auto first = std::find_if(pictures.begin(), pictures.end(),
-                                    [](const Picture& picture) { return !picture.rgb.empty(); });
+    const auto first =
+        std::ranges::find_if(pictures, [](const Picture& picture) { return !picture.rgb.empty(); });
     if (first == pictures.end()) return {};
-    const auto count = std::count_if(pictures.begin(), pictures.end(),
-                                     [](const Picture& picture) { return !picture.rgb.empty(); });
+    const auto count = std::ranges::count_if(
+        pictures, [](const Picture& picture) { return !picture.rgb.empty(); });
     PreviewPicture sheet;
     sheet.name = "contact_sheet";
     sheet.title = "All variants";

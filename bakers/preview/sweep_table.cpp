@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <set>
-#include <utility>
 
 namespace skybake {
 namespace {
@@ -68,9 +67,9 @@ SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
 std::vector<PageSweep::Column> SweepTable::columns() const {
     std::vector<PageSweep::Column> columns;
     for (std::size_t i = 0; i < sweep_.names.size(); ++i) {
-        const bool numbers = std::all_of(
-            sweep_.variants.begin(), sweep_.variants.end(),
-            [&](const SweepVariant& variant) { return variant.values[i].number.has_value(); });
+        const bool numbers = std::ranges::all_of(sweep_.variants, [&](const SweepVariant& variant) {
+            return variant.values[i].number.has_value();
+        });
         columns.push_back({sweep_.names[i], numbers ? "number" : ""});
     }
     for (const Figure& figure : figures_) columns.push_back(figure.column);

@@ -124,7 +124,7 @@ std::string kilometers(double meters) { return fmt::format("{:.4g}km", meters / 
 CloudBox occupied_box(const CloudMedium& medium) {
     const std::array<int, 3>& size = medium.volume.size;
     const AlignedFloats& values = medium.volume.values;
-    const float greatest = *std::max_element(values.begin(), values.end());
+    const float greatest = *std::ranges::max_element(values);
     const float faint = std::max(medium.visible_above, kFaint * greatest);
     std::array<int, 3> low = size;
     std::array<int, 3> high{};

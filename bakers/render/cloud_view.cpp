@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/render/cloud_camera.h"
@@ -23,31 +22,6 @@ SceneLayer layer_of(const CloudMedium& medium, const CloudViewSettings& settings
 SceneFrame frame_of(const CloudViewSettings& settings) {
     return {settings.width, settings.height, settings.camera};
 }
-
-}  // namespace
-
-MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
-                       Progress* progress) {
-    const SceneMarch march({layer_of(medium, settings)}, settings.sun, settings.sunlit,
-                           settings.leaping, threads);
-    MarchedScene marched = march.march(frame_of(settings), threads, progress);
-    MarchedView view;
-    view.through = march.through(0);
-    view.fetches = marched.fetches;
-    view.results = Image2<float>(settings.width, settings.height, MarchedView::kChannels);
-    for (int y = 0; y < settings.height; ++y) {
-        for (int x = 0; x < settings.width; ++x) {
-            const float* seen = marched.results.texel(x, y);
-            float* out = view.results.texel(x, y);
-            std::copy(seen, seen + 4, out);
-            out[4] = seen[MarchedScene::kLayerChannels];
-            out[5] = seen[5];
-        }
-    }
-    return view;
-}
-
-namespace {
 
 double clamped_altitude_km(const Shell& shell, double altitude_m) {
     return std::clamp(altitude_m / 1000, 0.0, shell.thickness_km);
@@ -95,6 +69,27 @@ Spectrum mean_radiance(const Atmosphere& atmosphere, double altitude_m, const Su
 }
 
 }  // namespace
+
+MarchedView march_view(const CloudMedium& medium, const CloudViewSettings& settings, int threads,
+                       Progress* progress) {
+    const SceneMarch march({layer_of(medium, settings)}, settings.sun, settings.sunlit,
+                           settings.leaping, threads);
+    MarchedScene marched = march.march(frame_of(settings), threads, progress);
+    MarchedView view;
+    view.through = march.through(0);
+    view.fetches = marched.fetches;
+    view.results = Image2<float>(settings.width, settings.height, MarchedView::kChannels);
+    for (int y = 0; y < settings.height; ++y) {
+        for (int x = 0; x < settings.width; ++x) {
+            const float* seen = marched.results.texel(x, y);
+            float* out = view.results.texel(x, y);
+            std::copy(seen, seen + 4, out);
+            out[4] = seen[MarchedScene::kLayerChannels];
+            out[5] = seen[5];
+        }
+    }
+    return view;
+}
 
 CloudIllumination illumination(const CloudMedium& medium, const Atmosphere& atmosphere,
                                const SunDirection& sun, int threads) {

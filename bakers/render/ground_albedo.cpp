@@ -1,7 +1,6 @@
 #include "bakers/render/ground_albedo.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>

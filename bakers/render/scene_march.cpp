@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <span>
 
 #include "bakers/march/sun_leaps.h"
 #include "bakers/math/parallel.h"

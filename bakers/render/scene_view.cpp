@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 
 #include "bakers/light/sky_ray.h"
 #include "bakers/math/parallel.h"
@@ -62,7 +61,7 @@ Spectrum cloud_radiance(const CloudIllumination& light, const float* seen) {
 SceneRenderer::SceneRenderer(const std::vector<SceneLayer>& layers, const Atmosphere& atmosphere,
                              const SunDirection& sun, int threads, bool leaping)
     : layers_(layers), atmosphere_(atmosphere), sun_(sun) {
-    std::stable_sort(layers_.begin(), layers_.end(), [](const SceneLayer& a, const SceneLayer& b) {
+    std::ranges::stable_sort(layers_, [](const SceneLayer& a, const SceneLayer& b) {
         return middle_m(a) > middle_m(b);
     });
     const Spectrum dark{};

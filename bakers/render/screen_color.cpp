@@ -46,8 +46,8 @@ std::vector<glm::dvec3> fitted_weights(const std::vector<double>& weights,
 std::vector<glm::dvec3> linear_weights(const std::vector<double>& wavelengths_nm) {
     std::vector<std::size_t> order(wavelengths_nm.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::sort(order.begin(), order.end(),
-              [&](std::size_t a, std::size_t b) { return wavelengths_nm[a] < wavelengths_nm[b]; });
+    std::ranges::sort(
+        order, [&](std::size_t a, std::size_t b) { return wavelengths_nm[a] < wavelengths_nm[b]; });
     std::vector<double> ascending;
     for (const std::size_t i : order) ascending.push_back(wavelengths_nm[i]);
     const std::vector<glm::dvec3> weights = color_weights(ascending, ColorTarget{});

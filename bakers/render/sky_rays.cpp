@@ -35,6 +35,16 @@ DomePoint dome_point(const SkyView& view, double x, double y) {
     return {across, up, std::sqrt(across * across + up * up)};
 }
 
+std::array<double, 4> largest_values(const Image2<float>& image) {
+    std::array<double, 4> largest{};
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < image.texels.size(); ++i) {
+        double& value = largest[i % channels];
+        value = std::max(value, double{image.texels[i]});
+    }
+    return largest;
+}
+
 }  // namespace
 
 double sun_sine(const SkyView& view) { return sine_of_elevation(view.sun_elevation_degrees); }
@@ -72,20 +82,6 @@ double coverage_at(const SkyView& view, int x, int y) {
         (1 - dome_point(view, x + 0.5, y + 0.5).radius) * dome_radius_pixels(view);
     return std::clamp(inside + 0.5, 0.0, 1.0);
 }
-
-namespace {
-
-std::array<double, 4> largest_values(const Image2<float>& image) {
-    std::array<double, 4> largest{};
-    const auto channels = static_cast<std::size_t>(image.channels);
-    for (std::size_t i = 0; i < image.texels.size(); ++i) {
-        double& value = largest[i % channels];
-        value = std::max(value, double{image.texels[i]});
-    }
-    return largest;
-}
-
-}  // namespace
 
 SkyDifference sky_difference(const Image2<float>& picture, const Image2<float>& reference,
                              const SkyView& view) {

@@ -51,7 +51,7 @@ std::vector<bool> pareto_front(const std::vector<CostAndError>& choices, double 
             return beats(other, choice, noise);
         };
         front.push_back(std::isfinite(choice.cost) && std::isfinite(choice.error) &&
-                        std::none_of(choices.begin(), choices.end(), is_better));
+                        std::ranges::none_of(choices, is_better));
     }
     return front;
 }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
@@ -66,7 +65,7 @@ class VariantMeasurement {
             times.push_back(thread_cpu_seconds() - begin);
             if (times.back() > kLongBake_s) break;
         }
-        std::sort(times.begin(), times.end());
+        std::ranges::sort(times);
         return times[times.size() / 2];
     }
 
@@ -161,8 +160,7 @@ Outcome<bool> add_row(const LoadRecipe& load, const Recipe& recipe, const Bake& 
     if (!of_recipe && !changed.value) return {true, {}};
     const Recipe& own = of_recipe ? recipe : *changed.value;
     const auto& bakes = own.parameters.bakes;
-    const auto found = std::find_if(bakes.begin(), bakes.end(),
-                                    [&](const Bake& one) { return one.name == bake.name; });
+    const auto found = std::ranges::find(bakes, bake.name, &Bake::name);
     if (found == bakes.end()) return {true, {}};
     const double voxels = voxels_of(own, *found);
     if (!of_recipe && voxels > std::max(kMostVariantVoxels, voxels_of(recipe, bake))) {
@@ -203,8 +201,7 @@ Outcome<AssetReport> report_asset(const LoadRecipe& load, const Recipe& recipe, 
     for (const Variant& variant : variants_of(recipe, bake)) {
         Outcome<bool> added = add_row(load, recipe, bake, variant, options, report);
         if (!added.value) return {{}, std::move(added.diagnostics)};
-        std::move(added.diagnostics.begin(), added.diagnostics.end(),
-                  std::back_inserter(outcome.diagnostics));
+        std::ranges::move(added.diagnostics, std::back_inserter(outcome.diagnostics));
     }
     mark_front(
         report.rows, [](const ReportRow& row) { return row.time_ms; }, kTimingNoise,

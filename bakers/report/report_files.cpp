@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <fstream>
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -98,6 +97,41 @@ Json to_json(const AssetReport& asset) {
     return json;
 }
 
+constexpr std::size_t kSignLength = 512;  // the signs are within this many bytes
+
+std::string beginning_of(const fs::path& path) {
+    std::string text(kSignLength, '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    return text;
+}
+
+std::string label_of(const ReportRow& row, bool on_front) {
+    if (row.of_recipe) return "this recipe";
+    if (!row.baseline.empty()) return row.baseline;
+    return on_front ? row.variant : "";
+}
+
+Chart chart_of(const AssetReport& asset, const char* title, double (*cost)(const ReportRow&),
+               bool ReportRow::*front, std::vector<std::string>& families) {
+    std::vector<ChartPoint> points;
+    for (const ReportRow& row : asset.rows) {
+        ChartPoint point;
+        point.x = cost(row);
+        point.y = row.lookup.rms;
+        point.family = family_index(families, row.family);
+        point.on_front = row.*front;
+        point.label = label_of(row, point.on_front);
+        point.tooltip = fmt::format(
+            "{} {}: {:.3g} ms, lookup error {:.2g} RMS, {:.2g} max, texel error {:.2g} RMS",
+            row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
+        point.emphasised = row.of_recipe || !row.baseline.empty();
+        points.push_back(std::move(point));
+    }
+    return scatter_chart(std::move(points), "", title, "lookup error, RMS");
+}
+
 }  // namespace
 
 std::string report_csv(const std::vector<AssetReport>& assets) {
@@ -128,20 +162,6 @@ std::string report_json(const std::vector<AssetReport>& assets) {
 }
 
 // --- The folder ---------------------------------------------------------------------------------
-
-namespace {
-
-constexpr std::size_t kSignLength = 512;  // the signs are within this many bytes
-
-std::string beginning_of(const fs::path& path) {
-    std::string text(kSignLength, '\0');
-    std::ifstream file(path, std::ios::binary);
-    file.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(file.gcount()));
-    return text;
-}
-
-}  // namespace
 
 std::vector<ReportFile> report_files(const std::vector<AssetReport>& assets) {
     std::vector<ReportFile> files = {{"report.csv", report_csv(assets)},
@@ -193,35 +213,6 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
 }
 
 // --- The plot -----------------------------------------------------------------------------------
-
-namespace {
-
-std::string label_of(const ReportRow& row, bool on_front) {
-    if (row.of_recipe) return "this recipe";
-    if (!row.baseline.empty()) return row.baseline;
-    return on_front ? row.variant : "";
-}
-
-Chart chart_of(const AssetReport& asset, const char* title, double (*cost)(const ReportRow&),
-               bool ReportRow::*front, std::vector<std::string>& families) {
-    std::vector<ChartPoint> points;
-    for (const ReportRow& row : asset.rows) {
-        ChartPoint point;
-        point.x = cost(row);
-        point.y = row.lookup.rms;
-        point.family = family_index(families, row.family);
-        point.on_front = row.*front;
-        point.label = label_of(row, point.on_front);
-        point.tooltip = fmt::format(
-            "{} {}: {:.3g} ms, lookup error {:.2g} RMS, {:.2g} max, texel error {:.2g} RMS",
-            row.family, row.variant, row.time_ms, row.lookup.rms, row.lookup.max, row.texel.rms);
-        point.emphasised = row.of_recipe || !row.baseline.empty();
-        points.push_back(std::move(point));
-    }
-    return scatter_chart(std::move(points), "", title, "lookup error, RMS");
-}
-
-}  // namespace
 
 Figure report_figure(const AssetReport& asset) {
     Figure plot;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <optional>
 #include <string_view>
 
 #include "bakers/assets/registry/registry.h"
@@ -59,9 +58,7 @@ std::vector<std::string> other_values(const config::Field& field, const std::str
 }
 
 const config::ResolvedValue* find_value(const config::Recipe& recipe, const std::string& path) {
-    const auto found =
-        std::find_if(recipe.values.begin(), recipe.values.end(),
-                     [&](const config::ResolvedValue& value) { return value.path == path; });
+    const auto found = std::ranges::find(recipe.values, path, &config::ResolvedValue::path);
     return found == recipe.values.end() ? nullptr : &*found;
 }
 

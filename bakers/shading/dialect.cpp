@@ -110,8 +110,8 @@ constexpr std::array<ReservedWord, 2> kReserved = {
     {{"from", ShadingLanguage::wgsl}, {"PI", ShadingLanguage::godot}}};
 
 const TypeRow* type_row(std::string_view type) {
-    const auto* const row = std::find_if(kTypes.begin(), kTypes.end(),
-                                         [&](const TypeRow& one) { return one.words[0] == type; });
+    const auto* const row =
+        std::ranges::find_if(kTypes, [&](const TypeRow& one) { return one.words[0] == type; });
     return row != kTypes.end() ? row : nullptr;
 }
 
@@ -138,26 +138,25 @@ std::string vector_of(std::string_view scalar, int components) {
 }
 
 DialectFunction translated_function(std::string_view name, ShadingLanguage language) {
-    const auto* const row =
-        std::find_if(kFunctions.begin(), kFunctions.end(),
-                     [&](const FunctionRow& one) { return one.words[0] == name; });
+    const auto* const row = std::ranges::find_if(
+        kFunctions, [&](const FunctionRow& one) { return one.words[0] == name; });
     if (row == kFunctions.end()) return {};
     return {row->words[static_cast<std::size_t>(language)], row->result};
 }
 
 TextureFunction translated_texture_function(std::string_view name, std::string_view type,
                                             ShadingLanguage language) {
-    const auto* const row =
-        std::find_if(kTextureFunctions.begin(), kTextureFunctions.end(),
-                     [&](const TextureRow& one) { return one.name == name && one.type == type; });
+    const auto* const row = std::ranges::find_if(kTextureFunctions, [&](const TextureRow& one) {
+        return one.name == name && one.type == type;
+    });
     if (row == kTextureFunctions.end()) return {};
     return {row->forms[static_cast<std::size_t>(language)], row->result};
 }
 
 std::string allowed_name(std::string_view name, ShadingLanguage language) {
-    const bool is_reserved = std::any_of(
-        kReserved.begin(), kReserved.end(),
-        [&](const ReservedWord& one) { return one.word == name && one.language == language; });
+    const bool is_reserved = std::ranges::any_of(kReserved, [&](const ReservedWord& one) {
+        return one.word == name && one.language == language;
+    });
     return std::string(name) + (is_reserved ? "_" : "");
 }
 

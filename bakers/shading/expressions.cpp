@@ -53,8 +53,7 @@ bool ExpressionTranslator::has_samplers_apart() const {
     return to_ != Language::glsl && to_ != Language::godot;
 }
 Parameter* ExpressionTranslator::parameter_named(std::string_view name) {
-    const auto found = std::find_if(parameters_.begin(), parameters_.end(),
-                                    [&](const Parameter& one) { return one.name == name; });
+    const auto found = std::ranges::find(parameters_, name, &Parameter::name);
     return found != parameters_.end() ? &*found : nullptr;
 }
 void ExpressionTranslator::note_that_it_is_sampled(const std::string& texture) {
@@ -89,7 +88,7 @@ Value ExpressionTranslator::operation(std::size_t rank) {
     if (rank == kRanks.size()) return signed_value();
     Value left = operation(rank + 1);
     const auto& marks = kRanks[rank];
-    while (std::find(marks.begin(), marks.end(), next().text) != marks.end()) {
+    while (std::ranges::find(marks, next().text) != marks.end()) {
         const Token& mark = take();
         const Value right = operation(rank + 1);
         if (scalar_of(left.type) != scalar_of(right.type)) {
@@ -258,10 +257,9 @@ Value ExpressionTranslator::builtin_call(Value callee, std::vector<Value> argume
     if (function.result == FunctionResult::none || arguments.empty()) {
         refuse(fmt::format("the function `{}`", callee.text));
     }
-    const auto widest =
-        std::max_element(arguments.begin(), arguments.end(), [](const Value& a, const Value& b) {
-            return components_of(a.type) < components_of(b.type);
-        });
+    const auto widest = std::ranges::max_element(arguments, [](const Value& a, const Value& b) {
+        return components_of(a.type) < components_of(b.type);
+    });
     const std::string type = widest->type;
     for (Value& one : arguments) {
         if (scalar_of(one.type) != scalar_of(type))

@@ -44,8 +44,7 @@ std::size_t end_of_number(std::string_view text, std::size_t at) {
 std::size_t end_of_mark(std::string_view text, std::size_t at) {
     static constexpr std::array<std::string_view, 10> kPairs = {"==", "!=", "<=", ">=", "&&",
                                                                 "||", "+=", "-=", "*=", "/="};
-    const bool is_pair =
-        std::find(kPairs.begin(), kPairs.end(), text.substr(at, 2)) != kPairs.end();
+    const bool is_pair = std::ranges::find(kPairs, text.substr(at, 2)) != kPairs.end();
     return at + (is_pair ? 2 : 1);
 }
 
@@ -58,7 +57,7 @@ std::vector<Token> tokens_of(std::string_view glsl) {
     while (tokens.empty() || tokens.back().kind != TokenKind::end) {
         const std::size_t begin = end_of_blanks(glsl, at);
         const std::string_view before = glsl.substr(at, begin - at);
-        line += static_cast<int>(std::count(before.begin(), before.end(), '\n'));
+        line += static_cast<int>(std::ranges::count(before, '\n'));
         TokenKind kind = TokenKind::end;
         at = begin;
         if (begin < glsl.size() && is_letter(glsl[begin])) {

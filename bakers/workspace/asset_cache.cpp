@@ -106,8 +106,8 @@ CacheEntry describe(const fs::path& folder) {
 }
 
 bool is_damage(const std::vector<Diagnostic>& diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
+    return std::ranges::any_of(
+        diagnostics, [](const Diagnostic& diagnostic) { return diagnostic.code == "E0304"; });
 }
 
 // Returns the files of an entry that differ from its manifest, or the manifest itself if it is
@@ -245,7 +245,7 @@ Outcome<std::vector<CacheEntry>> cache_entries(const fs::path& folder) {
                             fmt::format("cannot read the cache `{}`: {}", folder.string(),
                                         error.message()))}};
     }
-    std::sort(entries.begin(), entries.end(), [](const CacheEntry& a, const CacheEntry& b) {
+    std::ranges::sort(entries, [](const CacheEntry& a, const CacheEntry& b) {
         return std::pair(a.last_use_s, a.key) < std::pair(b.last_use_s, b.key);
     });
     return {std::move(entries), {}};

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iterator>
 #include <set>
-#include <span>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
@@ -31,7 +30,7 @@ using config::Outcome;
 
 // Whether a copy failed because of its source, not because of its target.
 bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
-    return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& diagnostic) {
+    return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
         return diagnostic.code == "E0300" || diagnostic.code == "E0304";
     });
 }
@@ -41,8 +40,8 @@ bool has_files_of(const config::Bake& bake, const ManifestAsset& entry) {
     std::vector<std::string> expected = file_names(bake);
     std::vector<std::string> found;
     for (const ManifestFile& file : entry.files) found.push_back(file.path);
-    std::sort(expected.begin(), expected.end());
-    std::sort(found.begin(), found.end());
+    std::ranges::sort(expected);
+    std::ranges::sort(found);
     return entry.name == bake.name && found == expected;
 }
 
@@ -96,10 +95,9 @@ class FolderMaker {
     bool stop(std::vector<Diagnostic> diagnostics) {
         for (Diagnostic& diagnostic : diagnostics) {
             // Diagnostics of what assets share are reported once.
-            const bool is_said =
-                std::any_of(diagnostics_.begin(), diagnostics_.end(), [&](const Diagnostic& said) {
-                    return said.code == diagnostic.code && said.message == diagnostic.message;
-                });
+            const bool is_said = std::ranges::any_of(diagnostics_, [&](const Diagnostic& said) {
+                return said.code == diagnostic.code && said.message == diagnostic.message;
+            });
             if (!is_said) diagnostics_.push_back(std::move(diagnostic));
         }
         return false;
@@ -243,16 +241,15 @@ class FolderMaker {
     const ManifestAsset* entry_before(const std::string& name) const {
         if (!plan_.folder.previous) return nullptr;
         const auto& entries = plan_.folder.previous->assets;
-        const auto entry = std::find_if(entries.begin(), entries.end(),
-                                        [&](const auto& other) { return other.name == name; });
+        const auto entry = std::ranges::find(entries, name, &ManifestAsset::name);
         return entry == entries.end() ? nullptr : &*entry;
     }
 
     // The files of an entry that stays are none that the recipe has given up.
     void keep_files_of(const ManifestAsset& entry) {
         const auto is_its = [&entry](const RetiredFile& retired) {
-            return std::any_of(entry.files.begin(), entry.files.end(),
-                               [&](const auto& file) { return file.path == retired.path; });
+            return std::ranges::any_of(entry.files,
+                                       [&](const auto& file) { return file.path == retired.path; });
         };
         std::erase_if(result_.retired, is_its);
         std::erase_if(pruned_, is_its);
@@ -320,7 +317,7 @@ class FolderMaker {
             const auto is_this = [&section](const auto& other) {
                 return other.name == section.name;
             };
-            if (std::any_of(bake_.bakes.begin(), bake_.bakes.end(), is_this)) continue;
+            if (std::ranges::any_of(bake_.bakes, is_this)) continue;
             const ManifestAsset* entry = entry_before(section.name);
             if (entry == nullptr) continue;
             const auto identity = asset_identity(*bake_.recipe, section, bake_.certification);
@@ -472,9 +469,9 @@ std::optional<Diagnostic> missing_module(const config::Bake& bake, const fs::pat
 }
 
 bool has_frames(const FolderBake& bake) {
-    return bake.frame_by_frame &&
-           std::any_of(bake.bakes.begin(), bake.bakes.end(),
-                       [&](const config::Bake& asset) { return is_frame(bake, asset); });
+    return bake.frame_by_frame && std::ranges::any_of(bake.bakes, [&](const config::Bake& asset) {
+               return is_frame(bake, asset);
+           });
 }
 
 Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer) {

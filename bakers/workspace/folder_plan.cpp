@@ -126,6 +126,36 @@ std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<doub
     return {std::move(diagnostic)};
 }
 
+// Returns what the writers of an asset's formats do in another way than before, without a change of
+// their bakers. Keys of other assets do not know of it.
+std::string revisions_of(const config::AssetFiles& files) {
+    const bool has_nvdb =
+        std::ranges::find(files.formats, config::FileFormat::nvdb) != files.formats.end();
+    return has_nvdb ? "nvdb: a checksum of every node" : "";
+}
+
+std::string_view to_string(Certification certification) {
+    switch (certification) {
+        case Certification::off:
+            return "off";
+        case Certification::full:
+            return "full";
+        case Certification::quick:
+            break;
+    }
+    return "quick";
+}
+
+void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previous,
+                       std::vector<std::string>& reasons) {
+    for (const ManifestInput& input : identity.inputs) {
+        const auto same_file = std::ranges::find(previous.inputs, input.file, &ManifestInput::file);
+        if (same_file != previous.inputs.end() && same_file->xxh3 != input.xxh3) {
+            reasons.push_back(fmt::format("{} has changed content", input.file));
+        }
+    }
+}
+
 }  // namespace
 
 std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, double used_mib) {
@@ -135,13 +165,13 @@ std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, d
 }
 
 std::size_t FolderPlan::stale_count() const {
-    return static_cast<std::size_t>(std::count_if(
-        assets.begin(), assets.end(), [](const PlannedAsset& asset) { return asset.stale(); }));
+    return static_cast<std::size_t>(
+        std::ranges::count_if(assets, [](const PlannedAsset& asset) { return asset.stale(); }));
 }
 
 void add_need(const Need& need, const std::string& user, std::vector<PlannedIntermediate>& plan) {
-    auto same = std::find_if(plan.begin(), plan.end(),
-                             [&](const auto& one) { return one.need.key == need.key; });
+    auto same =
+        std::ranges::find_if(plan, [&](const auto& one) { return one.need.key == need.key; });
     if (same == plan.end()) same = plan.insert(plan.end(), {need, {}});
     if (same->users.empty() || same->users.back() != user) same->users.push_back(user);
 }
@@ -205,42 +235,6 @@ Outcome<FolderPlan> plan_folder(const FolderBake& bake) {
     if (!excess.empty()) return {{}, std::move(excess)};
     return {std::move(plan), {}};
 }
-
-namespace {
-
-// Returns what the writers of an asset's formats do in another way than before, without a change of
-// their bakers. Keys of other assets do not know of it.
-std::string revisions_of(const config::AssetFiles& files) {
-    const bool has_nvdb = std::find(files.formats.begin(), files.formats.end(),
-                                    config::FileFormat::nvdb) != files.formats.end();
-    return has_nvdb ? "nvdb: a checksum of every node" : "";
-}
-
-std::string_view to_string(Certification certification) {
-    switch (certification) {
-        case Certification::off:
-            return "off";
-        case Certification::full:
-            return "full";
-        case Certification::quick:
-            break;
-    }
-    return "quick";
-}
-
-void add_input_changes(const AssetIdentity& identity, const ManifestAsset& previous,
-                       std::vector<std::string>& reasons) {
-    for (const ManifestInput& input : identity.inputs) {
-        const auto same_file = std::find_if(
-            previous.inputs.begin(), previous.inputs.end(),
-            [&input](const ManifestInput& before) { return before.file == input.file; });
-        if (same_file != previous.inputs.end() && same_file->xxh3 != input.xxh3) {
-            reasons.push_back(fmt::format("{} has changed content", input.file));
-        }
-    }
-}
-
-}  // namespace
 
 // Each part is hashed with its length, so that different identities never give the same text.
 std::string key_of(const AssetIdentity& identity) {

@@ -38,8 +38,7 @@ double seconds_of(const Timing& timing) {
 bool is_entry_with_safe_names(const Manifest& manifest, const std::string& key) {
     if (!is_entry_of(manifest, key)) return false;
     const auto& files = manifest.assets[0].files;
-    return std::all_of(files.begin(), files.end(),
-                       [](const ManifestFile& file) { return is_key(file.xxh3); });
+    return std::ranges::all_of(files, [](const ManifestFile& file) { return is_key(file.xxh3); });
 }
 
 }  // namespace
@@ -50,7 +49,7 @@ std::string cache_url_problem(std::string_view url) {
         const std::string_view rest = url.substr(scheme.size());
         const std::string_view host = rest.substr(0, rest.find('/'));
         if (host.empty() || host.back() == '@') return "the URL names no server";
-        const bool plain = std::all_of(url.begin(), url.end(), [](char c) {
+        const bool plain = std::ranges::all_of(url, [](char c) {
             return c > ' ' && c < '\x7f' && c != '?' && c != '#' && c != '"' && c != '\\';
         });
         return plain ? "" : "it takes a URL without blanks, ? and #";
@@ -241,8 +240,8 @@ double HttpCache::upload_seconds_left() {
 // A server whose entries are wrong is no longer read, but it still gets what is right.
 bool HttpCache::may_read() const {
     const std::lock_guard lock(mutex_);
-    return failures_ < limits_.failures && damaged_ < limits_.failures &&
-           read_seconds_left() > 0 && !is_cancelled();
+    return failures_ < limits_.failures && damaged_ < limits_.failures && read_seconds_left() > 0 &&
+           !is_cancelled();
 }
 
 double HttpCache::read_seconds_left() const { return limits_.reads_s + saved_s_ - reads_s_; }

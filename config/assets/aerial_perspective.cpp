@@ -15,8 +15,6 @@
 namespace skybake::config {
 namespace {
 
-using AerialPerspectiveField = Row<AerialPerspectiveBake>;
-
 constexpr Range turn_range{-2 * std::numbers::pi, 2 * std::numbers::pi};
 
 constexpr Range fov_range{0, std::numbers::pi, true, true};
@@ -43,8 +41,7 @@ constexpr Choice slices_begin_choices[] = {
      "the ground, or its way through the air"},
 };
 
-const AerialPerspectiveField aerial_perspective_table[] = {
-    {asset_field, {}},
+const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"size", Kind::voxels, &AerialPerspectiveBake::size,
      "voxels across and down the picture, and the number of slices", voxel_range,
      Default{"[32, 32, 32]"}, Cited{hillaire_2020}},
@@ -124,14 +121,9 @@ void resolve_aerial_perspective(DecodedSection& bake, const RecipeSoFar& recipe,
     check_voxel_count(bake, voxels, 4, size.source ? size.source->place : bake.place, decoder);
 }
 
-std::vector<Read> reads_of(const Parameters& parameters, const AerialPerspectiveBake&) {
-    return reads_of_light(parameters, Roles::all());
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
-    static const auto rows = with_file_fields(aerial_perspective_table, {});
     static const AssetKind kind = make_asset_kind<AerialPerspectiveBake>(
         {
             .name = "aerial_perspective",
@@ -139,7 +131,8 @@ const AssetKind& asset_kind(Tag<AerialPerspectiveBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::colors,
         },
-        std::span<const AerialPerspectiveField>(rows), reads_of, resolve_aerial_perspective);
+        with_file_fields(aerial_perspective_table, {}), reads_of_all_light,
+        resolve_aerial_perspective);
     return kind;
 }
 

@@ -112,10 +112,11 @@ inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per
 inline constexpr Range frame_range{1, 100000};
 inline constexpr Range frame_rate_range{0.001, 1000};
 
-// Returns a section's own rows, followed by those of LightFiles, VolumeFrames and AssetFiles.
+// Returns the row of `asset`, a section's own rows, and those of LightFiles, VolumeFrames and AssetFiles.
 template <class S, std::size_t count>
 std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords& words) {
-    std::vector<Row<S>> rows(std::begin(own), std::end(own));
+    std::vector<Row<S>> rows = {{asset_field, {}}};
+    rows.insert(rows.end(), std::begin(own), std::end(own));
     if constexpr (std::is_base_of_v<LightFiles, S>) {
         rows.push_back({"packet", Kind::integer, &LightFiles::packet,
                         "which four of the wavelengths the channels are; without "

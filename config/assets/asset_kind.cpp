@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <map>
 #include <optional>
 #include <tuple>
 
@@ -52,9 +51,8 @@ namespace {
 // Returns null if there is no asset of this name.
 const AssetKind* find_kind(std::string_view name) {
     const auto kinds = asset_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [name](const AssetKind* kind) {
-        return kind->facts.name == name;
-    });
+    const auto found = std::ranges::find_if(
+        kinds, [name](const AssetKind* kind) { return kind->facts.name == name; });
     return found == kinds.end() ? nullptr : *found;
 }
 
@@ -119,8 +117,8 @@ std::vector<const Entry*> bakes_in_file_order(const Table& bakes) {
     };
     std::vector<const Entry*> entries;
     for (const Entry& entry : bakes) entries.push_back(&entry);
-    std::stable_sort(entries.begin(), entries.end(),
-                     [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
+    std::ranges::stable_sort(entries,
+                             [&](const Entry* a, const Entry* b) { return order(a) < order(b); });
     return entries;
 }
 
@@ -151,8 +149,8 @@ void check_layer_names(const DecodedSection& bake, std::string_view key, const T
     if (!decoded || !decoded->value || !decoded->source || !decoder.complete) return;
     const auto& names = std::get<Names>(*decoded->value);
     for (auto name = names.begin(); name != names.end(); ++name) {
-        const bool known = std::any_of(atmosphere.layers.begin(), atmosphere.layers.end(),
-                                       [&](const Layer& layer) { return layer.name == *name; });
+        const bool known = std::ranges::any_of(
+            atmosphere.layers, [&](const Layer& layer) { return layer.name == *name; });
         const bool again = std::find(names.begin(), name, *name) != name;
         // A layer that exists but could not be read has been reported already.
         const bool is_off = !known && is_in_recipe(root, *name);

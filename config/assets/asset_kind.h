@@ -78,8 +78,10 @@ int packet_number(const Bake& bake);
 // sequence.
 int frame_of(const Parameters& parameters, const Bake& bake);
 
+// Makes the kind of an asset that is made from what `reads` lists, or, if that is null, from its own
+// section alone.
 template <class Asset>
-AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> rows,
+AssetKind make_asset_kind(const AssetFacts& facts, std::vector<Row<Asset>> rows,
                           std::vector<Read> (*reads)(const Parameters&, const Asset&),
                           ResolveAsset resolve = nullptr) {
     AssetKind kind;
@@ -87,13 +89,13 @@ AssetKind make_asset_kind(const AssetFacts& facts, std::span<const Row<Asset>> r
     kind.section = {"bake.*", facts.name, facts.documentation, {}};
     for (const Row<Asset>& row : rows) kind.section.fields.push_back(row.field);
     kind.resolve = resolve;
-    kind.bind = [rows](const std::string& name, const DecodedSection& section) {
+    kind.bind = [rows = std::move(rows)](const std::string& name, const DecodedSection& section) {
         Asset asset;
-        bind_section(section, rows, asset);
+        bind_section(section, std::span<const Row<Asset>>(rows), asset);
         return Bake{name, std::move(asset)};
     };
     kind.reads = [reads](const Parameters& parameters, const Bake& bake) {
-        return reads(parameters, bake.as<Asset>());
+        return reads ? reads(parameters, bake.as<Asset>()) : std::vector<Read>{};
     };
     kind.files = [](const Bake& bake) -> const AssetFiles& { return bake.as<Asset>(); };
     kind.packet = [](const Bake& bake) {
@@ -119,6 +121,10 @@ std::vector<Read> reads_of_air(const Parameters& parameters, Roles roles);
 
 // Lists the same of light in that air, and what its colours follow from.
 std::vector<Read> reads_of_light(const Parameters& parameters, Roles roles);
+template <class Asset>
+std::vector<Read> reads_of_all_light(const Parameters& parameters, const Asset&) {
+    return reads_of_light(parameters, Roles::all());
+}
 
 // Lists the values of one layer with the given roles, and of its particles.
 std::vector<Read> reads_of_layer(const Layer& layer, Roles roles);

@@ -86,8 +86,8 @@ bool has_scene(const DecodedSection& bake) {
     const bool plays = target && *target != Target::none && *target != Target::pbrt;
     if (bake.find("frames") && plays) return true;
     const auto& chosen = std::get<std::vector<ChoiceIndex>>(*formats.value);
-    return std::any_of(chosen.begin(), chosen.end(),
-                       [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; });
+    return std::ranges::any_of(
+        chosen, [](ChoiceIndex choice) { return file_formats[choice.index].only_refers; });
 }
 
 // Removes files that place other files: those of the first frame place all frames.
@@ -127,9 +127,8 @@ void check_part_names(const OpenBake& whole, const std::vector<OpenBake>& parts,
                       std::span<const Entry* const> entries, std::string_view code,
                       std::string_view part_name, std::string_view which, Decoder& decoder) {
     for (const Entry* entry : entries) {
-        const bool is_taken = std::any_of(parts.begin(), parts.end(), [&](const OpenBake& part) {
-            return part.name == entry->key;
-        });
+        const bool is_taken = std::ranges::any_of(
+            parts, [&](const OpenBake& part) { return part.name == entry->key; });
         if (!is_taken) continue;
         decoder.diagnostics.error(
             std::string(code), entry->key_place,
@@ -183,7 +182,7 @@ std::vector<OpenBake> divided_into_parts(std::vector<OpenBake> open, const Param
             if (is_one_frame) forget_sequence(bake.section);
             parts.push_back(std::move(bake));
         }
-        std::move(parts.begin(), parts.end(), std::back_inserter(result));
+        std::ranges::move(parts, std::back_inserter(result));
     }
     return result;
 }

@@ -13,8 +13,6 @@
 namespace skybake::config {
 namespace {
 
-using BlueNoiseField = Row<BlueNoiseBake>;
-
 constexpr Range mask_edge_range{2, 4096};
 constexpr Range mask_frame_range{1, 1024};
 constexpr Range mask_sigma_range{0.5, 8};
@@ -25,8 +23,7 @@ constexpr std::int64_t most_mask_voxels = std::int64_t{1} << 26;
 constexpr std::string_view wolfe_2022 =
     "Wolfe, Morrical, Akenine-Möller and Ramamoorthi 2022, Spatiotemporal Blue Noise Masks";
 
-const BlueNoiseField blue_noise_table[] = {
-    {asset_field, {}},
+const Row<BlueNoiseBake> blue_noise_table[] = {
     {"size", Kind::size, &BlueNoiseBake::size, "pixels along x and y", mask_edge_range,
      Default{"[128, 128]"},
      Hint{"if both are multiples of 16, each value of unorm8 is equally frequent"},
@@ -93,21 +90,18 @@ void resolve_blue_noise(DecodedSection& bake, const RecipeSoFar&, Decoder& decod
     warn_of_takram(bake, voxels, decoder);
 }
 
-std::vector<Read> reads_of(const Parameters&, const BlueNoiseBake&) { return {}; }
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<BlueNoiseBake>) {
-    static const auto rows =
-        with_file_fields(blue_noise_table, {.formats = R"(["bin"])",
-                                            .mips = "always 1: means of pixels are no blue noise",
-                                            .pixel_type = R"("unorm8")"});
     static const AssetKind kind = make_asset_kind<BlueNoiseBake>(
         {
             .name = "blue_noise",
             .documentation = "a mask of blue noise, also over time, for jitter and dithering",
         },
-        std::span<const BlueNoiseField>(rows), reads_of, resolve_blue_noise);
+        with_file_fields(blue_noise_table, {.formats = R"(["bin"])",
+                                            .mips = "always 1: means of pixels are no blue noise",
+                                            .pixel_type = R"("unorm8")"}),
+        nullptr, resolve_blue_noise);
     return kind;
 }
 

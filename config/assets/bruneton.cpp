@@ -1,18 +1,20 @@
 #include "config/assets/bruneton.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/bruneton_checks.h"
 #include "config/assets/file_decoder.h"
+#include "config/assets/takram_layers.h"
 #include "config/fields/fields.h"
+#include "config/sections/file_formats.h"
 #include "config/sections/layer.h"
+#include "config/text/key_path.h"
 
 namespace skybake::config {
 namespace {
-
-using BrunetonField = Row<BrunetonBake>;
 
 constexpr Range nu_range{1, 1024};
 
@@ -55,8 +57,7 @@ constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irra
 
 constexpr std::string_view with_method[] = {"scattering", "higher_orders"};
 
-const BrunetonField bruneton_table[] = {
-    {asset_field, {}},
+const Row<BrunetonBake> bruneton_table[] = {
     {"table", Kind::choice, &BrunetonBake::table, "which of the tables to bake",
      bruneton_table_choices, Default{R"("scattering")"}, Cited{bruneton_2017}},
     {"convention", Kind::choice, &BrunetonBake::convention, "the reader that the files are for",
@@ -136,8 +137,8 @@ bool is_peaked(const Layer& layer) {
 
 bool scatters(const Layer& layer) {
     return layer.phase == Phase::mie ||
-           std::any_of(layer.scattering.begin(), layer.scattering.end(),
-                       [](InverseLength value) { return value.per_meter > 0; });
+           std::ranges::any_of(layer.scattering,
+                               [](InverseLength value) { return value.per_meter > 0; });
 }
 
 std::vector<std::string> peaked_layers(const Atmosphere& atmosphere) {
@@ -157,6 +158,94 @@ std::vector<double> default_solar_irradiance(BrunetonConvention convention,
         return {takram_solar_irradiance.begin(), takram_solar_irradiance.end()};
     }
     return std::vector<double>(channels, 1);
+}
+
+// Reports sub-images that do not divide the texels along u, or are too few or too small (E0142).
+void check_nu(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    const DecodedField& decoded = bake.at("nu_size");
+    if (!decoded.value) return;
+    const int nu_size = static_cast<int>(std::get<double>(*decoded.value));
+    if (nu_size >= 2 && size[0] % nu_size == 0 && size[0] / nu_size >= 2) return;
+    report_size(bake,
+                fmt::format("`{}` does not divide {} texels into sub-images: {}",
+                            join_path(bake.path, "nu_size"), size[0], nu_size),
+                "it needs at least two sub-images, each of at least two texels", decoder);
+}
+
+// Reports an odd number of texels along v (E0142).
+void check_halves(const DecodedSection& bake, const VoxelCounts& size, Decoder& decoder) {
+    if (size[1] % 2 == 0) return;
+    report_size(bake,
+                fmt::format("`{}` has {} texels along v", join_path(bake.path, "size"), size[1]),
+                "give an even number: half of them are for rays to the ground", decoder);
+}
+
+// Reports a combined table whose A would be a fifth channel, or the second or third, which no
+// runtime takes for A (E0129).
+void check_combined(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
+    const std::size_t channels = channels_of_light(recipe);
+    if (channels == 1 || channels == 3 || channels == 0) return;
+    const DecodedField& combined = bake.at("combined");
+    if (!combined.value || !std::get<bool>(*combined.value)) return;
+    decoder.diagnostics.error(
+        "E0129", combined.source ? combined.source->place : bake.place,
+        fmt::format("`{}` is for one or three channels of light, and this recipe has {}",
+                    join_path(bake.path, "combined"), channels),
+        "give combined = false, and bake table = \"single_mie\" as another asset");
+}
+
+// Reports an atmosphere that takram's parameters cannot describe (E0143).
+void check_takram(const DecodedSection& bake, const Parameters& recipe, Decoder& decoder) {
+    const auto problem = takram_problem(recipe.atmosphere, channels_of_light(recipe));
+    if (!problem) return;
+    const DecodedField& convention = bake.at("convention");
+    decoder.diagnostics.error("E0143", convention.source ? convention.source->place : bake.place,
+                              fmt::format("`{}`: {}", join_path(bake.path, "convention"), *problem),
+                              "convention = \"bruneton\" takes any atmosphere");
+}
+
+// Warns of values other than those that takram's loader takes for granted (W0205). The loader would
+// look such a file up wrongly.
+void warn_of_loader(const DecodedSection& bake, const VoxelCounts& usual_size, Decoder& decoder) {
+    const auto is_number = [&](std::string_view key, double wanted) {
+        const DecodedField& decoded = bake.at(key);
+        return !decoded.value || std::get<double>(*decoded.value) == wanted;
+    };
+    const char* unusual = nullptr;
+    if (std::get<VoxelCounts>(*bake.at("size").value) != usual_size) unusual = "size";
+    if (!is_number("nu_size", 8)) unusual = "nu_size";
+    if (!is_number("mips", 1)) unusual = "mips";
+    if (choice_of<SheetLayout>(bake.at("layout")) != SheetLayout::stack) unusual = "layout";
+    if (choice_of<PixelType>(bake.at("pixel_type")) != PixelType::half) unusual = "pixel_type";
+    if (!std::get<bool>(*bake.at("flip").value)) unusual = "flip";
+    if (!unusual) return;
+    const DecodedField& decoded = bake.at(unusual);
+    decoder.diagnostics.warning(
+        "W0205", decoded.source ? decoded.source->place : bake.place,
+        fmt::format("`{}` is not what @takram/three-atmosphere loads",
+                    join_path(bake.path, unusual)),
+        "it loads the default sizes, half floats and one stack upside down, without mips");
+}
+
+// Reports a sun's axis that CalcMySky does not have (E0110).
+void check_calcmysky(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& least = bake.at("sun_cos_zenith_min");
+    if (!least.source) return;
+    decoder.diagnostics.error(
+        "E0110", least.source->place,
+        fmt::format("`{}` follows from the planet with convention = \"calcmysky\"",
+                    join_path(bake.path, "sun_cos_zenith_min")),
+        "leave it out, or take another convention");
+}
+
+// Reports `orders = 1` for the table of orders above the first, which would have no orders (E0110).
+void check_higher_orders(const DecodedSection& bake, Decoder& decoder) {
+    const DecodedField& orders = bake.at("orders");
+    if (!orders.value || std::get<double>(*orders.value) != 1) return;
+    decoder.diagnostics.error(
+        "E0110", orders.source->place,
+        fmt::format("`{}` is out of range: 1", join_path(bake.path, "orders")),
+        "higher_orders holds the second order and above: give at least 2, or \"all\"");
 }
 
 // Fills in the values that depend on the table, the convention and the layers. It reports a size
@@ -194,14 +283,9 @@ void resolve_bruneton(DecodedSection& bake, const RecipeSoFar& so_far, Decoder& 
     }
 }
 
-std::vector<Read> reads_of(const Parameters& parameters, const BrunetonBake&) {
-    return reads_of_light(parameters, Roles::all());
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<BrunetonBake>) {
-    static const auto rows = with_file_fields(bruneton_table, {.flip = ""});
     static const AssetKind kind = make_asset_kind<BrunetonBake>(
         {
             .name = "bruneton",
@@ -209,7 +293,7 @@ const AssetKind& asset_kind(Tag<BrunetonBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::colors,
         },
-        std::span<const BrunetonField>(rows), reads_of, resolve_bruneton);
+        with_file_fields(bruneton_table, {.flip = ""}), reads_of_all_light, resolve_bruneton);
     return kind;
 }
 

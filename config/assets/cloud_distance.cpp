@@ -17,8 +17,6 @@
 namespace skybake::config {
 namespace {
 
-using DistanceField = Row<CloudDistanceBake>;
-
 constexpr Range distance_range{-1e9, 1e9};
 constexpr Range core_range{1e-3, 1e9};
 
@@ -36,8 +34,7 @@ constexpr Choice distance_content_choices[] = {
     {DistanceContent::density_scale, "density_scale", "mean of the volume's voxels"},
 };
 
-const DistanceField distance_table[] = {
-    {asset_field, {}},
+const Row<CloudDistanceBake> distance_table[] = {
     {source_volume_field, &CloudDistanceBake::of},
     {source_channel_field, &CloudDistanceBake::channel},
     {"cell", Kind::power_of_two, &CloudDistanceBake::cell, "voxels along each edge of a texel",
@@ -134,22 +131,18 @@ void resolve_distance(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
     check_voxel_count(bake, texels, contents, bake.at("of").source->place, decoder);
 }
 
-std::vector<Read> reads_of(const Parameters& parameters, const CloudDistanceBake& bake) {
-    return reads_of_source_volume(parameters, bake.of);
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<CloudDistanceBake>) {
-    static const auto rows = with_file_fields(
-        distance_table, {.formats = R"(["bin"])", .mips = "number of levels, which is 1"});
     static const AssetKind kind = make_asset_kind<CloudDistanceBake>(
         {
             .name = "cloud_distance",
             .documentation = "how far it is to a cloud volume's cloud, for rays traced in spheres",
             .of_another_bake = true,
         },
-        std::span<const DistanceField>(rows), reads_of, resolve_distance);
+        with_file_fields(distance_table,
+                         {.formats = R"(["bin"])", .mips = "number of levels, which is 1"}),
+        reads_of_its_source, resolve_distance);
     return kind;
 }
 

@@ -17,14 +17,11 @@
 namespace skybake::config {
 namespace {
 
-using CloudVolumeField = Row<CloudVolumeBake>;
-
 constexpr Range voxel_size_range{1e-3, 1e8};
 
 constexpr Range cloud_extent_range{1e-3, 1e8};
 
-const CloudVolumeField cloud_volume_table[] = {
-    {asset_field, {}},
+const Row<CloudVolumeBake> cloud_volume_table[] = {
     {"cloud", Kind::text, &CloudVolumeBake::cloud, "NAME of the [clouds.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &CloudVolumeBake::size, "voxels along x, y and z, which is up",
@@ -46,8 +43,8 @@ const CloudVolumeField cloud_volume_table[] = {
 
 // Whether cubes of this edge fill the extent exactly.
 bool divides(const Cloud& cloud, Length edge) {
-    return std::none_of(cloud.extent.begin(), cloud.extent.end(),
-                        [edge](Length extent) { return whole_voxels(extent, edge).longer; });
+    return std::ranges::none_of(
+        cloud.extent, [edge](Length extent) { return whole_voxels(extent, edge).longer; });
 }
 
 // Returns the smallest round edge of cubes that gives at most 640 voxels along each axis and
@@ -236,13 +233,13 @@ std::vector<Read> reads_of(const Parameters& parameters, const CloudVolumeBake& 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<CloudVolumeBake>) {
-    static const auto rows = with_file_fields(cloud_volume_table, {.formats = R"(["vdb"])"});
     static const AssetKind kind = make_asset_kind<CloudVolumeBake>(
         {
             .name = "cloud_volume",
             .documentation = "the voxels of a cloud",
         },
-        std::span<const CloudVolumeField>(rows), reads_of, resolve_cloud_volume);
+        with_file_fields(cloud_volume_table, {.formats = R"(["vdb"])"}), reads_of,
+        resolve_cloud_volume);
     return kind;
 }
 

@@ -20,8 +20,6 @@
 namespace skybake::config {
 namespace {
 
-using EnvironmentField = Row<EnvironmentBake>;
-
 constexpr Range environment_azimuth_range{-std::numbers::pi, std::numbers::pi};
 constexpr Range camera_place_range{-1e8, 1e8};
 constexpr Range sample_range{1, 16};
@@ -52,8 +50,7 @@ constexpr Field needing_clouds(Field field) {
     return field;
 }
 
-const EnvironmentField environment_table[] = {
-    {asset_field, {}},
+const Row<EnvironmentBake> environment_table[] = {
     {"mapping", Kind::choice, &EnvironmentBake::mapping, "which direction a texel shows",
      environment_mapping_choices, Default{R"("longitude_latitude")"}},
     {"size", Kind::size, &EnvironmentBake::size,
@@ -236,7 +233,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const EnvironmentBake& 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<EnvironmentBake>) {
-    static const auto rows = with_file_fields(environment_table, table_files);
     static const AssetKind kind = make_asset_kind<EnvironmentBake>(
         {.name = "environment",
          .documentation = "the sky and the ground around a camera, with clouds if wanted",
@@ -244,7 +240,7 @@ const AssetKind& asset_kind(Tag<EnvironmentBake>) {
          .needs_atmosphere = true,
          .use_of_light = UseOfLight::colors,
          .of_another_bake = true},
-        std::span<const EnvironmentField>(rows), reads_of, resolve_environment);
+        with_file_fields(environment_table, table_files), reads_of, resolve_environment);
     return kind;
 }
 

@@ -58,7 +58,7 @@ std::string bytes_to_string(std::int64_t bytes) {
 
 bool has_format(const DecodedSection& bake, FileFormat format) {
     const std::vector<FileFormat> formats = formats_of(bake);
-    return std::find(formats.begin(), formats.end(), format) != formats.end();
+    return std::ranges::find(formats, format) != formats.end();
 }
 
 // Returns the number of levels down to one voxel, or to one of each slice: log2(longest edge) + 1, where
@@ -132,7 +132,7 @@ void check_flip(const DecodedSection& bake, Decoder& decoder) {
     if (!flip.source || !value || !*value) return;
     const std::vector<FileFormat> formats = formats_of(bake);
     const auto is_image = [](FileFormat format) { return facts_of(format).is_image; };
-    if (formats.empty() || std::any_of(formats.begin(), formats.end(), is_image)) return;
+    if (formats.empty() || std::ranges::any_of(formats, is_image)) return;
     decoder.diagnostics.error("E0131", flip.source->place,
                               fmt::format("`{}` turns images upside down, and [{}] has none",
                                           join_path(bake.path, "flip"), bake.path),
@@ -153,6 +153,18 @@ void check_axes(const DecodedSection& bake, const VoxelCounts& size, int axes, D
                     decoder);
         return;
     }
+}
+
+// Returns none if an error bound is to choose the size.
+std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
+    const DecodedField& size = bake.at("size");
+    if (const auto* texels = value_of<std::array<int, 2>>(size)) {
+        return VoxelCounts{(*texels)[0], (*texels)[1], 1};
+    }
+    if (const auto* texels = value_of<double>(size)) {
+        return VoxelCounts{static_cast<int>(*texels), 1, 1};
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -236,7 +248,7 @@ void resolve_files(DecodedSection& bake, const VoxelCounts& size, Halving halvin
 void check_cubes(const DecodedSection& bake, const std::array<double, 3>& edges,
                  const Place& size_place, Decoder& decoder) {
     constexpr double rounding = 1e-12;
-    const auto [least, greatest] = std::minmax_element(edges.begin(), edges.end());
+    const auto [least, greatest] = std::ranges::minmax_element(edges);
     const bool are_cubes = *greatest - *least <= rounding * *greatest;
     if (are_cubes || !has_format(bake, FileFormat::vdb)) return;
     decoder.diagnostics.warning(
@@ -278,22 +290,6 @@ void resolve_axes_and_files(DecodedSection& bake, int axes, std::size_t channels
     check_voxel_count(bake, texels, channels, size.source ? size.source->place : bake.place,
                       decoder);
 }
-
-namespace {
-
-// Returns none if an error bound is to choose the size.
-std::optional<VoxelCounts> table_size(const DecodedSection& bake) {
-    const DecodedField& size = bake.at("size");
-    if (const auto* texels = value_of<std::array<int, 2>>(size)) {
-        return VoxelCounts{(*texels)[0], (*texels)[1], 1};
-    }
-    if (const auto* texels = value_of<double>(size)) {
-        return VoxelCounts{static_cast<int>(*texels), 1, 1};
-    }
-    return std::nullopt;
-}
-
-}  // namespace
 
 void check_formats(const DecodedSection& bake, bool is_table, bool has_colors, Decoder& decoder) {
     for (const FileFormat format : formats_of(bake)) {

@@ -24,8 +24,6 @@
 namespace skybake::config {
 namespace {
 
-using FlipbookField = Row<FlipbookBake>;
-
 constexpr Range length_range{1, 16384};
 constexpr Range slice_range{0, 16383};
 
@@ -36,8 +34,7 @@ constexpr Choice mapping_choices[] = {
      "an array of 2-D textures with a layer for each frame, which may have `mips`"},
 };
 
-const FlipbookField flipbook_table[] = {
-    {asset_field, {}},
+const Row<FlipbookBake> flipbook_table[] = {
     {"of", Kind::text, &FlipbookBake::sequence,
      "NAME of the [bake.NAME] with `frames`: a noise_volume, a "
      "weather_map or a cloud_volume",
@@ -65,14 +62,14 @@ bool is_first_frame(const Bake& bake) {
 }
 
 const Bake* find_first(std::span<const Bake> bakes, std::string_view sequence) {
-    const auto found = std::find_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
+    const auto found = std::ranges::find_if(bakes, [&](const Bake& bake) {
         return is_first_frame(bake) && sequence_name(bake.name) == sequence;
     });
     return found == bakes.end() ? nullptr : &*found;
 }
 
 int length_of(std::span<const Bake> bakes, const std::string& sequence) {
-    return static_cast<int>(std::count_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
+    return static_cast<int>(std::ranges::count_if(bakes, [&](const Bake& bake) {
         const bool may_be_frame =
             bake.is<NoiseVolumeBake>() || bake.is<WeatherMapBake>() || bake.is<CloudVolumeBake>();
         return may_be_frame && sequence_name(bake.name) == sequence && bake.name != sequence;
@@ -143,8 +140,7 @@ void resolve_flipbook(DecodedSection& bake, const RecipeSoFar& recipe, Decoder& 
     if (!name) return;
     const Bake* first = find_first(recipe.bakes, *name);
     const auto& unreadable = recipe.unreadable;
-    const bool is_reported =
-        std::find(unreadable.begin(), unreadable.end(), *name) != unreadable.end();
+    const bool is_reported = std::ranges::find(unreadable, *name) != unreadable.end();
     if (!first) {
         if (!is_reported && decoder.complete) report_no_sequence(bake, recipe, *name, decoder);
         return;
@@ -190,12 +186,6 @@ std::array<int, 3> frame_size(const Bake& frame) {
 }
 
 const AssetKind& asset_kind(Tag<FlipbookBake>) {
-    static const auto rows = with_file_fields(
-        flipbook_table, {.formats = R"(["png"])",
-                         .mips = "number of levels of detail of each frame by itself, which "
-                                 "`mapping = \"layers\"` may have",
-                         .pixel_type = R"("unorm8")",
-                         .layout = R"("atlas")"});
     static const AssetKind kind = make_asset_kind<FlipbookBake>(
         {
             .name = "flipbook",
@@ -203,7 +193,13 @@ const AssetKind& asset_kind(Tag<FlipbookBake>) {
             .of_another_bake = true,
             .of_all_frames = true,
         },
-        std::span<const FlipbookField>(rows), reads_of, resolve_flipbook);
+        with_file_fields(flipbook_table,
+                         {.formats = R"(["png"])",
+                          .mips = "number of levels of detail of each frame by itself, which "
+                                  "`mapping = \"layers\"` may have",
+                          .pixel_type = R"("unorm8")",
+                          .layout = R"("atlas")"}),
+        reads_of, resolve_flipbook);
     return kind;
 }
 

@@ -8,10 +8,7 @@
 namespace skybake::config {
 namespace {
 
-using ForwardField = Row<ForwardScatteringBake>;
-
-const ForwardField forward_scattering_table[] = {
-    {asset_field, {}},
+const Row<ForwardScatteringBake> forward_scattering_table[] = {
     {"size", Kind::size, &ForwardScatteringBake::size,
      "texels along the scattering angle and along the optical depth", texel_range,
      Default{"[128, 64]"}, Exclusive{"size"}},
@@ -23,19 +20,16 @@ const ForwardField forward_scattering_table[] = {
     {single_scattering_albedo_field, &ForwardScatteringBake::single_scattering_albedo},
 };
 
-std::vector<Read> reads_of(const Parameters&, const ForwardScatteringBake&) { return {}; }
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<ForwardScatteringBake>) {
-    static const auto rows = with_file_fields(forward_scattering_table, table_files);
     static const AssetKind kind = make_asset_kind<ForwardScatteringBake>(
         {
             .name = "forward_scattering",
             .documentation = "sunlight that a cloud scatters on by small angles, of all orders",
             .is_table = true,
         },
-        std::span<const ForwardField>(rows), reads_of);
+        with_file_fields(forward_scattering_table, table_files), nullptr);
     return kind;
 }
 

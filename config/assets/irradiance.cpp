@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using IrradianceField = Row<IrradianceBake>;
-
 constexpr Choice irradiance_content_choices[] = {
     {IrradianceContent::direct, "direct", "light of the sun alone"},
     {IrradianceContent::sky, "sky", "light of the sky alone"},
@@ -30,8 +28,7 @@ constexpr Field orders_of_sky() {
     return field;
 }
 
-const IrradianceField irradiance_table[] = {
-    {asset_field, {}},
+const Row<IrradianceBake> irradiance_table[] = {
     {"size", Kind::size, &IrradianceBake::size, "texels along the sun cosine and along altitude",
      texel_range, Default{"[64, 32]"}},
     {"content", Kind::choice, &IrradianceBake::content, "what lights the level surface",
@@ -46,14 +43,9 @@ const IrradianceField irradiance_table[] = {
      Default{R"("twilight")"}},
 };
 
-std::vector<Read> reads_of(const Parameters& parameters, const IrradianceBake&) {
-    return reads_of_light(parameters, Roles::all());
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<IrradianceBake>) {
-    static const auto rows = with_file_fields(irradiance_table, table_files);
     static const AssetKind kind = make_asset_kind<IrradianceBake>(
         {
             .name = "irradiance",
@@ -62,7 +54,7 @@ const AssetKind& asset_kind(Tag<IrradianceBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::colors,
         },
-        std::span<const IrradianceField>(rows), reads_of);
+        with_file_fields(irradiance_table, table_files), reads_of_all_light);
     return kind;
 }
 

@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using MultipleScatteringField = Row<MultipleScatteringBake>;
-
 constexpr Range degree_range{2, 8};
 
 constexpr Choice multiple_scattering_mapping_choices[] = {
@@ -38,8 +36,7 @@ constexpr std::string_view unsolved[] = {"converged", "as_in_paper"};
 
 constexpr std::string_view moments[] = {"moments"};
 
-const MultipleScatteringField multiple_scattering_table[] = {
-    {asset_field, {}},
+const Row<MultipleScatteringBake> multiple_scattering_table[] = {
     {"size", Kind::size, &MultipleScatteringBake::size,
      "texels along the sun cosine and along altitude", texel_range, Default{"[64, 64]"},
      Exclusive{"size"}, Cited{hillaire_2020}},
@@ -75,7 +72,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const MultipleScatterin
 }  // namespace
 
 const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
-    static const auto rows = with_file_fields(multiple_scattering_table, table_files);
     static const AssetKind kind = make_asset_kind<MultipleScatteringBake>(
         {
             .name = "multiple_scattering",
@@ -84,7 +80,7 @@ const AssetKind& asset_kind(Tag<MultipleScatteringBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::channels,
         },
-        std::span<const MultipleScatteringField>(rows), reads_of);
+        with_file_fields(multiple_scattering_table, table_files), reads_of);
     return kind;
 }
 

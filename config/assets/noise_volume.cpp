@@ -12,10 +12,7 @@
 namespace skybake::config {
 namespace {
 
-using NoiseVolumeField = Row<NoiseVolumeBake>;
-
-const NoiseVolumeField noise_volume_table[] = {
-    {asset_field, {}},
+const Row<NoiseVolumeBake> noise_volume_table[] = {
     {"noise", Kind::text, &NoiseVolumeBake::noise, "NAME of the [noise.NAME] to bake",
      KeyFlag::required},
     {"size", Kind::voxels, &NoiseVolumeBake::size,
@@ -68,13 +65,12 @@ std::vector<Read> reads_of(const Parameters& parameters, const NoiseVolumeBake& 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<NoiseVolumeBake>) {
-    static const auto rows = with_file_fields(noise_volume_table, {});
     static const AssetKind kind = make_asset_kind<NoiseVolumeBake>(
         {
             .name = "noise_volume",
             .documentation = "the voxels of a noise",
         },
-        std::span<const NoiseVolumeField>(rows), reads_of, resolve_noise_volume);
+        with_file_fields(noise_volume_table, {}), reads_of, resolve_noise_volume);
     return kind;
 }
 

@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
@@ -19,8 +18,6 @@
 
 namespace skybake::config {
 namespace {
-
-using OccupancyField = Row<OccupancyBake>;
 
 constexpr Choice filter_choices[] = {
     {OccupancyFilter::nearest, "nearest", "the voxel in which a point lies"},
@@ -44,8 +41,7 @@ constexpr Choice occupancy_content_choices[] = {
     {OccupancyContent::maximum, "maximum", "the largest filtered sample in the cell"},
 };
 
-const OccupancyField occupancy_table[] = {
-    {asset_field, {}},
+const Row<OccupancyBake> occupancy_table[] = {
     {source_volume_field, &OccupancyBake::of},
     {source_channel_field, &OccupancyBake::channel},
     {"cell", Kind::power_of_two, &OccupancyBake::cell, "voxels along each edge of a cell",
@@ -92,8 +88,7 @@ struct OccupancyResolver {
         const auto is_odd = [](int count) { return count > 1 && count % 2 != 0; };
         const auto is_one = [](int count) { return count == 1; };
         int levels = 1;
-        while (std::none_of(cells.begin(), cells.end(), is_odd) &&
-               !std::all_of(cells.begin(), cells.end(), is_one)) {
+        while (std::ranges::none_of(cells, is_odd) && !std::ranges::all_of(cells, is_one)) {
             for (int& count : cells) count = (count + 1) / 2;
             ++levels;
         }
@@ -146,17 +141,9 @@ void resolve_occupancy(DecodedSection& bake, const RecipeSoFar& recipe, Decoder&
     check_voxel_count(bake, cells, contents, bake.at("of").source->place, decoder);
 }
 
-std::vector<Read> reads_of(const Parameters& parameters, const OccupancyBake& bake) {
-    return reads_of_source_volume(parameters, bake.of);
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<OccupancyBake>) {
-    static const auto rows = with_file_fields(
-        occupancy_table,
-        {.formats = R"(["exr"])",
-         .mips = "levels of the pyramid of minima and maxima, with the cells themselves"});
     static const AssetKind kind = make_asset_kind<OccupancyBake>(
         {
             .name = "occupancy",
@@ -164,7 +151,11 @@ const AssetKind& asset_kind(Tag<OccupancyBake>) {
                 "which cells of a cloud volume are empty, and how far a ray may leap from them",
             .of_another_bake = true,
         },
-        std::span<const OccupancyField>(rows), reads_of, resolve_occupancy);
+        with_file_fields(
+            occupancy_table,
+            {.formats = R"(["exr"])",
+             .mips = "levels of the pyramid of minima and maxima, with the cells themselves"}),
+        reads_of_its_source, resolve_occupancy);
     return kind;
 }
 

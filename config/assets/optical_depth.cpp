@@ -12,8 +12,6 @@
 namespace skybake::config {
 namespace {
 
-using OpticalDepthField = Row<OpticalDepthBake>;
-
 constexpr Range shells_range{1, 4096};
 
 constexpr Range shell_altitude_range{1, 1e9};
@@ -45,8 +43,7 @@ constexpr std::string_view of_columns[] = {"to_top", "between"};
 constexpr std::string_view between[] = {"between"};
 constexpr std::string_view shells[] = {"equal_attenuation", "uniform"};
 
-const OpticalDepthField optical_depth_table[] = {
-    {asset_field, {}},
+const Row<OpticalDepthBake> optical_depth_table[] = {
     {"table", Kind::choice, &OpticalDepthBake::table, "which of the tables to bake",
      depth_table_choices, Default{R"("to_top")"}, Cited{ai_2014}},
     {"size", Kind::voxels, &OpticalDepthBake::size,
@@ -127,7 +124,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const OpticalDepthBake&
 }  // namespace
 
 const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
-    static const auto rows = with_file_fields(optical_depth_table, {.pixel_type = R"("float")"});
     static const AssetKind kind = make_asset_kind<OpticalDepthBake>(
         {
             .name = "optical_depth",
@@ -136,7 +132,8 @@ const AssetKind& asset_kind(Tag<OpticalDepthBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::factors,
         },
-        std::span<const OpticalDepthField>(rows), reads_of, resolve_optical_depth);
+        with_file_fields(optical_depth_table, {.pixel_type = R"("float")"}), reads_of,
+        resolve_optical_depth);
     return kind;
 }
 

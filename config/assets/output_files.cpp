@@ -27,7 +27,7 @@ bool is_device_of_windows(std::string_view file) {
     const std::string name = lower_case(file.substr(0, file.find('.')));
     constexpr std::array<std::string_view, 6> devices = {"con", "prn",    "aux",
                                                          "nul", "conin$", "conout$"};
-    if (std::find(devices.begin(), devices.end(), name) != devices.end()) return true;
+    if (std::ranges::find(devices, name) != devices.end()) return true;
     const bool is_port = name.size() == 4 && (name.starts_with("com") || name.starts_with("lpt"));
     return is_port && name[3] >= '1' && name[3] <= '9';
 }
@@ -109,9 +109,8 @@ void check_output_files(std::span<const Bake> bakes, std::span<const Place> plac
                 "W0223", places[i], fmt::format("Windows takes `{}` for a device", files.front()),
                 "choose another name, with which Windows can have this file");
         }
-        const auto longest =
-            std::max_element(files.begin(), files.end(),
-                             [](const auto& a, const auto& b) { return a.size() < b.size(); });
+        const auto longest = std::ranges::max_element(
+            files, [](const auto& a, const auto& b) { return a.size() < b.size(); });
         if (longest == files.end() || longest->size() <= longest_name) continue;
         decoder.diagnostics.error(
             "E0178", places[i],

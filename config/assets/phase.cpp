@@ -15,8 +15,6 @@
 namespace skybake::config {
 namespace {
 
-using PhaseField = Row<PhaseBake>;
-
 constexpr Range phase_texel_range{2, 16384};
 
 constexpr Range phase_degree_range{1, 256};
@@ -39,8 +37,7 @@ constexpr Choice spacing_choices[] = {
 
 constexpr std::string_view phase[] = {"phase"};
 
-const PhaseField phase_table[] = {
-    {asset_field, {}},
+const Row<PhaseBake> phase_table[] = {
     {"particles", Kind::text, &PhaseBake::particles, "NAME of the [particles.NAME] that scatter",
      Exclusive{"of"}},
     {"layer", Kind::text, &PhaseBake::layer, "NAME of the [atmosphere.layers.NAME] that scatters",
@@ -99,7 +96,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const PhaseBake& bake) 
 }  // namespace
 
 const AssetKind& asset_kind(Tag<PhaseBake>) {
-    static const auto rows = with_file_fields(phase_table, table_files);
     static const AssetKind kind = make_asset_kind<PhaseBake>(
         {
             .name = "phase",
@@ -107,7 +103,7 @@ const AssetKind& asset_kind(Tag<PhaseBake>) {
             .is_table = true,
             .use_of_light = UseOfLight::factors,
         },
-        std::span<const PhaseField>(rows), reads_of, resolve_phase);
+        with_file_fields(phase_table, table_files), reads_of, resolve_phase);
     return kind;
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <utility>
 
 #include "config/sections/files.h"
 #include "config/text/key_path.h"
@@ -14,8 +13,8 @@ namespace {
 
 bool has_image(const DecodedSection& bake) {
     const std::vector<FileFormat> formats = formats_of(bake);
-    return std::any_of(formats.begin(), formats.end(),
-                       [](FileFormat format) { return facts_of(format).is_image; });
+    return std::ranges::any_of(formats,
+                               [](FileFormat format) { return facts_of(format).is_image; });
 }
 
 // Returns the layout that the recipe names. If it names none, it chooses one that engines can

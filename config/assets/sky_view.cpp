@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using SkyViewField = Row<SkyViewBake>;
-
 constexpr Choice sky_method_choices[] = {
     {SkyMethod::solved, "solved", "all orders, each layer with its own phase function"},
     {SkyMethod::strips, "strips",
@@ -17,8 +15,7 @@ constexpr Choice sky_method_choices[] = {
 
 constexpr std::string_view with_multiple[] = {"all", "multiple"};
 
-const SkyViewField sky_view_table[] = {
-    {asset_field, {}},
+const Row<SkyViewBake> sky_view_table[] = {
     {"size", Kind::size, &SkyViewBake::size,
      "texels along azimuth and along elevation, for one sun", texel_range, Default{"[192, 108]"},
      Cited{hillaire_2020}},
@@ -32,14 +29,9 @@ const SkyViewField sky_view_table[] = {
      sky_method_choices, Default{R"("solved")"}, When{"orders", with_multiple}},
 };
 
-std::vector<Read> reads_of(const Parameters& parameters, const SkyViewBake&) {
-    return reads_of_light(parameters, Roles::all());
-}
-
 }  // namespace
 
 const AssetKind& asset_kind(Tag<SkyViewBake>) {
-    static const auto rows = with_file_fields(sky_view_table, table_files);
     static const AssetKind kind = make_asset_kind<SkyViewBake>(
         {
             .name = "sky_view",
@@ -48,7 +40,7 @@ const AssetKind& asset_kind(Tag<SkyViewBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::colors,
         },
-        std::span<const SkyViewField>(rows), reads_of);
+        with_file_fields(sky_view_table, table_files), reads_of_all_light);
     return kind;
 }
 

@@ -19,8 +19,7 @@ namespace {
 
 template <class T>
 const T* find_by_name(std::span<const T> things, std::string_view name) {
-    const auto found = std::find_if(things.begin(), things.end(),
-                                    [&](const T& thing) { return thing.name == name; });
+    const auto found = std::ranges::find(things, name, &T::name);
     return found == things.end() ? nullptr : &*found;
 }
 
@@ -93,8 +92,7 @@ const CloudVolumeBake* find_volume_named(const DecodedSection& bake, std::string
     const Bake* found = find_by_name(recipe.bakes, name);
     const auto* volume = found ? found->find<CloudVolumeBake>() : nullptr;
     const auto& unreadable = recipe.unreadable;
-    const bool is_reported =
-        std::find(unreadable.begin(), unreadable.end(), name) != unreadable.end();
+    const bool is_reported = std::ranges::find(unreadable, name) != unreadable.end();
     if (!volume && !is_reported && decoder.complete) {
         report_no_volume(bake, key, recipe, name, found != nullptr, decoder);
     }
@@ -107,7 +105,7 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
     const std::string* name = text_of(decoded);
     const std::vector<std::string> channels = channels_of(volume, recipe);
     if (!name || name->empty() || channels.empty()) return;
-    if (std::find(channels.begin(), channels.end(), *name) != channels.end()) return;
+    if (std::ranges::find(channels, *name) != channels.end()) return;
     decoder.diagnostics.error(
         "E0134", decoded.source->place,
         fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),

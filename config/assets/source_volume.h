@@ -59,5 +59,9 @@ void check_cell_cubes(const DecodedSection& bake, const CloudVolumeBake& volume,
 // unless the files that it has by default cannot hold its type of numbers: then the list would be no
 // valid recipe.
 std::vector<Read> reads_of_source_volume(const Parameters& parameters, const std::string& of);
+template <class Asset>
+std::vector<Read> reads_of_its_source(const Parameters& parameters, const Asset& bake) {
+    return reads_of_source_volume(parameters, bake.of);
+}
 
 }  // namespace skybake::config

@@ -10,8 +10,8 @@ namespace skybake::config {
 namespace {
 
 bool is_scattering(const Layer& layer) {
-    return std::any_of(layer.scattering.begin(), layer.scattering.end(),
-                       [](InverseLength value) { return value.per_meter > 0; });
+    return std::ranges::any_of(layer.scattering,
+                               [](InverseLength value) { return value.per_meter > 0; });
 }
 
 bool absorbs(const Layer& layer) {

@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using TransmittanceField = Row<TransmittanceBake>;
-
 constexpr Choice transmittance_content_choices[] = {
     {TransmittanceContent::transmittance, "transmittance",
      "the share of light that passes, in [0, 1]"},
@@ -23,8 +21,7 @@ constexpr Choice transmittance_mapping_choices[] = {
      "the same ratios without the half-texel correction, as widely copied"},
 };
 
-const TransmittanceField transmittance_table[] = {
-    {asset_field, {}},
+const Row<TransmittanceBake> transmittance_table[] = {
     {"size", Kind::size, &TransmittanceBake::size,
      "texels along the zenith angle and along altitude", texel_range, Default{"[256, 64]"},
      Exclusive{"size"}, Cited{bruneton_2008}},
@@ -43,7 +40,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const TransmittanceBake
 }  // namespace
 
 const AssetKind& asset_kind(Tag<TransmittanceBake>) {
-    static const auto rows = with_file_fields(transmittance_table, table_files);
     static const AssetKind kind = make_asset_kind<TransmittanceBake>(
         {
             .name = "transmittance",
@@ -52,7 +48,7 @@ const AssetKind& asset_kind(Tag<TransmittanceBake>) {
             .needs_atmosphere = true,
             .use_of_light = UseOfLight::factors,
         },
-        std::span<const TransmittanceField>(rows), reads_of);
+        with_file_fields(transmittance_table, table_files), reads_of);
     return kind;
 }
 

@@ -19,8 +19,6 @@
 namespace skybake::config {
 namespace {
 
-using WeatherMapField = Row<WeatherMapBake>;
-
 // A noise has at most so many channels.
 constexpr int most_shares = 4;
 
@@ -52,8 +50,7 @@ constexpr Choice cover_edge_choices[] = {
 };
 constexpr std::string_view of_amounts[] = {"amounts"};
 
-const WeatherMapField weather_map_table[] = {
-    {asset_field, {}},
+const Row<WeatherMapBake> weather_map_table[] = {
     {"noise", Kind::text, &WeatherMapBake::noise,
      "NAME of the [noise.NAME] whose plane z = 1/2 is taken", KeyFlag::required,
      Cited{schneider_2015}},
@@ -147,7 +144,7 @@ class WeatherMapResolver {
                      std::size_t channel) const {
         const std::string& name = yields[channel];
         if (name.empty()) return;
-        const auto found = std::find(names_.begin(), names_.end(), name);
+        const auto found = std::ranges::find(names_, name);
         const auto index = static_cast<std::size_t>(found - names_.begin());
         if (found != names_.end() && index != channel && yields[index].empty()) return;
         refuse(decoded,
@@ -216,8 +213,6 @@ std::vector<Read> reads_of(const Parameters& parameters, const WeatherMapBake& b
 }  // namespace
 
 const AssetKind& asset_kind(Tag<WeatherMapBake>) {
-    static const auto rows =
-        with_file_fields(weather_map_table, {.formats = R"(["png"])", .pixel_type = R"("unorm8")"});
     static const AssetKind kind = make_asset_kind<WeatherMapBake>(
         {
             .name = "weather_map",
@@ -225,7 +220,8 @@ const AssetKind& asset_kind(Tag<WeatherMapBake>) {
                 "where clouds are and how much of each kind, or directions, in a plane",
             .is_table = true,
         },
-        std::span<const WeatherMapField>(rows), reads_of, resolve_weather_map);
+        with_file_fields(weather_map_table, {.formats = R"(["png"])", .pixel_type = R"("unorm8")"}),
+        reads_of, resolve_weather_map);
     return kind;
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t longest_line = 1000;
 // Returns the line as a terminal and a JSON document can take it. Tabs stay; if there is anything else
 // that is no text, all of that is escaped.
 std::string shown(std::string_view line) {
-    const bool has_control = std::any_of(line.begin(), line.end(), [](char c) {
+    const bool has_control = std::ranges::any_of(line, [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return (byte < 0x20 && c != '\t') || byte == 0x7f;
     });
@@ -61,7 +61,7 @@ void DiagnosticList::add(Item item) {
 }
 
 std::vector<Diagnostic> DiagnosticList::take() {
-    std::stable_sort(items_.begin(), items_.end(), [](const Item& a, const Item& b) {
+    std::ranges::stable_sort(items_, [](const Item& a, const Item& b) {
         const bool a_is_error = a.severity == Severity::error;
         const bool b_is_error = b.severity == Severity::error;
         if (a_is_error != b_is_error) return b_is_error;

@@ -35,7 +35,7 @@ std::vector<DiagnosticCode> read_codes() {
     for (const Entry& entry : *table) {
         const Table& code = *as_table(entry.value);
         std::string paragraph = text_at(code, "text");
-        std::replace(paragraph.begin(), paragraph.end(), '\n', ' ');
+        std::ranges::replace(paragraph, '\n', ' ');
         codes.push_back({entry.key, text_at(code, "title"), std::move(paragraph),
                          text_at(code, "wrong"), text_at(code, "right"), exit_code_of(entry.key)});
     }

@@ -118,9 +118,8 @@ bool has_decimal_comma(std::string_view value) {
 }
 
 bool contains_any(std::string_view line, std::span<const std::string_view> parts) {
-    return std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
-        return line.find(part) != std::string_view::npos;
-    });
+    return std::ranges::any_of(
+        parts, [&](std::string_view part) { return line.find(part) != std::string_view::npos; });
 }
 
 constexpr std::array<std::string_view, 8> typographic_quotes = {
@@ -133,12 +132,14 @@ std::string advice_on_origin(const Source& source, std::string_view line) {
     if (first != std::string_view::npos && text[first] == '{') {
         return "this looks like JSON; recipes are TOML: preset = \"earth\"";
     }
-    for (std::size_t at = text.find('\r'); at != std::string_view::npos; at = text.find('\r', at + 1)) {
+    for (std::size_t at = text.find('\r'); at != std::string_view::npos;
+         at = text.find('\r', at + 1)) {
         if (at + 1 == text.size() || text[at + 1] != '\n') {
             return "lines end with a carriage return alone, as on an old Mac: save with line feeds";
         }
     }
-    if (contains_any(line, typographic_quotes)) return "a typographic quote: write the plain one, \"";
+    if (contains_any(line, typographic_quotes))
+        return "a typographic quote: write the plain one, \"";
     constexpr std::array<std::string_view, 2> blanks = {"\u00a0", "\u202f"};
     if (contains_any(line, blanks)) return "a no-break space: write a plain one";
     const std::size_t colon = line.find(':');

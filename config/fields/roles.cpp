@@ -7,7 +7,7 @@
 namespace skybake::config {
 
 bool is_read(const ResolvedValue& value, std::span<const Read> reads) {
-    return std::any_of(reads.begin(), reads.end(), [&value](const Read& read) {
+    return std::ranges::any_of(reads, [&value](const Read& read) {
         if (!read.roles.has(value.role)) return false;
         // The recipe's own section has no name to match.
         if (value.section == read.section) return true;

@@ -132,7 +132,7 @@ struct SectionReader {
             if (other.path == section.path && other.asset == section.asset) continue;
             const bool is_field = find_field(other, key) != nullptr;
             const std::vector<std::string_view> tables = subtables(other.path);
-            if (!is_field && std::find(tables.begin(), tables.end(), key) == tables.end()) continue;
+            if (!is_field && std::ranges::find(tables, key) == tables.end()) continue;
             if (other.path.empty()) return fmt::format("`{}` belongs at the top level", key);
             if (!other.asset.empty())
                 return fmt::format("`{}` is a key of asset {}", key, other.asset);
@@ -180,8 +180,7 @@ struct SectionReader {
         const std::vector<std::string_view> tables = subtables(section.path);
         int unknown = 0;
         for (const Entry& entry : table) {
-            const bool is_table =
-                std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+            const bool is_table = std::ranges::find(tables, entry.key) != tables.end();
             if (is_table || find_field(section, entry.key)) continue;
             if (unknown++ < most_explained) {
                 report_unknown(entry);
@@ -192,12 +191,20 @@ struct SectionReader {
     }
 };
 
+// Returns the missing section as text if a preset can provide it, or an empty text.
+std::string what_to_write(const ReferenceWords& words, const std::string& name) {
+    if (words.code != noise_reference.code) return "";
+    const CloudNoisePreset noise = noise_of_cloud_preset("", name);
+    if (!noise.preset) return "";
+    return fmt::format("add [noise.{}] with preset = \"{}\" and pack = \"{}\"", name,
+                       noise.preset->name, noise.pack);
+}
+
 }  // namespace
 
 const DecodedField* DecodedSection::find(std::string_view key) const {
-    const auto found = std::find_if(fields.begin(), fields.end(), [&](const DecodedField& decoded) {
-        return decoded.field->key == key;
-    });
+    const auto found = std::ranges::find_if(
+        fields, [&](const DecodedField& decoded) { return decoded.field->key == key; });
     return found == fields.end() ? nullptr : &*found;
 }
 
@@ -270,19 +277,6 @@ void append_values(const DecodedSection& section, Decoder& decoder) {
 const std::string* text_of(const DecodedField& decoded) {
     return decoded.value ? std::get_if<std::string>(&*decoded.value) : nullptr;
 }
-
-namespace {
-
-// Returns the missing section as text if a preset can provide it, or an empty text.
-std::string what_to_write(const ReferenceWords& words, const std::string& name) {
-    if (words.code != noise_reference.code) return "";
-    const CloudNoisePreset noise = noise_of_cloud_preset("", name);
-    if (!noise.preset) return "";
-    return fmt::format("add [noise.{}] with preset = \"{}\" and pack = \"{}\"", name,
-                       noise.preset->name, noise.pack);
-}
-
-}  // namespace
 
 void report_unknown_name(const DecodedSection& section, std::string_view key,
                          std::span<const std::string_view> names, const ReferenceWords& words,

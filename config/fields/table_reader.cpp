@@ -122,26 +122,6 @@ std::optional<std::vector<Pair>> read_table(const Reader& reader, const Columns&
     return table;
 }
 
-}  // namespace
-
-std::optional<FieldValue> read_density_table(const Reader& reader, const Value& value) {
-    const auto pairs = read_table(reader, density_columns, value);
-    if (!pairs) return std::nullopt;
-    std::vector<DensityPoint> table;
-    for (const Pair& pair : *pairs) table.push_back({{pair[0]}, pair[1]});
-    return table;
-}
-
-std::optional<FieldValue> read_height_table(const Reader& reader, const Value& value) {
-    const auto pairs = read_table(reader, height_columns, value);
-    if (!pairs) return std::nullopt;
-    std::vector<HeightPoint> table;
-    for (const Pair& pair : *pairs) table.push_back({pair[0], pair[1]});
-    return table;
-}
-
-namespace {
-
 // Returns an entry's items, of which there must be `count`, or null if it has
 // others, which is reported. `words` says what an entry is.
 const Array* entry_items(const Reader& reader, const Value& value, std::size_t count,
@@ -198,6 +178,22 @@ std::optional<ComponentNumber> read_component(const Reader& reader, const Value&
 }
 
 }  // namespace
+
+std::optional<FieldValue> read_density_table(const Reader& reader, const Value& value) {
+    const auto pairs = read_table(reader, density_columns, value);
+    if (!pairs) return std::nullopt;
+    std::vector<DensityPoint> table;
+    for (const Pair& pair : *pairs) table.push_back({{pair[0]}, pair[1]});
+    return table;
+}
+
+std::optional<FieldValue> read_height_table(const Reader& reader, const Value& value) {
+    const auto pairs = read_table(reader, height_columns, value);
+    if (!pairs) return std::nullopt;
+    std::vector<HeightPoint> table;
+    for (const Pair& pair : *pairs) table.push_back({pair[0], pair[1]});
+    return table;
+}
 
 std::optional<FieldValue> read_albedo(const Reader& reader, const Value& value) {
     const auto* text = std::get_if<std::string>(&value.data);

@@ -22,7 +22,7 @@ std::optional<std::array<double, count>> read_some(const Reader& reader, const V
     const std::optional<std::vector<double>> numbers = read_numbers(reader, value);
     if (!numbers) return std::nullopt;
     std::array<double, count> result{};
-    std::copy(numbers->begin(), numbers->end(), result.begin());
+    std::ranges::copy(*numbers, result.begin());
     return result;
 }
 
@@ -147,8 +147,7 @@ std::optional<FieldValue> read_gains(const Reader& reader, const Value& value) {
     if (!octave_list(reader, value)) return std::nullopt;
     std::optional<std::vector<double>> gains = read_numbers(reader, value);
     if (!gains) return std::nullopt;
-    const bool all_zero =
-        std::all_of(gains->begin(), gains->end(), [](double g) { return g == 0; });
+    const bool all_zero = std::ranges::all_of(*gains, [](double g) { return g == 0; });
     if (!all_zero) return gains;
     report_range(reader, value, true, "at least one gain must be above 0");
     return std::nullopt;

@@ -11,6 +11,20 @@ namespace {
 constexpr double ln_2_high = 0x1.62e42feep-1;
 constexpr double ln_2_low = 1.90821492927058770002e-10;
 
+// e^x = (1 + rest) 2^doublings
+struct Power {
+    double rest = 0;
+    int doublings = 0;
+};
+
+Power power_of_e(double x) {
+    const double doublings = std::floor(x / std::numbers::ln2 + 0.5);
+    const double r = (x - doublings * ln_2_high) - doublings * ln_2_low;
+    double rest = 0;
+    for (int k = 16; k >= 1; --k) rest = r / k * (1 + rest);
+    return {rest, static_cast<int>(doublings)};
+}
+
 }  // namespace
 
 double logarithm(double x) {
@@ -28,24 +42,6 @@ double logarithm(double x) {
     for (int k = 12; k >= 1; --k) sum = square * (1.0 / (2 * k + 1) + sum);
     return exponent * ln_2_high + (exponent * ln_2_low + 2 * s * sum + 2 * s);
 }
-
-namespace {
-
-// e^x = (1 + rest) 2^doublings
-struct Power {
-    double rest = 0;
-    int doublings = 0;
-};
-
-Power power_of_e(double x) {
-    const double doublings = std::floor(x / std::numbers::ln2 + 0.5);
-    const double r = (x - doublings * ln_2_high) - doublings * ln_2_low;
-    double rest = 0;
-    for (int k = 16; k >= 1; --k) rest = r / k * (1 + rest);
-    return {rest, static_cast<int>(doublings)};
-}
-
-}  // namespace
 
 double exponential(double x) {
     const Power power = power_of_e(x);

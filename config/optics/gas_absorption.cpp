@@ -2,7 +2,6 @@
 // publications that each table names.
 #include <algorithm>
 #include <array>
-#include <cassert>
 
 #include "config/optics/gases.h"
 #include "config/optics/interpolated_table.h"

@@ -20,9 +20,7 @@ struct TablePlace {
 template <class Row>
 TablePlace place_in(std::span<const Row> rows, double Row::*key, double value) {
     assert(rows.size() >= 2);
-    const auto above =
-        std::upper_bound(rows.begin(), rows.end(), value,
-                         [key](double wanted, const Row& row) { return wanted < row.*key; });
+    const auto above = std::ranges::upper_bound(rows, value, {}, key);
     const auto high = std::clamp(above, rows.begin() + 1, rows.end() - 1);
     const auto below = static_cast<std::size_t>(high - rows.begin()) - 1;
     const double first = rows[below].*key, second = rows[below + 1].*key;

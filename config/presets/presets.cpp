@@ -18,7 +18,7 @@ constexpr std::array kinds = {
 bool is_layer(std::string_view cloud) {
     constexpr std::array<std::string_view, 5> layers = {"altocumulus", "cirrus", "fog_bank",
                                                         "stratocumulus", "stratus"};
-    return std::find(layers.begin(), layers.end(), cloud) != layers.end();
+    return std::ranges::find(layers, cloud) != layers.end();
 }
 
 }  // namespace

@@ -23,9 +23,8 @@ Outcome<Recipe> parse_asset_parameters(std::string_view text, const std::string&
 const Bake* own_bake(const Parameters& parameters, std::string_view name) {
     const std::vector<Bake>& bakes = parameters.bakes;
     const std::string_view asset = name.substr(0, name.find('.'));  // "cells" of "cells.mip1"
-    const auto own = std::find_if(bakes.begin(), bakes.end(), [&](const Bake& bake) {
-        return bakes.size() == 1 || bake.name == asset;
-    });
+    const auto own = std::ranges::find_if(
+        bakes, [&](const Bake& bake) { return bakes.size() == 1 || bake.name == asset; });
     return own != bakes.end() ? &*own : nullptr;
 }
 

@@ -38,7 +38,7 @@ bool name_fits(const std::string& asked, const std::string& pattern, const Secti
     // In [bake.NAME] the name of another asset means that asset's section.
     const std::vector<std::string_view> assets = asset_names();
     const bool other_asset = !section.asset.empty() && asked != section.asset &&
-                             std::find(assets.begin(), assets.end(), asked) != assets.end();
+                             std::ranges::find(assets, asked) != assets.end();
     return !other_asset;
 }
 
@@ -160,10 +160,6 @@ void append_block(std::string& text, const std::string& block) {
     text += block;
 }
 
-}  // namespace
-
-namespace {
-
 // Returns what the presets of that name say of themselves.
 std::string explain_presets(std::string_view name) {
     std::string text;
@@ -214,7 +210,7 @@ std::vector<std::string> explained_names() {
         }
     }
     for (const DiagnosticCode& code : diagnostic_codes()) names.emplace_back(code.code);
-    std::sort(names.begin(), names.end());
+    std::ranges::sort(names);
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }

@@ -58,10 +58,10 @@ bool is_at_default(const Field& field, const Section& section, const Table& tabl
     // The coefficients of a gas or an aerosol follow from it, and of spheres the phase function.
     const bool is_spheres = find_entry(table, "aerosol") || find_entry(table, "components");
     if (field.key == "phase" && is_spheres) return false;
-    const bool is_matter = std::any_of(matter_keys.begin(), matter_keys.end(),
-                                       [&](auto key) { return find_entry(table, key) != nullptr; });
+    const bool is_matter = std::ranges::any_of(
+        matter_keys, [&](auto key) { return find_entry(table, key) != nullptr; });
     if (field.key == "scattering" && is_matter) return false;
-    return std::none_of(section.fields.begin(), section.fields.end(), [&](const Field& other) {
+    return std::ranges::none_of(section.fields, [&](const Field& other) {
         return exclude_each_other(field, other) && find_entry(table, other.key);
     });
 }
@@ -118,8 +118,9 @@ std::vector<const Entry*> named_tables(const Table& table, std::string_view key)
     const Table* below = parent ? as_table(parent->value) : nullptr;
     if (!below) return entries;
     for (const Entry& entry : *below) entries.push_back(&entry);
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry* a, const Entry* b) { return a->key_place.line < b->key_place.line; });
+    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
+        return a->key_place.line < b->key_place.line;
+    });
     return entries;
 }
 

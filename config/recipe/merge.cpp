@@ -71,8 +71,8 @@ const Keys amount_keys = {"optical_depth", "visibility", "number_density"};
 const Keys phase_keys = {"phase", "particles", "g", "depolarization"};
 
 bool has_any(const Table& table, const Keys& keys) {
-    return std::any_of(keys.begin(), keys.end(),
-                       [&](std::string_view key) { return find_entry(table, key) != nullptr; });
+    return std::ranges::any_of(
+        keys, [&](std::string_view key) { return find_entry(table, key) != nullptr; });
 }
 
 // Returns the keys of an earlier layer that a later one contradicts by what it says it is made of.
@@ -101,7 +101,7 @@ void drop_alternatives(Table& base, const Table& over, const Section& section) {
     const Keys contradicted =
         section.path == "atmosphere.layers.*" ? contradicted_keys(over) : Keys{};
     std::erase_if(base, [&](const Entry& entry) {
-        if (std::find(contradicted.begin(), contradicted.end(), entry.key) != contradicted.end()) {
+        if (std::ranges::find(contradicted, entry.key) != contradicted.end()) {
             return true;
         }
         const Field* field = find_field(section, entry.key);
@@ -196,20 +196,6 @@ void check_at(const Table& table, Names& names, const std::string& path,
     }
 }
 
-}  // namespace
-
-void merge(Table& base, const Table& over) {
-    Names names;
-    merge_at(base, over, names);
-}
-
-void check_exclusive_keys(const Table& root, DiagnosticList& diagnostics) {
-    Names names;
-    check_at(root, names, "", diagnostics);
-}
-
-namespace {
-
 Table* table_at(Table& parent, std::string_view key) {
     Entry* entry = find_entry(parent, key);
     return entry ? std::get_if<Table>(&entry->value.data) : nullptr;
@@ -229,6 +215,16 @@ void name_particles(Table& layer) {
 }
 
 }  // namespace
+
+void merge(Table& base, const Table& over) {
+    Names names;
+    merge_at(base, over, names);
+}
+
+void check_exclusive_keys(const Table& root, DiagnosticList& diagnostics) {
+    Names names;
+    check_at(root, names, "", diagnostics);
+}
 
 void name_particles_of_layers(Table& root) {
     Table* atmosphere = table_at(root, "atmosphere");

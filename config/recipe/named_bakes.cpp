@@ -35,14 +35,13 @@ bool has_section(const Table& root, std::string_view kind, const std::string& na
 void add_text(const Entry& bake, std::string_view key, std::string_view text, Table& keys) {
     if (find_entry(keys, key)) return;
     Entry entry{std::string(key), bake.key_place, {std::string(text), bake.key_place}};
-    const auto place =
-        std::find_if(keys.begin(), keys.end(), [key](const Entry& e) { return e.key > key; });
+    const auto place = std::ranges::find_if(keys, [key](const Entry& e) { return e.key > key; });
     keys.insert(place, std::move(entry));
 }
 
 bool is_asset(const std::string& name) {
     const auto names = asset_names();
-    return std::find(names.begin(), names.end(), name) != names.end();
+    return std::ranges::find(names, name) != names.end();
 }
 
 bool asset_is(const Table& keys, const std::string& name, std::string_view asset) {
@@ -101,10 +100,6 @@ void take_keys_of_cloud(const Table& root, Table& keys) {
     merge(taken, keys);
     keys = std::move(taken);
 }
-
-}  // namespace
-
-namespace {
 
 // Returns the kind of presets that the bake's `preset` is one of, or null.
 const SectionPresets* swapped_with(const Entry& bake) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <string>
 
 #include "config/assets/cloud_volume.h"
 #include "config/assets/multiple_scattering.h"
@@ -55,8 +54,7 @@ Table table_of(const Recipe& recipe, std::string_view section) {
         if (!parsed) continue;  // none of a valid recipe
         table.push_back({value.path.substr(section.size() + 1), {}, std::move(*parsed)});
     }
-    std::sort(table.begin(), table.end(),
-              [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    std::ranges::sort(table, [](const Entry& a, const Entry& b) { return a.key < b.key; });
     return table;
 }
 
@@ -73,7 +71,7 @@ void bind_values(const Recipe& recipe, const char* path, std::span<const Row<S>>
 }  // namespace
 
 PicturesOfLight pictures_of_light(std::span<const Bake> bakes) {
-    const auto any = [bakes](auto is) { return std::any_of(bakes.begin(), bakes.end(), is); };
+    const auto any = [bakes](auto is) { return std::ranges::any_of(bakes, is); };
     return {any([](const Bake& bake) { return bake.is<TransmittanceBake>(); }) &&
                 any([](const Bake& bake) { return bake.is<MultipleScatteringBake>(); }),
             any([](const Bake& bake) { return bake.is<CloudVolumeBake>(); })};
@@ -98,10 +96,9 @@ void decode_preview(const Table& root, Decoder& decoder) {
 }
 
 std::optional<Preview> preview_of(const Recipe& recipe) {
-    const bool any =
-        std::any_of(recipe.values.begin(), recipe.values.end(), [](const ResolvedValue& value) {
-            return value.section == preview_path || value.section == camera_path;
-        });
+    const bool any = std::ranges::any_of(recipe.values, [](const ResolvedValue& value) {
+        return value.section == preview_path || value.section == camera_path;
+    });
     if (!any) return std::nullopt;
     Preview preview;
     bind_values(recipe, preview_path, preview_fields(), preview);

@@ -28,7 +28,7 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
             const auto* volume = bake.find<CloudVolumeBake>();
             return volume && volume->cloud == cloud.name;
         };
-        if (std::none_of(parameters.bakes.begin(), parameters.bakes.end(), bakes_it)) continue;
+        if (std::ranges::none_of(parameters.bakes, bakes_it)) continue;
         for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
             if (!map->path.empty()) inputs.push_back(map->path);
         }
@@ -82,6 +82,65 @@ Outcome<Recipe> decode_sources(RecipeSources sources, SweepTable sweep,
     return outcome;
 }
 
+// The functions below make the texts of parameters_toml (recipe.h).
+
+// This is the path of the table that holds a key, and the key itself.
+struct SplitPath {
+    std::string table;
+    std::string key;
+};
+
+SplitPath split_last(const std::string& path) {
+    SplitPath result;
+    for (const std::string& name : split_path(path).value_or(std::vector<std::string>{})) {
+        if (!result.key.empty()) {
+            result.table = result.table.empty() ? result.key : result.table + '.' + result.key;
+        }
+        result.key = key_to_string(name);
+    }
+    return result;
+}
+
+template <class IsWanted>
+std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
+    std::string text;
+    std::string table;
+    for (const ResolvedValue& value : recipe.values) {
+        if (value.only_shown || !is_wanted(value)) continue;
+        const SplitPath path = split_last(value.path);
+        if (path.table != table) {
+            table = path.table;
+            text += (text.empty() ? "[" : "\n[") + table + "]\n";
+        }
+        text += path.key + " = " + value.canonical + '\n';
+    }
+    return text;
+}
+
+using Values = std::map<std::string, std::string>;  // TOML by path
+
+void flatten(const Table& table, const std::string& path, Values& values) {
+    for (const Entry& entry : table) {
+        const std::string below = join_path(path, entry.key);
+        if (const Table* inner = as_table(entry.value)) {
+            flatten(*inner, below, values);
+        } else {
+            values[below] = value_to_string(entry.value);
+        }
+    }
+}
+
+Values values_of(std::string_view text) {
+    Values values;
+    Source source;
+    source.text = text;
+    DiagnosticList diagnostics;
+    if (const auto root = parse_toml(source, diagnostics)) flatten(*root, "", values);
+    return values;
+}
+
+std::string shown(const std::string& value) { return value.empty() ? "none" : shorten(value); }
+
 }  // namespace
 
 Outcome<Recipe> load_recipe(const std::filesystem::path& path,
@@ -125,45 +184,6 @@ Outcome<Recipe> load_variant(const std::filesystem::path& path,
     return decode_sources(std::move(sources), SweepTable::left_out, std::move(diagnostics));
 }
 
-namespace {
-
-// The functions below make the texts of parameters_toml (recipe.h).
-
-// This is the path of the table that holds a key, and the key itself.
-struct SplitPath {
-    std::string table;
-    std::string key;
-};
-
-SplitPath split_last(const std::string& path) {
-    SplitPath result;
-    for (const std::string& name : split_path(path).value_or(std::vector<std::string>{})) {
-        if (!result.key.empty()) {
-            result.table = result.table.empty() ? result.key : result.table + '.' + result.key;
-        }
-        result.key = key_to_string(name);
-    }
-    return result;
-}
-
-template <class IsWanted>
-std::string toml_of(const Recipe& recipe, const IsWanted& is_wanted) {
-    std::string text;
-    std::string table;
-    for (const ResolvedValue& value : recipe.values) {
-        if (value.only_shown || !is_wanted(value)) continue;
-        const SplitPath path = split_last(value.path);
-        if (path.table != table) {
-            table = path.table;
-            text += (text.empty() ? "[" : "\n[") + table + "]\n";
-        }
-        text += path.key + " = " + value.canonical + '\n';
-    }
-    return text;
-}
-
-}  // namespace
-
 std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads) {
     // Values of one section follow each other, and a sequence has as many sections as frames.
     const ResolvedValue* before = nullptr;
@@ -171,53 +191,24 @@ std::string parameters_toml(const Recipe& recipe, std::span<const Read> reads) {
     return toml_of(recipe, [&](const ResolvedValue& value) {
         if (before == nullptr || before->section != value.section) {
             of_section.clear();
-            std::copy_if(reads.begin(), reads.end(), std::back_inserter(of_section),
-                         [&](const Read& read) {
-                             const Read of_any_role{read.section, Roles::all()};
-                             return is_read(value, {&of_any_role, 1});
-                         });
+            std::ranges::copy_if(reads, std::back_inserter(of_section), [&](const Read& read) {
+                const Read of_any_role{read.section, Roles::all()};
+                return is_read(value, {&of_any_role, 1});
+            });
         }
         before = &value;
-        return std::any_of(of_section.begin(), of_section.end(),
-                           [&](const Read& read) { return read.roles.has(value.role); });
+        return std::ranges::any_of(of_section,
+                                   [&](const Read& read) { return read.roles.has(value.role); });
     });
 }
 
 std::string parameters_toml(const Recipe& recipe, std::span<const std::string> patterns) {
     return toml_of(recipe, [patterns](const ResolvedValue& value) {
-        return std::any_of(patterns.begin(), patterns.end(), [&value](const std::string& pattern) {
+        return std::ranges::any_of(patterns, [&value](const std::string& pattern) {
             return path_matches(value.path, pattern);
         });
     });
 }
-
-namespace {
-
-using Values = std::map<std::string, std::string>;  // TOML by path
-
-void flatten(const Table& table, const std::string& path, Values& values) {
-    for (const Entry& entry : table) {
-        const std::string below = join_path(path, entry.key);
-        if (const Table* inner = as_table(entry.value)) {
-            flatten(*inner, below, values);
-        } else {
-            values[below] = value_to_string(entry.value);
-        }
-    }
-}
-
-Values values_of(std::string_view text) {
-    Values values;
-    Source source;
-    source.text = text;
-    DiagnosticList diagnostics;
-    if (const auto root = parse_toml(source, diagnostics)) flatten(*root, "", values);
-    return values;
-}
-
-std::string shown(const std::string& value) { return value.empty() ? "none" : shorten(value); }
-
-}  // namespace
 
 std::vector<ParameterChange> parameter_changes(std::string_view before, std::string_view after) {
     const Values old_values = values_of(before);

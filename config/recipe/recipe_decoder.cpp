@@ -155,9 +155,8 @@ std::vector<VolumeFile> decode_volumes(const Table& root, std::vector<Place>& fi
 void check_atmosphere(const Table& root, const Parameters& parameters, const Source& source,
                       Decoder& decoder) {
     if (find_entry(root, "atmosphere") || !decoder.complete) return;
-    const bool bakes_sky =
-        std::any_of(parameters.bakes.begin(), parameters.bakes.end(),
-                    [](const Bake& bake) { return kind_of(bake).facts.needs_atmosphere; });
+    const bool bakes_sky = std::ranges::any_of(
+        parameters.bakes, [](const Bake& bake) { return kind_of(bake).facts.needs_atmosphere; });
     const bool is_empty = parameters.bakes.empty() && parameters.noises.empty() &&
                           parameters.clouds.empty() && parameters.volumes.empty() &&
                           parameters.particles.empty();
@@ -173,9 +172,8 @@ constexpr WavelengthRange visible{{380e-9}, {780e-9}};
 std::string fault_of_wavelengths(const Parameters& recipe, UseOfLight use) {
     if (use != UseOfLight::colors || !holds_colors(recipe)) return "";
     if (recipe.wavelengths.size() == 1) return "cannot make a colour of one wavelength";
-    const bool is_visible =
-        std::all_of(recipe.wavelengths.begin(), recipe.wavelengths.end(),
-                    [](Length wavelength) { return visible.contains(wavelength); });
+    const bool is_visible = std::ranges::all_of(
+        recipe.wavelengths, [](Length wavelength) { return visible.contains(wavelength); });
     return is_visible ? "" : "makes colours of wavelengths from 380 nm to 780 nm only";
 }
 
@@ -207,44 +205,6 @@ std::vector<Bake> decode_bakes_of_channels(const Table& root, const Parameters& 
     decoder.channels = wavelengths;
     return bakes;
 }
-
-}  // namespace
-
-Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
-    Parameters parameters;
-    const DecodedSection section =
-        decode_section(*find_section(""), "", {&source}, root, Absent::filled_in, decoder);
-    append_values(section, decoder);
-    bind_section(section, root_fields(), parameters);
-    if (!parameters.wavelengths.empty()) {
-        decoder.channels = static_cast<int>(parameters.wavelengths.size());
-    }
-    parameters.color = decode_color(root, decoder);
-    parameters.particles = decode_named<Particles>(
-        root, "particles", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_particles(name, place, table, parameters.wavelengths, decoder);
-        });
-    parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
-    parameters.scene = decode_scene(root, decoder);
-    parameters.noises = decode_named<Noise>(
-        root, "noise", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_noise(name, place, table, decoder);
-        });
-    std::vector<Place> volume_files;
-    parameters.volumes = decode_volumes(root, volume_files, decoder);
-    const CloudSources sources = {parameters.noises, parameters.volumes, volume_files};
-    parameters.clouds = decode_named<Cloud>(
-        root, "clouds", decoder, [&](const auto& name, const Place& place, const Table& table) {
-            return decode_cloud(name, place, table, sources, decoder);
-        });
-    parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
-    decode_preview(root, decoder);
-    check_atmosphere(root, parameters, source, decoder);
-    check_wavelengths(root, parameters, source, decoder);
-    return parameters;
-}
-
-namespace {
 
 // The functions below make the list of all sections (fields.h): those of config/sections, of the
 // assets and of [sweep].
@@ -298,6 +258,40 @@ std::vector<Section> make_sections() {
 }
 
 }  // namespace
+
+Parameters decode_recipe(const Table& root, const Source& source, Decoder& decoder) {
+    Parameters parameters;
+    const DecodedSection section =
+        decode_section(*find_section(""), "", {&source}, root, Absent::filled_in, decoder);
+    append_values(section, decoder);
+    bind_section(section, root_fields(), parameters);
+    if (!parameters.wavelengths.empty()) {
+        decoder.channels = static_cast<int>(parameters.wavelengths.size());
+    }
+    parameters.color = decode_color(root, decoder);
+    parameters.particles = decode_named<Particles>(
+        root, "particles", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_particles(name, place, table, parameters.wavelengths, decoder);
+        });
+    parameters.atmosphere = decode_atmosphere(root, parameters, decoder);
+    parameters.scene = decode_scene(root, decoder);
+    parameters.noises = decode_named<Noise>(
+        root, "noise", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_noise(name, place, table, decoder);
+        });
+    std::vector<Place> volume_files;
+    parameters.volumes = decode_volumes(root, volume_files, decoder);
+    const CloudSources sources = {parameters.noises, parameters.volumes, volume_files};
+    parameters.clouds = decode_named<Cloud>(
+        root, "clouds", decoder, [&](const auto& name, const Place& place, const Table& table) {
+            return decode_cloud(name, place, table, sources, decoder);
+        });
+    parameters.bakes = decode_bakes_of_channels(root, parameters, decoder);
+    decode_preview(root, decoder);
+    check_atmosphere(root, parameters, source, decoder);
+    check_wavelengths(root, parameters, source, decoder);
+    return parameters;
+}
 
 std::span<const Section> sections() {
     static const std::vector<Section> all = make_sections();

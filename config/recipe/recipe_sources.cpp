@@ -72,9 +72,9 @@ constexpr const char* no_recipe = "an include must be a recipe; lines of other f
 bool has_key_of_recipes(const Table& root) {
     const Section& section = *find_section("");
     const std::vector<std::string_view> tables = subtables("");
-    return std::any_of(root.begin(), root.end(), [&](const Entry& entry) {
+    return std::ranges::any_of(root, [&](const Entry& entry) {
         return find_field(section, entry.key) != nullptr ||
-               std::find(tables.begin(), tables.end(), entry.key) != tables.end();
+               std::ranges::find(tables, entry.key) != tables.end();
     });
 }
 

@@ -199,7 +199,7 @@ bool lay_sections_over_presets(Table& root, std::deque<Source>& sources,
     // Presets of clouds name noises, which themselves start from presets.
     const auto is_of_clouds = [](const SectionPresets& kind) { return kind.section == "clouds"; };
     const auto all = section_presets();
-    const SectionPresets& clouds = *std::find_if(all.begin(), all.end(), is_of_clouds);
+    const SectionPresets& clouds = *std::ranges::find_if(all, is_of_clouds);
     lay(clouds);
     lay_over_noises_of_clouds(root, sources, diagnostics);
     for (const SectionPresets& kind : all) {

@@ -90,8 +90,8 @@ std::optional<Value> swept_values(std::string_view text) {
     const std::vector<std::string_view> ranged = split_outside(text, ':');
     const bool is_range = listed.size() == 1 && ranged.size() > 1;
     const auto& pieces = is_range ? ranged : listed;
-    const bool has_gap = std::any_of(pieces.begin(), pieces.end(),
-                                     [](std::string_view piece) { return piece.empty(); });
+    const bool has_gap =
+        std::ranges::any_of(pieces, [](std::string_view piece) { return piece.empty(); });
     if (has_gap) return std::nullopt;
     return is_range ? range_of(pieces) : list_of(pieces);
 }

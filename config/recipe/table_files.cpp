@@ -20,7 +20,7 @@ namespace skybake::config {
 namespace {
 
 namespace fs = std::filesystem;
-using Words = std::vector<std::string>;
+using LineWords = std::vector<std::string>;
 
 struct Column {
     std::string name;
@@ -28,10 +28,10 @@ struct Column {
 };
 
 // A line's words between commas, semicolons and tabs, else between blanks.
-Words words_of(std::string_view line) {
+LineWords words_of(std::string_view line) {
     const bool has_marks = line.find_first_of(",;\t") != std::string_view::npos;
     const std::string_view marks = has_marks ? ",;\t" : " ";
-    Words words;
+    LineWords words;
     while (true) {
         const std::size_t end = std::min(line.find_first_of(marks), line.size());
         const std::string_view word = trim(line.substr(0, end));
@@ -65,14 +65,14 @@ std::vector<Column> columns_of(std::string_view line) {
 
 bool is_of_dimension(std::string_view unit, Dimension dimension) {
     const std::vector<std::string_view> units = unit_spellings(dimension);
-    return std::find(units.begin(), units.end(), unit) != units.end();
+    return std::ranges::find(units, unit) != units.end();
 }
 
 // "/cm3", "kg/m3", "g m-3": what particles or grams have per volume.
 bool is_per_volume(std::string_view unit) {
     const std::vector<std::string_view> units = unit_spellings(Dimension::number_density);
-    return std::any_of(units.begin(), units.end(),
-                       [&](std::string_view known) { return unit.ends_with(known); });
+    return std::ranges::any_of(units,
+                               [&](std::string_view known) { return unit.ends_with(known); });
 }
 
 class TableFile {
@@ -86,14 +86,14 @@ class TableFile {
         const std::optional<std::size_t> chosen = choose(column);
         if (!chosen) return std::nullopt;
         Array pairs;
-        for (const Words& row : rows_) {
+        for (const LineWords& row : rows_) {
             Value altitude{row.front() + " " + columns_.front().unit, asked_.place};
             Value density{*number_of(row[*chosen]), asked_.place};
             pairs.push_back({Array{std::move(altitude), std::move(density)}, asked_.place});
         }
         const bool falls = rows_.size() > 1 &&
                            *number_of(rows_.front().front()) > *number_of(rows_.back().front());
-        if (falls) std::reverse(pairs.begin(), pairs.end());
+        if (falls) std::ranges::reverse(pairs);
         return pairs;
     }
 
@@ -119,7 +119,7 @@ class TableFile {
     bool read_line(std::string_view line, int number) {
         if (line.empty()) return true;
         const bool is_comment = line.front() == '#';
-        const Words words = words_of(line);
+        const LineWords words = words_of(line);
         const bool is_head = rows_.empty() && (is_comment || !number_of(words.front()));
         if (is_head) columns_ = columns_of(trim(line.substr(is_comment ? 1 : 0)));
         if (is_head || is_comment) return true;
@@ -158,7 +158,7 @@ class TableFile {
     }
 
     std::nullopt_t report_columns(std::string_view wanted) {
-        Words names;
+        LineWords names;
         for (std::size_t i = 1; i < columns_.size(); ++i)
             names.push_back(shorten(columns_[i].name));
         if (wanted.empty()) {
@@ -174,7 +174,7 @@ class TableFile {
     const Value& asked_;
     DiagnosticList& diagnostics_;
     std::vector<Column> columns_;
-    std::vector<Words> rows_;
+    std::vector<LineWords> rows_;
 };
 
 // Returns the names of file and column, or none where the value is a list of pairs, or at fault.

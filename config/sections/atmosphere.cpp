@@ -49,46 +49,6 @@ double tabulated_column(const std::vector<DensityPoint>& table, double thickness
     return column;
 }
 
-}  // namespace
-
-Atmosphere::Atmosphere() = default;
-Atmosphere::Atmosphere(const Atmosphere&) = default;
-Atmosphere::Atmosphere(Atmosphere&&) noexcept = default;
-Atmosphere& Atmosphere::operator=(const Atmosphere&) = default;
-Atmosphere& Atmosphere::operator=(Atmosphere&&) noexcept = default;
-Atmosphere::~Atmosphere() = default;
-
-double density_column(const Layer& layer, Length thickness) {
-    const double top = thickness.meters;
-    switch (layer.profile) {
-        case Profile::exponential:
-            return -layer.scale_height.meters *
-                   exponential_less_one(-top / layer.scale_height.meters);
-        case Profile::tent:
-            return tent_column(layer.center_altitude.meters, layer.half_width.meters, top);
-        case Profile::slab:
-            return linear_column(layer.bottom_altitude.meters, 1, layer.top_altitude.meters, 1, 0,
-                                 top);
-        case Profile::tabulated:
-            return tabulated_column(layer.table, top);
-        case Profile::standard:
-            break;  // is tabulated when it is bound
-    }
-    return 0;
-}
-
-std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere) {
-    const Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
-    const double column = density_column(layer, thickness);
-    std::vector<double> depths;
-    for (const InverseLength extinction : layer.extinction) {
-        depths.push_back(extinction.per_meter * column);
-    }
-    return depths;
-}
-
-namespace {
-
 const std::vector<double>* numbers_of(const DecodedField& decoded) {
     return decoded.value ? std::get_if<std::vector<double>>(&*decoded.value) : nullptr;
 }
@@ -261,9 +221,8 @@ void scale_table(Matter matter, DecodedSection& layer, Decoder& decoder) {
     DecodedField& table = layer.at("table");
     auto* points = table.value ? std::get_if<std::vector<DensityPoint>>(&*table.value) : nullptr;
     if (!points) return;
-    const auto greatest =
-        std::max_element(points->begin(), points->end(),
-                         [](const auto& a, const auto& b) { return a.density < b.density; });
+    const auto greatest = std::ranges::max_element(
+        *points, [](const auto& a, const auto& b) { return a.density < b.density; });
     const double whole = greatest->density;
     if (whole <= most) return;
     if (matter == Matter::gas || layer.at("optical_depth").source) {
@@ -438,8 +397,7 @@ void bind_aerosol(const DecodedSection& section, Decoder& decoder, Layer& layer)
     const std::vector<double>* albedo = numbers_of(section.at("single_scattering_albedo"));
     if (albedo) {
         law.single_scattering_albedo = albedo->front();
-        if (std::any_of(albedo->begin(), albedo->end(),
-                        [&](double value) { return value != albedo->front(); })) {
+        if (std::ranges::any_of(*albedo, [&](double value) { return value != albedo->front(); })) {
             const DecodedField& given = section.at("single_scattering_albedo");
             decoder.diagnostics.error(
                 "E0139", given.source->place,
@@ -499,6 +457,42 @@ Layer bind_layer(const std::string& name, const DecodedSection& section, const P
 }
 
 }  // namespace
+
+Atmosphere::Atmosphere() = default;
+Atmosphere::Atmosphere(const Atmosphere&) = default;
+Atmosphere::Atmosphere(Atmosphere&&) noexcept = default;
+Atmosphere& Atmosphere::operator=(const Atmosphere&) = default;
+Atmosphere& Atmosphere::operator=(Atmosphere&&) noexcept = default;
+Atmosphere::~Atmosphere() = default;
+
+double density_column(const Layer& layer, Length thickness) {
+    const double top = thickness.meters;
+    switch (layer.profile) {
+        case Profile::exponential:
+            return -layer.scale_height.meters *
+                   exponential_less_one(-top / layer.scale_height.meters);
+        case Profile::tent:
+            return tent_column(layer.center_altitude.meters, layer.half_width.meters, top);
+        case Profile::slab:
+            return linear_column(layer.bottom_altitude.meters, 1, layer.top_altitude.meters, 1, 0,
+                                 top);
+        case Profile::tabulated:
+            return tabulated_column(layer.table, top);
+        case Profile::standard:
+            break;  // is tabulated when it is bound
+    }
+    return 0;
+}
+
+std::vector<double> zenith_optical_depth(const Layer& layer, const Atmosphere& atmosphere) {
+    const Length thickness{atmosphere.top_radius.meters - atmosphere.ground_radius.meters};
+    const double column = density_column(layer, thickness);
+    std::vector<double> depths;
+    for (const InverseLength extinction : layer.extinction) {
+        depths.push_back(extinction.per_meter * column);
+    }
+    return depths;
+}
 
 std::optional<Layer> decode_layer(const std::string& name, const Place& place, const Table& table,
                                   const Parameters& recipe, Decoder& decoder) {

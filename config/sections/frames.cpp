@@ -64,7 +64,7 @@ void check_frames(const DecodedSection& bake, std::span<const Motion> motions, D
     const DecodedField& given = frames.source ? frames : bake.at("frame");
     if (!given.source || !given.value) return;
     const std::string path = join_path(bake.path, given.field->key);
-    if (std::none_of(motions.begin(), motions.end(), moves)) {
+    if (std::ranges::none_of(motions, moves)) {
         decoder.diagnostics.error(
             "E0174", given.source->place,
             fmt::format("`{}`: nothing moves, so that all frames are the same", path),

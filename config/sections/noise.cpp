@@ -121,23 +121,6 @@ struct SeriesResolver {
     }
 };
 
-}  // namespace
-
-NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
-    const SeriesResolver resolver{channel, keys, decoder};
-    resolver.resolve_frequencies();
-    const DecodedField& frequencies = channel.at(keys.frequencies);
-    if (!frequencies.value) return {};
-    NoiseOctaves octaves;
-    octaves.frequencies = std::get<std::vector<Frequency>>(*frequencies.value);
-    resolver.resolve_gains(octaves.frequencies.size());
-    const DecodedField& gains = channel.at(keys.gains);
-    if (gains.value) octaves.gains = std::get<std::vector<double>>(*gains.value);
-    return octaves;
-}
-
-namespace {
-
 bool at_corners(std::size_t axis, NoiseSampling sampling) {
     return sampling == NoiseSampling::corners ||
            (sampling == NoiseSampling::slices_at_corners && axis == 2);
@@ -152,6 +135,19 @@ bool meets_only_lattice_points(int frequency, int size, bool corners) {
 }
 
 }  // namespace
+
+NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
+    const SeriesResolver resolver{channel, keys, decoder};
+    resolver.resolve_frequencies();
+    const DecodedField& frequencies = channel.at(keys.frequencies);
+    if (!frequencies.value) return {};
+    NoiseOctaves octaves;
+    octaves.frequencies = std::get<std::vector<Frequency>>(*frequencies.value);
+    resolver.resolve_gains(octaves.frequencies.size());
+    const DecodedField& gains = channel.at(keys.gains);
+    if (gains.value) octaves.gains = std::get<std::vector<double>>(*gains.value);
+    return octaves;
+}
 
 bool is_coarse(const std::array<int, 3>& frequency, const std::array<int, 3>& size) {
     for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -1,4 +1,3 @@
-#include <array>
 #include <initializer_list>
 #include <span>
 #include <vector>

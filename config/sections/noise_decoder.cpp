@@ -20,7 +20,7 @@ constexpr std::array<std::string_view, 5> channel_names = {"R", "G", "B", "A", "
 constexpr std::array<std::string_view, 4> channel_sets = {"Y", "R", "RGB", "RGBA"};
 
 std::size_t channel_order(std::string_view name) {
-    const auto found = std::find(channel_names.begin(), channel_names.end(), name);
+    const auto found = std::ranges::find(channel_names, name);
     return static_cast<std::size_t>(found - channel_names.begin());
 }
 
@@ -44,7 +44,7 @@ void derive_warp_strength(DecodedSection& section, const NoiseOctaves& octaves) 
     DecodedField& strength = section.at("warp_strength");
     if (strength.source || octaves.frequencies.empty()) return;
     const std::array<int, 3>& first = octaves.frequencies.front();
-    strength.value = 0.25 / *std::max_element(first.begin(), first.end());
+    strength.value = 0.25 / *std::ranges::max_element(first);
     strength.derived = true;
 }
 
@@ -91,7 +91,7 @@ std::vector<const Entry*> channel_entries(const Table& channels, const std::stri
             report_unknown_channel(entry, path, decoder);
         }
     }
-    std::sort(entries.begin(), entries.end(), [](const Entry* a, const Entry* b) {
+    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
         return channel_order(a->key) < channel_order(b->key);
     });
     return entries;
@@ -111,7 +111,7 @@ Place latest_place(const std::vector<const Entry*>& entries) {
         return std::make_tuple(place.source ? place.source->order : -1, place.line, place.column);
     };
     const auto earlier = [&](const Entry* a, const Entry* b) { return order(a) < order(b); };
-    return (*std::max_element(entries.begin(), entries.end(), earlier))->key_place;
+    return (*std::ranges::max_element(entries, earlier))->key_place;
 }
 
 void report_set(const std::string& set, const std::string& path, const Place& place,
@@ -154,8 +154,7 @@ std::vector<NoiseChannel> decode_channels(const DecodedSection& section, const T
                                         *keys, decoder));
     }
     const std::string set = set_of(entries);
-    const bool is_known =
-        std::find(channel_sets.begin(), channel_sets.end(), set) != channel_sets.end();
+    const bool is_known = std::ranges::find(channel_sets, set) != channel_sets.end();
     // Channels at fault, or of an unknown preset, might have completed the set. One error is
     // enough.
     const Entry* given = find_entry(table, "channels");

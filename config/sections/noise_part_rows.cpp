@@ -1,7 +1,5 @@
 #include "config/sections/noise_rows.h"
 
-#include <array>
-
 #include "config/fields/fields.h"
 
 namespace skybake::config {

@@ -1,7 +1,5 @@
 #include "config/sections/noise_rows.h"
 
-#include <array>
-
 namespace skybake::config {
 namespace {
 

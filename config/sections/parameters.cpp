@@ -15,8 +15,7 @@ namespace {
 
 template <class Section>
 const Section& named(const std::vector<Section>& sections, std::string_view name) {
-    return *std::find_if(sections.begin(), sections.end(),
-                         [&](const Section& section) { return section.name == name; });
+    return *std::ranges::find(sections, name, &Section::name);
 }
 
 }  // namespace

@@ -66,44 +66,6 @@ void check_radii(const DecodedSection& section, const Particles& particles, Deco
         fmt::format("must be above {}", length_to_string(smallest)));
 }
 
-}  // namespace
-
-Particles decode_particles(const std::string& name, const Place& place, const Table& table,
-                           std::span<const Length> wavelengths, Decoder& decoder) {
-    const std::string path = join_path("particles", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error(
-            "E0117", place, fmt::format("[{}] cannot be the name of particles", shorten(path)),
-            "use only letters, digits, `_` and `-`");
-    }
-    const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
-                                                  Absent::filled_in, decoder);
-    append_values(section, decoder);
-    Particles particles;
-    particles.name = name;
-    bind_section(section, particles_fields(), particles);
-    if (!decoder.diagnostics.has_errors()) {
-        check_material(section, particles, wavelengths, decoder);
-        check_radii(section, particles, decoder);
-    }
-    return particles;
-}
-
-WavelengthRange range_of(const Particles& particles) {
-    switch (particles.material) {
-        case ParticleMaterial::water:
-            return {shortest_in_water, longest_in_water};
-        case ParticleMaterial::tabulated:
-            if (particles.indices.empty()) break;  // at fault, which has been reported
-            return {particles.indices.front().wavelength, particles.indices.back().wavelength};
-        case ParticleMaterial::constant:
-            break;
-    }
-    return {{0}, {std::numeric_limits<double>::infinity()}};
-}
-
-namespace {
-
 constexpr Range sphere_radius_range{1e-10, 0.1};
 constexpr Range refractive_range{0.01, 100};
 constexpr Range absorption_range{0, 100};
@@ -193,6 +155,40 @@ const ParticlesField particles_table[] = {
 };
 
 }  // namespace
+
+Particles decode_particles(const std::string& name, const Place& place, const Table& table,
+                           std::span<const Length> wavelengths, Decoder& decoder) {
+    const std::string path = join_path("particles", name);
+    if (!is_bare_key(name)) {
+        decoder.diagnostics.error(
+            "E0117", place, fmt::format("[{}] cannot be the name of particles", shorten(path)),
+            "use only letters, digits, `_` and `-`");
+    }
+    const DecodedSection section = decode_section(*find_section("particles.*"), path, place, table,
+                                                  Absent::filled_in, decoder);
+    append_values(section, decoder);
+    Particles particles;
+    particles.name = name;
+    bind_section(section, particles_fields(), particles);
+    if (!decoder.diagnostics.has_errors()) {
+        check_material(section, particles, wavelengths, decoder);
+        check_radii(section, particles, decoder);
+    }
+    return particles;
+}
+
+WavelengthRange range_of(const Particles& particles) {
+    switch (particles.material) {
+        case ParticleMaterial::water:
+            return {shortest_in_water, longest_in_water};
+        case ParticleMaterial::tabulated:
+            if (particles.indices.empty()) break;  // at fault, which has been reported
+            return {particles.indices.front().wavelength, particles.indices.back().wavelength};
+        case ParticleMaterial::constant:
+            break;
+    }
+    return {{0}, {std::numeric_limits<double>::infinity()}};
+}
 
 std::span<const ParticlesField> particles_fields() { return particles_table; }
 

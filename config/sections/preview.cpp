@@ -98,7 +98,7 @@ const PreviewCameraField camera_table[] = {
 };
 
 bool is_one_of(std::string_view key, std::initializer_list<std::string_view> keys) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
+    return std::ranges::find(keys, key) != keys.end();
 }
 
 }  // namespace

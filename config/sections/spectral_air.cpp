@@ -48,7 +48,7 @@ struct Spectrum {
 
     explicit Spectrum(std::span<const Length> given) {
         for (std::size_t i = 0; i < given.size(); ++i) points.emplace_back(given[i].meters, i);
-        std::sort(points.begin(), points.end());
+        std::ranges::sort(points);
         const auto same = [](const auto& a, const auto& b) { return a.first == b.first; };
         points.erase(std::unique(points.begin(), points.end(), same), points.end());
     }
@@ -103,14 +103,6 @@ void interpolate_numbers(Layer& layer, const Spectrum& spectrum, std::span<const
     }
 }
 
-}  // namespace
-
-InverseLength haze_of_visibility(Length visibility) {
-    return {koschmieder / visibility.meters - clean_air_per_meter};
-}
-
-namespace {
-
 // Returns what is not known at one of the wavelengths, or an empty text.
 std::string fault_of_range(std::string_view what, const WavelengthRange& range,
                            std::span<const Length> wavelengths) {
@@ -143,6 +135,10 @@ std::string resolve_spheres(Layer& layer, Length thickness, std::span<const Leng
 }
 
 }  // namespace
+
+InverseLength haze_of_visibility(Length visibility) {
+    return {koschmieder / visibility.meters - clean_air_per_meter};
+}
 
 std::string resolve_matter(Layer& layer, Length thickness, std::span<const Length> wavelengths) {
     if (layer.phase == Phase::mie) return resolve_spheres(layer, thickness, wavelengths);

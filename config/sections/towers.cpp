@@ -20,8 +20,7 @@ Table named_by_index(Array items) {
         const Place place = items[i].place;
         table.push_back({std::to_string(i), place, std::move(items[i])});
     }
-    std::sort(table.begin(), table.end(),
-              [](const Entry& a, const Entry& b) { return a.key < b.key; });
+    std::ranges::sort(table, [](const Entry& a, const Entry& b) { return a.key < b.key; });
     return table;
 }
 
@@ -33,6 +32,21 @@ auto order_of(const std::string& name) {
         is_number ? name.substr(std::min(name.find_first_not_of('0'), name.size())) : "";
     return std::make_tuple(!is_number, digits.size(), digits, name);
 }
+
+// Returns what is wrong with a life in a loop, or nothing.
+std::string fault_of_life(const TowerLife& tower, const Cloud& cloud) {
+    const auto [grows, stays, dissolves] = tower.life;
+    if (cloud.period == 0) return "the cloud has no loop: give it a `period`";
+    if (grows <= 0 || dissolves <= 0) return "a tower that appears or disappears at once jumps";
+    constexpr double rounding = 1e-12;  // of the sum of three decimal numbers
+    if (grows + stays + dissolves > 1 + rounding) {
+        return fmt::format("they add up to {:g}, and the tower is born again after 1",
+                           grows + stays + dissolves);
+    }
+    return "";
+}
+
+bool is_whole(double tiles) { return tiles == std::floor(tiles); }
 
 }  // namespace
 
@@ -59,35 +73,17 @@ void name_listed_towers(Table& root) {
 std::vector<const Entry*> towers_in_order(const Table& towers) {
     std::vector<const Entry*> entries;
     for (const Entry& entry : towers) entries.push_back(&entry);
-    std::sort(entries.begin(), entries.end(),
-              [](const Entry* a, const Entry* b) { return order_of(a->key) < order_of(b->key); });
+    std::ranges::sort(entries, [](const Entry* a, const Entry* b) {
+        return order_of(a->key) < order_of(b->key);
+    });
     return entries;
 }
-
-namespace {
-
-// Returns what is wrong with a life in a loop, or nothing.
-std::string fault_of_life(const TowerLife& tower, const Cloud& cloud) {
-    const auto [grows, stays, dissolves] = tower.life;
-    if (cloud.period == 0) return "the cloud has no loop: give it a `period`";
-    if (grows <= 0 || dissolves <= 0) return "a tower that appears or disappears at once jumps";
-    constexpr double rounding = 1e-12;  // of the sum of three decimal numbers
-    if (grows + stays + dissolves > 1 + rounding) {
-        return fmt::format("they add up to {:g}, and the tower is born again after 1",
-                           grows + stays + dissolves);
-    }
-    return "";
-}
-
-bool is_whole(double tiles) { return tiles == std::floor(tiles); }
-
-}  // namespace
 
 bool towers_move(const Cloud& cloud) {
     if (cloud.period == 0) return false;
     const bool drifts = cloud.drift != std::array<double, 2>{};
     const auto lives = [&](const TowerLife& tower) { return drifts || tower.lives(); };
-    return std::any_of(cloud.towers.begin(), cloud.towers.end(), lives);
+    return std::ranges::any_of(cloud.towers, lives);
 }
 
 void check_life(const DecodedSection& section, const TowerLife& tower, const Cloud& cloud,

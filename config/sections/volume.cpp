@@ -97,7 +97,7 @@ struct VolumeDecoder {
     void check_positive(std::string_view key, const std::array<Length, 3>& lengths) const {
         const auto is_positive = [](Length length) { return length.meters > 0; };
         if (!section.at(key).value) return;
-        if (std::all_of(lengths.begin(), lengths.end(), is_positive)) return;
+        if (std::ranges::all_of(lengths, is_positive)) return;
         report("E0110", key, "has a length that is not above 0", "give three lengths above 0");
     }
 

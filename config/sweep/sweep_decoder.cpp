@@ -59,8 +59,8 @@ struct SweepReader {
             const Place& at = entry->key_place;
             return std::tuple(at.source ? at.source->order : 0, at.line, at.column);
         };
-        std::stable_sort(result.begin(), result.end(),
-                         [&](const Entry* a, const Entry* b) { return place(a) < place(b); });
+        std::ranges::stable_sort(
+            result, [&](const Entry* a, const Entry* b) { return place(a) < place(b); });
         return result;
     }
 
@@ -199,8 +199,8 @@ struct SweepReader {
     void read_points() {
         const auto read = read_own("sobol");
         if (read) points = static_cast<int>(std::get<double>(*read));
-        const auto without_count = std::count_if(
-            keys.begin(), keys.end(), [](const Swept& swept) { return swept.range.has_value(); });
+        const auto without_count =
+            std::ranges::count_if(keys, [](const Swept& swept) { return swept.range.has_value(); });
         if (own_key("sobol") && without_count == 0 && !decoder.diagnostics.has_errors()) {
             error("E0135", own_key("sobol")->key_place, "there is no range for `sobol` to cover",
                   "it covers the ranges without a count");

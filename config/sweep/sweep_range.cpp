@@ -191,8 +191,8 @@ bool check_form(const Field& field, const std::string& path, const Value& value,
     DiagnosticList found;
     read_field(field, path, value, decoder.channels, found);
     const std::vector<Diagnostic> diagnostics = found.take();
-    const bool at_fault = std::any_of(diagnostics.begin(), diagnostics.end(), [&](const auto& one) {
-        return std::find(form_codes.begin(), form_codes.end(), one.code) != form_codes.end();
+    const bool at_fault = std::ranges::any_of(diagnostics, [&](const auto& one) {
+        return std::ranges::find(form_codes, one.code) != form_codes.end();
     });
     if (at_fault) read_field(field, path, value, decoder.channels, decoder.diagnostics);
     return !at_fault;
@@ -210,9 +210,8 @@ std::optional<SweptRange> read_range(const Field& field, const std::string& path
         decode_section(*find_section("sweep.*"), join_path("sweep", path), entry.key_place,
                        *as_table(entry.value), Absent::filled_in, decoder);
     const Table& keys = *as_table(entry.value);
-    const bool has_unknown_keys = std::any_of(keys.begin(), keys.end(), [&](const Entry& key) {
-        return !find_field(*find_section("sweep.*"), key.key);
-    });
+    const bool has_unknown_keys = std::ranges::any_of(
+        keys, [&](const Entry& key) { return !find_field(*find_section("sweep.*"), key.key); });
     const DecodedField& from = section.at("from");
     const DecodedField& to = section.at("to");
     const DecodedField& count = section.at("count");

@@ -49,19 +49,6 @@ std::size_t sequence_length(std::string_view text) {
     return 0;
 }
 
-}  // namespace
-
-std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t length = sequence_length(text.substr(at));
-        if (length == 0) return at;
-        at += length;
-    }
-    return std::nullopt;
-}
-
-namespace {
-
 std::size_t characters(std::string_view text) {
     std::size_t count = 0;
     for (const char c : text) count += (static_cast<unsigned char>(c) & 0xc0) != 0x80 ? 1 : 0;
@@ -87,7 +74,64 @@ std::string wrap_line(std::string_view text, std::string_view prefix, std::size_
     return result + line + '\n';
 }
 
+FileError system_error() { return {false, std::generic_category().message(errno)}; }
+
+struct FileCloser {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most_bytes) {
+    std::string text;
+    constexpr std::size_t block = 65536;
+    while (text.size() <= most_bytes) {
+        const std::size_t before = text.size();
+        text.resize(before + block);
+        const std::size_t count = std::fread(text.data() + before, 1, block, file);
+        text.resize(before + count);
+        if (count < block && std::ferror(file) && errno == EINTR) {
+            std::clearerr(file);
+        } else if (count == 0) {
+            break;
+        }
+    }
+    if (std::ferror(file)) return system_error();
+    if (text.size() > most_bytes) return FileError{true, "File too large"};
+    return without_byte_order_mark(std::move(text));
+}
+
+std::size_t find_or_end(std::string_view text, std::string_view what, std::size_t from) {
+    return std::min(text.find(what, from), text.size());
+}
+
+// Returns the end of a string that opens at `at`, as TOML sees it. Three quotes open a text that
+// may span lines. In other strings a line break ends the string, because it is an error that the
+// parser will report.
+std::size_t skip_string(std::string_view text, std::size_t at) {
+    const char quote = text[at];
+    const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
+    const bool spans_lines = text.substr(at, 3) == three;
+    for (at += spans_lines ? 3 : 1; at < text.size(); ++at) {
+        if (quote == '"' && text[at] == '\\') {
+            ++at;
+        } else if (spans_lines ? text.substr(at, 3) == three : text[at] == quote) {
+            return at + (spans_lines ? 3 : 1);
+        } else if (!spans_lines && text[at] == '\n') {
+            return at;
+        }
+    }
+    return text.size();
+}
+
 }  // namespace
+
+std::optional<std::size_t> find_invalid_utf8(std::string_view text) {
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t length = sequence_length(text.substr(at));
+        if (length == 0) return at;
+        at += length;
+    }
+    return std::nullopt;
+}
 
 std::string wrap(std::string_view text, std::string_view prefix, std::size_t width) {
     std::string result;
@@ -169,35 +213,6 @@ std::string did_you_mean(std::string_view name, std::span<const std::string_view
     return nearest ? "did you mean `" + *nearest + "`?" : "";
 }
 
-namespace {
-
-FileError system_error() { return {false, std::generic_category().message(errno)}; }
-
-struct FileCloser {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-
-std::variant<std::string, FileError> read_text(std::FILE* file, std::size_t most_bytes) {
-    std::string text;
-    constexpr std::size_t block = 65536;
-    while (text.size() <= most_bytes) {
-        const std::size_t before = text.size();
-        text.resize(before + block);
-        const std::size_t count = std::fread(text.data() + before, 1, block, file);
-        text.resize(before + count);
-        if (count < block && std::ferror(file) && errno == EINTR) {
-            std::clearerr(file);
-        } else if (count == 0) {
-            break;
-        }
-    }
-    if (std::ferror(file)) return system_error();
-    if (text.size() > most_bytes) return FileError{true, "File too large"};
-    return without_byte_order_mark(std::move(text));
-}
-
-}  // namespace
-
 std::variant<std::string, FileError> read_text_file(const std::filesystem::path& path,
                                                     std::size_t most_bytes) {
     // The file is opened with fopen because the streams of the standard library do not say why they
@@ -218,33 +233,6 @@ std::string without_byte_order_mark(std::string text) {
     if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
     return text;
 }
-
-namespace {
-
-std::size_t find_or_end(std::string_view text, std::string_view what, std::size_t from) {
-    return std::min(text.find(what, from), text.size());
-}
-
-// Returns the end of a string that opens at `at`, as TOML sees it. Three quotes open a text that
-// may span lines. In other strings a line break ends the string, because it is an error that the
-// parser will report.
-std::size_t skip_string(std::string_view text, std::size_t at) {
-    const char quote = text[at];
-    const std::string_view three = quote == '"' ? "\"\"\"" : "'''";
-    const bool spans_lines = text.substr(at, 3) == three;
-    for (at += spans_lines ? 3 : 1; at < text.size(); ++at) {
-        if (quote == '"' && text[at] == '\\') {
-            ++at;
-        } else if (spans_lines ? text.substr(at, 3) == three : text[at] == quote) {
-            return at + (spans_lines ? 3 : 1);
-        } else if (!spans_lines && text[at] == '\n') {
-            return at;
-        }
-    }
-    return text.size();
-}
-
-}  // namespace
 
 std::optional<TextPosition> find_deep_nesting(std::string_view text, int limit) {
     int names = 1;

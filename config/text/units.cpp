@@ -214,6 +214,13 @@ std::string shifted_to_string(double value, int shift) {
     return fmt::format("{}{}", value < 0 ? "-" : "", digits_to_string(number));
 }
 
+// Letters in lower case, in the order of the alphabet.
+std::string letters_of(std::string_view name) {
+    std::string letters = lower_case(name);
+    std::ranges::sort(letters);
+    return letters;
+}
+
 }  // namespace
 
 std::variant<Quantity, QuantityError> parse_quantity(std::string_view text) {
@@ -275,17 +282,6 @@ std::vector<std::string_view> unit_spellings(Dimension dimension) {
     }
     return names;
 }
-
-namespace {
-
-// Letters in lower case, in the order of the alphabet.
-std::string letters_of(std::string_view name) {
-    std::string letters = lower_case(name);
-    std::sort(letters.begin(), letters.end());
-    return letters;
-}
-
-}  // namespace
 
 std::optional<std::string_view> unit_meant(std::string_view name, Dimension dimension) {
     // M is mega, and m is milli: they differ by nine powers of ten.

@@ -141,7 +141,6 @@ forbid 'cli/' 'config bakers' "$none"
 
 formats='bakers/io/formats'
 forbid 'toml\+\+' 'config bakers cli' 'config/diagnostics/toml_source\.cpp'
-forbid 'CLI/' 'config bakers cli' 'cli/parse_arguments\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_(library|stream)\.h"
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
 forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_checksum\.cpp|bakers/preview/live/zlib_bytes\.cpp"

@@ -25,6 +25,25 @@ std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticl
     return sphere_scattering(layer, wavelength, kAccuracy, 1);
 }
 
+// The upper limit of the key `extinction`.
+constexpr double kMostExtinctionPerMeter = 1e6;
+
+config::Diagnostic problem(std::string message, std::string label) {
+    config::Diagnostic found;
+    found.severity = config::Severity::error;
+    found.code = "E0144";
+    found.message = std::move(message);
+    found.label = std::move(label);
+    return found;
+}
+
+// Whether any spheres that count are within the bounds of radii.
+bool has_spheres(const config::Particles& particles, config::Length wavelength) {
+    if (particles.sizes == config::SizeDistribution::monodisperse) return true;
+    const auto range = RadiusDistribution(particles).scattering_range(wavelength);
+    return range.first < range.last;
+}
+
 }  // namespace
 
 LayerPhase layer_phase(const config::Layer& layer) {
@@ -81,29 +100,6 @@ config::Layer with_coefficients(config::Layer layer) {
     }
     return layer;
 }
-
-namespace {
-
-// The upper limit of the key `extinction`.
-constexpr double kMostExtinctionPerMeter = 1e6;
-
-config::Diagnostic problem(std::string message, std::string label) {
-    config::Diagnostic found;
-    found.severity = config::Severity::error;
-    found.code = "E0144";
-    found.message = std::move(message);
-    found.label = std::move(label);
-    return found;
-}
-
-// Whether any spheres that count are within the bounds of radii.
-bool has_spheres(const config::Particles& particles, config::Length wavelength) {
-    if (particles.sizes == config::SizeDistribution::monodisperse) return true;
-    const auto range = RadiusDistribution(particles).scattering_range(wavelength);
-    return range.first < range.last;
-}
-
-}  // namespace
 
 std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters) {
     std::vector<config::Diagnostic> problems;

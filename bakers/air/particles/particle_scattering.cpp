@@ -210,17 +210,12 @@ SizeAverage distributed_average(const RadiusDistribution& distribution, config::
     return result;
 }
 
-}  // namespace
-
-namespace {
-
 // Linear between entries, constant beyond them.
 ComplexNumber tabulated_index(const std::vector<config::IndexPoint>& indices,
                               config::Length wavelength) {
-    const auto above = std::upper_bound(indices.begin(), indices.end(), wavelength.meters,
-                                        [](double meters, const config::IndexPoint& point) {
-                                            return meters < point.wavelength.meters;
-                                        });
+    const auto above = std::ranges::upper_bound(
+        indices, wavelength.meters, {},
+        [](const config::IndexPoint& point) { return point.wavelength.meters; });
     if (above == indices.begin()) return {above->real, above->imaginary};
     const config::IndexPoint& low = *(above - 1);
     if (above == indices.end()) return {low.real, low.imaginary};
@@ -229,6 +224,36 @@ ComplexNumber tabulated_index(const std::vector<config::IndexPoint>& indices,
     return {low.real + share * (above->real - low.real),
             low.imaginary + share * (above->imaginary - low.imaginary)};
 }
+
+std::vector<double> numbers_of(const std::vector<config::IndexPoint>& indices) {
+    std::vector<double> numbers;
+    for (const config::IndexPoint& point : indices) {
+        numbers.insert(numbers.end(), {point.wavelength.meters, point.real, point.imaginary});
+    }
+    return numbers;
+}
+
+// All that the result depends on.
+auto key_of(const config::Particles& particles, config::Length wavelength, double accuracy) {
+    return std::tuple{numbers_of(particles.indices),
+                      particles.smallest_radius.meters,
+                      particles.largest_radius.meters,
+                      particles.material,
+                      particles.refractive_index,
+                      particles.absorption_index,
+                      particles.sizes,
+                      particles.radius.meters,
+                      particles.geometric_deviation,
+                      particles.effective_radius.meters,
+                      particles.effective_variance,
+                      particles.alpha,
+                      particles.gamma,
+                      wavelength.meters,
+                      accuracy};
+}
+
+using Key = decltype(key_of({}, {}, 0));
+using Results = std::map<Key, std::shared_ptr<const ParticleScattering>>;
 
 }  // namespace
 
@@ -276,40 +301,6 @@ ParticleScattering particle_scattering(const config::Particles& particles,
     result.angles = 2 * average.angles.summed() - 1;
     return result;
 }
-
-namespace {
-
-std::vector<double> numbers_of(const std::vector<config::IndexPoint>& indices) {
-    std::vector<double> numbers;
-    for (const config::IndexPoint& point : indices) {
-        numbers.insert(numbers.end(), {point.wavelength.meters, point.real, point.imaginary});
-    }
-    return numbers;
-}
-
-// All that the result depends on.
-auto key_of(const config::Particles& particles, config::Length wavelength, double accuracy) {
-    return std::tuple{numbers_of(particles.indices),
-                      particles.smallest_radius.meters,
-                      particles.largest_radius.meters,
-                      particles.material,
-                      particles.refractive_index,
-                      particles.absorption_index,
-                      particles.sizes,
-                      particles.radius.meters,
-                      particles.geometric_deviation,
-                      particles.effective_radius.meters,
-                      particles.effective_variance,
-                      particles.alpha,
-                      particles.gamma,
-                      wavelength.meters,
-                      accuracy};
-}
-
-using Key = decltype(key_of({}, {}, 0));
-using Results = std::map<Key, std::shared_ptr<const ParticleScattering>>;
-
-}  // namespace
 
 std::shared_ptr<const ParticleScattering> remembered_particle_scattering(
     const config::Particles& particles, config::Length wavelength, double accuracy, int threads) {

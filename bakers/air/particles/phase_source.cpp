@@ -23,10 +23,9 @@ constexpr double kAccuracyOfLarge = 3e-3;
 // A tenth of the error that the table may have, where that is more than the usual.
 double accuracy_for(const config::LayerParticles& spheres, config::Length wavelength,
                     const std::optional<double>& max_error) {
-    const bool small = std::all_of(
-        spheres.kinds.begin(), spheres.kinds.end(), [&](const config::SphereKind& kind) {
-            return largest_size_parameter(kind.particles, wavelength) < kSmallSpheres;
-        });
+    const bool small = std::ranges::all_of(spheres.kinds, [&](const config::SphereKind& kind) {
+        return largest_size_parameter(kind.particles, wavelength) < kSmallSpheres;
+    });
     const double usual = small ? kAccuracyOfSmall : kAccuracyOfLarge;
     return max_error ? std::clamp(*max_error / 10, 1e-5, usual) : usual;
 }
@@ -35,8 +34,7 @@ constexpr double kTableAccuracy = 1e-6;
 
 template <class T>
 const T* find_named(const std::vector<T>& things, const std::string& name) {
-    const auto found = std::find_if(things.begin(), things.end(),
-                                    [&](const T& thing) { return thing.name == name; });
+    const auto found = std::ranges::find(things, name, &T::name);
     return found == things.end() ? nullptr : &*found;
 }
 

@@ -80,6 +80,11 @@ double cut(const Concave& f, double top, double direction, double share) {
                  });
 }
 
+// Terms of the series that are kept in memory at once: 100 MB.
+constexpr double kTermsAtOnce = 3e6;
+// A multiple of the longest vector's doubles.
+constexpr std::size_t kSeriesAtOnce = 8;
+
 }  // namespace
 
 RadiusDistribution::RadiusDistribution(const config::Particles& particles) {
@@ -134,15 +139,6 @@ RadiusDistribution::LogRange RadiusDistribution::scattering_range(config::Length
     if (range.first < range.last) range.center = std::clamp(center, range.first, range.last);
     return range;
 }
-
-namespace {
-
-// Terms of the series that are kept in memory at once: 100 MB.
-constexpr double kTermsAtOnce = 3e6;
-// A multiple of the longest vector's doubles.
-constexpr std::size_t kSeriesAtOnce = 8;
-
-}  // namespace
 
 std::size_t WeightedSpheres::batch_end(std::size_t first) const {
     double terms = 0;

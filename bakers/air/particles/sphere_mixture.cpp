@@ -35,8 +35,7 @@ Shared remembered(Request request, const std::function<Shared(const Request&)>& 
     static std::vector<std::pair<Request, Shared>> results;
     request.layer.wavelengths.clear();
     const auto known = [&]() -> Shared {
-        const auto found = std::find_if(results.begin(), results.end(),
-                                        [&](const auto& one) { return one.first == request; });
+        const auto found = std::ranges::find(results, request, &std::pair<Request, Shared>::first);
         return found == results.end() ? nullptr : found->second;
     };
     {

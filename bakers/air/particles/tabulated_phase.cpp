@@ -1,7 +1,6 @@
 #include "bakers/air/particles/tabulated_phase.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
 #include <cstdlib>
@@ -139,6 +138,64 @@ std::vector<double> interleaved(const std::vector<double>& nodes, const double* 
     return result;
 }
 
+void add_half(double weight, const std::vector<double>& half, std::vector<double>& sum) {
+    const int cells = static_cast<int>(sum.size()) - 1;
+    const int own_cells = static_cast<int>(half.size()) - 1;
+    for (int i = 0; i <= cells; ++i) {
+        sum[static_cast<std::size_t>(i)] +=
+            weight * half_value(half, own_cells, node_offset(i, cells));
+    }
+}
+
+std::vector<double> logarithms(const std::vector<double>& values) {
+    std::vector<double> result;
+    result.reserve(values.size());
+    for (const double value : values) result.push_back(logarithm(value));
+    return result;
+}
+
+// Lagrange's polynomial through the six nodes about `position`, in units of their distance.
+double interpolated(const std::vector<double>& nodes, double position) {
+    const int last = static_cast<int>(nodes.size()) - 1;
+    const int first = std::min(static_cast<int>(position) - 2, last - 5);
+    double sum = 0;
+    for (int i = 0; i < 6; ++i) {
+        double weight = 1;
+        for (int j = 0; j < 6; ++j) {
+            if (j != i) weight *= (position - (first + j)) / (i - j);
+        }
+        sum += weight * nodes[static_cast<std::size_t>(std::abs(first + i))];
+    }
+    return sum;
+}
+
+std::vector<double> middles_of(const std::vector<double>& values) {
+    const std::vector<double> nodes = logarithms(values);
+    std::vector<double> result;
+    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+        result.push_back(exponential(interpolated(nodes, static_cast<double>(i) + 0.5)));
+    }
+    return result;
+}
+
+double largest_difference(const std::vector<double>& before, const std::vector<double>& after) {
+    double worst = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        worst = std::max(worst, relative_change(before[i], after[i]));
+    }
+    return worst;
+}
+
+std::vector<double> interleaved(const std::vector<double>& nodes,
+                                const std::vector<double>& middles) {
+    std::vector<double> result = {nodes.front()};
+    for (std::size_t i = 0; i < middles.size(); ++i) {
+        result.push_back(middles[i]);
+        result.push_back(nodes[i + 1]);
+    }
+    return result;
+}
+
 }  // namespace
 
 TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double> backward) {
@@ -154,19 +211,6 @@ TabulatedPhase normalised_phase(std::vector<double> forward, std::vector<double>
     phase.backward = std::move(backward);
     return phase;
 }
-
-namespace {
-
-void add_half(double weight, const std::vector<double>& half, std::vector<double>& sum) {
-    const int cells = static_cast<int>(sum.size()) - 1;
-    const int own_cells = static_cast<int>(half.size()) - 1;
-    for (int i = 0; i <= cells; ++i) {
-        sum[static_cast<std::size_t>(i)] +=
-            weight * half_value(half, own_cells, node_offset(i, cells));
-    }
-}
-
-}  // namespace
 
 std::shared_ptr<const TabulatedPhase> mixed_phase(std::span<const WeightedPhase> phases) {
     assert(!phases.empty());
@@ -231,59 +275,6 @@ MeasuredPhase make_tabulated_phase(const PhaseAtAngles& values, double bound) {
         backward = interleaved(backward, back_middles);
     }
 }
-
-namespace {
-
-std::vector<double> logarithms(const std::vector<double>& values) {
-    std::vector<double> result;
-    result.reserve(values.size());
-    for (const double value : values) result.push_back(logarithm(value));
-    return result;
-}
-
-// Lagrange's polynomial through the six nodes about `position`, in units of their distance.
-double interpolated(const std::vector<double>& nodes, double position) {
-    const int last = static_cast<int>(nodes.size()) - 1;
-    const int first = std::min(static_cast<int>(position) - 2, last - 5);
-    double sum = 0;
-    for (int i = 0; i < 6; ++i) {
-        double weight = 1;
-        for (int j = 0; j < 6; ++j) {
-            if (j != i) weight *= (position - (first + j)) / (i - j);
-        }
-        sum += weight * nodes[static_cast<std::size_t>(std::abs(first + i))];
-    }
-    return sum;
-}
-
-std::vector<double> middles_of(const std::vector<double>& values) {
-    const std::vector<double> nodes = logarithms(values);
-    std::vector<double> result;
-    for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-        result.push_back(exponential(interpolated(nodes, static_cast<double>(i) + 0.5)));
-    }
-    return result;
-}
-
-double largest_difference(const std::vector<double>& before, const std::vector<double>& after) {
-    double worst = 0;
-    for (std::size_t i = 0; i < after.size(); ++i) {
-        worst = std::max(worst, relative_change(before[i], after[i]));
-    }
-    return worst;
-}
-
-std::vector<double> interleaved(const std::vector<double>& nodes,
-                                const std::vector<double>& middles) {
-    std::vector<double> result = {nodes.front()};
-    for (std::size_t i = 0; i < middles.size(); ++i) {
-        result.push_back(middles[i]);
-        result.push_back(nodes[i + 1]);
-    }
-    return result;
-}
-
-}  // namespace
 
 double largest_difference(const PhaseHalves& before, const PhaseHalves& after) {
     assert(before.forward.size() == after.forward.size());

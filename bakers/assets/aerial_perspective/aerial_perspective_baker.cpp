@@ -194,18 +194,16 @@ void draft(AerialPerspectiveBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::AerialPerspectiveBake>& baker(BakerTag<config::AerialPerspectiveBake>) {
-    static const Baker<config::AerialPerspectiveBake> row = {
-        .version = 13,
-        .bake = bake,
-        .estimate = estimate,
-        .needs = needs,
-        .places = places,
-        .lookup = lookup,
-        .traced = traced,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"slices"}}};
-    return row;
+Baker<config::AerialPerspectiveBake> baker(BakerTag<config::AerialPerspectiveBake>) {
+    return {.version = 13,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"slices"}}};
 }
 
 }  // namespace skybake

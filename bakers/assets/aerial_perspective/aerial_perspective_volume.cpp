@@ -166,7 +166,7 @@ class FroxelSource : public VoxelSource {
     }
 
     double largest(std::size_t channel) const {
-        return *std::max_element(values_[channel].begin(), values_[channel].end());
+        return *std::ranges::max_element(values_[channel]);
     }
 
   private:
@@ -267,7 +267,7 @@ void describe(const AerialPerspectiveBake& bake, const AerialCamera& camera,
 std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialCamera& camera,
                                             double u, double v,
                                             const std::vector<double>& distances_km) {
-    assert(std::is_sorted(distances_km.begin(), distances_km.end()));
+    assert(std::ranges::is_sorted(distances_km));
     const ViewDirection direction = camera.direction(u, v);
     const CameraRay ray = ray_towards(light.shell(), camera, direction);
     const double horizon_km = horizon_distance_km(light.shell(), camera.altitude_km());

@@ -1,6 +1,5 @@
 // The baker of asset = "blue_noise".
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "bakers/assets/blue_noise/blue_noise_volume.h"
@@ -56,14 +55,13 @@ void draft(BlueNoiseBake& asset, int) {
 
 }  // namespace
 
-const Baker<BlueNoiseBake>& baker(BakerTag<BlueNoiseBake>) {
-    static const Baker<BlueNoiseBake> row = {.version = 1,
-                                             .bake = bake,
-                                             .estimate = estimate,
-                                             .places = places,
-                                             .lookup = lookup,
-                                             .draft = draft};
-    return row;
+Baker<BlueNoiseBake> baker(BakerTag<BlueNoiseBake>) {
+    return {.version = 1,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft};
 }
 
 }  // namespace skybake

@@ -120,7 +120,7 @@ ErrorFigures unevenness(const MaskView& mask) {
     for (std::size_t frame = 0; frame < mask.frames(); ++frame) {
         const auto first = mask.values->begin() + static_cast<std::ptrdiff_t>(frame) * count;
         std::vector<float> sorted(first, first + count);
-        std::sort(sorted.begin(), sorted.end());
+        std::ranges::sort(sorted);
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             errors.add(double{sorted[i]} -
                        (static_cast<double>(i) + 0.5) / static_cast<double>(count));

@@ -194,8 +194,7 @@ TraceOfPlace trace_of_table(std::shared_ptr<const TracedAir> air, std::vector<Sk
     std::vector<std::string> others;
     for (const SkyLayer& layer : air->medium().layers) {
         const auto& mie = asset.mie_layers;
-        if (std::find(mie.begin(), mie.end(), layer.name) == mie.end())
-            others.push_back(layer.name);
+        if (std::ranges::find(mie, layer.name) == mie.end()) others.push_back(layer.name);
     }
     const bool adds_first = first == FirstOrder::without_mie && !others.empty();
     const auto by_others =
@@ -249,18 +248,16 @@ void draft(BrunetonBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::BrunetonBake>& baker(BakerTag<config::BrunetonBake>) {
-    static const Baker<config::BrunetonBake> row = {
-        .version = 13,
-        .bake = bake,
-        .estimate = estimate,
-        .needs = needs,
-        .places = places,
-        .lookup = lookup,
-        .traced = traced,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"method", "iterated", "Bruneton 2017"}}};
-    return row;
+Baker<config::BrunetonBake> baker(BakerTag<config::BrunetonBake>) {
+    return {.version = 13,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"method", "iterated", "Bruneton 2017"}}};
 }
 
 }  // namespace skybake

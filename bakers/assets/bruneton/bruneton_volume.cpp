@@ -28,6 +28,7 @@ namespace skybake {
 using config::BrunetonBake;
 using config::BrunetonConvention;
 using config::BrunetonTable;
+using config::Layer;
 using config::Outcome;
 
 namespace {
@@ -66,8 +67,8 @@ void describe_light(const BrunetonBake& bake, Conventions& conventions) {
     if (bake.table == BrunetonTable::transmittance) return;
     conventions.solar_irradiance = bake.solar_irradiance;
     if (bake.table == BrunetonTable::irradiance) return;
-    const bool of_one = std::all_of(bake.solar_irradiance.begin(), bake.solar_irradiance.end(),
-                                    [](double irradiance) { return irradiance == 1; });
+    const bool of_one = std::ranges::all_of(bake.solar_irradiance,
+                                            [](double irradiance) { return irradiance == 1; });
     conventions.radiance_unit = of_one ? "1/sr" : "solar_irradiance/sr";
 }
 
@@ -129,72 +130,6 @@ Outcome<Baked> bake_irradiance(const std::vector<Packet>& packets,
     return bake_bruneton_irradiance(table, lights.front()->shell(), bake, options,
                                     std::move(volume));
 }
-
-}  // namespace
-
-std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
-                                    const BrunetonBake& bake) {
-    std::vector<Need> needs;
-    if (bake.table == BrunetonTable::transmittance) return needs;
-    const std::optional<LightRequest> request = light_request(atmosphere, bake);
-    if (request) needs.push_back(need_of(*request));
-    const bool is_flat = bake.table == BrunetonTable::irradiance;
-    if (bake.table != BrunetonTable::higher_orders) {
-        needs.push_back(need_of(SunlightRequest{atmosphere}));
-        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
-    }
-    if (request && !is_flat && bake.method != config::BrunetonMethod::iterated) {
-        needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
-    }
-    return needs;
-}
-
-Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
-                             const BakeOptions& options, Baked volume) {
-    BrunetonBake bake = asked;
-    bake.orders = last_order(bake);
-    std::vector<Packet> packets;
-    for (const config::Atmosphere& atmosphere : air.packets) {
-        SkyMedium medium = make_sky_medium(atmosphere);
-        SkyMedium smooth = without_forward_peaks(medium);
-        packets.push_back({std::move(medium), std::move(smooth), nullptr});
-    }
-    volume.kind = "bruneton";
-    volume.channel_names = channel_names(air, bake);
-    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
-    volume.up_axis = "+z";
-    describe_light(bake, volume.conventions);
-    set_files(bake, volume);
-    if (config::has_companion(bake)) {
-        volume.companion = CompanionFile{"json", takram_parameters(air, bake)};
-    }
-    if (bake.table == BrunetonTable::transmittance) {
-        return bake_transmittance(packets, air.weights, bake, options, std::move(volume));
-    }
-    for (std::size_t p = 0; p < packets.size(); ++p) {
-        Packet& packet = packets[p];
-        const std::optional<LightRequest> request = light_request(air.packets[p], bake);
-        packet.light = request ? light_of(*request, packet.medium, options) : nullptr;
-        if (options.cancelled()) return {};
-        if (!packet.light || bake.orders != 0) continue;
-        if (const auto problem = check_light(energy_balance(packet.medium, *packet.light),
-                                             *packet.light, volume.name)) {
-            return {{}, {*problem}};
-        }
-    }
-    if (bake.table == BrunetonTable::irradiance) {
-        return bake_irradiance(packets, air.weights, bake, options, std::move(volume));
-    }
-    std::vector<ScatteringPacket> of_table;
-    for (std::size_t p = 0; p < packets.size(); ++p) {
-        of_table.push_back({air.packets[p], packets[p].medium, packets[p].light});
-    }
-    return bake_scattering(of_table, air.weights, bake, options, std::move(volume));
-}
-
-using config::Layer;
-
-namespace {
 
 constexpr double kMetresPerKm = 1000;
 
@@ -274,6 +209,66 @@ config::Atmosphere colored_air(const PacketsOfAir& air) {
 }
 
 }  // namespace
+
+std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
+                                    const BrunetonBake& bake) {
+    std::vector<Need> needs;
+    if (bake.table == BrunetonTable::transmittance) return needs;
+    const std::optional<LightRequest> request = light_request(atmosphere, bake);
+    if (request) needs.push_back(need_of(*request));
+    const bool is_flat = bake.table == BrunetonTable::irradiance;
+    if (bake.table != BrunetonTable::higher_orders) {
+        needs.push_back(need_of(SunlightRequest{atmosphere}));
+        if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
+    }
+    if (request && !is_flat && bake.method != config::BrunetonMethod::iterated) {
+        needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
+    }
+    return needs;
+}
+
+Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
+                             const BakeOptions& options, Baked volume) {
+    BrunetonBake bake = asked;
+    bake.orders = last_order(bake);
+    std::vector<Packet> packets;
+    for (const config::Atmosphere& atmosphere : air.packets) {
+        SkyMedium medium = make_sky_medium(atmosphere);
+        SkyMedium smooth = without_forward_peaks(medium);
+        packets.push_back({std::move(medium), std::move(smooth), nullptr});
+    }
+    volume.kind = "bruneton";
+    volume.channel_names = channel_names(air, bake);
+    volume.voxel_size_m.fill(1.0 / bake.size[0]);  // texture space, a metre wide
+    volume.up_axis = "+z";
+    describe_light(bake, volume.conventions);
+    set_files(bake, volume);
+    if (config::has_companion(bake)) {
+        volume.companion = CompanionFile{"json", takram_parameters(air, bake)};
+    }
+    if (bake.table == BrunetonTable::transmittance) {
+        return bake_transmittance(packets, air.weights, bake, options, std::move(volume));
+    }
+    for (std::size_t p = 0; p < packets.size(); ++p) {
+        Packet& packet = packets[p];
+        const std::optional<LightRequest> request = light_request(air.packets[p], bake);
+        packet.light = request ? light_of(*request, packet.medium, options) : nullptr;
+        if (options.cancelled()) return {};
+        if (!packet.light || bake.orders != 0) continue;
+        if (const auto problem = check_light(energy_balance(packet.medium, *packet.light),
+                                             *packet.light, volume.name)) {
+            return {{}, {*problem}};
+        }
+    }
+    if (bake.table == BrunetonTable::irradiance) {
+        return bake_irradiance(packets, air.weights, bake, options, std::move(volume));
+    }
+    std::vector<ScatteringPacket> of_table;
+    for (std::size_t p = 0; p < packets.size(); ++p) {
+        of_table.push_back({air.packets[p], packets[p].medium, packets[p].light});
+    }
+    return bake_scattering(of_table, air.weights, bake, options, std::move(volume));
+}
 
 std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake) {
     const bool is_colored = !air.weights.empty();

@@ -61,7 +61,7 @@ VolumeReference flat_values(const FlatTable& table, const FlatRow& row,
         std::vector<double> values(channels, 1);
         std::vector<double> found(colours);
         row(coordinate_of(uvw[1], size[1]), {coordinate_of(uvw[0], size[0])}, found.data());
-        std::copy(found.begin(), found.end(), values.begin());
+        std::ranges::copy(found, values.begin());
         return values;
     };
 }
@@ -87,6 +87,19 @@ config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
     add_voxels(bake.size, texels, volume);
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
+}
+
+// Returns the row of colours of the packets' rows that `row_of` names.
+FlatRow row_of_colors(const std::shared_ptr<const std::vector<FlatTable>>& packets,
+                      const std::vector<glm::dvec3>& weights, FlatRow FlatTable::*row_of) {
+    std::vector<std::size_t> channels;
+    for (const FlatTable& packet : *packets) channels.push_back(packet.colours);
+    return [=](double y, const std::vector<double>& x, double* values) {
+        write_colors(
+            weights, channels, x.size(),
+            [&](std::size_t packet, double* light) { ((*packets)[packet].*row_of)(y, x, light); },
+            values);
+    };
 }
 
 }  // namespace
@@ -150,23 +163,6 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
     };
     return {row_of(kFlatNodes), row_of(kReferenceNodes), colours};
 }
-
-namespace {
-
-// Returns the row of colours of the packets' rows that `row_of` names.
-FlatRow row_of_colors(const std::shared_ptr<const std::vector<FlatTable>>& packets,
-                      const std::vector<glm::dvec3>& weights, FlatRow FlatTable::*row_of) {
-    std::vector<std::size_t> channels;
-    for (const FlatTable& packet : *packets) channels.push_back(packet.colours);
-    return [=](double y, const std::vector<double>& x, double* values) {
-        write_colors(
-            weights, channels, x.size(),
-            [&](std::size_t packet, double* light) { ((*packets)[packet].*row_of)(y, x, light); },
-            values);
-    };
-}
-
-}  // namespace
 
 FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> weights,
                       const glm::dvec3& factors) {

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <utility>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/assets/bruneton/scattering_row.h"
@@ -103,8 +102,8 @@ class Iteration {
             }
             const ScatteringRow row = rows.row(view, SunBundle(suns, nu));
             for (std::size_t k = 0; k < single_.size(); ++k) {
-                std::copy(row.single[k].begin(), row.single[k].end(),
-                          single_[k].begin() + static_cast<std::ptrdiff_t>(first_of(v, w)));
+                std::ranges::copy(row.single[k],
+                                  single_[k].begin() + static_cast<std::ptrdiff_t>(first_of(v, w)));
             }
         });
     }

@@ -48,12 +48,12 @@ double middle_share(const std::vector<double>& logarithms, const std::vector<boo
 }  // namespace
 
 std::vector<double> lookup_scales(const std::vector<double>& line) {
-    assert(std::all_of(line.begin(), line.end(), [](double value) { return value >= 0; }));
+    assert(std::ranges::all_of(line, [](double value) { return value >= 0; }));
     const std::size_t count = line.size();
     std::vector<double> scales(count, 1.0);
     std::vector<double> logarithms(count);
     std::vector<bool> is_lit(count);
-    const double brightest = *std::max_element(line.begin(), line.end());
+    const double brightest = *std::ranges::max_element(line);
     const double least = std::max(kLeastLight, kLeastShare * brightest);
     for (std::size_t i = 0; i < count; ++i) {
         is_lit[i] = line[i] > least;

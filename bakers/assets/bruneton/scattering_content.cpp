@@ -1,7 +1,6 @@
 #include "bakers/assets/bruneton/scattering_content.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "bakers/air/particles/phase_function.h"
 
@@ -38,8 +37,7 @@ ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::Brun
     // takram's own textures: 1 of single Mie scattering, 0 of higher orders.
     constant_alpha_ = table_ == BrunetonTable::single_mie ? 1 : 0;
     for (const SkyLayer& layer : medium.layers) {
-        is_mie_.push_back(std::find(bake.mie_layers.begin(), bake.mie_layers.end(), layer.name) !=
-                          bake.mie_layers.end());
+        is_mie_.push_back(std::ranges::find(bake.mie_layers, layer.name) != bake.mie_layers.end());
     }
     mie_colours_ = mie_colours(coefficients_at_ground(true), coefficients_at_ground(false));
 }

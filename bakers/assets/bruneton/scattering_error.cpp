@@ -175,6 +175,29 @@ class ScatteringErrors {
     config::PixelType type_;
 };
 
+// Rows, points in each, peak rows, climbs, and points of the reference.
+constexpr SearchCounts kQuickSearch = {448, 56, 24, 6, 96};
+constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
+
+// Returns the edges of the cells of an axis whose end points are texel centres.
+std::vector<double> edges_between(int texels) { return even_edges(std::max(texels - 1, 1)); }
+
+// The cells of both halves of the view's axis, that of the ground, which runs backwards, first.
+std::vector<double> view_edges(int half_size) {
+    const std::vector<double> half = edges_between(half_size);
+    std::vector<double> edges;
+    for (auto x = half.rbegin(); x != half.rend(); ++x) edges.push_back(0.5 - 0.5 * *x);
+    for (auto x = half.begin() + 1; x != half.end(); ++x) edges.push_back(0.5 + 0.5 * *x);
+    return edges;
+}
+
+SkyMedium scattering_where(SkyMedium medium, const std::vector<bool>& is_mie, bool wanted) {
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        if (is_mie[k] != wanted) medium.layers[k].scatters = false;
+    }
+    return medium;
+}
+
 }  // namespace
 
 ExactTexel exact_texel(const TableContent& content,
@@ -233,26 +256,6 @@ Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping&
     return certificate;
 }
 
-namespace {
-
-// Rows, points in each, peak rows, climbs, and points of the reference.
-constexpr SearchCounts kQuickSearch = {448, 56, 24, 6, 96};
-constexpr SearchCounts kFullSearch = {1024, 256, 256, 32, 4096};
-
-// Returns the edges of the cells of an axis whose end points are texel centres.
-std::vector<double> edges_between(int texels) { return even_edges(std::max(texels - 1, 1)); }
-
-// The cells of both halves of the view's axis, that of the ground, which runs backwards, first.
-std::vector<double> view_edges(int half_size) {
-    const std::vector<double> half = edges_between(half_size);
-    std::vector<double> edges;
-    for (auto x = half.rbegin(); x != half.rend(); ++x) edges.push_back(0.5 - 0.5 * *x);
-    for (auto x = half.begin() + 1; x != half.end(); ++x) edges.push_back(0.5 + 0.5 * *x);
-    return edges;
-}
-
-}  // namespace
-
 TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows*> rows) {
     return [&content, rows = std::move(rows)](const ScatteringView& view,
                                               const std::vector<double>& suns,
@@ -306,17 +309,6 @@ void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping
     certificate.lookup_points = found.points;
     certificate.worst = errors.place_text(errors.direction(found.worst_row, found.worst_point));
 }
-
-namespace {
-
-SkyMedium scattering_where(SkyMedium medium, const std::vector<bool>& is_mie, bool wanted) {
-    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-        if (is_mie[k] != wanted) medium.layers[k].scatters = false;
-    }
-    return medium;
-}
-
-}  // namespace
 
 ScatteringReference::ScatteringReference(const SkyMedium& medium, const ScatteringContent& content,
                                          const HigherOrders* higher)

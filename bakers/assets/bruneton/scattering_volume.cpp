@@ -138,6 +138,29 @@ auto of_each(std::vector<std::unique_ptr<PacketTable>>& packets, const Part& par
     return all;
 }
 
+constexpr auto kAtCentres = TexelConvention::end_points_on_texel_centres;
+
+// The coordinate in [0, 1] of a position in texels, whose centres are at whole numbers.
+double unit_coordinate_of(double position, int count) {
+    return count == 1 ? 0.5 : std::clamp(position / (count - 1), 0.0, 1.0);
+}
+
+// Rays to the ground have a length only above it.
+constexpr double kLowestEyeKm = 0.01;
+
+ScatteringView off_the_horizon(const Shell& shell, ScatteringView view) {
+    if (view.meets_ground) {
+        view.altitude_km = std::max(view.altitude_km, kLowestEyeKm);
+        view.s_km = std::min(view.s_km, highest_s_of_ground_km(shell, view.altitude_km));
+        view.s_km = std::max(view.s_km, -(shell.ground_radius_km + view.altitude_km));
+        view.length_km = distance_to_ground_km(shell, view.altitude_km, view.s_km);
+    } else {
+        view.s_km = std::max(view.s_km, lowest_s_of_sky_km(shell, view.altitude_km));
+        view.length_km = distance_to_top_km(shell, view.altitude_km, view.s_km);
+    }
+    return view;
+}
+
 }  // namespace
 
 config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
@@ -190,33 +213,6 @@ config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& pack
     add_mip_levels(bake.mips, options, volume);
     return finish_volume(std::move(volume), finish, options);
 }
-
-namespace {
-
-constexpr auto kAtCentres = TexelConvention::end_points_on_texel_centres;
-
-// The coordinate in [0, 1] of a position in texels, whose centres are at whole numbers.
-double unit_coordinate_of(double position, int count) {
-    return count == 1 ? 0.5 : std::clamp(position / (count - 1), 0.0, 1.0);
-}
-
-// Rays to the ground have a length only above it.
-constexpr double kLowestEyeKm = 0.01;
-
-ScatteringView off_the_horizon(const Shell& shell, ScatteringView view) {
-    if (view.meets_ground) {
-        view.altitude_km = std::max(view.altitude_km, kLowestEyeKm);
-        view.s_km = std::min(view.s_km, highest_s_of_ground_km(shell, view.altitude_km));
-        view.s_km = std::max(view.s_km, -(shell.ground_radius_km + view.altitude_km));
-        view.length_km = distance_to_ground_km(shell, view.altitude_km, view.s_km);
-    } else {
-        view.s_km = std::max(view.s_km, lowest_s_of_sky_km(shell, view.altitude_km));
-        view.length_km = distance_to_top_km(shell, view.altitude_km, view.s_km);
-    }
-    return view;
-}
-
-}  // namespace
 
 ScatteringPlace scattering_place(const ScatteringMapping& mapping,
                                  const std::array<double, 3>& uvw) {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
-#include "bakers/field/baked.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/table_content.h"
+#include "bakers/field/baked.h"
 
 namespace skybake {
 
@@ -33,7 +33,7 @@ LightAtPlaces sky_of_scattering(std::vector<std::shared_ptr<const TracedAir>> pa
         std::vector<Spectrum> light;
         for (const auto& channels : look_up_places(baked, places, at)) {
             Texel texel{};
-            std::copy(channels.begin(), channels.end(), texel.begin());
+            std::ranges::copy(channels, texel.begin());
             light.push_back(content.radiance(texel, cosines[light.size()]));
         }
         return light;

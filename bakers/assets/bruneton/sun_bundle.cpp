@@ -5,7 +5,6 @@
 #include <hwy/foreach_target.h>
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -156,7 +155,7 @@ void SolvedNode::gather_rows(const BundleNode& node,
         }
     }
     rows_.assign(static_cast<std::size_t>(light_.suns.count()) * orders_ * kChannelSlots, 0.0);
-    const auto [first, last] = std::minmax_element(columns_.begin(), columns_.end());
+    const auto [first, last] = std::ranges::minmax_element(columns_);
     for (std::int64_t sun = *first; sun < *last + 4; ++sun) {
         send_column(light_, at_level_, static_cast<int>(sun), degree, factors.data(),
                     rows_.data() + static_cast<std::size_t>(sun) * orders_ * kChannelSlots);

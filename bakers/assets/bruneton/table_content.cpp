@@ -1,6 +1,5 @@
 #include "bakers/assets/bruneton/table_content.h"
 
-#include <algorithm>
 #include <array>
 #include <cassert>
 #include <utility>
@@ -27,6 +26,31 @@ bool has_spectral_phase(const std::vector<const ScatteringContent*>& packets) {
         }
     }
     return false;
+}
+
+// The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
+// layers'.
+VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
+                         const TableParts& parts) {
+    const std::size_t count = content.wavelengths();
+    VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
+    for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
+        const ScatteringParts at = parts.at(i);
+        const Spectrum light = content.light(at);
+        const Spectrum mie = ScatteringContent::mie_light(at);
+        for (std::size_t c = 0; c < texels.channels(); ++c) {
+            texels.channel(c)[i] = static_cast<float>(c < count ? light[c] : mie[c - count]);
+        }
+    }
+    return texels;
+}
+
+PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t texel) {
+    PacketOfTexel packet;
+    for (std::size_t c = 0; c < texels.channels(); ++c) {
+        (c < count ? packet.light[c] : packet.mie[c - count]) = texels.channel(c)[texel];
+    }
+    return packet;
 }
 
 }  // namespace
@@ -115,35 +139,6 @@ Spectrum TableContent::radiance(const Texel& texel, double nu) const {
     return RuntimeTexel{kColors, first().is_combined(), phase, mie, mie_colours_, solar_irradiance_}
         .radiance(texel);
 }
-
-namespace {
-
-// The light of a packet's wavelengths in all texels, and after it, in combined tables, the Mie
-// layers'.
-VoxelArray packet_texels(const ScatteringContent& content, const ScatteringMapping& mapping,
-                         const TableParts& parts) {
-    const std::size_t count = content.wavelengths();
-    VoxelArray texels(mapping.size(), content.holds_mie() ? 2 * count : count);
-    for (std::size_t i = 0; i < texels.channel(0).size(); ++i) {
-        const ScatteringParts at = parts.at(i);
-        const Spectrum light = content.light(at);
-        const Spectrum mie = ScatteringContent::mie_light(at);
-        for (std::size_t c = 0; c < texels.channels(); ++c) {
-            texels.channel(c)[i] = static_cast<float>(c < count ? light[c] : mie[c - count]);
-        }
-    }
-    return texels;
-}
-
-PacketOfTexel packet_at(const VoxelArray& texels, std::size_t count, std::size_t texel) {
-    PacketOfTexel packet;
-    for (std::size_t c = 0; c < texels.channels(); ++c) {
-        (c < count ? packet.light[c] : packet.mie[c - count]) = texels.channel(c)[texel];
-    }
-    return packet;
-}
-
-}  // namespace
 
 VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
                         std::span<const TableParts> parts, bool fits, const BakeOptions& options) {

@@ -157,8 +157,7 @@ class DistanceBake {
 
   private:
     bool has(DistanceContent content) const {
-        return std::find(bake_.contents.begin(), bake_.contents.end(), content) !=
-               bake_.contents.end();
+        return std::ranges::find(bake_.contents, content) != bake_.contents.end();
     }
 
     void describe(Baked& volume) const {
@@ -192,7 +191,7 @@ class DistanceBake {
     occupancy::SkippingGain gain_of(const DistanceSource& texels,
                                     const occupancy::VoxelBits& bits) const {
         const BakeTime time(BakePart::certificate);
-        const double step_m = *std::min_element(grid_.voxel_m.begin(), grid_.voxel_m.end());
+        const double step_m = *std::ranges::min_element(grid_.voxel_m);
         const auto stay = [&, texture = texture_of(texels)](const Place& from, const Place&) {
             return occupancy::stay_of_distance(looked_up_m(texture, code_, from) / step_m);
         };

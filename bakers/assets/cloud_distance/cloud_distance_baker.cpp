@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "bakers/assets/cloud_distance/cloud_distance.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -135,16 +134,15 @@ void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 
 }  // namespace
 
-const Baker<CloudDistanceBake>& baker(BakerTag<CloudDistanceBake>) {
-    static const Baker<CloudDistanceBake> row = {.version = 4,
-                                                 .bake = bake,
-                                                 .estimate = estimate,
-                                                 .needs = needs_of_source<CloudDistanceBake>,
-                                                 .places = places,
-                                                 .lookup = lookup,
-                                                 .draft = draft,
-                                                 .inputs = inputs_of_source<CloudDistanceBake>};
-    return row;
+Baker<CloudDistanceBake> baker(BakerTag<CloudDistanceBake>) {
+    return {.version = 4,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs_of_source<CloudDistanceBake>,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .inputs = inputs_of_source<CloudDistanceBake>};
 }
 
 }  // namespace skybake

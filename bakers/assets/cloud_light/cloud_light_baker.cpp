@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -180,17 +179,16 @@ void draft(CloudLightBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::CloudLightBake>& baker(BakerTag<config::CloudLightBake>) {
-    static const Baker<config::CloudLightBake> row = {.version = 7,
-                                                      .bake = bake,
-                                                      .estimate = estimate,
-                                                      .needs = needs,
-                                                      .places = places,
-                                                      .lookup = lookup,
-                                                      .draft = draft,
-                                                      .inputs = inputs_of_source<CloudLightBake>,
-                                                      .variants = {{"cell"}, {"pixel_type"}}};
-    return row;
+Baker<config::CloudLightBake> baker(BakerTag<config::CloudLightBake>) {
+    return {.version = 7,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .inputs = inputs_of_source<CloudLightBake>,
+            .variants = {{"cell"}, {"pixel_type"}}};
 }
 
 }  // namespace skybake

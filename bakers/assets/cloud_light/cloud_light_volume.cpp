@@ -120,7 +120,7 @@ std::vector<std::array<double, 2>> texel_ranges(const Level& level, std::size_t 
         std::vector<float*> wanted(channels, nullptr);
         wanted[c] = values.data();
         level.voxels->fill({{}, level.size}, wanted);
-        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        const auto [least, most] = std::ranges::minmax_element(values);
         if (*most > *least) ranges[c] = {*least, *most};
     }
     return ranges;

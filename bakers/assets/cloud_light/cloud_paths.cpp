@@ -60,27 +60,6 @@ std::vector<PhaseFunction> densities_about_sun(const CloudScattering& scattering
     return densities;
 }
 
-}  // namespace
-
-CloudPaths::CloudPaths(const CloudLayer& layer, const CloudScattering& scattering,
-                       const LayerSources& sources, int threads)
-    : layer_(layer),
-      scattering_(scattering),
-      sources_(sources),
-      about_sun_(densities_about_sun(scattering)) {
-    const auto ranges = occupancy::cell_ranges(layer.values.data(), {layer.size, kMajorantCell},
-                                               config::OccupancyFilter::trilinear, threads);
-    cells_ = ranges.size;
-    for (const float most : ranges.maximum) {
-        // A density grows with the value. Filters in double may exceed a float by rounding.
-        constexpr double kRounding = 1 + 1e-6;
-        majorants_.push_back(kRounding * layer.optics.extinction_per_m *
-                             density(layer.optics, double{most}));
-    }
-}
-
-namespace {
-
 // A flight from cell to cell. Places stay within the tile.
 struct Flight {
     glm::dvec3 place;
@@ -130,6 +109,23 @@ struct Flight {
 };
 
 }  // namespace
+
+CloudPaths::CloudPaths(const CloudLayer& layer, const CloudScattering& scattering,
+                       const LayerSources& sources, int threads)
+    : layer_(layer),
+      scattering_(scattering),
+      sources_(sources),
+      about_sun_(densities_about_sun(scattering)) {
+    const auto ranges = occupancy::cell_ranges(layer.values.data(), {layer.size, kMajorantCell},
+                                               config::OccupancyFilter::trilinear, threads);
+    cells_ = ranges.size;
+    for (const float most : ranges.maximum) {
+        // A density grows with the value. Filters in double may exceed a float by rounding.
+        constexpr double kRounding = 1 + 1e-6;
+        majorants_.push_back(kRounding * layer.optics.extinction_per_m *
+                             density(layer.optics, double{most}));
+    }
+}
 
 // Goes to the next collision. Returns false if the flight leaves the layer.
 bool CloudPaths::fly(glm::dvec3& place, const glm::dvec3& direction, RandomStream& random) const {

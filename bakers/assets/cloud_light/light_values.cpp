@@ -47,7 +47,7 @@ class RowSums {
         : channels_(channels), sums_(channels.count(), std::vector<double>(places)) {}
 
     void clear() {
-        for (std::vector<double>& sum : sums_) std::fill(sum.begin(), sum.end(), 0.0);
+        for (std::vector<double>& sum : sums_) std::ranges::fill(sum, 0.0);
     }
 
     void add(const std::vector<float>& depths, const std::vector<double>& weights) {

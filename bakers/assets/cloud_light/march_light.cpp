@@ -22,7 +22,7 @@ constexpr int kForwardSteps = 8;                          // of the integral, be
 CloudScattering droplets() { return droplet_scattering(kDropletDiameter_um, kAlbedo); }
 
 PlaceGrid places_in(const std::array<int, 3>& voxels, double most_cells) {
-    const int longest = *std::max_element(voxels.begin(), voxels.end());
+    const int longest = *std::ranges::max_element(voxels);
     int cell = 2;
     PlaceGrid places = place_grid(voxels, cell, false);
     while (voxels_of(places.count, 1) > most_cells && cell < longest) {
@@ -77,8 +77,8 @@ Image2<float> make_forward_integrals() {
             std::swap(before, here);
             depth = next;
         }
-        std::transform(sums.begin(), sums.end(), table.texel(0, row),
-                       [](double sum) { return static_cast<float>(sum); });
+        std::ranges::transform(sums, table.texel(0, row),
+                               [](double sum) { return static_cast<float>(sum); });
     }
     return table;
 }

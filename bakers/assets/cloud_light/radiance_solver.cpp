@@ -1,6 +1,5 @@
 #include "bakers/assets/cloud_light/radiance_solver.h"
 
-#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <numeric>

@@ -25,7 +25,7 @@ std::vector<double> pieces(const glm::dvec3& start, const glm::dvec3& along, dou
             if (t > 0 && t < end) ends.push_back(t);
         }
     }
-    std::sort(ends.begin(), ends.end());
+    std::ranges::sort(ends);
     return ends;
 }
 
@@ -69,8 +69,8 @@ void add_shares(const CloudLayer& layer, const glm::dvec3& at, double weight,
 // Adds up the shares of each voxel.
 std::vector<VoxelWeight> merged(std::vector<Share> shares) {
     const auto place = [](const Share& share) { return std::tie(share.z, share.dy, share.dx); };
-    std::stable_sort(shares.begin(), shares.end(),
-                     [&](const Share& a, const Share& b) { return place(a) < place(b); });
+    std::ranges::stable_sort(shares,
+                             [&](const Share& a, const Share& b) { return place(a) < place(b); });
     std::vector<VoxelWeight> voxels;
     for (std::size_t i = 0; i < shares.size();) {
         double sum = 0;

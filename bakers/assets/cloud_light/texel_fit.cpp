@@ -13,6 +13,32 @@ namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }
 
+// Fits along one axis: `size` shrinks from places to texels.
+std::vector<float> fit_axis(const std::vector<float>& values, std::array<int, 3>& size,
+                            std::size_t axis, int texels, bool repeats, int threads) {
+    const AxisFit fit(size[axis], texels, repeats);
+    std::size_t apart = 1;
+    for (std::size_t a = 0; a < axis; ++a) apart *= index(size[a]);
+    const auto places = index(size[axis]);
+    const std::size_t groups = values.size() / (apart * places);
+    std::vector<float> result(groups * apart * index(texels));
+    parallel_for(static_cast<int>(groups), threads, [&](int group) {
+        std::vector<double> line(places);
+        std::vector<double> fitted;
+        for (std::size_t i = 0; i < apart; ++i) {
+            const float* from = values.data() + index(group) * apart * places + i;
+            for (std::size_t k = 0; k < places; ++k) line[k] = from[k * apart];
+            fit.solve(line, fitted);
+            float* to = result.data() + index(group) * apart * index(texels) + i;
+            for (std::size_t k = 0; k < fitted.size(); ++k) {
+                to[k * apart] = static_cast<float>(fitted[k]);
+            }
+        }
+    });
+    size[axis] = texels;
+    return result;
+}
+
 }  // namespace
 
 AxisFit::AxisFit(int places, int texels, bool repeats)
@@ -91,36 +117,6 @@ void AxisFit::solve(const std::vector<double>& values, std::vector<double>& texe
     const double share = along(texels) / (1 + along(wrap_));
     for (std::size_t i = 0; i < texels.size(); ++i) texels[i] -= share * wrap_[i];
 }
-
-namespace {
-
-// Fits along one axis: `size` shrinks from places to texels.
-std::vector<float> fit_axis(const std::vector<float>& values, std::array<int, 3>& size,
-                            std::size_t axis, int texels, bool repeats, int threads) {
-    const AxisFit fit(size[axis], texels, repeats);
-    std::size_t apart = 1;
-    for (std::size_t a = 0; a < axis; ++a) apart *= index(size[a]);
-    const auto places = index(size[axis]);
-    const std::size_t groups = values.size() / (apart * places);
-    std::vector<float> result(groups * apart * index(texels));
-    parallel_for(static_cast<int>(groups), threads, [&](int group) {
-        std::vector<double> line(places);
-        std::vector<double> fitted;
-        for (std::size_t i = 0; i < apart; ++i) {
-            const float* from = values.data() + index(group) * apart * places + i;
-            for (std::size_t k = 0; k < places; ++k) line[k] = from[k * apart];
-            fit.solve(line, fitted);
-            float* to = result.data() + index(group) * apart * index(texels) + i;
-            for (std::size_t k = 0; k < fitted.size(); ++k) {
-                to[k * apart] = static_cast<float>(fitted[k]);
-            }
-        }
-    });
-    size[axis] = texels;
-    return result;
-}
-
-}  // namespace
 
 std::vector<float> fit_texels(const std::vector<float>& values, const std::array<int, 3>& places,
                               const std::array<int, 3>& texels, const std::array<float, 2>& bounds,

@@ -1,6 +1,5 @@
 // Intermediates that bakes of a cloud's volume, and of assets that are made of it, share in a run.
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"

@@ -178,10 +178,6 @@ void hold_shared(const Cloud& cloud, const CloudVolumeBake& bake, const CloudInp
     if (held) voxels = held;
 }
 
-}  // namespace
-
-namespace {
-
 Cloud with_coverage(Cloud cloud, const CloudInputs& inputs) {
     cloud.coverage = inputs.coverage.value_or(cloud.coverage);
     return cloud;

@@ -141,17 +141,16 @@ std::string cloud_box_glsl(const Cloud& cloud) {
                        glsl_vector(extent_m_of(cloud)));
 }
 
-const Baker<CloudVolumeBake>& baker(BakerTag<CloudVolumeBake>) {
-    static const Baker<CloudVolumeBake> row = {.version = 6,
-                                               .bake = bake,
-                                               .estimate = estimate_cloud_volume,
-                                               .needs = needs,
-                                               .places = places,
-                                               .lookup = lookup,
-                                               .draft = draft,
-                                               .inputs = cloud_volume_inputs,
-                                               .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
-    return row;
+Baker<CloudVolumeBake> baker(BakerTag<CloudVolumeBake>) {
+    return {.version = 6,
+            .bake = bake,
+            .estimate = estimate_cloud_volume,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .inputs = cloud_volume_inputs,
+            .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
 }
 
 }  // namespace skybake

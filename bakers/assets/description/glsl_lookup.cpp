@@ -137,8 +137,8 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
     for (std::size_t i = paragraphs.size(); i-- > 0;) {
         const std::string code = without_glsl_comments(text);
         const std::vector<std::string> names = defined_in(paragraphs[i]);
-        const bool is_needed = std::any_of(names.begin(), names.end(),
-                                           [&](const auto& one) { return calls(code, one); });
+        const bool is_needed =
+            std::ranges::any_of(names, [&](const auto& one) { return calls(code, one); });
         if (i == 0 || is_needed) text = std::string(paragraphs[i]) + "\n\n" + text;
     }
     return text;

@@ -208,18 +208,17 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 
 }  // namespace
 
-const Baker<EnvironmentBake>& baker(BakerTag<EnvironmentBake>) {
-    static const Baker<EnvironmentBake> row = {.version = 16,
-                                               .bake = bake,
-                                               .estimate = estimate,
-                                               .needs = needs,
-                                               .places = places,
-                                               .lookup = lookup,
-                                               .traced = traced,
-                                               .draft = draft,
-                                               .inputs = inputs,
-                                               .variants = {{"size"}, {"pixel_type"}}};
-    return row;
+Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
+    return {.version = 16,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .inputs = inputs,
+            .variants = {{"size"}, {"pixel_type"}}};
 }
 
 }  // namespace skybake

@@ -63,7 +63,7 @@ std::vector<const CloudMedium*> downwards(std::span<const CloudMedium> media) {
     const auto middle_m = [](const CloudMedium* medium) {
         return medium->base_m + 0.5 * medium->extent_m[2];
     };
-    std::stable_sort(sorted.begin(), sorted.end(), [&](const CloudMedium* a, const CloudMedium* b) {
+    std::ranges::stable_sort(sorted, [&](const CloudMedium* a, const CloudMedium* b) {
         return middle_m(a) > middle_m(b);
     });
     return sorted;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
-#include <utility>
 
 #include "bakers/math/transcendental.h"
 #include "config/assets/environment.h"

@@ -5,7 +5,6 @@
 #include <functional>
 #include <limits>
 #include <numbers>
-#include <utility>
 #include <vector>
 
 #include "bakers/assets/environment/wide_sky.h"

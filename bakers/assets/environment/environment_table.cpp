@@ -121,7 +121,7 @@ AccuracyRequest request_of_environment(const EnvironmentBake& bake,
 
 Image2<double> in_double(const Image2<float>& image) {
     Image2<double> result(image.width, image.height, image.channels);
-    std::copy(image.texels.begin(), image.texels.end(), result.texels.begin());
+    std::ranges::copy(image.texels, result.texels.begin());
     return result;
 }
 

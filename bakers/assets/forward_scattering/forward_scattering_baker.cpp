@@ -1,5 +1,4 @@
 // The baker of asset = "forward_scattering".
-#include <fmt/format.h>
 
 #include <utility>
 
@@ -51,14 +50,13 @@ AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const Stored
 
 }  // namespace
 
-const Baker<ForwardScatteringBake>& baker(BakerTag<ForwardScatteringBake>) {
-    static const Baker<ForwardScatteringBake> row = {.version = 2,
-                                                     .bake = bake,
-                                                     .estimate = estimate,
-                                                     .places = places,
-                                                     .lookup = lookup,
-                                                     .variants = {{"size"}, {"pixel_type"}}};
-    return row;
+Baker<ForwardScatteringBake> baker(BakerTag<ForwardScatteringBake>) {
+    return {.version = 2,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .variants = {{"size"}, {"pixel_type"}}};
 }
 
 }  // namespace skybake

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -113,17 +112,16 @@ void draft(IrradianceBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>) {
-    static const Baker<config::IrradianceBake> row = {.version = 14,
-                                                      .bake = bake,
-                                                      .estimate = estimate,
-                                                      .needs = needs,
-                                                      .places = places,
-                                                      .lookup = lookup,
-                                                      .traced = traced,
-                                                      .draft = draft,
-                                                      .variants = {{"size"}, {"pixel_type"}}};
-    return row;
+Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
+    return {.version = 14,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}}};
 }
 
 }  // namespace skybake

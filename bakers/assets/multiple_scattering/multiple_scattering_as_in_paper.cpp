@@ -1,7 +1,6 @@
 #include "bakers/assets/multiple_scattering/multiple_scattering_as_in_paper.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>

@@ -215,23 +215,21 @@ void draft(MultipleScatteringBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::MultipleScatteringBake>& baker(BakerTag<config::MultipleScatteringBake>) {
-    static const Baker<config::MultipleScatteringBake> row = {
-        .version = 14,
-        .bake = bake,
-        .estimate = estimate,
-        .needs = needs,
-        .places = places,
-        .lookup = lookup,
-        .traced = traced,
-        .draft = draft,
-        .variants = {{"size"},
-                     {"pixel_type"},
-                     {"mapping"},
-                     {"content"},
-                     {"degree"},
-                     {"method", "as_in_paper", "Hillaire 2020"}}};
-    return row;
+Baker<config::MultipleScatteringBake> baker(BakerTag<config::MultipleScatteringBake>) {
+    return {.version = 14,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .variants = {{"size"},
+                         {"pixel_type"},
+                         {"mapping"},
+                         {"content"},
+                         {"degree"},
+                         {"method", "as_in_paper", "Hillaire 2020"}}};
 }
 
 }  // namespace skybake

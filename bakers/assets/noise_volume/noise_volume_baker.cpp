@@ -78,16 +78,14 @@ void draft(NoiseVolumeBake& asset, int most_voxels) {
 
 }  // namespace
 
-const Baker<config::NoiseVolumeBake>& baker(BakerTag<config::NoiseVolumeBake>) {
-    static const Baker<config::NoiseVolumeBake> row = {
-        .version = 3,
-        .bake = bake,
-        .estimate = estimate,
-        .places = places,
-        .lookup = lookup,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
-    return row;
+Baker<config::NoiseVolumeBake> baker(BakerTag<config::NoiseVolumeBake>) {
+    return {.version = 3,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
 }
 
 }  // namespace skybake

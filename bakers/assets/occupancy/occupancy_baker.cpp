@@ -87,8 +87,7 @@ int cell_of_level(const OccupancyBake& asset, const CloudVolumeBake& of,
 
 // 255 or 1 in the channel of leaps; empty where the grid has none.
 std::string full_leap(const OccupancyBake& asset) {
-    const auto leap =
-        std::find(asset.contents.begin(), asset.contents.end(), config::OccupancyContent::leap);
+    const auto leap = std::ranges::find(asset.contents, config::OccupancyContent::leap);
     if (leap == asset.contents.end()) return {};
     std::array<std::string, 4> full = {"0.0", "0.0", "0.0", "0.0"};
     full[static_cast<std::size_t>(leap - asset.contents.begin())] =
@@ -135,7 +134,7 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
         "Returns the channels of the cell at x and y in metres and at the altitude z in metres.";
     function.arguments = "sampler3D cells, vec3 p";
     std::array<double, 3> voxels{};
-    std::copy(of.size.begin(), of.size.end(), voxels.begin());
+    std::ranges::copy(of.size, voxels.begin());
     function.before =
         box + fmt::format("    ivec3 at = cloud_cell(cells, {}, {}, p - corner, tile);\n", cell,
                           glsl_vector(voxels));
@@ -154,16 +153,15 @@ void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 
 }  // namespace
 
-const Baker<config::OccupancyBake>& baker(BakerTag<config::OccupancyBake>) {
-    static const Baker<config::OccupancyBake> row = {.version = 5,
-                                                     .bake = bake,
-                                                     .estimate = estimate,
-                                                     .needs = needs_of_source<OccupancyBake>,
-                                                     .places = places,
-                                                     .lookup = lookup,
-                                                     .draft = draft,
-                                                     .inputs = inputs_of_source<OccupancyBake>};
-    return row;
+Baker<config::OccupancyBake> baker(BakerTag<config::OccupancyBake>) {
+    return {.version = 5,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs_of_source<OccupancyBake>,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .inputs = inputs_of_source<OccupancyBake>};
 }
 
 }  // namespace skybake

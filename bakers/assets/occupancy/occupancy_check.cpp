@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/assets/sources/source_files.h"
@@ -158,7 +157,7 @@ struct Teller {
 std::optional<Teller> teller_of(const std::vector<OccupancyContent>& contents) {
     for (const OccupancyContent content :
          {OccupancyContent::occupied, OccupancyContent::leap, OccupancyContent::maximum}) {
-        const auto found = std::find(contents.begin(), contents.end(), content);
+        const auto found = std::ranges::find(contents, content);
         if (found == contents.end()) continue;
         return Teller{static_cast<std::size_t>(found - contents.begin()), content};
     }

@@ -164,7 +164,7 @@ std::vector<std::array<double, 2>> histogram_ranges(const OccupancyBake& bake) {
 }  // namespace
 
 std::size_t channel_named(const Baked& volume, const std::string& name) {
-    const auto found = std::find(volume.channel_names.begin(), volume.channel_names.end(), name);
+    const auto found = std::ranges::find(volume.channel_names, name);
     return name.empty() ? 0 : static_cast<std::size_t>(found - volume.channel_names.begin());
 }
 
@@ -210,7 +210,7 @@ Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bak
     add("filter", word_of("filter", bake.filter));
     add("rule", word_of("rule", bake.rule));
     add("threshold", to_shortest(of.threshold));
-    const auto leap = std::find(bake.contents.begin(), bake.contents.end(), OccupancyContent::leap);
+    const auto leap = std::ranges::find(bake.contents, OccupancyContent::leap);
     if (leap != bake.contents.end())
         add("leap_scale", occupancy::is_unorm(bake.pixel_type) ? kFarthestLeap : 1.0);
 

@@ -49,6 +49,31 @@ ColumnKind make_kind(config::Atmosphere atmosphere, const config::Layer& layer) 
     return kind;
 }
 
+template <class AltitudeOf>
+std::vector<double> boundaries_km(double max_altitude_km, int count, const AltitudeOf& altitude) {
+    std::vector<double> shells;
+    for (int i = 0; i < count; ++i) shells.push_back(altitude(static_cast<double>(i) / count));
+    shells.push_back(max_altitude_km);
+    return shells;
+}
+
+// The rest of a path after `length_km`.
+ColumnPath rest_of(const Shell& shell, const ColumnPath& path, double length_km) {
+    const double altitude = altitude_along_km(shell, path.altitude_km, path.s_km, length_km);
+    return {std::clamp(altitude, 0.0, shell.thickness_km), path.s_km + length_km,
+            path.length_km - length_km};
+}
+
+ColumnPath reversed(const Shell& shell, const ColumnPath& path) {
+    const ColumnPath end = rest_of(shell, path, path.length_km);
+    return {end.altitude_km, -end.s_km, path.length_km};
+}
+
+void add_differences(const std::vector<double>& a, const std::vector<double>& b,
+                     ErrorStatistics& statistics) {
+    for (std::size_t i = 0; i < a.size(); ++i) statistics.add(a[i] - b[i]);
+}
+
 }  // namespace
 
 std::vector<ColumnKind> make_column_kinds(const config::Atmosphere& atmosphere,
@@ -91,18 +116,6 @@ double reference_mean_density(const ColumnKind& kind, const ColumnPath& path) {
                                          kRelative)[0] /
            path.length_km;
 }
-
-namespace {
-
-template <class AltitudeOf>
-std::vector<double> boundaries_km(double max_altitude_km, int count, const AltitudeOf& altitude) {
-    std::vector<double> shells;
-    for (int i = 0; i < count; ++i) shells.push_back(altitude(static_cast<double>(i) / count));
-    shells.push_back(max_altitude_km);
-    return shells;
-}
-
-}  // namespace
 
 double mean_scale_height_km(const std::vector<ColumnKind>& kinds) {
     double weighted = 0;
@@ -147,27 +160,6 @@ double sampled_mean_density(const ColumnKind& kind, const std::vector<double>& s
     }
     return column / path.length_km;
 }
-
-namespace {
-
-// The rest of a path after `length_km`.
-ColumnPath rest_of(const Shell& shell, const ColumnPath& path, double length_km) {
-    const double altitude = altitude_along_km(shell, path.altitude_km, path.s_km, length_km);
-    return {std::clamp(altitude, 0.0, shell.thickness_km), path.s_km + length_km,
-            path.length_km - length_km};
-}
-
-ColumnPath reversed(const Shell& shell, const ColumnPath& path) {
-    const ColumnPath end = rest_of(shell, path, path.length_km);
-    return {end.altitude_km, -end.s_km, path.length_km};
-}
-
-void add_differences(const std::vector<double>& a, const std::vector<double>& b,
-                     ErrorStatistics& statistics) {
-    for (std::size_t i = 0; i < a.size(); ++i) statistics.add(a[i] - b[i]);
-}
-
-}  // namespace
 
 std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int channels,
                                    double length_km, const std::vector<double>& mean_densities) {

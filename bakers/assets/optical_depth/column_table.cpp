@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "config/assets/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/field/image.h"
 #include "bakers/math/transcendental.h"
+#include "config/assets/optical_depth.h"
 
 namespace skybake {
 
@@ -24,6 +24,45 @@ double coordinate_of(double position, int count) {
 
 double texture_coordinate_of(const RayTexels& texels, double x, int size) {
     return (texels.first + 0.5 + x * (texels.count - 1)) / size;
+}
+
+constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
+
+double end_altitude_km(const Shell& shell, const ColumnPath& path) {
+    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
+                      shell.thickness_km);
+}
+
+// Moves a path off the horizon. If it stays above the ground and climbs at its end, the end keeps its
+// altitude.
+ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {
+    const double lowest_s = lowest_s_of_sky_km(shell, path.altitude_km);
+    if (path.s_km >= lowest_s) return path;
+    const double ground_s = highest_s_of_ground_km(shell, path.altitude_km);
+    const bool meets_ground = path.s_km + path.length_km <= 0 &&
+                              path.s_km < -horizon_distance_km(shell, path.altitude_km);
+    if (meets_ground && !ends_above) {
+        const double r = shell.ground_radius_km + path.altitude_km;
+        path.s_km = std::max(std::min(path.s_km, ground_s), -r);
+        path.length_km =
+            std::min(path.length_km, distance_to_ground_km(shell, path.altitude_km, path.s_km));
+        return path;
+    }
+    const double end_km = end_altitude_km(shell, path);
+    path.s_km = lowest_s;
+    const double length_km = climb_distance_km(shell, path.altitude_km, lowest_s,
+                                               std::max(end_km - path.altitude_km, 0.0));
+    path.length_km = ends_above ? length_km : std::min(path.length_km, length_km);
+    return path;
+}
+
+// Between the ends of a path at the planet's centre: length^2 = gain^2 + 4 low high sin^2.
+double angle_at_centre_deg(const Shell& shell, double low_km, double high_km, double length_km) {
+    const double gain = high_km - low_km;
+    const double square = std::max((length_km - gain) * (length_km + gain), 0.0);
+    const double radii = 4 * (shell.ground_radius_km + low_km) * (shell.ground_radius_km + high_km);
+    const double half_sine = std::min(std::sqrt(square / radii), 1.0);
+    return (std::numbers::pi - 2 * arc_cosine(half_sine)) * kDegreesOfRadian;
 }
 
 }  // namespace
@@ -69,8 +108,7 @@ ColumnPath ColumnTable::path(RayKind kind, double u, double v, double w) const {
 }
 
 const RayTexels& ColumnTable::texels_of(RayKind kind) const {
-    return *std::find_if(kinds_.begin(), kinds_.end(),
-                         [&](const RayTexels& texels) { return texels.kind == kind; });
+    return *std::ranges::find(kinds_, kind, &RayTexels::kind);
 }
 
 ColumnPath ColumnTable::path_of_texel(const std::array<int, 3>& texel) const {
@@ -137,49 +175,6 @@ std::array<double, 3> ColumnTable::texture_coordinates(const ColumnPath& path) c
     const DistanceCoordinates x = distance_coordinates(geometry_, path);
     return place(x.kind, x.angle, x.altitude, x.distance);
 }
-
-namespace {
-
-constexpr double kDegreesOfRadian = 180 / std::numbers::pi;
-
-double end_altitude_km(const Shell& shell, const ColumnPath& path) {
-    return std::clamp(altitude_along_km(shell, path.altitude_km, path.s_km, path.length_km), 0.0,
-                      shell.thickness_km);
-}
-
-// Moves a path off the horizon. If it stays above the ground and climbs at its end, the end keeps its
-// altitude.
-ColumnPath path_off_the_horizon(const Shell& shell, ColumnPath path, bool ends_above) {
-    const double lowest_s = lowest_s_of_sky_km(shell, path.altitude_km);
-    if (path.s_km >= lowest_s) return path;
-    const double ground_s = highest_s_of_ground_km(shell, path.altitude_km);
-    const bool meets_ground = path.s_km + path.length_km <= 0 &&
-                              path.s_km < -horizon_distance_km(shell, path.altitude_km);
-    if (meets_ground && !ends_above) {
-        const double r = shell.ground_radius_km + path.altitude_km;
-        path.s_km = std::max(std::min(path.s_km, ground_s), -r);
-        path.length_km =
-            std::min(path.length_km, distance_to_ground_km(shell, path.altitude_km, path.s_km));
-        return path;
-    }
-    const double end_km = end_altitude_km(shell, path);
-    path.s_km = lowest_s;
-    const double length_km = climb_distance_km(shell, path.altitude_km, lowest_s,
-                                               std::max(end_km - path.altitude_km, 0.0));
-    path.length_km = ends_above ? length_km : std::min(path.length_km, length_km);
-    return path;
-}
-
-// Between the ends of a path at the planet's centre: length^2 = gain^2 + 4 low high sin^2.
-double angle_at_centre_deg(const Shell& shell, double low_km, double high_km, double length_km) {
-    const double gain = high_km - low_km;
-    const double square = std::max((length_km - gain) * (length_km + gain), 0.0);
-    const double radii = 4 * (shell.ground_radius_km + low_km) * (shell.ground_radius_km + high_km);
-    const double half_sine = std::min(std::sqrt(square / radii), 1.0);
-    return (std::numbers::pi - 2 * arc_cosine(half_sine)) * kDegreesOfRadian;
-}
-
-}  // namespace
 
 ProbePlace column_probe_place(const ColumnTable& table, const std::array<double, 3>& uvw) {
     const Shell& shell = table.geometry().shell;

@@ -151,16 +151,14 @@ void draft(OpticalDepthBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::OpticalDepthBake>& baker(BakerTag<config::OpticalDepthBake>) {
-    static const Baker<config::OpticalDepthBake> row = {
-        .version = 6,
-        .bake = bake,
-        .estimate = estimate,
-        .places = places,
-        .lookup = lookup,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"sampling"}}};
-    return row;
+Baker<config::OpticalDepthBake> baker(BakerTag<config::OpticalDepthBake>) {
+    return {.version = 6,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"sampling"}}};
 }
 
 }  // namespace skybake

@@ -1,8 +1,6 @@
 // The baker of asset = "phase".
 #include <fmt/format.h>
 
-#include <array>
-#include <string>
 #include <utility>
 
 #include "bakers/assets/phase/phase_fit.h"
@@ -70,15 +68,13 @@ AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const Stor
 
 }  // namespace
 
-const Baker<config::PhaseBake>& baker(BakerTag<config::PhaseBake>) {
-    static const Baker<config::PhaseBake> row = {
-        .version = 7,
-        .bake = bake,
-        .estimate = estimate,
-        .places = places,
-        .lookup = lookup,
-        .variants = {{"size"}, {"pixel_type"}, {"spacing"}}};
-    return row;
+Baker<config::PhaseBake> baker(BakerTag<config::PhaseBake>) {
+    return {.version = 7,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .variants = {{"size"}, {"pixel_type"}, {"spacing"}}};
 }
 
 }  // namespace skybake

@@ -14,6 +14,8 @@ namespace skybake {
 
 namespace {
 
+using config::PhaseSpacing;
+
 struct Range {
     double low = 0;
     double high = 0;
@@ -76,8 +78,7 @@ const std::vector<Form>& forms() {
 }
 
 const Form& form_named(std::string_view name) {
-    const auto found = std::find_if(forms().begin(), forms().end(),
-                                    [&](const Form& form) { return form.name == name; });
+    const auto found = std::ranges::find(forms(), name, &Form::name);
     assert(found != forms().end());
     return *found;
 }
@@ -155,6 +156,8 @@ Minimum search(const Form& form, std::vector<double> at, const std::vector<Node>
     return best;
 }
 
+double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
+
 }  // namespace
 
 std::vector<PhaseFit> fit_phase(const PhaseFunction& phase) {
@@ -186,18 +189,8 @@ double fitted_value(std::string_view form, const std::vector<double>& parameters
     return form_named(form).value(parameters, one_minus_cosine, one_plus_cosine);
 }
 
-using config::PhaseSpacing;
-
-namespace {
-
-double fourth_root(double x) { return std::sqrt(std::sqrt(x)); }
-
-}  // namespace
-
 std::string_view spacing_name(PhaseSpacing spacing) {
-    return std::find_if(kWords.begin(), kWords.end(),
-                        [=](const SpacingWord& word) { return word.spacing == spacing; })
-        ->name;
+    return std::ranges::find(kWords, spacing, &SpacingWord::spacing)->name;
 }
 
 std::optional<PhaseSpacing> spacing_named(std::string_view mapping) {

@@ -1,6 +1,6 @@
 // A baker makes one kind of asset. The folder of an asset defines its own:
 //
-//   const Baker<config::IrradianceBake>& baker(BakerTag<config::IrradianceBake>);
+//   Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>);
 //
 // registry.h collects those of config/assets/assets.h; an asset without a baker does not link.
 #pragma once
@@ -72,7 +72,7 @@ struct Baker {
 #endif
 template <class Asset>
 struct BakerTag {
-    friend const Baker<Asset>& baker(BakerTag<Asset>);
+    friend Baker<Asset> baker(BakerTag<Asset>);
 };
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic pop

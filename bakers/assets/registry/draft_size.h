@@ -10,7 +10,7 @@ namespace skybake {
 
 // Reduces the longest edge to at most `most_voxels` and the other edges in proportion, rounded.
 inline std::array<int, 3> reduced(const std::array<int, 3>& size, int most_voxels) {
-    const std::int64_t longest = *std::max_element(size.begin(), size.end());
+    const std::int64_t longest = *std::ranges::max_element(size);
     if (longest <= most_voxels) return size;
     std::array<int, 3> fewer{};
     for (std::size_t i = 0; i < 3; ++i) {

@@ -67,8 +67,7 @@ void check_places(const ManifestAsset& asset, const AssetPlaces& places, Checked
 // Null where there is none of this name.
 const config::Bake* bake_of(const config::Parameters& parameters, std::string_view name) {
     const std::vector<config::Bake>& bakes = parameters.bakes;
-    const auto own = std::find_if(bakes.begin(), bakes.end(),
-                                  [name](const config::Bake& bake) { return bake.name == name; });
+    const auto own = std::ranges::find(bakes, name, &config::Bake::name);
     return own != bakes.end() ? &*own : nullptr;
 }
 

@@ -1,7 +1,5 @@
 #include "bakers/assets/registry/registry.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cstddef>
@@ -49,8 +47,8 @@ bool has_colors(const Bake& bake) {
 
 bool scatters(const config::Layer& layer) {
     return layer.phase == config::Phase::mie ||
-           std::any_of(layer.scattering.begin(), layer.scattering.end(),
-                       [](const config::InverseLength& one) { return one.per_meter > 0; });
+           std::ranges::any_of(layer.scattering,
+                               [](const config::InverseLength& one) { return one.per_meter > 0; });
 }
 
 // Returns what the light of a packet is compared with, which keeps the packet's parameters.
@@ -69,61 +67,48 @@ std::optional<TracedLight> light_of_packet(const Baker<Asset>& baker, const Para
     return light;
 }
 
+// Makes a function of any bake, with the parameters of its packet, from one of its baker.
+template <class Asset, class Result, class... More>
+auto of_any_bake(Result (*function)(const Parameters&, const Asset&, More...)) {
+    return [function](const Parameters& parameters, const Bake& bake, More... more) {
+        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
+            return function ? function(own, bake.as<Asset>(), std::forward<More>(more)...)
+                            : Result();
+        });
+    };
+}
+
 template <class Asset>
 AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
     AnyBaker any;
     any.asset = asset;
     any.version = baker.version;
     any.variants = baker.variants;
-    any.inputs = [&baker](const Parameters& parameters, const Bake& bake) {
+    any.inputs = [baker](const Parameters& parameters, const Bake& bake) {
         return baker.inputs ? baker.inputs(parameters, bake.as<Asset>()) : std::vector<InputFile>{};
     };
-    any.estimate = [&baker](const Parameters& parameters, const Bake& bake) {
-        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
-            return baker.estimate(own, bake.as<Asset>());
-        });
-    };
-    any.needs = [&baker](const Parameters& parameters, const Bake& bake,
-                         Certification certification) {
-        std::vector<Need> needs;
-        if (baker.needs) {
-            needs = with_own_parameters(parameters, bake, [&](const Parameters& own) {
-                return baker.needs(own, bake.as<Asset>(), certification);
-            });
-        }
+    any.estimate = of_any_bake(baker.estimate);
+    any.needs = [own_needs = of_any_bake(baker.needs)](
+                    const Parameters& parameters, const Bake& bake, Certification certification) {
+        std::vector<Need> needs = own_needs(parameters, bake, certification);
         if (has_colors(bake)) {
             for (Need& need : color_needs(parameters)) needs.push_back(std::move(need));
         }
         return needs;
     };
-    any.places = [&baker](const Parameters& parameters, const Bake& bake,
-                          const StoredTexels& stored) {
-        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
-            return baker.places(own, bake.as<Asset>(), stored);
-        });
-    };
-    any.lookup = [&baker](const Parameters& parameters, const Bake& bake,
-                          const StoredTexels& stored) {
-        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
-            return baker.lookup(own, bake.as<Asset>(), stored);
-        });
-    };
-    any.traced = [&baker](const Parameters& parameters, const Bake& bake) {
+    any.places = of_any_bake(baker.places);
+    any.lookup = of_any_bake(baker.lookup);
+    any.traced = [baker](const Parameters& parameters, const Bake& bake) {
         std::optional<TracedLight> light =
             baker.traced ? light_of_packet(baker, parameters, bake) : std::nullopt;
         const auto& layers = parameters.atmosphere.layers;
-        if (light) light->air_scatters = std::any_of(layers.begin(), layers.end(), scatters);
+        if (light) light->air_scatters = std::ranges::any_of(layers, scatters);
         return light;
     };
-    any.draft = [&baker](Bake& bake, int most_voxels) {
+    any.draft = [baker](Bake& bake, int most_voxels) {
         if (baker.draft) baker.draft(bake.as<Asset>(), most_voxels);
     };
-    any.bake = [&baker](const Parameters& parameters, const Bake& bake, const BakeOptions& options,
-                        AssetLabel label) {
-        return with_own_parameters(parameters, bake, [&](const Parameters& own) {
-            return baker.bake(own, bake.as<Asset>(), options, std::move(label));
-        });
-    };
+    any.bake = of_any_bake(baker.bake);
     return any;
 }
 
@@ -206,8 +191,7 @@ std::span<const AnyBaker> bakers() {
 
 const AnyBaker& baker_of(const Bake& bake) {
     const std::string_view name = config::kind_of(bake).facts.name;
-    return *std::find_if(bakers().begin(), bakers().end(),
-                         [name](const AnyBaker& baker) { return baker.asset == name; });
+    return *std::ranges::find(bakers(), name, &AnyBaker::asset);
 }
 
 std::vector<Need> needs_of(const Parameters& parameters, std::span<const Bake> bakes,
@@ -215,7 +199,7 @@ std::vector<Need> needs_of(const Parameters& parameters, std::span<const Bake> b
     std::vector<Need> needs;
     for (const Bake& bake : bakes) {
         std::vector<Need> own = baker_of(bake).needs(parameters, bake, certification);
-        std::move(own.begin(), own.end(), std::back_inserter(needs));
+        std::ranges::move(own, std::back_inserter(needs));
     }
     return needs;
 }

@@ -127,8 +127,8 @@ SkyError SkyComparison::error(const std::vector<Spectrum>& found) const {
     result.reference = fmt::format("{:.0f} paths of light in each of {} places in the mean",
                                    mean_paths(), places_.size());
     if (errors.empty()) return result;
-    std::sort(errors.begin(), errors.end());
-    std::sort(spreads.begin(), spreads.end());
+    std::ranges::sort(errors);
+    std::ranges::sort(spreads);
     result.median = errors[errors.size() / 2];
     result.ninth_decile = errors[errors.size() * 9 / 10];
     result.max = errors.back();
@@ -241,7 +241,7 @@ std::vector<std::size_t> SkyComparison::worst_places(const std::vector<Spectrum>
             largest = std::max(largest, one.error);
         if (largest > 0) by_error.emplace_back(-largest, i);
     }
-    std::sort(by_error.begin(), by_error.end());
+    std::ranges::sort(by_error);
     std::vector<std::size_t> worst;
     for (std::size_t i = 0; i < std::min(by_error.size(), kPlacesAgain); ++i) {
         worst.push_back(by_error[i].second);

@@ -38,6 +38,32 @@ class RowColors {
     std::shared_ptr<const SkyColors> colors_;
 };
 
+// Phase functions have no sky without an atmosphere, and so no colours.
+bool has_colors(const config::Parameters& parameters) {
+    return parameters.color && parameters.wavelengths.size() > 1 &&
+           parameters.atmosphere.top_radius.meters > 0;
+}
+
+void scale(const std::vector<double>& factors, std::size_t places, double* values) {
+    for (std::size_t i = 0; i < places * factors.size(); ++i)
+        values[i] *= factors[i % factors.size()];
+}
+
+TableModel scaled(TableModel model, const std::vector<double>& factors) {
+    if (factors.empty()) return model;
+    model.row = [row = model.row, factors](int level, double y, const std::vector<double>& x,
+                                           double* values) {
+        row(level, y, x, values);
+        scale(factors, x.size(), values);
+    };
+    model.reference = [reference = model.reference, factors](double y, const std::vector<double>& x,
+                                                             double* values) {
+        reference(y, x, values);
+        scale(factors, x.size(), values);
+    };
+    return model;
+}
+
 }  // namespace
 
 void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std::size_t>& channels,
@@ -71,16 +97,6 @@ std::vector<config::Atmosphere> light_packets(const config::Parameters& paramete
 int light_channels(const config::Parameters& parameters) {
     return static_cast<int>(config::channels_of_light(parameters));
 }
-
-namespace {
-
-// Phase functions have no sky without an atmosphere, and so no colours.
-bool has_colors(const config::Parameters& parameters) {
-    return parameters.color && parameters.wavelengths.size() > 1 &&
-           parameters.atmosphere.top_radius.meters > 0;
-}
-
-}  // namespace
 
 std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
                                            const BakeOptions& options) {
@@ -126,30 +142,6 @@ void SkyLights::for_each_packet(const std::function<void(const SkyLight& light)>
 }
 
 int SkyLights::channels() const { return colors_ ? kColorChannels : first().medium().air.channels; }
-
-namespace {
-
-void scale(const std::vector<double>& factors, std::size_t places, double* values) {
-    for (std::size_t i = 0; i < places * factors.size(); ++i)
-        values[i] *= factors[i % factors.size()];
-}
-
-TableModel scaled(TableModel model, const std::vector<double>& factors) {
-    if (factors.empty()) return model;
-    model.row = [row = model.row, factors](int level, double y, const std::vector<double>& x,
-                                           double* values) {
-        row(level, y, x, values);
-        scale(factors, x.size(), values);
-    };
-    model.reference = [reference = model.reference, factors](double y, const std::vector<double>& x,
-                                                             double* values) {
-        reference(y, x, values);
-        scale(factors, x.size(), values);
-    };
-    return model;
-}
-
-}  // namespace
 
 void SkyLights::write_channels(
     std::size_t places,

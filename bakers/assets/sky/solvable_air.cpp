@@ -53,7 +53,7 @@ double scattering_depth(const config::Atmosphere& atmosphere) {
             depths[c] += column * layer.scattering[c].per_meter;
         }
     }
-    return *std::max_element(depths.begin(), depths.end());
+    return *std::ranges::max_element(depths);
 }
 
 Diagnostic unsolvable(std::string message, std::string label) {

@@ -152,18 +152,16 @@ void draft(SkyViewBake& asset, int) {
 
 }  // namespace
 
-const Baker<config::SkyViewBake>& baker(BakerTag<config::SkyViewBake>) {
-    static const Baker<config::SkyViewBake> row = {
-        .version = 15,
-        .bake = bake,
-        .estimate = estimate,
-        .needs = needs,
-        .places = places,
-        .lookup = lookup,
-        .traced = traced,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"sky", "strips", "Ai et al. 2014"}}};
-    return row;
+Baker<config::SkyViewBake> baker(BakerTag<config::SkyViewBake>) {
+    return {.version = 15,
+            .bake = bake,
+            .estimate = estimate,
+            .needs = needs,
+            .places = places,
+            .lookup = lookup,
+            .traced = traced,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"sky", "strips", "Ai et al. 2014"}}};
 }
 
 }  // namespace skybake

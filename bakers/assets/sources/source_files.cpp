@@ -8,23 +8,21 @@
 namespace skybake {
 
 const ManifestAsset* asset_named(const Manifest& manifest, const std::string& name) {
-    const auto found = std::find_if(manifest.assets.begin(), manifest.assets.end(),
-                                    [&](const ManifestAsset& asset) { return asset.name == name; });
+    const auto found = std::ranges::find(manifest.assets, name, &ManifestAsset::name);
     return found != manifest.assets.end() ? &*found : nullptr;
 }
 
 const ManifestFile* first_file(const ManifestAsset& asset) {
-    const auto found =
-        std::find_if(asset.files.begin(), asset.files.end(), [](const ManifestFile& file) {
-            const Format* format = find_format(file.format);
-            return file.level == 0 && format != nullptr && format->read != nullptr;
-        });
+    const auto found = std::ranges::find_if(asset.files, [](const ManifestFile& file) {
+        const Format* format = find_format(file.format);
+        return file.level == 0 && format != nullptr && format->read != nullptr;
+    });
     return found != asset.files.end() ? &*found : nullptr;
 }
 
 std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name) {
     if (name.empty()) return 0;
-    const auto found = std::find(volume.channels.begin(), volume.channels.end(), name);
+    const auto found = std::ranges::find(volume.channels, name);
     if (found == volume.channels.end()) return std::nullopt;
     return static_cast<std::size_t>(found - volume.channels.begin());
 }

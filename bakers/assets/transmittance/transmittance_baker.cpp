@@ -1,7 +1,6 @@
 // The baker of asset = "transmittance".
 #include <fmt/format.h>
 
-#include <array>
 #include <utility>
 
 #include "bakers/air/medium.h"
@@ -62,16 +61,14 @@ void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64
 
 }  // namespace
 
-const Baker<config::TransmittanceBake>& baker(BakerTag<config::TransmittanceBake>) {
-    static const Baker<config::TransmittanceBake> row = {
-        .version = 8,
-        .bake = bake,
-        .estimate = estimate,
-        .places = places,
-        .lookup = lookup,
-        .draft = draft,
-        .variants = {{"size"}, {"pixel_type"}, {"content"}, {"mapping"}}};
-    return row;
+Baker<config::TransmittanceBake> baker(BakerTag<config::TransmittanceBake>) {
+    return {.version = 8,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"content"}, {"mapping"}}};
 }
 
 }  // namespace skybake

@@ -51,7 +51,7 @@ double CoverRamp::operator()(double noise) const {
 
 FittedRamp fit_cover_ramp(std::vector<float> noise, double covered, double full,
                           config::CoverEdge edge) {
-    std::sort(noise.begin(), noise.end(), std::greater<>());
+    std::ranges::sort(noise, std::greater<>());
     const std::size_t above = count_of(covered, noise.size());
     const std::size_t whole = count_of(full, noise.size());
     FittedRamp fitted;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
 #include <utility>
 
 #include "bakers/assets/registry/baker.h"
@@ -82,14 +81,13 @@ void draft(WeatherMapBake& asset, int most_texels) {
 
 }  // namespace
 
-const Baker<WeatherMapBake>& baker(BakerTag<WeatherMapBake>) {
-    static const Baker<WeatherMapBake> row = {.version = 3,
-                                              .bake = bake,
-                                              .estimate = estimate,
-                                              .places = places,
-                                              .lookup = lookup,
-                                              .draft = draft};
-    return row;
+Baker<WeatherMapBake> baker(BakerTag<WeatherMapBake>) {
+    return {.version = 3,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft};
 }
 
 }  // namespace skybake

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -114,7 +113,7 @@ class WeatherModel {
 
     std::optional<std::size_t> yielded_to(std::size_t channel) const {
         if (bake_.yields_to.empty() || bake_.yields_to[channel].empty()) return std::nullopt;
-        const auto found = std::find(names_.begin(), names_.end(), bake_.yields_to[channel]);
+        const auto found = std::ranges::find(names_, bake_.yields_to[channel]);
         return static_cast<std::size_t>(found - names_.begin());
     }
 
@@ -135,8 +134,8 @@ class WeatherModel {
         std::vector<float>& texels = planes[channel].texels;
         if (const auto other = yielded_to(channel)) {
             const std::vector<float>& taken = planes[*other].texels;
-            std::transform(texels.begin(), texels.end(), taken.begin(), texels.begin(),
-                           [](float noise, float value) { return noise - value; });
+            std::ranges::transform(texels, taken, texels.begin(),
+                                   [](float noise, float value) { return noise - value; });
         }
         const FittedRamp fitted =
             fit_cover_ramp(texels, bake_.covered[channel], bake_.full[channel], bake_.edge);
@@ -274,8 +273,7 @@ Outcome<Baked> bake_weather_map(const Noise& noise, const WeatherMapBake& bake,
              },
          .reference_name = "the noise's definition in double precision, point by point, with the "
                            "ramps that the texels gave",
-         .expensive = std::any_of(bake.streaks.begin(), bake.streaks.end(),
-                                  [](double length) { return length > 0; }),
+         .expensive = std::ranges::any_of(bake.streaks, [](double length) { return length > 0; }),
          .comparison = {},
          .measure = {},
          .probe_place =

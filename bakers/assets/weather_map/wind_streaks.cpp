@@ -91,8 +91,8 @@ Image2<float> streaked(const Image2<float>& noise, const Streaks& streaks,
             const float* row = noise.texel(0, wrapped(y + tap.y, noise.height));
             add_row(row, noise.width, tap.x, tap.weight, sums);
         }
-        std::transform(sums.begin(), sums.end(), result.texel(0, y),
-                       [](double sum) { return static_cast<float>(sum); });
+        std::ranges::transform(sums, result.texel(0, y),
+                               [](double sum) { return static_cast<float>(sum); });
     });
     return result;
 }

@@ -18,6 +18,38 @@ config::Diagnostic unreadable(const std::filesystem::path& path, const std::stri
                       fmt::format("cannot read `{}`: {}", path.string(), reason));
 }
 
+constexpr std::size_t buffer_size = std::size_t{1} << 20;
+
+int open_emptied(const std::filesystem::path& path) {
+    const bool is_own_file = path.parent_path() == "/proc/self/fd";
+    return uninterrupted([&] {
+        return ::open(path.c_str(),
+                      O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
+    });
+}
+
+config::Outcome<std::string> read_failure(const std::filesystem::path& path,
+                                          const std::string& reason) {
+    return {{},
+            {file_error("E0300", path.string(),
+                        fmt::format("cannot read `{}`: {}", path.string(), reason))}};
+}
+
+// Fills `bytes` from the start of the file and returns errno, or 0. If the file ends early, `bytes`
+// is shortened.
+int read_all(int descriptor, std::string& bytes) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+        const ssize_t count = uninterrupted(
+            [&] { return ::read(descriptor, bytes.data() + done, bytes.size() - done); });
+        if (count < 0) return errno;
+        if (count == 0) break;
+        done += static_cast<std::size_t>(count);
+    }
+    bytes.resize(done);
+    return 0;
+}
+
 }  // namespace
 
 config::Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
@@ -71,20 +103,6 @@ config::Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) 
     return {std::move(result), {}};
 }
 
-namespace {
-
-constexpr std::size_t buffer_size = std::size_t{1} << 20;
-
-int open_emptied(const std::filesystem::path& path) {
-    const bool is_own_file = path.parent_path() == "/proc/self/fd";
-    return uninterrupted([&] {
-        return ::open(path.c_str(),
-                      O_WRONLY | O_TRUNC | O_CLOEXEC | (is_own_file ? 0 : O_NOFOLLOW));
-    });
-}
-
-}  // namespace
-
 FileOutput::FileOutput(const std::filesystem::path& path) : path_(path), file_(open_emptied(path)) {
     if (!file_.valid()) error_ = errno;
 }
@@ -112,8 +130,7 @@ bool FileOutput::finish() {
 void FileOutput::write_through(std::string_view bytes) {
     while (error_ == 0 && !bytes.empty()) {
         const ssize_t count = uninterrupted([&] {
-            return ::pwrite(file_.get(), bytes.data(), bytes.size(),
-                            static_cast<off_t>(position_));
+            return ::pwrite(file_.get(), bytes.data(), bytes.size(), static_cast<off_t>(position_));
         });
         if (count <= 0) {
             error_ = count < 0 ? errno : EIO;
@@ -128,32 +145,6 @@ config::Diagnostic FileOutput::diagnostic() const {
     return file_error("E0301", path_.string(),
                       fmt::format("cannot write `{}`: {}", path_.string(), system_reason(error_)));
 }
-
-namespace {
-
-config::Outcome<std::string> read_failure(const std::filesystem::path& path,
-                                          const std::string& reason) {
-    return {{},
-            {file_error("E0300", path.string(),
-                        fmt::format("cannot read `{}`: {}", path.string(), reason))}};
-}
-
-// Fills `bytes` from the start of the file and returns errno, or 0. If the file ends early, `bytes`
-// is shortened.
-int read_all(int descriptor, std::string& bytes) {
-    std::size_t done = 0;
-    while (done < bytes.size()) {
-        const ssize_t count = uninterrupted(
-            [&] { return ::read(descriptor, bytes.data() + done, bytes.size() - done); });
-        if (count < 0) return errno;
-        if (count == 0) break;
-        done += static_cast<std::size_t>(count);
-    }
-    bytes.resize(done);
-    return 0;
-}
-
-}  // namespace
 
 config::Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.

@@ -74,6 +74,34 @@ config::Diagnostic foreign(const fs::path& file, const std::string& why) {
     return diagnostic;
 }
 
+enum class Attempt { taken, busy, impossible };
+
+Attempt try_lock(int descriptor) {
+    if (uninterrupted([&] { return ::flock(descriptor, LOCK_EX | LOCK_NB); }) == 0) {
+        return Attempt::taken;
+    }
+    return errno == EWOULDBLOCK ? Attempt::busy : Attempt::impossible;
+}
+
+// Whether the folder of that name is still the one that was opened. A process that gave up may have
+// removed the folder that it had made.
+bool is_still(const fs::path& folder, int descriptor) {
+    struct stat named {};
+    struct stat opened {};
+    return ::stat(folder.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
+           named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
+}
+
+// Moves the lock to a high descriptor. Linux closes the descriptors of a dying process in ascending
+// order, so whoever gets the lock from a killed process finds that its temporaries are already
+// unlocked. If no high descriptor is available, the lock keeps its own.
+FileDescriptor closed_last(FileDescriptor descriptor) {
+    if (!descriptor.valid()) return descriptor;
+    constexpr int high = 512;  // of the 1024 that processes have by default
+    FileDescriptor last(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, high));
+    return last.valid() ? std::move(last) : std::move(descriptor);
+}
+
 }  // namespace
 
 config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
@@ -130,38 +158,6 @@ void remove_empty_folders(std::span<const fs::path> folders) {
         if (!fs::remove(folder, not_empty)) return;
     }
 }
-
-namespace {
-
-enum class Attempt { taken, busy, impossible };
-
-Attempt try_lock(int descriptor) {
-    if (uninterrupted([&] { return ::flock(descriptor, LOCK_EX | LOCK_NB); }) == 0) {
-        return Attempt::taken;
-    }
-    return errno == EWOULDBLOCK ? Attempt::busy : Attempt::impossible;
-}
-
-// Whether the folder of that name is still the one that was opened. A process that gave up may have
-// removed the folder that it had made.
-bool is_still(const fs::path& folder, int descriptor) {
-    struct stat named {};
-    struct stat opened {};
-    return ::stat(folder.c_str(), &named) == 0 && ::fstat(descriptor, &opened) == 0 &&
-           named.st_ino == opened.st_ino && named.st_dev == opened.st_dev;
-}
-
-// Moves the lock to a high descriptor. Linux closes the descriptors of a dying process in ascending
-// order, so whoever gets the lock from a killed process finds that its temporaries are already
-// unlocked. If no high descriptor is available, the lock keeps its own.
-FileDescriptor closed_last(FileDescriptor descriptor) {
-    if (!descriptor.valid()) return descriptor;
-    constexpr int high = 512;  // of the 1024 that processes have by default
-    FileDescriptor last(::fcntl(descriptor.get(), F_DUPFD_CLOEXEC, high));
-    return last.valid() ? std::move(last) : std::move(descriptor);
-}
-
-}  // namespace
 
 config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
                                                 const std::function<void()>& waits,

@@ -89,12 +89,10 @@ pid_t owner_of(std::string_view name, std::string_view prefix) {
 
 // Returns a descriptor that holds the lock of a temporary, or none if somebody else holds it.
 FileDescriptor locked(const fs::path& temporary) {
-    FileDescriptor file(uninterrupted([&] {
-        return ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
-    }));
-    const bool taken = file.valid() && uninterrupted([&] {
-                           return ::flock(file.get(), LOCK_EX | LOCK_NB);
-                       }) == 0;
+    FileDescriptor file(uninterrupted(
+        [&] { return ::open(temporary.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK); }));
+    const bool taken =
+        file.valid() && uninterrupted([&] { return ::flock(file.get(), LOCK_EX | LOCK_NB); }) == 0;
     return taken ? std::move(file) : FileDescriptor();
 }
 
@@ -135,7 +133,7 @@ std::vector<std::pair<fs::path, pid_t>> temporaries_in(const fs::path& folder,
 // Whether somebody holds the lock of any temporary of a process but this one.
 bool holds_another(const fs::path& folder, pid_t owner, const fs::path& but) {
     const auto all = temporaries_in(folder, own_prefix);
-    return std::any_of(all.begin(), all.end(), [&](const auto& other) {
+    return std::ranges::any_of(all, [&](const auto& other) {
         std::error_code gone;
         return other.second == owner && other.first != but && !locked(other.first).valid() &&
                fs::exists(other.first, gone);

@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 2> filter_words = {"linear", "nearest"};
 
 template <class Enum>
 std::optional<Enum> value_among(std::span<const std::string_view> words, std::string_view word) {
-    const auto found = std::find(words.begin(), words.end(), word);
+    const auto found = std::ranges::find(words, word);
     if (found == words.end()) return std::nullopt;
     return static_cast<Enum>(found - words.begin());
 }

@@ -166,10 +166,9 @@ config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
 
 bool equal_within(const ImageDifference& difference, double tolerance) {
     return difference.layout.empty() &&
-           std::all_of(difference.channels.begin(), difference.channels.end(),
-                       [tolerance](const ChannelDifference& channel) {
-                           return channel.max_absolute <= tolerance;
-                       });
+           std::ranges::all_of(difference.channels, [tolerance](const ChannelDifference& channel) {
+               return channel.max_absolute <= tolerance;
+           });
 }
 
 }  // namespace skybake

@@ -25,9 +25,8 @@ void check_catches(Examination& examination, const ReadableTexture& texture, int
                    const std::vector<std::string>& catches) {
     std::map<std::string, int> shown;  // number of probes; the fewest of all ways with one name
     for (const WrongLookup& wrong : wrong_lookups(texture.use, dimensions)) {
-        const auto count = static_cast<int>(
-            std::count_if(probes.begin(), probes.end(),
-                          [&](const CaughtProbe& probe) { return shows(texture, probe, wrong); }));
+        const auto count = static_cast<int>(std::ranges::count_if(
+            probes, [&](const CaughtProbe& probe) { return shows(texture, probe, wrong); }));
         const auto [entry, fresh] = shown.emplace(wrong.name, count);
         if (!fresh) entry->second = std::min(entry->second, count);
     }

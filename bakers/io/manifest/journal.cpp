@@ -38,7 +38,7 @@ std::vector<ManifestAsset> entries_of(const fs::path& journal) {
 }
 
 bool has_all_files(const fs::path& folder, const ManifestAsset& entry) {
-    return std::all_of(entry.files.begin(), entry.files.end(), [&](const ManifestFile& file) {
+    return std::ranges::all_of(entry.files, [&](const ManifestFile& file) {
         return is_as_written(folder, {file.path, file.xxh3});
     });
 }
@@ -46,8 +46,7 @@ bool has_all_files(const fs::path& folder, const ManifestAsset& entry) {
 // Returns whether the entry says anything new.
 bool add_entry(const fs::path& folder, ManifestAsset entry, Manifest& manifest) {
     auto& known = manifest.assets;
-    const auto same = std::find_if(known.begin(), known.end(),
-                                   [&](const auto& asset) { return asset.name == entry.name; });
+    const auto same = std::ranges::find(known, entry.name, &ManifestAsset::name);
     if (same != known.end() && same->key == entry.key) return false;
     if (!has_all_files(folder, entry)) {
         for (const ManifestFile& file : entry.files) {
@@ -92,8 +91,9 @@ std::vector<Diagnostic> BakeJournal::add(std::span<const ManifestAsset> entries)
     const fs::path file = folder_ / manifest_name;
     if (!file_) file_.emplace(file);
     if (file_->valid()) file_->leave_behind();
-    const int error = file_->descriptor() >= 0 ? write_text_to(file_->descriptor(), manifest_json(manifest))
-                                               : errno;
+    const int error = file_->descriptor() >= 0
+                          ? write_text_to(file_->descriptor(), manifest_json(manifest))
+                          : errno;
     if (error == 0) return {};
     const std::string path = file.string();
     return {file_error("E0301", path,

@@ -43,6 +43,12 @@ std::optional<config::Diagnostic> holds_no_bake(const std::filesystem::path& fil
         fmt::format("`{}` holds no bake: it has no {}", folder.string(), manifest_name));
 }
 
+using Json = nlohmann::ordered_json;
+
+std::string hash_of_text(const Json& json) {
+    return xxh3_hex(json.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 }  // namespace
 
 config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
@@ -118,16 +124,6 @@ Manifest claims_of(const Manifest& manifest) {
     claimed.retired = files_no_longer_made(manifest, {});
     return claimed;
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-std::string hash_of_text(const Json& json) {
-    return xxh3_hex(json.dump(-1, ' ', false, Json::error_handler_t::replace));
-}
-
-}  // namespace
 
 std::string entry_hash(const Json& entry) {
     Json rest = entry;

@@ -11,7 +11,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
-#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/manifest_members.h"
 #include "bakers/io/manifest/release.h"
 #include "bakers/io/targets/sidecar.h"
 #include "config/sections/file_formats.h"
@@ -101,18 +101,6 @@ class Node {
     std::string place_;
 };
 
-std::vector<double> numbers(const Node& node) {
-    std::vector<double> values;
-    for (const Node& element : node.elements()) values.push_back(element.number());
-    return values;
-}
-
-std::vector<std::string> texts(const Node& node) {
-    std::vector<std::string> values;
-    for (const Node& element : node.elements()) values.push_back(element.text());
-    return values;
-}
-
 // Returns a path within the manifest's folder. A manifest must not make its reader open files
 // anywhere else.
 std::string path_within_folder(const Node& node) {
@@ -133,214 +121,144 @@ int extent(const Node& node) {
     return value;
 }
 
-SheetGrid read_layout(const Node& node) {
-    const auto kind = sheet_layout_of(node["kind"].text());
-    if (!kind) node["kind"].fail("there is no such layout");
-    return {*kind, extent(node["columns"]), extent(node["rows"]),
-            node.has("flipped") && node["flipped"].flag()};
-}
+// Reads one object, member by member (manifest_members.h).
+class MemberReader {
+  public:
+    const bool of_volume;
 
-TextureParts read_texture_parts(const Node& node) {
-    const auto parts = texture_parts_of(node.text());
-    if (!parts || *parts == TextureParts::none) node.fail("there is no such texture");
-    return *parts;
-}
+    MemberReader(Node node, bool is_of_volume) : of_volume(is_of_volume), node_(std::move(node)) {}
 
-ManifestFile read_file_entry(const Node& node) {
-    ManifestFile file;
-    file.path = path_within_folder(node["path"]);
-    file.format = node["format"].text();
-    const Format* format = find_format(file.format);
-    const bool is_text = file.format == "json" || file.format == sidecar_format;
-    if (format == nullptr && !is_text) node["format"].fail("there is no such format");
-    const auto type = pixel_type_of(node["pixel_type"].text());
-    if (!type) node["pixel_type"].fail("there is no such pixel type");
-    file.pixel_type = *type;
-    file.bytes = node["bytes"].integer<std::uint64_t>(0);
-    file.xxh3 = node["xxh3"].text();
-    file.level = node["level"].integer<int>(0);
-    if (node.has("levels")) file.levels = extent(node["levels"]);
-    file.compression = node["compression"].text();
-    if (format == nullptr) return file;
-    if (config::facts_of(format->format).is_image) file.layout = read_layout(node["layout"]);
-    if (format->grids != nullptr) file.grids = texts(node["grids"]);
-    if (node.has("texture")) file.texture = read_texture_parts(node["texture"]);
-    return file;
-}
-
-FactValue read_fact(const Node& node) {
-    if (node.is_text()) return node.text();
-    if (node.is_number()) return node.number();
-    return numbers(node);
-}
-
-Facts read_facts(const Node& node) {
-    Facts facts;
-    for (const auto& [name, value] : node.members()) facts.emplace_back(name, read_fact(value));
-    return facts;
-}
-
-// Reads a word and returns its enumerator, which `of` looks up.
-template <class Enum>
-Enum read_word(const Node& node, std::optional<Enum> (*of)(std::string_view)) {
-    const std::optional<Enum> value = of(node.text());
-    if (!value) node.fail("no such word is known");
-    return *value;
-}
-
-AxisMapping read_axis(const Node& node) {
-    AxisMapping axis;
-    axis.quantity = node["quantity"].text();
-    axis.formula = node["formula"].text();
-    axis.convention = node["convention"].text();
-    axis.first = node["first"].number();
-    axis.last = node["last"].number();
-    axis.end_points = read_word(node["end_points"], end_points_of);
-    axis.wrap = read_word(node["wrap"], axis_wrap_of);
-    axis.filter = read_word(node["filter"], axis_filter_of);
-    axis.constants = read_facts(node["constants"]);
-    return axis;
-}
-
-// Three weights for each wavelength.
-ColorConvention read_color(const Node& node, std::size_t wavelengths) {
-    ColorConvention color = {node["space"].text(), node["white"].text(), node["sun"].text(),
-                             node["observer"].text(), node["is_applied"].flag()};
-    for (const Node& weight : node["weights"].elements(3 * wavelengths)) {
-        color.weights.push_back(weight.number());
+    void operator()(const char* name, auto& value, auto&&... more) const {
+        read(node_[name], value);
+        if constexpr (sizeof...(more) > 0) (*this)(more...);
     }
-    return color;
-}
-
-ColorError read_color_error(const Node& node) {
-    ColorError error;
-    error.median = node["median"].number();
-    error.ninth_decile = node["ninth_decile"].number();
-    error.max = node["max"].number();
-    const std::vector<Node> disc = node["disc_at_5_1_0_deg"].elements(error.disc.size());
-    for (std::size_t i = 0; i < disc.size(); ++i) error.disc[i] = disc[i].number();
-    error.skies = node["skies"].integer<int>(0);
-    return error;
-}
-
-Conventions read_conventions(const Node& node) {
-    const auto text = [&node](const char* name) {
-        return node.has(name) ? node[name].text() : std::string();
-    };
-    const auto list = [&node](const char* name) {
-        return node.has(name) ? numbers(node[name]) : std::vector<double>();
-    };
-    node["texel_origin"].text();
-    Conventions conventions = {text("length_unit"),      text("coefficient_unit"),
-                               text("angle_unit"),       text("radiance_unit"),
-                               list("solar_irradiance"), list("wavelengths_nm")};
-    if (node.has("color")) {
-        conventions.color = read_color(node["color"], conventions.wavelengths_nm.size());
-    }
-    conventions.up_axis = text("up_axis");
-    return conventions;
-}
-
-std::optional<Certificate> read_certificate(const Node& node) {
-    if (node.is_null()) return std::nullopt;
-    Certificate certificate;
-    certificate.texel = {node["texel"]["max"].number(), node["texel"]["rms"].number()};
-    certificate.lookup = {node["lookup"]["max"].number(), node["lookup"]["rms"].number()};
-    certificate.reference = node["reference"].text();
-    certificate.lookup_points = node["points"].integer<int>(0);
-    certificate.texel_points = node["texel_points"].integer<int>(0);
-    certificate.scale = node["scale"].text();
-    certificate.worst = node["worst"].text();
-    certificate.advice = node["advice"].text();
-    if (node.has("sky")) {
-        const Node sky = node["sky"];
-        certificate.sky = SkyError{sky["median"].number(),
-                                   sky["ninth_decile"].number(),
-                                   sky["max"].number(),
-                                   sky["points"].integer<int>(0),
-                                   sky["reference"].text(),
-                                   sky["standard_error"].number(),
-                                   sky["left_out"].integer<int>(0),
-                                   sky["worst"].text()};
-        if (sky.has("worst_sun_elevation_deg")) {
-            certificate.sky->worst_sun_deg = sky["worst_sun_elevation_deg"].number();
+    void extent(const char* name, int& count) const { count = skybake::extent(node_[name]); }
+    void path(const char* name, std::string& path) const { path = path_within_folder(node_[name]); }
+    void format(const char* name, std::string& format) const {
+        format = node_[name].text();
+        const bool is_text = format == "json" || format == sidecar_format;
+        if (find_format(format) == nullptr && !is_text) {
+            node_[name].fail("there is no such format");
         }
-        if (sky.has("better")) certificate.sky->better = sky["better"].text();
     }
-    if (node.has("color")) certificate.color = read_color_error(node["color"]);
-    return certificate;
-}
+    void uv(const char* name, std::array<double, 3>& uvw) const {
+        std::array<double, 2> uv{};
+        read(node_[name], uv);
+        uvw = {uv[0], uv[1], 0.5};
+    }
+    void plain(const char* name, std::vector<double>& numbers) const { when(true, name, numbers); }
+    bool holds(const char* name, bool) const { return node_.has(name); }
+    void when(bool, const char* name, auto& value) const {
+        if (node_.has(name)) read(node_[name], value);
+    }
+    void where(bool, bool wanted, const char* name, auto& value) const {
+        if (wanted) read(node_[name], value);
+    }
+    void or_null(const char* name, auto& value) const {
+        if (!node_[name].is_null()) read(node_[name], value);
+    }
+    void object(const char* name, const auto& list) const {
+        const MemberReader inner(node_[name], of_volume);
+        list(inner);
+    }
+    void each(const char* name, std::size_t count, const auto& list) const {
+        const std::vector<Node> nodes = node_[name].elements(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            const MemberReader inner(nodes[i], of_volume);
+            list(inner, i);
+        }
+    }
 
-std::vector<std::pair<std::string, double>> read_place(const Node& node) {
-    std::vector<std::pair<std::string, double>> place;
-    for (const auto& [quantity, value] : node.members()) {
-        place.emplace_back(quantity, value.number());
+  private:
+    void read(const Node& node, std::string& text) const { text = node.text(); }
+    void read(const Node& node, bool& flag) const { flag = node.flag(); }
+    void read(const Node& node, double& number) const { number = node.number(); }
+    template <std::integral Integer>
+    void read(const Node& node, Integer& count) const {
+        count = node.integer<Integer>(0);
     }
-    return place;
-}
+    template <class Struct>
+    void read(const Node& node, Struct& value) const {
+        const MemberReader inner(node, of_volume);
+        members(inner, value);
+    }
+    template <class T>
+    void read(const Node& node, std::optional<T>& value) const {
+        read(node, value.emplace());
+    }
+    template <class T>
+    void read(const Node& node, std::vector<T>& values) const {
+        for (const Node& element : node.elements()) read(element, values.emplace_back());
+    }
+    template <std::size_t n>
+    void read(const Node& node, std::array<double, n>& numbers) const {
+        const std::vector<Node> elements = node.elements(n);
+        for (std::size_t i = 0; i < n; ++i) numbers[i] = elements[i].number();
+    }
+    void read(const Node& node, std::array<int, 3>& size) const {
+        const std::vector<Node> elements = node.elements(of_volume ? 3 : 2);
+        size[2] = 1;
+        for (std::size_t i = 0; i < elements.size(); ++i) size[i] = skybake::extent(elements[i]);
+    }
 
-std::array<double, 3> read_uvw(const Node& node) {
-    const auto uvw = node.elements(3);
-    return {uvw[0].number(), uvw[1].number(), uvw[2].number()};
-}
+    // Reads a word and takes the enumerator that `of` finds for it.
+    template <class Enum>
+    static void read_word(const Node& node, std::optional<Enum> (*of)(std::string_view),
+                          const char* otherwise, Enum& value) {
+        const std::optional<Enum> found = of(node.text());
+        if (!found) node.fail(otherwise);
+        value = *found;
+    }
+    void read(const Node& node, config::PixelType& type) const {
+        read_word(node, pixel_type_of, "there is no such pixel type", type);
+    }
+    void read(const Node& node, config::SheetLayout& layout) const {
+        read_word(node, sheet_layout_of, "there is no such layout", layout);
+    }
+    void read(const Node& node, TexelConvention& end_points) const {
+        read_word(node, end_points_of, "no such word is known", end_points);
+    }
+    void read(const Node& node, AxisWrap& wrap) const {
+        read_word(node, axis_wrap_of, "no such word is known", wrap);
+    }
+    void read(const Node& node, AxisFilter& filter) const {
+        read_word(node, axis_filter_of, "no such word is known", filter);
+    }
+    void read(const Node& node, TextureParts& parts) const {
+        read_word(node, texture_parts_of, "there is no such texture", parts);
+        if (parts == TextureParts::none) node.fail("there is no such texture");
+    }
 
-Probe read_probe(const Node& node, bool of_volume) {
-    Probe probe;
-    probe.at = read_place(node["at"]);
-    if (of_volume) {
-        probe.uvw = read_uvw(node["uvw"]);
-    } else {
-        const auto uv = node["uv"].elements(2);
-        probe.uvw = {uv[0].number(), uv[1].number(), 0.5};
+    void read(const Node& node, FactValue& value) const {
+        if (node.is_text()) {
+            value = node.text();
+        } else if (node.is_number()) {
+            value = node.number();
+        } else {
+            read(node, value.emplace<std::vector<double>>());
+        }
     }
-    if (node.has("blend")) {
-        const Node blend = node["blend"];
-        probe.blend = BlendedLookup{read_uvw(blend["uvw"]), blend["share"].number()};
+    // Reads an object whose members have names of any kind: facts, or the place of a probe.
+    template <class T>
+    void read(const Node& node, std::vector<std::pair<std::string, T>>& values) const {
+        for (const auto& [name, value] : node.members()) {
+            read(value, values.emplace_back(name, T()).second);
+        }
     }
-    probe.value = numbers(node["value"]);
-    probe.tolerance = numbers(node["tolerance"]);
-    if (node.has("column_km")) probe.column_km = numbers(node["column_km"]);
-    return probe;
-}
 
-ValueStatistics read_statistics(const Node& node) {
-    ValueStatistics statistics;
-    statistics.min = node["min"].number();
-    statistics.max = node["max"].number();
-    statistics.mean = node["mean"].number();
-    const auto range = node["histogram"]["range"].elements(2);
-    statistics.histogram_range = {range[0].number(), range[1].number()};
-    for (const Node& count : node["histogram"]["counts"].elements()) {
-        statistics.histogram.push_back(count.integer<std::int64_t>(0));
-    }
-    return statistics;
-}
+    Node node_;
+};
 
-// Reads a level from its own object, or level 0 from the object of its asset.
-ManifestLevel read_level(const Node& node, std::size_t channels, bool of_volume) {
-    ManifestLevel level;
-    const auto size = node["size"].elements(of_volume ? 3 : 2);
-    level.size = {extent(size[0]), extent(size[1]), of_volume ? extent(size[2]) : 1};
-    level.content_hash = node["content_hash"].text();
-    for (const Node& entry : node["statistics"].elements(channels)) {
-        level.statistics.push_back(read_statistics(entry));
+// Checks the numbers of values that others depend on.
+void check_counts(const Node& node, const ManifestAsset& asset) {
+    const Conventions& conventions = asset.conventions;
+    if (conventions.color) {
+        node["conventions"]["color"]["weights"].elements(3 * conventions.wavelengths_nm.size());
     }
-    for (const Node& probe : node["probes"].elements()) {
-        level.probes.push_back(read_probe(probe, of_volume));
-    }
-    level.catches = texts(node["catches"]);
-    return level;
-}
-
-void read_levels(const Node& node, ManifestAsset& asset) {
-    const bool of_volume = asset.is_volume();
-    asset.levels.push_back(read_level(node, asset.channels.size(), of_volume));
+    node["statistics"].elements(asset.channels.size());
     for (const Node& mip : node["mips"].elements()) {
-        asset.levels.push_back(read_level(mip, asset.channels.size(), of_volume));
+        mip["statistics"].elements(asset.channels.size());
     }
-    const std::array<int, 3>& size = asset.levels[0].size;
-    asset.size.assign(size.begin(), size.begin() + (of_volume ? 3 : 2));
-    if (of_volume) asset.seam_error = node["seam_error"].number();
     for (const ManifestFile& file : asset.files) {
         const std::int64_t end = std::int64_t{file.level} + file.levels;
         if (end > static_cast<std::int64_t>(asset.levels.size())) {
@@ -355,43 +273,18 @@ void read_levels(const Node& node, ManifestAsset& asset) {
     }
 }
 
-void read_identity(const Node& node, ManifestAsset& asset) {
-    asset.key = node["key"].text();
-    asset.certification = node["certification"].text();
-    for (const Node& input : node["inputs"].elements()) {
-        asset.inputs.push_back({input["file"].text(), input["xxh3"].text()});
-    }
-}
-
 ManifestAsset read_asset(const Node& node) {
     ManifestAsset asset;
     const bool of_volume = node["size"].count() == 3;
-    asset.name = node["name"].text();
-    asset.kind = node["kind"].text();
-    asset.content = node["content"].text();
-    for (const Node& file : node["files"].elements()) {
-        asset.files.push_back(read_file_entry(file));
-    }
-    asset.channels = texts(node["channels"]);
-    asset.mapping = node["mapping"]["name"].text();
-    asset.axes = {read_axis(node["mapping"]["u"]), read_axis(node["mapping"]["v"])};
-    if (of_volume) asset.axes.push_back(read_axis(node["mapping"]["w"]));
-    const Node timing = node["timing"];
-    asset.timing = {{timing["light_s"].number(), timing["colors_s"].number(),
-                     timing["texels_s"].number(), timing["certificate_s"].number()},
-                    timing["write_s"].number(),
-                    timing["threads"].integer<int>(0)};
-    asset.error = read_certificate(node["error"]);
-    asset.range = {node["range"]["below_normal"].integer<long>(0),
-                   node["range"]["above_range"].integer<long>(0)};
-    asset.conventions = read_conventions(node["conventions"]);
-    asset.details = read_facts(node["details"]);
-    asset.parameters = node["parameters"].text();
-    asset.content_hash = node["content_hash"].text();
-    asset.release = node["release"].text();
-    if (node.has("key")) read_identity(node, asset);
+    asset.axes.resize(of_volume ? 3 : 2);
+    asset.levels.resize(1 + node["mips"].count());
+    const MemberReader reader(node, of_volume);
+    members(reader, asset);
     node["hash"].text();
-    read_levels(node, asset);
+    asset.levels[0].content_hash = asset.content_hash;
+    const std::array<int, 3>& size = asset.levels[0].size;
+    asset.size.assign(size.begin(), size.begin() + (of_volume ? 3 : 2));
+    check_counts(node, asset);
     return asset;
 }
 
@@ -416,7 +309,8 @@ std::vector<RetiredFile> read_retired(const Node& node) {
     std::vector<RetiredFile> files;
     if (!node.has("retired")) return files;
     for (const Node& file : node["retired"].elements()) {
-        files.push_back({path_within_folder(file["path"]), file["xxh3"].text()});
+        const MemberReader reader(file, false);
+        members(reader, files.emplace_back());
     }
     return files;
 }
@@ -456,7 +350,7 @@ std::optional<Manifest> read_earlier_claims(const Json& json) {
 // Returns the place of a byte in the text: "line 3, column 14".
 std::string place_in(std::string_view text, std::size_t byte) {
     const std::string_view before = text.substr(0, std::min(byte, text.size()));
-    const auto line = std::count(before.begin(), before.end(), '\n') + 1;
+    const auto line = std::ranges::count(before, '\n') + 1;
     const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0: the first line
     return fmt::format("line {}, column {}", line, before.size() - start + 1);
 }

@@ -1,4 +1,3 @@
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -7,7 +6,7 @@
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
-#include "bakers/io/manifest/manifest.h"
+#include "bakers/io/manifest/manifest_members.h"
 #include "config/diagnostics/toml_source.h"
 #include "config/text/key_path.h"
 
@@ -15,27 +14,6 @@ namespace skybake {
 namespace {
 
 using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
-
-Json to_json(const ManifestFile& file) {
-    Json json = {
-        {"path", file.path},   {"format", file.format}, {"pixel_type", to_string(file.pixel_type)},
-        {"bytes", file.bytes}, {"xxh3", file.xxh3},     {"level", file.level}};
-    if (file.levels > 1) json["levels"] = file.levels;
-    json["compression"] = file.compression;
-    if (file.layout) {
-        json["layout"] = {{"kind", to_string(file.layout->kind)},
-                          {"columns", file.layout->columns},
-                          {"rows", file.layout->rows}};
-        if (file.layout->flipped) json["layout"]["flipped"] = true;
-    }
-    if (!file.grids.empty()) json["grids"] = file.grids;
-    if (file.texture != TextureParts::none) json["texture"] = to_string(file.texture);
-    return json;
-}
-
-Json to_json(const ManifestInput& input) { return {{"file", input.file}, {"xxh3", input.xxh3}}; }
-
-Json to_json(const RetiredFile& file) { return {{"path", file.path}, {"xxh3", file.xxh3}}; }
 
 // Writes whole numbers without a decimal point, as people write counts.
 Json number_json(double number) {
@@ -45,182 +23,109 @@ Json number_json(double number) {
     return static_cast<std::int64_t>(number);
 }
 
-Json to_json(const FactValue& value) {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
-    if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
-    Json numbers = Json::array();
-    for (const double number : std::get<std::vector<double>>(value)) {
-        numbers.push_back(number_json(number));
-    }
-    return numbers;
-}
-
-Json to_json(const Facts& facts) {
-    Json json = Json::object();
-    for (const auto& [name, value] : facts) json[name] = to_json(value);
-    return json;
-}
-
-Json to_json(const AxisMapping& axis) {
-    return {{"quantity", axis.quantity},
-            {"formula", axis.formula},
-            {"convention", axis.convention},
-            {"first", axis.first},
-            {"last", axis.last},
-            {"end_points", to_string(axis.end_points)},
-            {"wrap", to_string(axis.wrap)},
-            {"filter", to_string(axis.filter)},
-            {"constants", to_json(axis.constants)}};
-}
-
-Json color_error_json(const ColorError& error) {
-    return {{"median", error.median},
-            {"ninth_decile", error.ninth_decile},
-            {"max", error.max},
-            {"disc_at_5_1_0_deg", error.disc},
-            {"skies", error.skies}};
-}
-
-Json to_json(const std::optional<Certificate>& certificate) {
-    if (!certificate) return nullptr;
-    const Certificate& c = *certificate;
-    Json json = {{"texel", {{"max", c.texel.max}, {"rms", c.texel.rms}}},
-                 {"lookup", {{"max", c.lookup.max}, {"rms", c.lookup.rms}}},
-                 {"reference", c.reference},
-                 {"points", c.lookup_points},
-                 {"texel_points", c.texel_points},
-                 {"scale", c.scale},
-                 {"worst", c.worst},
-                 {"advice", c.advice}};
-    if (c.sky) json["sky"] = sky_error_json(*c.sky);
-    if (c.color) json["color"] = color_error_json(*c.color);
-    return json;
-}
-
-Json place_json(const std::vector<std::pair<std::string, double>>& place) {
-    Json at = Json::object();
-    for (const auto& [quantity, value] : place) at[quantity] = value;
-    return at;
-}
-
-// A table's `w` is left out, because it is always 1/2.
-Json probe_json(const Probe& probe, bool of_volume) {
-    Json json = {{"at", place_json(probe.at)}};
-    if (of_volume) {
-        json["uvw"] = probe.uvw;
-    } else {
-        json["uv"] = {probe.uvw[0], probe.uvw[1]};
-    }
-    if (probe.blend) json["blend"] = {{"uvw", probe.blend->uvw}, {"share", probe.blend->share}};
-    json["value"] = probe.value;
-    json["tolerance"] = probe.tolerance;
-    if (!probe.column_km.empty()) json["column_km"] = probe.column_km;
-    return json;
-}
-
-Json to_json(const ValueStatistics& statistics) {
-    return {
-        {"min", statistics.min},
-        {"max", statistics.max},
-        {"mean", statistics.mean},
-        {"histogram", {{"range", statistics.histogram_range}, {"counts", statistics.histogram}}}};
-}
-
-template <class T>
-Json array_of(const std::vector<T>& elements) {
+Json numbers_json(const std::vector<double>& numbers) {
     Json json = Json::array();
-    for (const T& element : elements) json.push_back(to_json(element));
+    for (const double number : numbers) json.push_back(number_json(number));
     return json;
 }
 
-Json probes_json(const ManifestLevel& level, bool of_volume) {
-    Json json = Json::array();
-    for (const Probe& probe : level.probes) json.push_back(probe_json(probe, of_volume));
-    return json;
-}
+// Writes one object, member by member (manifest_members.h).
+class MemberWriter {
+  public:
+    const bool of_volume;
 
-Json mip_json(const ManifestLevel& level, bool of_volume) {
-    std::vector<int> size(level.size.begin(), level.size.begin() + (of_volume ? 3 : 2));
-    return {{"size", std::move(size)},
-            {"statistics", array_of(level.statistics)},
-            {"probes", probes_json(level, of_volume)},
-            {"catches", level.catches},
-            {"content_hash", level.content_hash}};
-}
+    explicit MemberWriter(bool is_of_volume) : of_volume(is_of_volume) {}
 
-Json mapping_json(const ManifestAsset& asset) {
-    constexpr std::array names = {"u", "v", "w"};
-    Json json = {{"name", asset.mapping}};
-    for (std::size_t i = 0; i < asset.axes.size(); ++i) json[names[i]] = to_json(asset.axes[i]);
-    return json;
-}
-
-// Adds the levels. Level 0 is the asset itself.
-void add_levels(const ManifestAsset& asset, Json& json) {
-    json["probes"] = probes_json(asset.levels[0], asset.is_volume());
-    json["catches"] = asset.levels[0].catches;
-    json["statistics"] = array_of(asset.levels[0].statistics);
-    if (asset.is_volume()) json["seam_error"] = asset.seam_error;
-    json["mips"] = Json::array();
-    for (std::size_t i = 1; i < asset.levels.size(); ++i) {
-        json["mips"].push_back(mip_json(asset.levels[i], asset.is_volume()));
+    // Returns the object of a struct.
+    template <class Struct>
+    static Json object_of(const Struct& value, bool of_volume) {
+        MemberWriter writer(of_volume);
+        members(writer, value);
+        return writer.json_;
     }
-}
 
-Json to_json(const ColorConvention& color) {
-    return {
-        {"space", color.space},       {"white", color.white},           {"sun", color.sun},
-        {"observer", color.observer}, {"is_applied", color.is_applied}, {"weights", color.weights}};
-}
+    void operator()(const char* name, const auto& value, const auto&... more) {
+        json_[name] = to_json(value);
+        if constexpr (sizeof...(more) > 0) (*this)(more...);
+    }
+    void extent(const char* name, int count) { json_[name] = count; }
+    void path(const char* name, const std::string& path) { json_[name] = path; }
+    void format(const char* name, const std::string& format) { json_[name] = format; }
+    void uv(const char* name, const auto& uvw) { json_[name] = {uvw[0], uvw[1]}; }
+    void plain(const char* name, const std::vector<double>& numbers) {
+        if (!numbers.empty()) json_[name] = numbers_json(numbers);
+    }
+    bool holds(const char*, bool there) const { return there; }
+    void when(bool there, const char* name, const auto& value) {
+        if (there) (*this)(name, value);
+    }
+    void where(bool there, bool, const char* name, const auto& value) { when(there, name, value); }
+    void or_null(const char* name, const auto& value) {
+        json_[name] = value ? to_json(*value) : Json();
+    }
+    void object(const char* name, const auto& list) {
+        MemberWriter inner(of_volume);
+        list(inner);
+        json_[name] = inner.json_;
+    }
+    void each(const char* name, std::size_t count, const auto& list) {
+        json_[name] = Json::array();
+        for (std::size_t i = 0; i < count; ++i) {
+            MemberWriter inner(of_volume);
+            list(inner, i);
+            json_[name].push_back(inner.json_);
+        }
+    }
 
-// Leaves out members that do not apply to the asset.
-Json to_json(const Conventions& conventions, bool of_volume) {
-    Json json = Json::object();
-    const auto add_text = [&json](const char* name, const std::string& text) {
-        if (!text.empty()) json[name] = text;
-    };
-    add_text("length_unit", conventions.length_unit);
-    add_text("coefficient_unit", conventions.coefficient_unit);
-    add_text("angle_unit", conventions.angle_unit);
-    add_text("radiance_unit", conventions.radiance_unit);
-    if (!conventions.solar_irradiance.empty()) {
-        json["solar_irradiance"] = to_json(FactValue(conventions.solar_irradiance));
+  private:
+    template <class T>
+    Json to_json(const T& value) const {
+        if constexpr (std::is_enum_v<T>) {
+            return skybake::to_string(value);
+        } else if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, std::string>) {
+            return value;
+        } else {
+            return object_of(value, of_volume);
+        }
     }
-    if (!conventions.wavelengths_nm.empty()) {
-        json["wavelengths_nm"] = to_json(FactValue(conventions.wavelengths_nm));
+    template <class T>
+    Json to_json(const std::optional<T>& value) const {
+        return to_json(*value);
     }
-    if (conventions.color) json["color"] = to_json(*conventions.color);
-    add_text("up_axis", conventions.up_axis);
-    json["texel_origin"] =
-        of_volume ? "first voxel u = 0, v = 0, w = 0" : "first column u = 0, first row v = 0";
-    return json;
-}
+    template <class T>
+    Json to_json(const std::vector<T>& elements) const {
+        Json json = Json::array();
+        for (const T& element : elements) json.push_back(to_json(element));
+        return json;
+    }
+    template <std::size_t n>
+    Json to_json(const std::array<double, n>& numbers) const {
+        return numbers;
+    }
+    Json to_json(const std::array<int, 3>& size) const {
+        return std::vector<int>(size.begin(), size.begin() + (of_volume ? 3 : 2));
+    }
+    Json to_json(const std::vector<std::pair<std::string, double>>& place) const {
+        Json json = Json::object();
+        for (const auto& [quantity, value] : place) json[quantity] = value;
+        return json;
+    }
+    Json to_json(const FactValue& value) const {
+        if (const auto* text = std::get_if<std::string>(&value)) return *text;
+        if (const auto* number = std::get_if<double>(&value)) return number_json(*number);
+        return numbers_json(std::get<std::vector<double>>(value));
+    }
+    Json to_json(const Facts& facts) const {
+        Json json = Json::object();
+        for (const auto& [name, value] : facts) json[name] = to_json(value);
+        return json;
+    }
+
+    Json json_ = Json::object();
+};
 
 Json to_json(const ManifestAsset& asset) {
-    Json json = {{"name", asset.name},       {"kind", asset.kind},
-                 {"content", asset.content}, {"files", array_of(asset.files)},
-                 {"size", asset.size},       {"channels", asset.channels}};
-    json["conventions"] = to_json(asset.conventions, asset.is_volume());
-    json["mapping"] = mapping_json(asset);
-    json["timing"] = {{"light_s", asset.timing.bake.light},
-                      {"colors_s", asset.timing.bake.colors},
-                      {"texels_s", asset.timing.bake.texels},
-                      {"certificate_s", asset.timing.bake.certificate},
-                      {"write_s", asset.timing.write_s},
-                      {"threads", asset.timing.threads}};
-    json["error"] = to_json(asset.error);
-    json["range"] = {{"below_normal", asset.range.below_normal},
-                     {"above_range", asset.range.above_range}};
-    add_levels(asset, json);
-    json["details"] = to_json(asset.details);
-    json["parameters"] = asset.parameters;
-    json["content_hash"] = asset.content_hash;
-    json["release"] = asset.release;
-    if (!asset.key.empty()) {
-        json["key"] = asset.key;
-        json["certification"] = asset.certification;
-        json["inputs"] = array_of(asset.inputs);
-    }
+    Json json = MemberWriter::object_of(asset, asset.is_volume());
     json["hash"] = entry_hash(json);
     return json;
 }
@@ -253,19 +158,7 @@ std::string text_of(const Json& json, int indent) {
 
 }  // namespace
 
-Json sky_error_json(const SkyError& error) {
-    Json json = {{"median", error.median},
-                 {"ninth_decile", error.ninth_decile},
-                 {"max", error.max},
-                 {"standard_error", error.standard_error},
-                 {"points", error.points},
-                 {"left_out", error.left_out},
-                 {"reference", error.reference},
-                 {"worst", error.worst}};
-    if (error.worst_sun_deg) json["worst_sun_elevation_deg"] = *error.worst_sun_deg;
-    if (!error.better.empty()) json["better"] = error.better;
-    return json;
-}
+Json sky_error_json(const SkyError& error) { return MemberWriter::object_of(error, false); }
 
 std::string manifest_json(const Manifest& manifest) {
     Json assets = Json::array();
@@ -276,7 +169,9 @@ std::string manifest_json(const Manifest& manifest) {
                  {"tool", {{"name", manifest.tool_name}, {"version", manifest.tool_version}}},
                  {"parameters", std::move(parameters)},
                  {"assets", std::move(assets)}};
-    if (!manifest.retired.empty()) json["retired"] = array_of(manifest.retired);
+    for (const RetiredFile& file : manifest.retired) {
+        json["retired"].push_back(MemberWriter::object_of(file, false));
+    }
     json["hash"] = manifest_hash(json);
     return text_of(json, 2) + "\n";
 }

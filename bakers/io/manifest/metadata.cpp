@@ -27,8 +27,8 @@ std::string details_text(const Facts& details) {
 
 // Writes one number if all colours have the same irradiance.
 std::string irradiance_text(const std::vector<double>& irradiance) {
-    const bool alike = std::all_of(irradiance.begin(), irradiance.end(),
-                                   [&](double value) { return value == irradiance.front(); });
+    const bool alike =
+        std::ranges::all_of(irradiance, [&](double value) { return value == irradiance.front(); });
     return alike ? fmt::format("{}", irradiance.front())
                  : fmt::format("{}", fmt::join(irradiance, ", "));
 }
@@ -42,6 +42,66 @@ std::string statistics_text(const std::vector<std::string>& channels, const Mani
                             fmt::join(s.histogram, " "));
     }
     return text;
+}
+
+using Json = nlohmann::ordered_json;
+
+// Whether a key only tells where other values come from (`include`, `preset`, `frequency`). The
+// values that result are recorded beside it, and reading both would be a contradiction. `enabled`
+// stays, because nothing else says it.
+bool only_tells_the_origin(const std::string& table, const std::string& key) {
+    const auto sections = config::sections();
+    return std::ranges::any_of(sections, [&](const config::Section& section) {
+        const bool is_root = table.empty() && section.path.empty();  // "" is no path of keys
+        if (!is_root && !config::path_matches(table, std::string(section.path))) return false;
+        const config::Field* field = config::find_field(section, key);
+        return field != nullptr && field->only_shown && field->kind != config::Kind::flag;
+    });
+}
+
+config::Value value_of(const Json& json);
+
+config::Table table_of(const Json& json) {
+    config::Table table;
+    for (const auto& [key, value] : json.items()) table.push_back({key, {}, value_of(value)});
+    std::ranges::sort(table,
+                      [](const config::Entry& a, const config::Entry& b) { return a.key < b.key; });
+    return table;
+}
+
+config::Value value_of(const Json& json) {
+    config::Value value;
+    if (json.is_boolean()) value.data = json.get<bool>();
+    if (json.is_number_integer()) value.data = json.get<std::int64_t>();
+    if (json.is_number_float()) value.data = json.get<double>();
+    if (json.is_string()) value.data = json.get<std::string>();
+    if (json.is_object()) value.data = table_of(json);
+    if (json.is_array()) {
+        config::Array array;
+        for (const Json& element : json) array.push_back(value_of(element));
+        value.data = std::move(array);
+    }
+    return value;
+}
+
+// The albedo of an aerosol stands for itself: its scattering is not recorded.
+bool is_of_aerosol(const Json& table, const std::string& key) {
+    return key == "single_scattering_albedo" &&
+           (table.contains("optical_depth") || table.contains("visibility"));
+}
+
+// Appends the tables below `path`. Each table's own values come before its subtables.
+void append_toml(const Json& table, const std::string& path, std::string& text) {
+    if (!path.empty()) text += fmt::format("[{}]\n", path);
+    for (const auto& [key, value] : table.items()) {
+        if (value.is_object() || value.is_null()) continue;
+        if (only_tells_the_origin(path, key) && !is_of_aerosol(table, key)) continue;
+        text += fmt::format("{} = {}\n", config::key_to_string(key),
+                            config::value_to_string(value_of(value)));
+    }
+    for (const auto& [key, value] : table.items()) {
+        if (value.is_object()) append_toml(value, config::join_path(path, key), text);
+    }
 }
 
 }  // namespace
@@ -185,70 +245,6 @@ config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) 
     entry.value->files[0].bytes = std::filesystem::file_size(path, error);
     return entry;
 }
-
-namespace {
-
-using Json = nlohmann::ordered_json;
-
-// Whether a key only tells where other values come from (`include`, `preset`, `frequency`). The
-// values that result are recorded beside it, and reading both would be a contradiction. `enabled`
-// stays, because nothing else says it.
-bool only_tells_the_origin(const std::string& table, const std::string& key) {
-    const auto sections = config::sections();
-    return std::any_of(sections.begin(), sections.end(), [&](const config::Section& section) {
-        const bool is_root = table.empty() && section.path.empty();  // "" is no path of keys
-        if (!is_root && !config::path_matches(table, std::string(section.path))) return false;
-        const config::Field* field = config::find_field(section, key);
-        return field != nullptr && field->only_shown && field->kind != config::Kind::flag;
-    });
-}
-
-config::Value value_of(const Json& json);
-
-config::Table table_of(const Json& json) {
-    config::Table table;
-    for (const auto& [key, value] : json.items()) table.push_back({key, {}, value_of(value)});
-    std::sort(table.begin(), table.end(),
-              [](const config::Entry& a, const config::Entry& b) { return a.key < b.key; });
-    return table;
-}
-
-config::Value value_of(const Json& json) {
-    config::Value value;
-    if (json.is_boolean()) value.data = json.get<bool>();
-    if (json.is_number_integer()) value.data = json.get<std::int64_t>();
-    if (json.is_number_float()) value.data = json.get<double>();
-    if (json.is_string()) value.data = json.get<std::string>();
-    if (json.is_object()) value.data = table_of(json);
-    if (json.is_array()) {
-        config::Array array;
-        for (const Json& element : json) array.push_back(value_of(element));
-        value.data = std::move(array);
-    }
-    return value;
-}
-
-// The albedo of an aerosol stands for itself: its scattering is not recorded.
-bool is_of_aerosol(const Json& table, const std::string& key) {
-    return key == "single_scattering_albedo" &&
-           (table.contains("optical_depth") || table.contains("visibility"));
-}
-
-// Appends the tables below `path`. Each table's own values come before its subtables.
-void append_toml(const Json& table, const std::string& path, std::string& text) {
-    if (!path.empty()) text += fmt::format("[{}]\n", path);
-    for (const auto& [key, value] : table.items()) {
-        if (value.is_object() || value.is_null()) continue;
-        if (only_tells_the_origin(path, key) && !is_of_aerosol(table, key)) continue;
-        text += fmt::format("{} = {}\n", config::key_to_string(key),
-                            config::value_to_string(value_of(value)));
-    }
-    for (const auto& [key, value] : table.items()) {
-        if (value.is_object()) append_toml(value, config::join_path(path, key), text);
-    }
-}
-
-}  // namespace
 
 config::Outcome<config::Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
                                                 const std::filesystem::path& folder) {

@@ -51,7 +51,7 @@ class VoxelCheck {
                 }
             }
         }
-        std::sort(wanted_.begin(), wanted_.end());
+        std::ranges::sort(wanted_);
         wanted_.erase(std::unique(wanted_.begin(), wanted_.end()), wanted_.end());
         kept_.reserve(wanted_.size() * channels);
     }
@@ -123,7 +123,7 @@ class VoxelCheck {
         const auto read = [this](const std::array<VoxelTap, 8>& taps, float* values) {
             for (const VoxelTap& tap : taps) {
                 const std::int64_t index = voxel_index(level_.size, tap.voxel);
-                const auto found = std::lower_bound(wanted_.begin(), wanted_.end(), index);
+                const auto found = std::ranges::lower_bound(wanted_, index);
                 const auto at = static_cast<std::size_t>(found - wanted_.begin()) * channels_;
                 values = std::copy_n(&kept_[at], channels_, values);
             }

@@ -100,7 +100,7 @@ std::vector<double> levels_km(const Medium& air) {
     std::vector<double> cuts = kink_altitudes_km(air);
     cuts.push_back(0);
     cuts.push_back(air.thickness_km);
-    std::sort(cuts.begin(), cuts.end());
+    std::ranges::sort(cuts);
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     Spectrum largest{};
     for (const double altitude : cuts) {
@@ -188,7 +188,7 @@ void AirShells::add_shell(const SkyMedium& medium, double bottom_km, double top_
     for (const Samples& values : densities) {
         AirTables::Polynomial polynomial;
         const Samples coefficients = interpolating_polynomial(nodes, values);
-        std::copy(coefficients.begin(), coefficients.end(), polynomial.coefficients);
+        std::ranges::copy(coefficients, polynomial.coefficients);
         tables_.densities.push_back(polynomial);
     }
     tables_.shells.push_back(shell);

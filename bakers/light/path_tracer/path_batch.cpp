@@ -1,9 +1,6 @@
 #include "bakers/light/path_tracer/path_batch.h"
 
 #include <algorithm>
-#include <cassert>
-#include <cstdint>
-#include <vector>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "bakers/light/path_tracer/path_batch.cpp"

@@ -106,7 +106,7 @@ ScrambledPoints::ScrambledPoints(std::uint64_t seed, std::uint32_t ray, std::uin
         const RandomWords words = philox_4x32_10(
             {i, scrambling, kAddress, ray},
             {static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)});
-        std::copy(words.begin(), words.end(), seeds_.begin() + 4 * i);
+        std::ranges::copy(words, seeds_.begin() + 4 * i);
     }
 }
 

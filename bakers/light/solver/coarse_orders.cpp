@@ -1,7 +1,6 @@
 #include "bakers/light/solver/coarse_orders.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/math/parallel.h"
@@ -44,7 +43,7 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
     std::vector<double> levels_km;
     for (const std::size_t level : levels_) levels_km.push_back(fine.altitudes_km[level]);
     for (const double altitude_km : fine.altitudes_km) {
-        const auto above = std::upper_bound(levels_km.begin(), levels_km.end(), altitude_km);
+        const auto above = std::ranges::upper_bound(levels_km, altitude_km);
         const auto i =
             std::min(static_cast<std::size_t>(above - levels_km.begin()), levels_km.size() - 1) - 1;
         fine_places_.push_back({static_cast<int>(i),

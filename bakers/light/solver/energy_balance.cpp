@@ -85,6 +85,17 @@ void add_top(const Medium& air, const SolvedLight& light, EnergyBalance& balance
     });
 }
 
+// The light that goes in and out may differ by this share: ten times as much as Earth's does.
+constexpr double kEnergyTolerance = 0.03;
+constexpr double kMostLeftOut = 0.01;
+
+config::Diagnostic failure(std::string message) {
+    config::Diagnostic diagnostic;
+    diagnostic.code = "E0405";
+    diagnostic.message = std::move(message);
+    return diagnostic;
+}
+
 }  // namespace
 
 double EnergyBalance::largest_error() const {
@@ -109,21 +120,6 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light) 
     add_top(medium.air, light, balance);
     return balance;
 }
-
-namespace {
-
-// The light that goes in and out may differ by this share: ten times as much as Earth's does.
-constexpr double kEnergyTolerance = 0.03;
-constexpr double kMostLeftOut = 0.01;
-
-config::Diagnostic failure(std::string message) {
-    config::Diagnostic diagnostic;
-    diagnostic.code = "E0405";
-    diagnostic.message = std::move(message);
-    return diagnostic;
-}
-
-}  // namespace
 
 std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
                                               const SolvedLight& light, const std::string& name) {

@@ -292,7 +292,7 @@ void FirstLightPass::add_moments(const FanRay& ray) {
     for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
         const Lanes cosine = Lanes::load(axis_.cosines.data() + i);
         const Lanes sine = Lanes::load(sines_.data() + i);
-        std::fill(fourier.begin(), fourier.end(), 0.0);
+        std::ranges::fill(fourier, 0.0);
         for (int j = 0; j < azimuths_; ++j) {
             const double azimuth_cosine = azimuth_cosines_[static_cast<std::size_t>(j)];
             // 1 -+ nu = |view -+ sun|^2 / 2.
@@ -358,7 +358,7 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
     if (first == last) return;
     const double r = field_.shell().ground_radius_km + fan.altitude_km;
     for (const FanRay& ray : fan.rays) {
-        std::fill(sums_.begin(), sums_.end(), 0.0);
+        std::ranges::fill(sums_, 0.0);
         Spectrum grazing_before{};
         double edge_before_km = 0;
         for (std::size_t k = 0; k < ray.points.size(); ++k) {

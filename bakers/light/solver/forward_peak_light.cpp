@@ -97,8 +97,7 @@ Spectrum forward_light(const SkyMedium& medium, const SkyLayer& layer, double al
 void add_forward_peaks(const SkyMedium& medium, const std::vector<SplitPhase>& phases,
                        double altitude_km, const SunAxis& suns, int degree, double* out,
                        double* sky_irradiance) {
-    if (std::all_of(phases.begin(), phases.end(),
-                    [](const SplitPhase& phase) { return phase.peak.empty(); })) {
+    if (std::ranges::all_of(phases, [](const SplitPhase& phase) { return phase.peak.empty(); })) {
         return;
     }
     const auto orders = static_cast<std::size_t>(moment_count(degree));

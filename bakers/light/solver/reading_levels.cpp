@@ -35,14 +35,13 @@ ReadingLevels::ReadingLevels(const Medium& medium, const std::vector<double>& le
         index_of_level_.push_back(static_cast<int>(altitudes_km_.size()));
         altitudes_km_.push_back(levels_km[i]);
         stencils_.push_back({level, {1, 0, 0, 0}, level, 0});
-        const auto layer = std::find_if(abrupt.begin(), abrupt.end(), [&](AltitudeRange range) {
+        const auto layer = std::ranges::find_if(abrupt, [&](AltitudeRange range) {
             return levels_km[i] >= range.bottom_km && levels_km[i] < range.top_km;
         });
         if (layer == abrupt.end()) continue;
         const auto at = [&](double altitude_km) {
-            return static_cast<int>(
-                std::lower_bound(levels_km.begin(), levels_km.end(), altitude_km) -
-                levels_km.begin());
+            return static_cast<int>(std::ranges::lower_bound(levels_km, altitude_km) -
+                                    levels_km.begin());
         };
         const int bottom = at(layer->bottom_km);
         const int top = at(layer->top_km);

@@ -169,7 +169,7 @@ LightScale resolved_light(const LightField& light) {
 
 LightScale light_scale(const LightField& light) {
     LightScale scale = resolved_light(light);
-    std::replace(scale.begin(), scale.end(), 0.0, 1.0);
+    std::ranges::replace(scale, 0.0, 1.0);
     return scale;
 }
 
@@ -185,7 +185,7 @@ void add(const LightField& from, LightField& to) { add_multiple(from, kOne, to);
 
 double mean_share(const LightField& field, const LightScale& scale) {
     const PerChannel lengths = norm(field, scale);
-    return *std::max_element(lengths.begin(), lengths.end()) / root_of_points(scale);
+    return *std::ranges::max_element(lengths) / root_of_points(scale);
 }
 
 double largest_share(const LightField& field, const LightScale& scale) {
@@ -248,8 +248,8 @@ int search_residual(const NextOrder& next, const CorrectResidual& correct, const
     for (std::size_t i = 0; i < corrected.size(); ++i) {
         add_multiple(corrected[i], of(factors, i), light);
     }
-    std::fill(residual.moments.begin(), residual.moments.end(), 0.0);
-    std::fill(residual.sky_irradiance.begin(), residual.sky_irradiance.end(), 0.0);
+    std::ranges::fill(residual.moments, 0.0);
+    std::ranges::fill(residual.sky_irradiance, 0.0);
     for (std::size_t i = 0; i < directions.size(); ++i) {
         add_multiple(directions[i], of(shares, i), residual);
     }

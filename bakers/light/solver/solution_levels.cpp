@@ -38,7 +38,7 @@ std::vector<double> distinct_scale_heights_km(const Medium& medium) {
     for (const ExponentialLayer& layer : medium.exponential_layers) {
         all.push_back(layer.scale_height_km);
     }
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     std::vector<double> distinct;
     for (const double height : all) {
         if (distinct.empty() || height > kAlike * distinct.back()) distinct.push_back(height);
@@ -94,7 +94,7 @@ std::vector<double> block_edges_km(const Medium& medium) {
             edges.push_back(layer.pieces[run.last - 1].top_km);
         }
     }
-    std::sort(edges.begin(), edges.end());
+    std::ranges::sort(edges);
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
     return edges;
 }
@@ -265,7 +265,7 @@ std::vector<double> sunlight_blocks_km(const Medium& medium, const std::vector<d
     std::size_t since = 0;  // levels since the last block's end
     for (std::size_t i = 1; i < levels_km.size(); ++i) {
         ++since;
-        const bool is_kink = std::find(kinks.begin(), kinks.end(), levels_km[i]) != kinks.end();
+        const bool is_kink = std::ranges::find(kinks, levels_km[i]) != kinks.end();
         if (since < kLevelsPerSunlightBlock && !is_kink && i + 1 < levels_km.size()) continue;
         blocks.push_back(levels_km[i]);
         since = 0;

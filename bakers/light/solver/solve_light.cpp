@@ -45,18 +45,6 @@ std::vector<double> steep_columns(const LightField& light, int channels) {
     return steep;
 }
 
-}  // namespace
-
-SolverSettings finer(SolverSettings settings) {
-    settings.level_scale *= 1.25;
-    settings.zenith_nodes = settings.zenith_nodes * 3 / 2;
-    settings.first_zenith_nodes = settings.first_zenith_nodes * 3 / 2;
-    settings.ray_tolerance *= 0.7;
-    return settings;
-}
-
-namespace {
-
 constexpr int kLargestDegreeInFloats = 8;
 
 // Each of so few orders is read by its own falls from sun to sun, for which no estimate is needed.
@@ -172,18 +160,6 @@ SolvedLight solve_orders(const SkyMedium& medium, const SolverSettings& settings
                : solve_orders_in<double>(medium, settings, threads, progress);
 }
 
-}  // namespace
-
-int sky_degree(const SkyMedium& medium) {
-    int degree = kLeastSkyDegree;
-    while (degree < kLargestDegree && light_beyond_degree(medium, degree) > kNegligibleLight) {
-        degree += 4;
-    }
-    return degree;
-}
-
-namespace {
-
 // Solves for the light at the levels of solution_levels_km.
 SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings, int threads,
                          Progress* progress) {
@@ -213,6 +189,22 @@ SolvedLight solve_levels(const SkyMedium& medium, const SolverSettings& settings
 }
 
 }  // namespace
+
+SolverSettings finer(SolverSettings settings) {
+    settings.level_scale *= 1.25;
+    settings.zenith_nodes = settings.zenith_nodes * 3 / 2;
+    settings.first_zenith_nodes = settings.first_zenith_nodes * 3 / 2;
+    settings.ray_tolerance *= 0.7;
+    return settings;
+}
+
+int sky_degree(const SkyMedium& medium) {
+    int degree = kLeastSkyDegree;
+    while (degree < kLargestDegree && light_beyond_degree(medium, degree) > kNegligibleLight) {
+        degree += 4;
+    }
+    return degree;
+}
 
 SolvedLight solve_light(const SkyMedium& medium, const SolverSettings& settings, int threads,
                         Progress* progress) {

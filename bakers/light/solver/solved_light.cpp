@@ -58,6 +58,22 @@ void harmonics(int degree, double mu, const Factor& factor, double* values) {
     }
 }
 
+// `mean_of` returns the mean of a column.
+template <class MeanOf>
+SunStencil stencil_of(const SolvedLight& light, double sun_cos_zenith, const MeanOf& mean_of) {
+    const SunStencil cubic = sun_stencil(light.suns, sun_cos_zenith);
+    if (!(light.steep[static_cast<std::size_t>(cubic.column)] > 0)) return cubic;
+    double means[4];
+    for (int j = 0; j < 4; ++j) means[j] = mean_of(cubic.column + j);
+    return steep_stencil(light.suns, sun_cos_zenith, cubic.column, means);
+}
+
+double sum_of_channels(const double* values) {
+    double sum = 0;
+    for (std::size_t c = 0; c < kMaxChannels; ++c) sum += values[c];
+    return sum;
+}
+
 }  // namespace
 
 void zenith_harmonics(int degree, double mu, double* values) {
@@ -124,32 +140,12 @@ void add_light_about_sun(const std::vector<Spectrum>& light, double sun_cos_zeni
 }
 
 LevelPlace SolvedLight::level_at(double altitude_km) const {
-    const auto above = std::upper_bound(altitudes_km.begin(), altitudes_km.end(), altitude_km);
+    const auto above = std::ranges::upper_bound(altitudes_km, altitude_km);
     const int last = static_cast<int>(altitudes_km.size()) - 2;
     const int level = std::clamp(static_cast<int>(above - altitudes_km.begin()) - 1, 0, last);
     const auto i = static_cast<std::size_t>(level);
     return {level, (altitude_km - altitudes_km[i]) / (altitudes_km[i + 1] - altitudes_km[i])};
 }
-
-namespace {
-
-// `mean_of` returns the mean of a column.
-template <class MeanOf>
-SunStencil stencil_of(const SolvedLight& light, double sun_cos_zenith, const MeanOf& mean_of) {
-    const SunStencil cubic = sun_stencil(light.suns, sun_cos_zenith);
-    if (!(light.steep[static_cast<std::size_t>(cubic.column)] > 0)) return cubic;
-    double means[4];
-    for (int j = 0; j < 4; ++j) means[j] = mean_of(cubic.column + j);
-    return steep_stencil(light.suns, sun_cos_zenith, cubic.column, means);
-}
-
-double sum_of_channels(const double* values) {
-    double sum = 0;
-    for (std::size_t c = 0; c < kMaxChannels; ++c) sum += values[c];
-    return sum;
-}
-
-}  // namespace
 
 double SolvedLight::mean_of(const LevelPlace& at, int column) const {
     return (1 - at.fraction) * sum_of_channels(light.at(at.level, column)) +

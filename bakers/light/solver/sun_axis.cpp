@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 
 #include "bakers/air/transmittance_field.h"
@@ -34,6 +33,14 @@ double cosine_at(const SunAxis& axis, double column) {
     return 0.5 * (low + high);
 }
 
+// Lagrange's weights of four columns, at t in columns from the second of them.
+void cubic_weights(double t, double* weights) {
+    weights[0] = t * (t - 1) * (2 - t) * (1.0 / 6);
+    weights[1] = (t + 1) * (t - 1) * (t - 2) * 0.5;
+    weights[2] = (t + 1) * t * (2 - t) * 0.5;
+    weights[3] = (t + 1) * t * (t - 1) * (1.0 / 6);
+}
+
 }  // namespace
 
 double SunAxis::position(double sun_cos_zenith) const {
@@ -61,22 +68,9 @@ SunAxis make_sun_axis(const Shell& shell, int count) {
 }
 
 int columns_below_horizon(const SunAxis& axis) {
-    const auto first_of_day =
-        std::lower_bound(axis.cosines.begin(), axis.cosines.end(), 0.0);  // ascending
+    const auto first_of_day = std::ranges::lower_bound(axis.cosines, 0.0);  // ascending
     return static_cast<int>(first_of_day - axis.cosines.begin()) / 8 * 8;
 }
-
-namespace {
-
-// Lagrange's weights of four columns, at t in columns from the second of them.
-void cubic_weights(double t, double* weights) {
-    weights[0] = t * (t - 1) * (2 - t) * (1.0 / 6);
-    weights[1] = (t + 1) * (t - 1) * (t - 2) * 0.5;
-    weights[2] = (t + 1) * t * (2 - t) * 0.5;
-    weights[3] = (t + 1) * t * (t - 1) * (1.0 / 6);
-}
-
-}  // namespace
 
 SunStencil sun_stencil(const SunAxis& axis, double sun_cos_zenith) {
     const double u = axis.position(std::max(sun_cos_zenith, axis.darkest));

@@ -35,7 +35,7 @@ FanPoint point_at(const std::vector<double>& levels_km, double distance_km, doub
         return level < last ? FanPoint{distance_km, altitude_km, level, 0}
                             : FanPoint{distance_km, altitude_km, last - 1, 1};
     }
-    const auto above = std::upper_bound(levels_km.begin(), levels_km.end(), altitude_km);
+    const auto above = std::ranges::upper_bound(levels_km, altitude_km);
     const int below = std::clamp(static_cast<int>(above - levels_km.begin()) - 1, 0, last - 1);
     const auto i = static_cast<std::size_t>(below);
     return {distance_km, altitude_km, below,
@@ -153,7 +153,7 @@ std::vector<ZenithPart> solver_parts(const Shell& shell, double horizon, double 
 RayFan make_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
                 int zenith_nodes, double tolerance, double step_km) {
     assert(level >= 0 && static_cast<std::size_t>(level) < levels_km.size());
-    assert(std::is_sorted(levels_km.begin(), levels_km.end()) && zenith_nodes >= 1);
+    assert(std::ranges::is_sorted(levels_km) && zenith_nodes >= 1);
     const Shell shell = shell_of(medium.air);
     const double altitude = levels_km[static_cast<std::size_t>(level)];
     const double r = shell.ground_radius_km + altitude;
@@ -200,21 +200,6 @@ RayFan make_fan(const SkyMedium& medium, const std::vector<double>& levels_km, i
     return fan;
 }
 
-}  // namespace
-
-RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
-                    int zenith_nodes, double tolerance) {
-    return make_fan(medium, levels_km, level, zenith_nodes, tolerance, 0);
-}
-
-RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
-                         int zenith_nodes, double tolerance) {
-    return make_fan(medium, levels_km, level, zenith_nodes, tolerance,
-                    twilight_step_km(medium.air));
-}
-
-namespace {
-
 // Points that contribute less than this share of the light from all directions make no nodes.
 constexpr double kLeastShare = 1e-6;
 
@@ -248,7 +233,30 @@ int azimuth_count(double turn_sine, double dip_sine, int degree) {
     return turn_sine < dip_sine ? least : 2 * least;
 }
 
+// Adds the falls between columns of light to `falls`, and 0 for the last.
+void add_falls(const double* light, int columns, std::vector<double>& falls) {
+    const auto mean = [light](int column) {
+        const double* channels = light + static_cast<std::size_t>(column) * kChannelSlots;
+        return std::accumulate(channels, channels + kMaxChannels, 0.0);
+    };
+    for (int column = 0; column + 1 < columns; ++column) {
+        falls.push_back(fall_between(mean(column), mean(column + 1)));
+    }
+    falls.push_back(0);
+}
+
 }  // namespace
+
+RayFan make_ray_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                    int zenith_nodes, double tolerance) {
+    return make_fan(medium, levels_km, level, zenith_nodes, tolerance, 0);
+}
+
+RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& levels_km, int level,
+                         int zenith_nodes, double tolerance) {
+    return make_fan(medium, levels_km, level, zenith_nodes, tolerance,
+                    twilight_step_km(medium.air));
+}
 
 template <class Number>
 LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
@@ -327,24 +335,8 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
     return transport;
 }
 
-namespace {
-
-// Adds the falls between columns of light to `falls`, and 0 for the last.
-void add_falls(const double* light, int columns, std::vector<double>& falls) {
-    const auto mean = [light](int column) {
-        const double* channels = light + static_cast<std::size_t>(column) * kChannelSlots;
-        return std::accumulate(channels, channels + kMaxChannels, 0.0);
-    };
-    for (int column = 0; column + 1 < columns; ++column) {
-        falls.push_back(fall_between(mean(column), mean(column + 1)));
-    }
-    falls.push_back(0);
-}
-
-}  // namespace
-
 void SteepSuns::follow(const LightField& estimate) {
-    if (*std::max_element(stencils.begin(), stencils.end()) == 0) return;
+    if (*std::ranges::max_element(stencils) == 0) return;
     const LightScale light = resolved_light(estimate);
     falls.clear();
     ground_falls.clear();

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 #include <vector>
 

@@ -64,8 +64,53 @@ std::string sun_text(double elevation_degrees) {
 std::string sun_stem(double elevation_degrees) {
     std::string stem = fmt::format("sun_{}{:g}", elevation_degrees < 0 ? "minus_" : "",
                                    std::fabs(elevation_degrees));
-    std::replace(stem.begin(), stem.end(), '.', '_');
+    std::ranges::replace(stem, '.', '_');
     return stem;
+}
+
+VoxelView view_of(const PreviewAsset& asset) {
+    const std::vector<int>& size = asset.entry.size;
+    return {
+        {size[0], size[1], size[2]}, static_cast<int>(asset.entry.channels.size()), &asset.voxels};
+}
+
+bool has_all_texels(const PreviewAsset& asset) {
+    std::size_t values = asset.entry.channels.size();
+    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
+    return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
+}
+
+Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count) {
+    const std::vector<int>& size = asset.entry.size;
+    const auto channels = asset.entry.channels.size();
+    Image2<float> slice(size[0], size[1], count);
+    const std::size_t texels =
+        static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    const float* voxel = asset.voxels.data() + static_cast<std::size_t>(z) * texels * channels;
+    for (std::size_t i = 0; i < texels; ++i, voxel += channels) {
+        std::copy_n(voxel + first, count,
+                    slice.texels.data() + i * static_cast<std::size_t>(count));
+    }
+    return slice;
+}
+
+Image2<float> upwards(const Image2<float>& image, int first_row, int rows) {
+    Image2<float> part(image.width, rows, image.channels);
+    const auto row_values =
+        static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels);
+    for (int y = 0; y < rows; ++y) {
+        std::copy_n(image.texel(0, first_row + y), row_values, part.texel(0, rows - 1 - y));
+    }
+    return part;
+}
+
+Image2<float> channel_of(const Image2<float>& image, std::size_t channel) {
+    Image2<float> plane(image.width, image.height, 1);
+    const auto channels = static_cast<std::size_t>(image.channels);
+    for (std::size_t i = 0; i < plane.texels.size(); ++i) {
+        plane.texels[i] = image.texels[i * channels + channel];
+    }
+    return plane;
 }
 
 Image2<float> slice(const VoxelView& volume, int channel, int axis, int at) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -97,6 +98,21 @@ struct VoxelView {
     int channels = 0;
     const std::vector<float>* voxels = nullptr;
 };
+
+// Returns the voxels of an asset with three axes.
+VoxelView view_of(const PreviewAsset& asset);
+
+// Whether the asset has three axes, and as many voxels as its size says.
+bool has_all_texels(const PreviewAsset& asset);
+
+// Returns channels first ... first + count - 1 of plane z, with the rows as they are in the volume.
+Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count);
+
+// Returns rows of an image upside down, as views have row 0 at the top and texels at the bottom.
+Image2<float> upwards(const Image2<float>& image, int first_row, int rows);
+
+// Returns one channel of an image.
+Image2<float> channel_of(const Image2<float>& image, std::size_t channel);
 
 // Returns one channel of the plane where `axis` (0 x, 1 y, 2 z) has the index `at`. For x, the
 // image has y across and z up; for y, x across and z up; for z, x across and y up. Row 0 is the

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 #include <cstddef>
@@ -31,8 +30,7 @@ struct Band {
 class BlueNoisePictures {
   public:
     explicit BlueNoisePictures(const PreviewAsset& asset)
-        : entry_(asset.entry),
-          volume_{{entry_.size[0], entry_.size[1], entry_.size[2]}, 1, &asset.voxels} {}
+        : entry_(asset.entry), volume_(view_of(asset)) {}
 
     std::vector<PreviewPicture> make() {
         add_frames();
@@ -178,11 +176,7 @@ class BlueNoisePictures {
 }  // namespace
 
 std::vector<PreviewPicture> blue_noise_pictures(const PreviewAsset& asset) {
-    const std::vector<int>& size = asset.entry.size;
-    if (size.size() != 3 || asset.entry.channels.size() != 1) return {};
-    std::size_t voxels = 1;
-    for (const int edge : size) voxels *= static_cast<std::size_t>(std::max(edge, 0));
-    if (voxels == 0 || asset.voxels.size() != voxels) return {};
+    if (asset.entry.channels.size() != 1 || !has_all_texels(asset)) return {};
     return BlueNoisePictures(asset).make();
 }
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <string>
 
 #include "bakers/plot/chart.h"
@@ -18,11 +17,7 @@ constexpr int shown_bruneton_slices = 4;
 
 class BrunetonPictures {
   public:
-    explicit BrunetonPictures(const PreviewAsset& asset)
-        : entry_(asset.entry),
-          volume_{{entry_.size[0], entry_.size[1], entry_.size[2]},
-                  static_cast<int>(entry_.channels.size()),
-                  &asset.voxels} {
+    explicit BrunetonPictures(const PreviewAsset& asset) : asset_(asset), entry_(asset.entry) {
         const int last = entry_.size[2] - 1;
         for (int i = 0; i < shown_bruneton_slices; ++i) {
             const int z = last * i / (shown_bruneton_slices - 1);
@@ -31,14 +26,15 @@ class BrunetonPictures {
     }
 
     std::vector<PreviewPicture> make() const {
-        const int colours = std::min(volume_.channels, 3);
+        const auto channels = static_cast<int>(entry_.channels.size());
+        const int colours = std::min(channels, 3);
         std::vector<PreviewPicture> pictures;
         const std::string light = slices_.size() > 1
                                       ? "by nu and the sun's cosine (across) and the view ray's "
                                         "(up: above the horizon in the upper half)"
                                       : "v upwards";
         pictures.push_back(sheet("", entry_.name, 0, colours, light));
-        if (volume_.channels == 4) {
+        if (channels == 4) {
             pictures.push_back(sheet("_mie", entry_.name + ": A, the Mie layers", 3, 1, light));
         }
         return pictures;
@@ -47,16 +43,7 @@ class BrunetonPictures {
   private:
     // Returns channels first ... first + count - 1 of slice z, with row 0 at the top.
     Image2<float> colours(int z, int first, int count) const {
-        Image2<float> result(entry_.size[0], entry_.size[1], count);
-        for (int c = 0; c < count; ++c) {
-            const Image2<float> channel = slice(volume_, first + c, 2, z);
-            for (int y = 0; y < result.height; ++y) {
-                for (int x = 0; x < result.width; ++x) {
-                    result.texel(x, result.height - 1 - y)[c] = *channel.texel(x, y);
-                }
-            }
-        }
-        return result;
+        return upwards(slice_of(asset_, z, first, count), 0, entry_.size[1]);
     }
 
     // The caption states the altitude of slice z. Because x_r = rho / H, altitudes are roughly
@@ -84,17 +71,15 @@ class BrunetonPictures {
                 contact_sheet(pictures, captions, slices_.size() > 1 ? 2 : 1), exposure};
     }
 
+    const PreviewAsset& asset_;
     const ManifestAsset& entry_;
-    VoxelView volume_;
     std::vector<int> slices_;
 };
 
 }  // namespace
 
 std::vector<PreviewPicture> bruneton_pictures(const PreviewAsset& asset) {
-    std::size_t values = asset.entry.channels.size();
-    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
-    if (asset.entry.size.size() != 3 || values == 0 || asset.voxels.size() != values) return {};
+    if (!has_all_texels(asset)) return {};
     return BrunetonPictures(asset).make();
 }
 

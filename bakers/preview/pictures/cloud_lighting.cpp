@@ -34,6 +34,11 @@ BakeOptions bake_options(const CloudPreviewInput& input, int threads) {
     return {.threads = threads, .progress = input.progress};
 }
 
+// Whether the sun is the first again, before the camera.
+bool is_against(const CloudPreviewInput& input, const SunDirection& sun) {
+    return input.last_is_against && &sun == &input.suns.back();
+}
+
 }  // namespace
 
 std::optional<Lighting> lighting_of(const CloudPreviewInput& input, int threads) {
@@ -84,15 +89,6 @@ std::string sky_text(const std::optional<SolvedSky>& solved) {
     return solved ? "the sky behind is solved for all orders of scattering"
                   : "the sky behind is that of the tables";
 }
-
-namespace {
-
-// Whether the sun is the first again, before the camera.
-bool is_against(const CloudPreviewInput& input, const SunDirection& sun) {
-    return input.last_is_against && &sun == &input.suns.back();
-}
-
-}  // namespace
 
 bool holds_voxels(const PreviewAsset& asset) {
     const ManifestAsset& entry = asset.entry;

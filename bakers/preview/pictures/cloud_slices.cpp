@@ -56,14 +56,8 @@ std::string place_of(const CloudMedium& medium, int axis, int at) {
     return fmt::format("{} = {:.3g} km", axis == 2 ? "altitude" : kAxisNames[a], meters / 1000);
 }
 
-VoxelView view_of(const PreviewAsset& asset) {
-    const std::vector<int>& size = asset.entry.size;
-    return {
-        {size[0], size[1], size[2]}, static_cast<int>(asset.entry.channels.size()), &asset.voxels};
-}
-
 ColourScale scale_of(const Image2<float>& field, std::string title) {
-    const auto [least, most] = std::minmax_element(field.texels.begin(), field.texels.end());
+    const auto [least, most] = std::ranges::minmax_element(field.texels);
     const double low = std::min(0.0, double{*least});
     const double high = double{*most} > low ? double{*most} : low + 1;
     return {low, high, false, false, std::move(title), true};
@@ -198,7 +192,7 @@ Image2<float> column_optical_depth(const CloudMedium& medium, int threads) {
 
 std::array<int, 3> slice_voxel(const CloudMedium& medium, const Image2<float>& optical_depth) {
     const std::array<int, 3>& size = medium.volume.size;
-    const auto deepest = std::max_element(optical_depth.texels.begin(), optical_depth.texels.end());
+    const auto deepest = std::ranges::max_element(optical_depth.texels);
     if (*deepest == 0) return {size[0] / 2, size[1] / 2, size[2] / 2};
     const auto column = static_cast<int>(deepest - optical_depth.texels.begin());
     std::array<int, 3> slices = {column % size[0], column / size[0], 0};
@@ -216,8 +210,7 @@ std::array<int, 3> slice_voxel(const CloudMedium& medium, const Image2<float>& o
 
 PreviewPicture optical_depth_picture(const CloudMedium& medium, const std::string& name,
                                      const Image2<float>& optical_depth) {
-    const double greatest =
-        double{*std::max_element(optical_depth.texels.begin(), optical_depth.texels.end())};
+    const double greatest = double{*std::ranges::max_element(optical_depth.texels)};
     std::int64_t clear = 0;
     Image2<float> shown = optical_depth;
     // The scale spans three decades, because values below a thousandth of the greatest are
@@ -269,13 +262,13 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
                              const std::string& grid_name, int cell,
                              const std::vector<float>& leaps, int axis, int at) {
     const Image2<float> field = slice(view_of(volume), 0, axis, at);
-    const float most = *std::max_element(field.texels.begin(), field.texels.end());
+    const float most = *std::ranges::max_element(field.texels);
     const int scale = std::max(1, kSliceEdge / std::max(field.width, field.height));
     Picture drawn = grey_picture(field, most > 0 ? double{most} : 1.0, scale);
 
     const std::array<int, 3> cells = occupancy::CellGrid{medium.volume.size, cell}.size();
     const Image2<float> leap = slice({cells, 1, &leaps}, 0, axis, at / cell);
-    const float greatest = *std::max_element(leaps.begin(), leaps.end());
+    const float greatest = *std::ranges::max_element(leaps);
     for (int j = 0; j < leap.height; ++j) {
         for (int i = 0; i < leap.width; ++i) {
             const int x0 = i * cell * scale;
@@ -291,7 +284,7 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
         }
     }
     const auto axes = axes_of_slice(axis);
-    const auto occupied = std::count(leaps.begin(), leaps.end(), 0.0F);
+    const auto occupied = std::ranges::count(leaps, 0.0F);
     PreviewPicture picture;
     picture.name =
         fmt::format("{}_cells_{}", grid_name, kAxisNames[static_cast<std::size_t>(axis)]);

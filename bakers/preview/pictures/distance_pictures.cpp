@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "bakers/math/facts.h"
 #include "bakers/plot/chart.h"
@@ -21,19 +20,10 @@ struct DistancePictures {
     VoxelView view;
 
     explicit DistancePictures(const PreviewAsset& of)
-        : asset(of),
-          metres{number("metres_at_0"), number("metres_at_1")},
-          view{{of.entry.size[0], of.entry.size[1], of.entry.size[2]},
-               static_cast<int>(of.entry.channels.size()),
-               &of.voxels} {}
+        : asset(of), metres{number("metres_at_0"), number("metres_at_1")}, view(view_of(of)) {}
 
     double number(const char* name) const {
-        const auto& details = asset.entry.details;
-        const auto found = std::find_if(details.begin(), details.end(),
-                                        [&](const auto& fact) { return fact.first == name; });
-        const double* value =
-            found == details.end() ? nullptr : std::get_if<double>(&found->second);
-        return value == nullptr ? 0 : *value;
+        return number_named(asset.entry.details, name).value_or(0);
     }
 
     ChartAxis axis_of(std::size_t a) const {
@@ -50,7 +40,7 @@ struct DistancePictures {
         for (float& value : field.texels) {
             value = static_cast<float>(metres[0] + double{value} * (metres[1] - metres[0]));
         }
-        const auto [least, most] = std::minmax_element(field.texels.begin(), field.texels.end());
+        const auto [least, most] = std::ranges::minmax_element(field.texels);
         const double end = std::max({1.0, -double{*least}, double{*most}});
         const char* name = axis == 1 ? "y" : "z";
         PreviewPicture picture;

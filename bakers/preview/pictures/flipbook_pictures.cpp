@@ -21,11 +21,8 @@ constexpr int most_played = 240;  // frames that a page plays
 class FlipbookPictures {
   public:
     explicit FlipbookPictures(const PreviewAsset& asset)
-        : entry_(asset.entry),
-          volume_{{entry_.size[0], entry_.size[1], entry_.size[2]},
-                  static_cast<int>(entry_.channels.size()),
-                  &asset.voxels} {
-        const auto [least, most] = std::minmax_element(asset.voxels.begin(), asset.voxels.end());
+        : entry_(asset.entry), volume_(view_of(asset)) {
+        const auto [least, most] = std::ranges::minmax_element(asset.voxels);
         const bool is_usual = *least >= 0 && *most <= 1;
         if (!is_usual && *least < *most) scale_ = {double{*least}, double{*most}};
     }
@@ -121,8 +118,7 @@ class FlipbookPictures {
 }  // namespace
 
 std::vector<PreviewPicture> flipbook_pictures(const PreviewAsset& asset) {
-    const std::vector<int>& size = asset.entry.size;
-    if (size.size() != 3 || asset.voxels.empty()) return {};
+    if (!has_all_texels(asset)) return {};
     return FlipbookPictures(asset).make();
 }
 

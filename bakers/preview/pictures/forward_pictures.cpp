@@ -3,7 +3,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "bakers/assets/forward_scattering/forward_table.h"

@@ -21,11 +21,7 @@ constexpr std::array<const char*, 3> axis_names = {"x", "y", "z"};
 class NoisePictures {
   public:
     explicit NoisePictures(const PreviewAsset& asset)
-        : entry_(asset.entry),
-          volume_{{entry_.size[0], entry_.size[1], entry_.size[2]},
-                  static_cast<int>(entry_.channels.size()),
-                  &asset.voxels},
-          scale_(scale_of(asset.voxels)) {}
+        : entry_(asset.entry), volume_(view_of(asset)), scale_(scale_of(asset.voxels)) {}
 
     std::vector<PreviewPicture> make() {
         const bool is_curve = volume_.size[1] == 1 && volume_.size[2] == 1;
@@ -44,7 +40,7 @@ class NoisePictures {
     // Returns [0, 1] if it contains all voxels, as for most noises, else the range from the least
     // to the greatest value.
     static GreyScale scale_of(const std::vector<float>& voxels) {
-        const auto [least, most] = std::minmax_element(voxels.begin(), voxels.end());
+        const auto [least, most] = std::ranges::minmax_element(voxels);
         if (*least >= 0 && *most <= 1) return {};
         if (*least == *most) return {double{*least}, double{*least} + 1};
         return {double{*least}, double{*most}};
@@ -164,17 +160,6 @@ class NoisePictures {
     std::vector<PreviewPicture> pictures_;
 };
 
-bool is_complete(const PreviewAsset& asset) {
-    const std::vector<int>& size = asset.entry.size;
-    if (!asset.entry.is_volume() || size.size() != 3 || asset.entry.channels.empty()) return false;
-    std::size_t values = asset.entry.channels.size();
-    for (const int edge : size) {
-        if (edge <= 0) return false;
-        values *= static_cast<std::size_t>(edge);
-    }
-    return asset.voxels.size() == values;
-}
-
 }  // namespace
 
 Picture grey(const Image2<float>& field, const GreyScale& scale) {
@@ -199,7 +184,7 @@ std::array<std::uint8_t, 3> noise_line_colour(const std::string& channel) {
 }
 
 std::vector<PreviewPicture> noise_pictures(const PreviewAsset& asset) {
-    if (!is_complete(asset)) return {};
+    if (!has_all_texels(asset)) return {};
     return NoisePictures(asset).make();
 }
 

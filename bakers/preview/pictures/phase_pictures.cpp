@@ -1,8 +1,6 @@
 #include "bakers/preview/pictures/asset_pictures.h"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <numbers>
 #include <string>
 
@@ -20,13 +18,6 @@ constexpr double degrees = 180 / std::numbers::pi;  // degrees per radian
 // thousandths of a degree wide.
 constexpr double smallest_shown_angle = 1e-3;
 
-std::array<std::uint8_t, 3> line_colour(const std::string& channel) {
-    if (channel == "R") return {0xc8, 0x3a, 0x32};
-    if (channel == "G") return {0x2e, 0x8b, 0x57};
-    if (channel == "B") return {0x2f, 0x6f, 0xc4};
-    return {0x1f, 0x23, 0x28};
-}
-
 std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
     const Image2<float>& table = asset.table;
     const auto spacing = spacing_named(asset.entry.mapping);
@@ -34,7 +25,7 @@ std::vector<ChartLine> lines_of(const PreviewAsset& asset, double least_angle) {
     for (std::size_t c = 0; c < asset.entry.channels.size(); ++c) {
         ChartLine line;
         line.name = asset.entry.channels[c];
-        line.colour = line_colour(line.name);
+        line.colour = noise_line_colour(line.name);
         for (int i = 0; i < table.width; ++i) {
             const double x =
                 texel_coordinate(TexelConvention::end_points_on_texel_centres, i, table.width);

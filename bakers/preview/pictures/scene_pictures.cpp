@@ -48,7 +48,7 @@ std::string layer_text(const NamedLayer& layer) {
 std::string layers_text(const std::vector<NamedLayer>& layers) {
     std::vector<const NamedLayer*> rising;
     for (const NamedLayer& layer : layers) rising.push_back(&layer);
-    std::stable_sort(rising.begin(), rising.end(), [](const NamedLayer* a, const NamedLayer* b) {
+    std::ranges::stable_sort(rising, [](const NamedLayer* a, const NamedLayer* b) {
         return a->cloud.medium.base_m < b->cloud.medium.base_m;
     });
     std::string text;

@@ -9,8 +9,6 @@
 #include <numbers>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 
 #include "bakers/plot/chart.h"
 #include "bakers/render/screen_color.h"
@@ -33,17 +31,6 @@ std::optional<Asset> bake_of(const ManifestAsset& entry) {
     return config::recorded_bake<Asset>(entry.parameters, entry.name);
 }
 
-// Returns rows of a table as an image, with the first row at the bottom.
-Image2<float> upwards(const Image2<float>& table, int first_row, int rows) {
-    Image2<float> part(table.width, rows, table.channels);
-    const auto row_values =
-        static_cast<std::size_t>(table.width) * static_cast<std::size_t>(table.channels);
-    for (int y = 0; y < rows; ++y) {
-        std::copy_n(table.texel(0, first_row + y), row_values, part.texel(0, rows - 1 - y));
-    }
-    return part;
-}
-
 // Returns a picture of an asset's texels as linear sRGB.
 Image2<float> shown(const PreviewAsset& asset, const Image2<float>& light) {
     return ScreenColor(asset.entry.conventions, light.channels).shown(light);
@@ -57,27 +44,6 @@ double angle_above_horizon(const AxisMapping& axis, double y) {
 }
 
 // --- Volumes ------------------------------------------------------------------------------------
-
-bool has_all_texels(const PreviewAsset& asset) {
-    std::size_t values = asset.entry.channels.size();
-    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
-    return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
-}
-
-// Returns channels first ... first + count - 1 of slice z, with row 0 at the top, as in the volume.
-Image2<float> slice_of(const PreviewAsset& asset, int z, int first, int count) {
-    const std::vector<int>& size = asset.entry.size;
-    const auto channels = asset.entry.channels.size();
-    Image2<float> slice(size[0], size[1], count);
-    const std::size_t texels =
-        static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
-    const float* voxel = asset.voxels.data() + static_cast<std::size_t>(z) * texels * channels;
-    for (std::size_t i = 0; i < texels; ++i, voxel += channels) {
-        std::copy_n(voxel + first, count,
-                    slice.texels.data() + i * static_cast<std::size_t>(count));
-    }
-    return slice;
-}
 
 // Draws shares in [0, 1] as a screen shows light, with the sRGB curve.
 Picture as_shares(const Image2<float>& shares) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/multiple_scattering/stored_orders.h"

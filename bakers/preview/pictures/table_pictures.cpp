@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <functional>
 #include <limits>
-#include <optional>
 #include <string>
 #include <utility>
 
@@ -55,9 +54,8 @@ std::vector<ChannelName> channel_names(const ManifestAsset& entry, const TableGe
     if (count < hues.size()) hues = {red, green, blue};
     std::vector<ChannelName> names;
     for (std::size_t i = 0; i < count; ++i) {
-        const auto longer = std::count_if(wavelengths.begin(), wavelengths.end(), [&](double nm) {
-            return i < wavelengths.size() && nm > wavelengths[i];
-        });
+        const auto longer = std::ranges::count_if(
+            wavelengths, [&](double nm) { return i < wavelengths.size() && nm > wavelengths[i]; });
         const auto rank = std::min(static_cast<std::size_t>(longer), hues.size() - 1);
         names.push_back({fmt::format("channel_{}", i), title("", i), hues[rank]});
     }
@@ -126,33 +124,11 @@ Image2<float> physical_view(const Image2<float>& table, const TableGeometry& geo
             }
             const auto uv = geometry.texture_coordinates(altitude, angle);
             bilinear(table, uv[0], uv[1], value.data());
-            std::transform(value.begin(), value.end(), view.texel(x, y),
-                           [](double v) { return static_cast<float>(v); });
+            std::ranges::transform(value, view.texel(x, y),
+                                   [](double v) { return static_cast<float>(v); });
         }
     }
     return view;
-}
-
-Image2<float> one_channel(const Image2<float>& image, int channel) {
-    Image2<float> field(image.width, image.height, 1);
-    for (int y = 0; y < image.height; ++y) {
-        for (int x = 0; x < image.width; ++x) {
-            *field.texel(x, y) = image.texel(x, y)[channel];
-        }
-    }
-    return field;
-}
-
-// Turns an image upside down, because views have row 0 at the top.
-Image2<float> upside_down(const Image2<float>& image) {
-    Image2<float> turned(image.width, image.height, image.channels);
-    for (int y = 0; y < image.height; ++y) {
-        std::copy_n(
-            image.texel(0, image.height - 1 - y),
-            static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.channels),
-            turned.texel(0, y));
-    }
-    return turned;
 }
 
 // Returns a table's texels as light: optical depths become transmittances.
@@ -165,7 +141,7 @@ Image2<float> light_of(const Image2<float>& table, const TableGeometry& geometry
 
 // Tone-maps a field. The picture's row 0 is at the top; places without a ray are grey.
 Picture shown(const Image2<float>& field, double exposure) {
-    Image2<float> view = upside_down(field);
+    Image2<float> view = upwards(field, 0, field.height);
     std::vector<std::size_t> missing;
     const auto channels = static_cast<std::size_t>(view.channels);
     for (std::size_t i = 0; i < view.texels.size(); i += channels) {
@@ -259,8 +235,8 @@ class TablePictures {
         add(name.stem, title,
             fmt::format("The picture shows bilinear lookups over zenith angle and altitude{}.{}",
                         scale.logarithmic ? ", on a logarithmic scale" : "", where_grey()),
-            false_colour_chart(one_channel(view_, channel), scale, title, angle_axis(),
-                               altitude_axis(), drawn_width));
+            false_colour_chart(channel_of(view_, static_cast<std::size_t>(channel)), scale, title,
+                               angle_axis(), altitude_axis(), drawn_width));
         pictures_.back().titled = true;
         pictures_.back().group = "channels";
         pictures_.back().tab = name.title;

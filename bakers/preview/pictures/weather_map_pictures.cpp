@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <string>
-#include <utility>
 
 #include "bakers/plot/chart.h"
 #include "bakers/preview/pictures/asset_pictures.h"
@@ -12,15 +11,6 @@ namespace {
 
 constexpr int smallest_map = 256;  // pixels along the longer edge of a channel
 constexpr int largest_map = 512;
-
-Image2<float> channel_of_map(const Image2<float>& map, std::size_t channel) {
-    Image2<float> plane(map.width, map.height, 1);
-    const auto channels = static_cast<std::size_t>(map.channels);
-    for (std::size_t i = 0; i < plane.texels.size(); ++i) {
-        plane.texels[i] = map.texels[i * channels + channel];
-    }
-    return plane;
-}
 
 // Returns how much of an asset's area has each value, with a step for each bin.
 ChartLine steps_of_histogram(const ValueStatistics& statistics, const std::string& channel) {
@@ -49,7 +39,7 @@ std::vector<PreviewPicture> weather_map_pictures(const PreviewAsset& asset) {
     std::vector<std::string> captions;
     std::vector<ChartLine> lines;
     for (std::size_t c = 0; c < entry.channels.size(); ++c) {
-        const Image2<float> plane = channel_of_map(map, c);
+        const Image2<float> plane = channel_of(map, c);
         planes.push_back(grey(fitted(plane, smallest_map, largest_map), {}));
         tiles.push_back(grey(fitted(tiled_twice(plane), smallest_map, largest_map), {}));
         const ValueStatistics& statistics = entry.levels.front().statistics[c];

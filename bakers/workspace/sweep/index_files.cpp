@@ -131,7 +131,7 @@ std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
     for (const VariantResult& variant : variants) {
         if (variant.status != VariantStatus::done) continue;
         for (const VariantAsset& asset : variant.assets) {
-            if (std::find(names.begin(), names.end(), asset.name) == names.end()) {
+            if (std::ranges::find(names, asset.name) == names.end()) {
                 names.push_back(asset.name);
             }
         }
@@ -139,8 +139,8 @@ std::vector<std::string> asset_names(std::span<const VariantResult> variants) {
     return names;
 }
 
-constexpr std::array asset_columns = {"sky_median", "sky_p90",   "sky_max",   "lookup_max",
-                                      "lookup_rms", "texel_max", "texel_rms", "bytes",
+constexpr std::array asset_columns = {"sky_median", "sky_p90",      "sky_max",   "lookup_max",
+                                      "lookup_rms", "texel_max",    "texel_rms", "bytes",
                                       "cover",      "content_hash", "files"};
 
 std::vector<std::string> csv_header(const config::Sweep& sweep,
@@ -161,8 +161,7 @@ void add_figures(const std::optional<ErrorFigures>& figures, std::vector<std::st
 
 void add_asset(const VariantResult& variant, const std::string& name,
                std::vector<std::string>& fields) {
-    const auto asset = std::find_if(variant.assets.begin(), variant.assets.end(),
-                                    [&](const VariantAsset& one) { return one.name == name; });
+    const auto asset = std::ranges::find(variant.assets, name, &VariantAsset::name);
     if (variant.status != VariantStatus::done || asset == variant.assets.end()) {
         fields.insert(fields.end(), asset_columns.size(), "");
         return;
@@ -231,8 +230,8 @@ std::string index_csv(const config::Sweep& sweep, std::span<const VariantResult>
 
 std::string timing_csv(std::span<const VariantResult> variants) {
     // The columns of times are the members of `timing` in a manifest.
-    std::string text = csv_line({"index", "asset", "light_s", "colors_s", "texels_s", "certificate_s",
-                                 "write_s", "threads", "name"});
+    std::string text = csv_line({"index", "asset", "light_s", "colors_s", "texels_s",
+                                 "certificate_s", "write_s", "threads", "name"});
     for (const VariantResult& variant : variants) {
         if (variant.status != VariantStatus::done) continue;
         for (const VariantAsset& asset : variant.assets) {

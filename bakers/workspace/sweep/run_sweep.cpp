@@ -298,11 +298,9 @@ class SweepRunner {
         if (task.made.empty() || task.made.size() == variant.stale.size()) return true;
         FolderBake bake = whole;
         std::erase_if(bake.bakes, [&](const config::Bake& section) {
-            const auto asset =
-                std::find_if(variant.stale.begin(), variant.stale.end(),
-                             [&](const StaleAsset& stale) { return stale.name == section.name; });
+            const auto asset = std::ranges::find(variant.stale, section.name, &StaleAsset::name);
             return asset == variant.stale.end() ||
-                   std::find(task.made.begin(), task.made.end(), asset->key) == task.made.end();
+                   std::ranges::find(task.made, asset->key) == task.made.end();
         });
         auto baked = bake_folder(bake, observer);
         wake_others();
@@ -333,7 +331,7 @@ class SweepRunner {
     }
 
     static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
-        return std::any_of(diagnostics.begin(), diagnostics.end(), [](const Diagnostic& found) {
+        return std::ranges::any_of(diagnostics, [](const Diagnostic& found) {
             return found.severity == config::Severity::error;
         });
     }

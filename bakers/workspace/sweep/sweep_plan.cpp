@@ -86,8 +86,7 @@ PlannedVariant plan_variant(const SweepJob& job, const VariantNames& names, int 
     } else if (recipe.value) {
         const FolderBake bake = variant_bake(job, *recipe.value, variant.result.name);
         auto plan = plan_folder(bake);  // points into the bake
-        std::move(plan.diagnostics.begin(), plan.diagnostics.end(),
-                  std::back_inserter(variant.result.diagnostics));
+        std::ranges::move(plan.diagnostics, std::back_inserter(variant.result.diagnostics));
         if (plan.value) take_plan(*plan.value, *recipe.value, variant);
     }
     if (config::exit_code(variant.result.diagnostics) != 0) {
@@ -97,6 +96,16 @@ PlannedVariant plan_variant(const SweepJob& job, const VariantNames& names, int 
         variant.last_failure = last_failure(job.folder / variant.result.name);
     }
     return variant;
+}
+
+// The libraries of modules begin threads when they are loaded, and end the process where they cannot.
+// So modules are loaded before the sweep's own threads take those that the system grants.
+void load_modules(const SweepJob& job) {
+    const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, 0);
+    if (!recipe.value) return;
+    for (const config::Bake& bake : recipe.value->parameters.bakes) {
+        static_cast<void>(missing_module(bake, job.folder));  // its variant will say so
+    }
 }
 
 }  // namespace
@@ -115,20 +124,6 @@ FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe,
     if (job.memory_limit_mib) bake.held_voxel_bytes = 0;
     return bake;
 }
-
-namespace {
-
-// The libraries of modules begin threads when they are loaded, and end the process where they cannot.
-// So modules are loaded before the sweep's own threads take those that the system grants.
-void load_modules(const SweepJob& job) {
-    const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, 0);
-    if (!recipe.value) return;
-    for (const config::Bake& bake : recipe.value->parameters.bakes) {
-        static_cast<void>(missing_module(bake, job.folder));  // its variant will say so
-    }
-}
-
-}  // namespace
 
 std::vector<PlannedVariant> plan_sweep(const SweepJob& job,
                                        const std::function<bool()>& cancelled) {
@@ -157,7 +152,7 @@ std::vector<std::string> folders_of_earlier_sweeps(const SweepJob& job) {
         if (!own.contains(name) && is_variant_folder(at->path()))
             earlier.push_back(std::move(name));
     }
-    std::sort(earlier.begin(), earlier.end());
+    std::ranges::sort(earlier);
     return earlier;
 }
 
@@ -180,9 +175,7 @@ std::vector<SharedAsset> shared_assets(const std::vector<PlannedVariant>& varian
     for (const PlannedVariant& variant : variants) {
         for (const StaleAsset& asset : variant.stale) {
             if (users[asset.key] < 2 || std::exchange(counted[asset.key], true)) continue;
-            auto entry = std::find_if(shared.begin(), shared.end(), [&](const SharedAsset& known) {
-                return known.name == asset.name;
-            });
+            auto entry = std::ranges::find(shared, asset.name, &SharedAsset::name);
             if (entry == shared.end()) entry = shared.insert(entry, {asset.name, 0, 0});
             entry->variants += users[asset.key];
             ++entry->bakes;

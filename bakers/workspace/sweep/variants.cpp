@@ -51,6 +51,24 @@ std::string safe(std::string_view text) {
     return result;
 }
 
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+using config::Diagnostic;
+
+constexpr std::uintmax_t largest_failure = 1 << 20;
+
+Json to_json(const Diagnostic& error) {
+    return {{"code", error.code},           {"message", error.message},
+            {"file", error.where.source},   {"line", error.where.line},
+            {"column", error.where.column}, {"length", error.where.length},
+            {"label", error.label}};
+}
+
+std::string text_at(const Json& json, const char* key) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
 }  // namespace
 
 std::vector<std::string> distinguishing_names(const std::vector<std::string>& paths) {
@@ -90,28 +108,6 @@ std::string VariantNames::name(int index) const {
     while (name.back() == '.') name.pop_back();  // Windows would drop these dots
     return name;
 }
-
-namespace {
-
-namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
-using config::Diagnostic;
-
-constexpr std::uintmax_t largest_failure = 1 << 20;
-
-Json to_json(const Diagnostic& error) {
-    return {{"code", error.code},           {"message", error.message},
-            {"file", error.where.source},   {"line", error.where.line},
-            {"column", error.where.column}, {"length", error.where.length},
-            {"label", error.label}};
-}
-
-std::string text_at(const Json& json, const char* key) {
-    const auto found = json.find(key);
-    return found != json.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-}  // namespace
 
 std::string failure_json(const std::vector<Diagnostic>& diagnostics) {
     Json errors = Json::array();
