@@ -38,8 +38,7 @@ struct ImageCodec {
     EncodedPicture (*encode_png)(int width, int height, std::span<const std::uint8_t> rgb);
 };
 
-// The function that the module exports, and its name.
-using ImageCodecFunction = const ImageCodec* (*)();
+// The name of the function that the module exports, which returns its ImageCodec.
 inline constexpr const char* image_codec_symbol = "skybake_image_codec";
 
 // The module's implementation of ImageCodec::encode_png.
