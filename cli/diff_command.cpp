@@ -1,5 +1,6 @@
 // skybake diff: says how far two baked files or folders are apart.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -10,8 +11,11 @@
 #include <set>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/io/manifest/compare.h"
+#include "bakers/io/manifest/compare_volumes.h"
+#include "bakers/io/volumes/grid_files.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/options.h"
@@ -73,19 +77,40 @@ void append(const std::vector<config::Diagnostic>& from, std::vector<config::Dia
     to.insert(to.end(), from.begin(), from.end());
 }
 
-void compare_images(const fs::path& first, const fs::path& second, Comparison& comparison) {
-    auto a = ExrRows::open(first);
-    auto b = ExrRows::open(second);
+// Compares a part of two files. A name tells parts apart.
+void compare_part(const fs::path& first, const fs::path& second, int part, const std::string& name,
+                  Comparison& comparison) {
+    auto a = ExrRows::open(first, part);
+    auto b = ExrRows::open(second, part);
     append(a.diagnostics, comparison.diagnostics);
     append(b.diagnostics, comparison.diagnostics);
     if (!a.value || !b.value) return;
     auto difference = skybake::compare_images(compared(*a.value), compared(*b.value));
     append(difference.diagnostics, comparison.diagnostics);
     if (!difference.value) return;
-    comparison.files.push_back({second.filename().string(), "", std::move(*difference.value)});
+    comparison.files.push_back({name, "", std::move(*difference.value)});
 }
 
-// Compares files whose values are not read. They are equal if they have the same bytes.
+void compare_images(const fs::path& first, const fs::path& second, Comparison& comparison) {
+    const auto parts = read_exr_heads(first);
+    const auto others = read_exr_heads(second);
+    const std::string name = second.filename().string();
+    const std::size_t count = parts.value ? parts.value->size() : 1;
+    if (others.value && parts.value && others.value->size() != count) {
+        ImageDifference difference;
+        difference.layout = fmt::format("{} parts against {}", count, others.value->size());
+        comparison.files.push_back({name, "", std::move(difference)});
+        return;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        const bool is_one = count == 1;
+        compare_part(first, second, static_cast<int>(i),
+                     is_one ? name : fmt::format("{}, part {}", name, (*parts.value)[i].name),
+                     comparison);
+    }
+}
+
+// Compares files by their bytes, and those with grids by their values if the bytes differ.
 void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
     const auto a = fingerprint(first);
     const auto b = fingerprint(second);
@@ -93,10 +118,17 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
     append(b.diagnostics, comparison.diagnostics);
     if (!a.value || !b.value) return;
     FileDifference file{second.filename().string(), "", {}};
-    if (a.value->bytes != b.value->bytes) {
+    const bool is_same = a.value->bytes == b.value->bytes && a.value->xxh3 == b.value->xxh3;
+    if (!is_same && has_grids(first) && has_grids(second)) {
+        auto difference = compare_volumes(first, second);
+        append(difference.diagnostics, comparison.diagnostics);
+        if (!difference.value) return;
+        file.image = std::move(*difference.value);
+    } else if (a.value->bytes != b.value->bytes) {
         file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
-    } else if (a.value->xxh3 != b.value->xxh3) {
-        file.image.layout = "the bytes differ; only values of .exr files are compared";
+    } else if (!is_same) {
+        file.image.layout =
+            "the bytes differ; only values of EXR, VDB and NanoVDB files are compared";
     }
     comparison.files.push_back(std::move(file));
 }
@@ -227,13 +259,14 @@ std::string channel_table(const ImageDifference& image) {
     TextTable table({Align::left, Align::right, Align::right, Align::right, Align::right});
     table.add_row({"channel", "max", "rms", "max relative", "texels", "largest at"});
     for (const ChannelDifference& channel : image.channels) {
+        const std::vector<int>& worst = channel.worst;
         table.add_row({channel.channel, fmt::format("{:.3g}", channel.max_absolute),
                        fmt::format("{:.3g}", channel.rms),
                        fmt::format("{:.3g}", channel.max_relative),
                        fmt::format("{}", channel.differing),
-                       channel.differing > 0
-                           ? fmt::format("column {}, row {}", channel.worst_x, channel.worst_y)
-                           : ""});
+                       channel.differing == 0 ? ""
+                       : worst.size() == 2    ? fmt::format("column {}, row {}", worst[0], worst[1])
+                                              : fmt::format("voxel {}", fmt::join(worst, ", "))});
     }
     return table.text();
 }
@@ -243,7 +276,7 @@ std::string as_text(const FileDifference& file, const Judgement& judgement) {
     std::string text =
         fmt::format("{}: {}\n", file.name, judgement.equal(file) ? "equal" : "differs");
     if (!file.image.layout.empty()) text += fmt::format("  {}\n", file.image.layout);
-    if (!equal_within(file.image, 0) && file.image.layout.empty())
+    if (!equal_within(file.image, 0) && !file.image.channels.empty())
         text += channel_table(file.image);
     for (const AttributeDifference& entry : file.image.attributes) {
         text += fmt::format("  {}: {}\n", entry.name, difference_text(entry));
@@ -261,7 +294,7 @@ Json as_json(const FileDifference& file, const Judgement& judgement) {
                             {"rms", channel.rms},
                             {"max_relative", channel.max_relative},
                             {"differing", channel.differing},
-                            {"worst", {channel.worst_x, channel.worst_y}}});
+                            {"worst", channel.worst}});
     }
     Json metadata = Json::array();
     for (const AttributeDifference& entry : file.image.attributes) {
@@ -313,12 +346,14 @@ Command diff_command() {
     return {.name = "diff",
             .brief = "compare baked files",
             .summary = "compare two baked files or folders",
-            .arguments = {{.name = "first", .help = "an EXR, VDB or raw file, or a folder of them"},
+            .arguments = {{.name = "first",
+                           .help = "an EXR, VDB, NanoVDB or raw file, or a folder of them"},
                           {.name = "second", .help = "the file or folder to compare it with"}},
             .options = {options::tolerance("count values as equal up to this difference", "0"),
                         options::metadata("count differences in the metadata too")},
             .examples = {{"skybake diff old new", "compares all files of two folders"},
-                         {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"}},
+                         {"skybake diff a.exr b.exr --tolerance 1e-6", "allows for rounding"},
+                         {"skybake diff a.vdb b.nvdb", "compares the values of their grids"}},
             .exit_codes = {ExitCode::differs, ExitCode::io},
             .run = run_diff};
 }

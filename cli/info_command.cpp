@@ -12,6 +12,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/exr/exr_file.h"
+#include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
 #include "bakers/io/manifest/manifest.h"
 #include "bakers/io/manifest/metadata.h"
@@ -55,14 +56,14 @@ struct ValueRange {
 
 // Returns one range per channel. It reads the file row by row.
 config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
-    const std::size_t channels = image.channel_names().size();
+    const std::size_t channels = image.facts().channel_names.size();
     std::vector<ValueRange> ranges(channels);
     std::vector<float> texels;
     int step = image.rows_per_piece();
-    for (int y = 0; y < image.height(); y += step) {
-        step = std::min(step, image.height() - y);
-        texels.resize(static_cast<std::size_t>(step) * static_cast<std::size_t>(image.width()) *
-                      channels);
+    for (int y = 0; y < image.facts().height; y += step) {
+        step = std::min(step, image.facts().height - y);
+        texels.resize(static_cast<std::size_t>(step) *
+                      static_cast<std::size_t>(image.facts().width) * channels);
         if (auto problem = image.read(y, step, texels.data())) return {{}, {*problem}};
         for (std::size_t i = 0; i < texels.size(); ++i) {
             ValueRange& range = ranges[i % channels];
@@ -78,46 +79,58 @@ config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
     return {std::move(ranges), {}};
 }
 
-std::string image_json(const std::string& path, const ExrRows& image,
+std::string image_json(const std::string& path, const ExrPartHead& head, const ExrRows& image,
                        const std::vector<ValueRange>& ranges) {
     Json values = Json::object();
     for (std::size_t i = 0; i < ranges.size(); ++i) {
-        values[image.channel_names()[i]] = {{"min", ranges[i].smallest},
-                                            {"max", ranges[i].largest},
-                                            {"not_finite", ranges[i].not_finite}};
+        values[image.facts().channel_names[i]] = {{"min", ranges[i].smallest},
+                                                  {"max", ranges[i].largest},
+                                                  {"not_finite", ranges[i].not_finite}};
     }
     return event_line({{"event", "image"},
                        {"path", path},
-                       {"size", {image.width(), image.height()}},
-                       {"channels", image.channel_names()},
-                       {"pixel_type", to_string(image.pixel_type())},
-                       {"compression", to_string(image.compression())},
+                       {"part", head.name},
+                       {"data_window", head.data_window},
+                       {"display_window", head.display_window},
+                       {"size", {image.facts().width, image.facts().height}},
+                       {"channels", image.facts().channel_names},
+                       {"pixel_type", to_string(image.facts().pixel_type)},
+                       {"compression", image.facts().codec},
                        {"values", std::move(values)},
-                       {"attributes", attributes_json(image.attributes())}});
+                       {"attributes", attributes_json(image.facts().attributes)}});
 }
 
 std::string image_text(const std::string& name, const ExrRows& image,
                        const std::vector<ValueRange>& ranges) {
     TextTable facts;
-    facts.add_row({"size", fmt::format("{} x {}", image.width(), image.height())});
-    facts.add_row({"channels", fmt::format("{}, {}", fmt::join(image.channel_names(), " "),
-                                           to_string(image.pixel_type()))});
-    facts.add_row({"compression", std::string(to_string(image.compression()))});
+    facts.add_row({"size", fmt::format("{} x {}", image.facts().width, image.facts().height)});
+    facts.add_row({"channels", fmt::format("{}, {}", fmt::join(image.facts().channel_names, " "),
+                                           to_string(image.facts().pixel_type))});
+    facts.add_row({"compression", image.facts().codec});
+    if (!image.facts().window.empty()) facts.add_row({"data window", image.facts().window});
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         std::string text = fmt::format("{:.6g} to {:.6g}", ranges[i].smallest, ranges[i].largest);
         if (ranges[i].not_finite > 0) text += fmt::format(", {} not finite", ranges[i].not_finite);
-        facts.add_row({fmt::format("values {}", image.channel_names()[i]), std::move(text)});
+        facts.add_row({fmt::format("values {}", image.facts().channel_names[i]), std::move(text)});
     }
-    return fmt::format("{}\n", name) + facts.text() + attribute_text(image.attributes());
+    return fmt::format("{}\n", name) + facts.text() + attribute_text(image.facts().attributes);
 }
 
 ExitCode show_image(const fs::path& path, bool json, Console& console) {
-    auto image = ExrRows::open(path);
-    if (!image.value) return show_exr_heads(path, image.diagnostics.at(0), json, console);
-    const auto ranges = value_ranges(*image.value);
-    if (!ranges.value) return console.report(ranges.diagnostics);
-    console.result(json ? image_json(path.string(), *image.value, *ranges.value)
-                        : image_text(path.string(), *image.value, *ranges.value));
+    const auto heads = read_exr_heads(path);
+    if (!heads.value) return console.report(heads.diagnostics);
+    std::string text;
+    for (const ExrPartHead& head : *heads.value) {
+        const auto part = static_cast<int>(&head - heads.value->data());
+        auto image = ExrRows::open(path, part);
+        if (!image.value) return show_exr_heads(path, image.diagnostics.at(0), json, console);
+        const auto ranges = value_ranges(*image.value);
+        if (!ranges.value) return console.report(ranges.diagnostics);
+        const std::string title = path.string() + (head.name.empty() ? "" : ", part " + head.name);
+        text += json ? image_json(path.string(), head, *image.value, *ranges.value)
+                     : image_text(title, *image.value, *ranges.value);
+    }
+    console.result(text);
     return ExitCode::done;
 }
 
@@ -134,7 +147,7 @@ void show_entry(const fs::path& path, const ManifestAsset& asset, const Manifest
 
 ExitCode show_file(const fs::path& path, bool json, Console& console) {
     const auto entry = entry_of_file(path);
-    if (!entry.value && path.extension() == ".nvdb") return show_nvdb(path, json, console);
+    if (!entry.value && path.extension() == ".nvdb") return show_grids(path, json, console);
     if (!entry.value) return console.report(entry.diagnostics);
     show_entry(path, *entry.value, entry.value->files[0], json, console);
     return ExitCode::done;
@@ -251,7 +264,7 @@ ExitCode run_info(const Invocation& invocation, Console& console) {
             fmt::format("`{}` is a recipe, and info describes baked files", path.string()),
             "`skybake show` shows its values")});
     }
-    if (path.extension() == ".vdb") return show_vdb(path, json, console);
+    if (path.extension() == ".vdb") return show_grids(path, json, console);
     const Format* format = find_format(path.extension().string().substr(path.has_extension()));
     if (format && !format->has_metadata && fs::is_regular_file(path, error)) {
         return show_plain_file(path, *format, json, console);

@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "bakers/io/formats/exr/exr_heads.h"
-#include "bakers/io/formats/nvdb/nvdb_reader.h"
-#include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/volumes/grid_files.h"
 #include "cli/console.h"
 #include "cli/events.h"
 #include "cli/table_printer.h"
@@ -60,27 +58,16 @@ Json attributes_json(const Attributes& attributes) {
 
 namespace {
 
-using Index = std::array<std::int64_t, 3>;
-
 // "512 x 512 x 64", of the box of active voxels.
-std::string extent_of(const Index& first, const Index& last) {
-    Index size{};
-    for (std::size_t i = 0; i < 3; ++i) size[i] = last[i] - first[i] + 1;
+std::string active_extent(const VdbGrid& grid) {
+    if (grid.empty) return "no active voxel";
+    if (!grid.states_active) return "not stated";
+    std::array<std::int64_t, 3> size{};
+    for (std::size_t i = 0; i < 3; ++i) size[i] = grid.last_active[i] - grid.first_active[i] + 1;
     return fmt::format("{}", fmt::join(size, " x "));
 }
 
-std::string active_extent(const VdbGrid& grid) {
-    if (grid.empty) return "no active voxel";
-    return grid.states_active ? extent_of(grid.first_active, grid.last_active) : "not stated";
-}
-
-TextTable grid_table() {
-    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left});
-    table.add_row({"grid", "active", "", "class", "compression", "voxel size"});
-    return table;
-}
-
-std::string vdb_json(const std::string& path, const VdbFile& file) {
+std::string grids_json(const std::string& path, const VdbFile& file) {
     Json grids = Json::array();
     for (const VdbGrid& grid : file.grids) {
         const bool has_box = grid.states_active && !grid.empty;
@@ -91,7 +78,7 @@ std::string vdb_json(const std::string& path, const VdbFile& file) {
                          {"compression", grid.compression},
                          {"half", grid.half},
                          {"voxel_size", grid.voxel_size},
-                         {"first_centre", grid.first_centre},
+                         {"first_centre", grid.first_centre ? Json(*grid.first_centre) : Json()},
                          {"first_active", has_box ? Json(grid.first_active) : Json()},
                          {"last_active", has_box ? Json(grid.last_active) : Json()},
                          {"active_voxels", grid.active_voxels},
@@ -105,50 +92,16 @@ std::string vdb_json(const std::string& path, const VdbFile& file) {
                        {"attributes", attributes_json(file.attributes)}});
 }
 
-std::string vdb_text(const std::string& name, const VdbFile& file) {
-    TextTable table = grid_table();
+std::string grids_text(const std::string& name, const VdbFile& file) {
+    TextTable table({Align::left, Align::right, Align::left, Align::left, Align::left});
+    table.add_row({"grid", "active", "", "class", "compression", "voxel size"});
     for (const VdbGrid& grid : file.grids) {
         table.add_row({config::printable(grid.name), active_extent(grid), grid.value_type,
                        config::printable(grid.grid_class), grid.compression,
                        fmt::format("{}", fmt::join(grid.voxel_size, ", "))});
     }
-    return fmt::format("{}\n", name) + table.text() + attribute_text(file.attributes);
-}
-
-std::string nvdb_json(const std::string& path, const NvdbFacts& file) {
-    Json grids = Json::array();
-    for (const NvdbGridFacts& grid : file.grids) {
-        grids.push_back({{"name", grid.name},
-                         {"type", grid.type},
-                         {"value_type", grid.type},
-                         {"class", grid.grid_class},
-                         {"compression", grid.codec},
-                         {"half", false},
-                         {"voxel_size", grid.voxel_size},
-                         {"first_centre", nullptr},
-                         {"first_active", grid.active_voxels > 0 ? Json(grid.first) : Json()},
-                         {"last_active", grid.active_voxels > 0 ? Json(grid.last) : Json()},
-                         {"active_voxels", grid.active_voxels},
-                         {"metadata", Json::object()}});
-    }
-    return event_line({{"event", "grids"},
-                       {"path", path},
-                       {"uuid", ""},
-                       {"library", file.version},
-                       {"grids", std::move(grids)},
-                       {"attributes", Json::object()}});
-}
-
-std::string nvdb_text(const std::string& name, const NvdbFacts& file) {
-    TextTable table = grid_table();
-    for (const NvdbGridFacts& grid : file.grids) {
-        table.add_row({config::printable(grid.name),
-                       grid.active_voxels > 0 ? extent_of(grid.first, grid.last) : "no active voxel",
-                       grid.type, grid.grid_class, grid.codec,
-                       fmt::format("{}", fmt::join(grid.voxel_size, ", "))});
-    }
-    return fmt::format("{}\n", name) + table.text() +
-           lines_text({{"written by", file.version + " of another program"}});
+    return fmt::format("{}\n", name) + table.text() + lines_text({{"library", file.library}}) +
+           attribute_text(file.attributes);
 }
 
 std::string channels_text(const ExrPartHead& part) {
@@ -206,20 +159,11 @@ std::string reason_in(const std::string& message, const std::string& path) {
 
 }  // namespace
 
-ExitCode show_vdb(const fs::path& path, bool json, Console& console) {
-    const auto file = read_vdb(path);
-    const ExitCode code = console.report(file.diagnostics);
-    if (!file.value) return code;
-    console.result(json ? vdb_json(path.string(), *file.value)
-                        : vdb_text(path.string(), *file.value));
-    return ExitCode::done;
-}
-
-ExitCode show_nvdb(const fs::path& path, bool json, Console& console) {
-    const auto file = read_nvdb_facts(path);
+ExitCode show_grids(const fs::path& path, bool json, Console& console) {
+    const auto file = read_grids(path);
     if (!file.value) return console.report(file.diagnostics);
-    console.result(json ? nvdb_json(path.string(), *file.value)
-                        : nvdb_text(path.string(), *file.value));
+    console.result(json ? grids_json(path.string(), *file.value)
+                        : grids_text(path.string(), *file.value));
     return ExitCode::done;
 }
 

@@ -18,11 +18,8 @@ std::string lines_text(const FactLines& lines);
 std::string attribute_text(const Attributes& attributes);
 nlohmann::ordered_json attributes_json(const Attributes& attributes);
 
-// The grids of an OpenVDB file.
-ExitCode show_vdb(const std::filesystem::path& path, bool json, Console& console);
-
-// The grids of a NanoVDB file that does not carry skybake's description.
-ExitCode show_nvdb(const std::filesystem::path& path, bool json, Console& console);
+// The grids of an OpenVDB or NanoVDB file, which its name tells apart.
+ExitCode show_grids(const std::filesystem::path& path, bool json, Console& console);
 
 // The header of an EXR file whose pixels are not read, for this reason.
 ExitCode show_exr_heads(const std::filesystem::path& path, const config::Diagnostic& reason,

@@ -14,6 +14,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/http_cache.h"
+#include "cli/volume_recipe.h"
 #include "config/fields/fields.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
@@ -211,6 +212,7 @@ Outcome<Recipe> recipe_of(const Invocation& invocation, std::span<const std::str
     settings.insert(settings.end(), more.begin(), more.end());
     if (is_standard_input(file)) return recipe_from_standard_input(settings);
     if (auto diagnostic = preset_in_place_of_file(file)) return {{}, {std::move(*diagnostic)}};
+    if (is_foreign_volume(file)) return recipe_of_volume(file, settings);
     return config::load_recipe(file, settings);
 }
 

@@ -272,7 +272,8 @@ Command preview_command() {
         .brief = "make pictures of it",
         .summary = "make pictures of a recipe or of baked files, and a page that shows them",
         .arguments = {{.name = "recipe|folder|file",
-                       .help = "a recipe, a folder of a bake or sweep, or EXR, VDB, bin files",
+                       .help = "a recipe, a folder of a bake or sweep, EXR, VDB, bin files, or a "
+                               "volume of another program",
                        .repeatable = true}},
         .options =
             {options::output("write index.html and its pictures into this folder", "preview"),

@@ -17,6 +17,7 @@
 #include "bakers/preview/load_sweep.h"
 #include "cli/command.h"
 #include "cli/options.h"
+#include "cli/volume_recipe.h"
 #include "config/text/key_path.h"
 #include "config/text/units.h"
 
@@ -100,6 +101,7 @@ bool read_camera_part(std::string_view name, std::string_view value, CameraReque
 Subject subject_of(const fs::path& path) {
     std::error_code error;
     if (is_sweep_folder(path)) return Subject::sweep;
+    if (is_foreign_volume(path.string())) return Subject::recipe;
     if (fs::is_directory(path, error) || path.filename() == manifest_name) return Subject::folder;
     const std::string extension = path.extension().string();
     const bool baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;

@@ -17,19 +17,8 @@ namespace {
 
 // --- The module ---------------------------------------------------------------------------------
 
-struct LoadedModule {
-    const ChartModule* functions = nullptr;
-    std::string reason;  // why they are missing
-};
-
-LoadedModule load() {
-    const ModuleSymbol symbol = load_module(chart_module_name, chart_module_symbol);
-    if (symbol.address == nullptr) return {nullptr, symbol.reason};
-    return {reinterpret_cast<ChartModuleFunction>(symbol.address)(), ""};
-}
-
-const LoadedModule& chart_module() {
-    static const LoadedModule loaded = load();
+const LoadedCodec<ChartModule>& chart_module() {
+    static const auto loaded = load_codec<ChartModule>(chart_module_name, chart_module_symbol);
     return loaded;
 }
 
@@ -121,7 +110,7 @@ void Drawing::write_upwards(std::string_view text, double baseline, double y,
 }
 
 double text_width(std::string_view text, const TextStyle& style) {
-    const ChartModule* const functions = chart_module().functions;
+    const ChartModule* const functions = chart_module().codec;
     if (functions == nullptr || text.empty()) return 0;
     // Widths are kept in a memo, because pages repeat their labels and measuring takes longer than
     // a lookup in a map.
@@ -137,7 +126,7 @@ double text_width(std::string_view text, const TextStyle& style) {
 
 Picture painted(const Drawing& drawing) {
     if (drawing.width <= 0 || drawing.height <= 0) return {};
-    const ChartModule* const functions = chart_module().functions;
+    const ChartModule* const functions = chart_module().codec;
     if (functions != nullptr) return functions->paint(drawing);
     Picture blank(drawing.width, drawing.height);
     std::ranges::fill(blank.rgb, paper_colour[0]);
@@ -161,7 +150,7 @@ Drawing on_dark_paper(Drawing drawing) {
 }
 
 std::string svg_of(const Drawing& drawing, std::string_view comment) {
-    const ChartModule* const functions = chart_module().functions;
+    const ChartModule* const functions = chart_module().codec;
     if (functions == nullptr) return "";
     const std::string text = functions->svg(drawing);
     const std::size_t declared = text.find('\n') + 1;
@@ -174,11 +163,11 @@ std::string svg_of(const Drawing& drawing, std::string_view comment) {
 }
 
 std::optional<config::Diagnostic> chart_problem() {
-    const LoadedModule& loaded = chart_module();
-    if (loaded.functions == nullptr) {
+    const LoadedCodec<ChartModule>& loaded = chart_module();
+    if (loaded.codec == nullptr) {
         return file_error("E0300", "", "cannot draw charts: " + loaded.reason);
     }
-    if (loaded.functions->has_font()) return std::nullopt;
+    if (loaded.codec->has_font()) return std::nullopt;
     config::Diagnostic diagnostic =
         file_error("W0302", "", "charts have no text: the font DejaVu Sans is not installed");
     diagnostic.severity = config::Severity::warning;
@@ -186,7 +175,7 @@ std::optional<config::Diagnostic> chart_problem() {
 }
 
 config::Outcome<std::string> png_bytes(const Picture& picture) {
-    const LoadedImageCodec& loaded = image_codec();
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) {
         return {{}, {file_error("E0300", "", "cannot write pictures: " + loaded.reason)}};
     }

@@ -172,7 +172,6 @@ struct ChartModule {
     Picture (*paint)(const Drawing& drawing);
     std::string (*svg)(const Drawing& drawing);  // empty: the library refuses the size
 };
-using ChartModuleFunction = const ChartModule* (*)();
 inline constexpr const char* chart_module_symbol = "skybake_chart_module";
 
 }  // namespace skybake

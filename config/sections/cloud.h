@@ -41,6 +41,8 @@ struct CloudMap {
     MapWrap wrap = MapWrap::repeat;
     MapFilter filter = MapFilter::linear;
     MapColorSpace color_space = MapColorSpace::linear;
+    double factor = 1;          // of linear numbers
+    bool clamp = false;         // what is then outside of [0, 1] becomes 0 or 1
     SourceRange file_place;     // of `file` in the recipe
     SourceRange channel_place;  // of `channel`, or of `file` if the recipe names no channel
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr Range profile_range{-1e6, 1e6};
 constexpr Range sharpness_range{0, 1e6};
+constexpr Range map_factor_range{1e-9, 1e9};
 
 constexpr Choice height_profile_choices[] = {
     {HeightProfileType::thesis, "thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
@@ -61,7 +62,7 @@ const HeightProfileField height_profile_table[] = {
 constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
 constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
 
-std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
+std::array<CloudMapField, 7> map_table(std::string_view file_documentation) {
     return {
         CloudMapField{"file", Kind::text, &CloudMap::file, file_documentation, KeyFlag::required,
                       Hint{"relative to the folder of the recipe that names it"}},
@@ -76,6 +77,12 @@ std::array<CloudMapField, 5> map_table(std::string_view file_documentation) {
         CloudMapField{"color_space", Kind::choice, &CloudMap::color_space,
                       "how the picture stores its numbers", color_space_choices,
                       Default{R"("linear")"}},
+        CloudMapField{"factor", Kind::number, &CloudMap::factor,
+                      "factor from the picture's linear numbers to the map's", map_factor_range,
+                      Default{"1"}, Hint{"a map's numbers are from 0 to 1"}},
+        CloudMapField{"clamp", Kind::flag, &CloudMap::clamp,
+                      "whether numbers below 0 become 0 and those above 1 become 1",
+                      Default{"false"}, Hint{"without it they are an error"}},
     };
 }
 

@@ -130,7 +130,7 @@ TEST(BrunetonVolume, TakramsImageIsUpsideDownAndReadAsItWas) {
                   true);
         EXPECT_EQ(red, voxels_of(volume, 0));
         // The file's first row is the last one of the last slice in the lowest row of cells.
-        std::vector<float> row(static_cast<std::size_t>(image.value->width()) * 4);
+        std::vector<float> row(static_cast<std::size_t>(image.value->facts().width) * 4);
         ASSERT_FALSE(image.value->read(0, 1, row.data()));
         EXPECT_EQ(row[0], voxels_of(volume, 0)[(3 * 8 + 7) * 16]);
     }

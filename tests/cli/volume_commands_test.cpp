@@ -233,6 +233,26 @@ TEST_F(VolumeBake, OpenVdbIsVerifiedAndShown) {
     EXPECT_EQ(json::parse(machine.out)["grids"][0]["value_type"], "half");
 }
 
+// A file without skybake's entry stands for a recipe that reads it, and is compared by its values.
+TEST_F(VolumeBake, AVolumeOfAnotherProgramIsComparedAndPreviewed) {
+    write("formats = [\"vdb\"]\n");
+    ASSERT_EQ(run_program(words()).code, 0);
+    std::string bytes = read_bytes(file("wisps.vdb"));
+    bytes.replace(bytes.find("skybake/asset"), 7, "another");
+    const std::string foreign = (folder_ / "foreign.vdb").string();
+    write_bytes(foreign, bytes);
+    EXPECT_EQ(run_program({"diff", foreign, file("wisps.vdb")}).code, 0);
+    const std::string shown = (folder_ / "shown").string();
+    const std::vector<std::string> preview = {"preview", foreign, "-o", shown, "--size", "64x36"};
+    expect_said(run_program(preview), 3, {"grid = \"R\" or grid = \"G\""});
+    std::vector<std::string> of_red = preview;
+    of_red.insert(of_red.end(), {"--set", "volumes.cloud.grid=R", "--sun-elevation", "30"});
+    const Result made = run_program(of_red);
+    EXPECT_EQ(made.code, 0) << made.error;
+    EXPECT_TRUE(fs::exists(shown + "/index.html"));
+    EXPECT_TRUE(contains(made.out, "cloud")) << made.out;
+}
+
 TEST_F(VolumeBake, RefusesToOverwriteAnyOfItsFiles) {
     fs::create_directory(out_);
     write_bytes(file("wisps.mip1.bin"), "mine");

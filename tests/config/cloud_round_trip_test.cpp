@@ -56,6 +56,7 @@ std::string any_map(const std::string& key) {
     if (coin()) text += "wrap = " + any_of("repeat", "clamp") + "\n";
     if (coin()) text += "filter = " + any_of("nearest", "linear") + "\n";
     if (coin()) text += "color_space = " + any_of("linear", "srgb") + "\n";
+    if (coin()) text += fmt::format("factor = {}\nclamp = true\n", any_number(1, 9));
     return text;
 }
 

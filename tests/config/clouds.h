@@ -34,9 +34,9 @@ inline std::string to_string(const HeightProfile& profile) {
 }
 
 inline std::string to_string(const CloudMap& map) {
-    return fmt::format("{} {} {} {} {} {}", map.file, map.path.string(), map.channel,
+    return fmt::format("{} {} {} {} {} {} {} {}", map.file, map.path.string(), map.channel,
                        static_cast<int>(map.wrap), static_cast<int>(map.filter),
-                       static_cast<int>(map.color_space));
+                       static_cast<int>(map.color_space), map.factor, map.clamp);
 }
 
 inline std::string to_string(const Tower& tower) {

@@ -162,7 +162,7 @@ TEST(AttributePieces, VolumesHaveNoLongAttribute) {
     EXPECT_EQ(expect_short(testing::read_bytes(path)), 1);
     const auto rows = ExrRows::open(path);
     ASSERT_TRUE(rows.value.has_value());
-    EXPECT_EQ(rows.value->attributes(),
+    EXPECT_EQ(rows.value->facts().attributes,
               (Attributes{{"skybake/asset",
                            file_entry_json(manifest.assets[0], manifest.assets[0].files[0])}}));
 }

@@ -11,7 +11,6 @@
 #include <ImfTiledOutputFile.h>
 #include <gtest/gtest.h>
 
-#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/formats/png/map_image.h"
 #include "tests/io/files.h"
 
@@ -39,7 +38,6 @@ TEST(ExrHeads, SayTilesAndLevels) {
     EXPECT_EQ(head.compression, "dwaa");
     EXPECT_EQ(head.size(), (std::array<std::int64_t, 2>{64, 48}));
     EXPECT_EQ(head.channels.at(0).type, "half");
-    EXPECT_FALSE(ExrRows::open(path).value) << "info needs the header, as pixels are not read";
 }
 
 TEST(ExrHeads, SayWindowsAndTexts) {
@@ -124,7 +122,8 @@ TEST(MapImage, SaysThatAChannelIsSubsampled) {
     map.path = subsampled(folder);
     const auto image = read_map_image(map);
     ASSERT_FALSE(image.value);
-    EXPECT_TRUE(image.diagnostics.at(0).message.ends_with(": its channel `BY` is subsampled (2 x 2)"));
+    EXPECT_TRUE(
+        image.diagnostics.at(0).message.ends_with(": its channel `BY` is subsampled (2 x 2)"));
 }
 
 }  // namespace

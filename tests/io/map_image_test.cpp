@@ -4,12 +4,14 @@
 #include <rapidcheck.h>
 #include <sys/wait.h>
 
+#include <array>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <map>
 
 #include "bakers/io/files/load_module.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/math/hash.h"
 #include "tests/io/files.h"
 #include "tests/support/exr_image.h"
@@ -123,6 +125,18 @@ TEST(MapImage, HasTheValuesOfOurOwnFiles) {
     }));
 }
 
+// What `info` and `diff` read of files that others wrote.
+TEST(ExrRows, AreThoseOfAPart) {
+    std::vector<float> values(6);
+    auto second = ExrRows::open(data / "two_parts.exr", 1);
+    ASSERT_TRUE(second.value);
+    EXPECT_FALSE(second.value->read(0, 2, values.data()));
+    EXPECT_EQ(values, grey16_as_half);
+    EXPECT_EQ(first_code(ExrRows::open(data / "two_parts.exr", 2).diagnostics), "E0304");
+    const auto window = ExrRows::open(data / "window.exr");
+    EXPECT_EQ(window.value.value().facts().window, "(1, 0) to (3, 1) of (0, 0) to (4, 1)");
+}
+
 TEST(MapImage, HashIsOfSizeAndValues) {
     const std::string hash = read(data / "grey16.png").value->content_hash;
     EXPECT_EQ(read(data / "grey16_zip.tif").value->content_hash, hash);
@@ -217,7 +231,6 @@ TEST(MapImageFails, ForOtherFiles) {
     expect_refused(folder / "text.png", "it is neither PNG nor TIFF nor OpenEXR nor Radiance");
     expect_refused(data / "deep.exr", "it is a deep image");
     expect_refused(data / "uint.exr", "its values are of type uint");
-    expect_refused(data / "window.exr", "its data window is not its display window");
 }
 
 TEST(MapImageFails, ForChannelsThatAreNotThere) {
@@ -255,6 +268,53 @@ TEST(MapImageFails, ForValuesThatAreNoShares) {
     EXPECT_NE(error(std::nextafter(1.0F, 2.0F)), "");
     EXPECT_EQ(error(1.0F), "");
     EXPECT_EQ(error(tiny), "");
+}
+
+// The pictures of artists hold numbers beyond 1.
+TEST(MapImage, IsScaledAndClamped) {
+    const TemporaryFolder folder;
+    ExrImage image;
+    image.channel_names = {"Y"};
+    image.pixels = Image2<float>(4, 1, 1);
+    image.pixels.texels = {-0.5F, 0.5F, 3, 65504};
+    testing::write_bytes(folder / "map.exr", *encode_exr(image).value);
+    CloudMap map;
+    map.path = folder / "map.exr";
+    const auto values = [&](double factor, bool clamp, MapColorSpace space) {
+        map.factor = factor;
+        map.clamp = clamp;
+        map.color_space = space;
+        const auto read = read_map_image(map);
+        return read.value ? read.value->values : std::vector<float>{};
+    };
+    EXPECT_EQ(values(1, false, MapColorSpace::linear), std::vector<float>{});
+    EXPECT_EQ(values(0.25, true, MapColorSpace::linear), (std::vector<float>{0, 0.125F, 0.75F, 1}));
+    const std::vector<float> from_srgb = values(0.5, true, MapColorSpace::srgb);
+    ASSERT_EQ(from_srgb.size(), 4U);
+    EXPECT_NEAR(from_srgb[1], 0.107021, 1e-6);  // half of ((0.5 + 0.055) / 1.055)^2.4
+    map.clamp = false;
+    EXPECT_NE(read_map_image(map).diagnostics.at(0).message.find("`clamp = true` limits them"),
+              std::string::npos);
+}
+
+// What the file does not have of its display window is black, and what lies beyond it does not count.
+TEST(MapImage, IsReadOverTheDisplayWindow) {
+    const TemporaryFolder folder;
+    std::string bytes =
+        testing::read_bytes(data / "window.exr");  // 3 x 2 pixels from (1, 0) of 5 x 2
+    const std::vector<float>& grey = grey32_as_half;
+    const auto whole = read(data / "window.exr");
+    ASSERT_TRUE(whole.value);
+    EXPECT_EQ(whole.value->values, (std::vector<float>{0, grey[0], grey[1], grey[2], 0, 0, grey[3],
+                                                       grey[4], grey[5], 0}));
+    const std::array<std::int32_t, 4> window = {2, 1, 2, 3};
+    const std::size_t at =
+        bytes.find("displayWindow") + sizeof("displayWindow") + sizeof("box2i") + 4;
+    bytes.replace(at, sizeof(window), reinterpret_cast<const char*>(window.data()), sizeof(window));
+    testing::write_bytes(folder / "map.exr", bytes);
+    const auto part = read(folder / "map.exr");
+    ASSERT_TRUE(part.value);
+    EXPECT_EQ(part.value->values, (std::vector<float>{grey[4], 0, 0}));
 }
 
 // --- TIFF, tag by tag ---------------------------------------------------------------------------

@@ -38,7 +38,8 @@ TEST(VdbMemory, DoesNotGrowWithTheVolume) {
     volume.levels[0].voxels = std::make_shared<Ramp>();
     ASSERT_TRUE(testing::write_sample(volume, folder / "v.vdb").value.has_value());
     const double written = peak_memory_mib();
-    const auto read = read_vdb_voxels(folder / "v.vdb", [](const VdbSlab&) { return true; });
+    const auto read =
+        testing::read_vdb_voxels(folder / "v.vdb", [](const testing::VdbSlab&) { return true; });
     ASSERT_TRUE(read.value.has_value());
     fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
                peak_memory_mib());
@@ -66,7 +67,8 @@ TEST(VdbMemory, OfASparseVolumeIsWhatIsKept) {
     constexpr std::size_t kept = 32 << 20;
     ASSERT_TRUE(write_vdb(volume, 0, {}, 2, nullptr, folder / "v.vdb", kept).value.has_value());
     const double written = peak_memory_mib();
-    const auto read = read_vdb_voxels(folder / "v.vdb", [](const VdbSlab&) { return true; });
+    const auto read =
+        testing::read_vdb_voxels(folder / "v.vdb", [](const testing::VdbSlab&) { return true; });
     ASSERT_TRUE(read.value.has_value());
     fmt::print("peak memory: {:.0f} MiB after writing, {:.0f} MiB after reading\n", written,
                peak_memory_mib());

@@ -135,7 +135,7 @@ std::string wrong_for_us(const Baked& volume, const std::filesystem::path& path)
     const Size& size = volume.levels[0].size;
     std::size_t voxel = 0;
     bool same = true;
-    const auto read = read_vdb_voxels(path, [&](const VdbSlab& slab) {
+    const auto read = testing::read_vdb_voxels(path, [&](const testing::VdbSlab& slab) {
         same &= slab.size == size &&
                 slab.voxels.size() ==
                     wanted.size() * static_cast<std::size_t>(size[0] * size[1] * slab.depth);
@@ -263,7 +263,8 @@ TEST(VdbSparseCases, VoxelsNeedNotBeCubes) {
     const auto read = read_vdb(folder / "v.vdb");
     ASSERT_TRUE(read.value.has_value());
     EXPECT_EQ(read.value->grids[0].voxel_size, (std::array{10.0, 20.0, 40.0}));
-    EXPECT_EQ(read.value->grids[0].size, (std::array<std::int64_t, 3>{20, 20, 20}));
+    const auto opened = open_vdb_grid(folder / "v.vdb", "density", VolumePart::shape);
+    EXPECT_EQ(opened.value.value_or(FileVoxels{}).size, (std::array{20, 20, 20}));
 }
 
 // --- How the file is made -----------------------------------------------------------------------

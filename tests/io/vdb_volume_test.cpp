@@ -176,28 +176,23 @@ TEST_P(VdbVolume, GridsSayWhatTheyAre) {
 
 TEST_P(VdbVolume, SlabsHoldTheVoxels) {
     const auto& size = GetParam().size;
-    int next = 0;
-    long differing = 0;
-    const auto read = read_vdb_voxels(path_, [&](const VdbSlab& slab) {
-        EXPECT_EQ(slab.first_z, next);
-        EXPECT_EQ(slab.size, size);
-        next += slab.depth;
-        const float* value = slab.voxels.data();
-        for (int z = slab.first_z; z < next; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) {
-                    for (int channel = 0; channel < GetParam().channels; ++channel) {
-                        differing += *value++ != stored_voxel(volume_, x, y, z, channel);
-                    }
-                }
+    std::size_t voxel = 0, differing = 0;
+    const auto width = static_cast<std::size_t>(size[0]),
+               height = static_cast<std::size_t>(size[1]);
+    const auto read = testing::read_vdb_voxels(path_, [&](const testing::VdbSlab& slab) {
+        for (const float* value = slab.voxels.data(); value < &*slab.voxels.end(); ++voxel) {
+            const auto x = static_cast<int>(voxel % width);
+            const auto y = static_cast<int>(voxel / width % height);
+            const auto z = static_cast<int>(voxel / width / height);
+            for (int channel = 0; channel < GetParam().channels; ++channel) {
+                differing += *value++ != stored_voxel(volume_, x, y, z, channel);
             }
         }
-        EXPECT_EQ(value, slab.voxels.data() + slab.voxels.size());
         return true;
     });
     EXPECT_TRUE(read.value.has_value() && *read.value) << read.diagnostics.at(0).message;
-    EXPECT_EQ(next, size[2]);
-    EXPECT_EQ(differing, 0);
+    EXPECT_EQ(voxel, width * height * static_cast<std::size_t>(size[2]));
+    EXPECT_EQ(differing, 0U);
 }
 
 TEST(VdbVolumeBytes, DependOnNeitherThreadsNorRuns) {
@@ -243,7 +238,7 @@ TEST(VdbVolumeHalf, IsRoundedToNearestEven) {
     volume.levels[0].voxels = std::make_shared<testing::FunctionVoxels>(value);
     const TemporaryFolder folder;
     ASSERT_TRUE(write_sample(volume, folder / "v.vdb").value);
-    const auto read = read_vdb_voxels(folder / "v.vdb", [&](const VdbSlab& slab) {
+    const auto read = testing::read_vdb_voxels(folder / "v.vdb", [&](const testing::VdbSlab& slab) {
         const float* stored = slab.voxels.data();
         for (int z = 0; z < 3; ++z) {
             for (int y = 0; y < 12; ++y) {

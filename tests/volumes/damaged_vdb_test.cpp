@@ -99,11 +99,8 @@ void use(const SourceVoxels& source) {
 
 // The readers of own files are held to the same.
 void read_as_own(const Original& original, const std::filesystem::path& path) {
-    if (original.format == config::VolumeFormat::vdb) {
-        static_cast<void>(read_vdb_voxels(path, [](const VdbSlab&) { return true; }));
-        return;
-    }
-    const Format& format = format_of(config::FileFormat::nvdb);
+    const bool is_vdb = original.format == config::VolumeFormat::vdb;
+    const Format& format = format_of(is_vdb ? config::FileFormat::vdb : config::FileFormat::nvdb);
     static_cast<void>(format.inspect(path));
     for (const auto type :
          {config::PixelType::float32, config::PixelType::fp8, config::PixelType::fp16}) {

@@ -361,6 +361,7 @@ TEST(Volume, WarnsOfValuesBelowZero) {
     const TemporaryFolder folder;
     const testing::FloatGrid::Ptr grid = testing::any_grid();
     grid->tree().setValue(testing::Coord(3, 4, 5), -2);
+    grid->tree().setValue(testing::Coord(30, 4, 5), -7);
     testing::write_grid(grid, folder / "v.vdb");
     VolumeFile volume;
     volume.paths = {folder / "v.vdb"};
@@ -368,7 +369,9 @@ TEST(Volume, WarnsOfValuesBelowZero) {
     ASSERT_TRUE(source.value);
     ASSERT_EQ(source.diagnostics.size(), 1U);
     EXPECT_EQ(source.diagnostics[0].code, "W0226");
-    EXPECT_NE(source.diagnostics[0].message.find("its voxel (3, 4, 5) is -2; they count as 0"),
+    EXPECT_NE(source.diagnostics[0].message.find(
+                  "its voxel (3, 4, 5) is -2, the first of 2 that are below 0, "
+                  "and -7 is the least; they count as 0"),
               std::string::npos)
         << source.diagnostics[0].message;
 }

@@ -24,6 +24,21 @@ struct ModuleSymbol {
 // builds have them.
 ModuleSymbol load_module(const std::string& module, const char* symbol);
 
+// A module's table of functions, or null with the reason.
+template <class Codec>
+struct LoadedCodec {
+    const Codec* codec = nullptr;
+    std::string reason;
+};
+
+// Loads a module whose symbol is a function that returns such a table.
+template <class Codec>
+LoadedCodec<Codec> load_codec(const std::string& module, const char* symbol) {
+    const ModuleSymbol found = load_module(module, symbol);
+    if (found.address == nullptr) return {nullptr, found.reason};
+    return {reinterpret_cast<const Codec* (*)()>(found.address)(), ""};
+}
+
 // Returns the files that hold the code which makes assets: the program and its modules, except
 // those for charts and for servers. Returns nothing if the system does not tell where the program is.
 std::vector<std::filesystem::path> program_files();

@@ -4,8 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -17,37 +15,19 @@ namespace skybake {
 namespace {
 
 std::string layout_of(const ComparedImage& image) {
-    return fmt::format("{} x {} {}", image.rows.width, image.rows.height,
-                       fmt::join(image.channel_names, " "));
-}
-
-double distance(double a, double b) {
-    if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-    const double difference = std::abs(a - b);
-    return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
-}
-
-double relative(double absolute, double a, double b) {
-    if (absolute == 0 || std::isinf(absolute)) return absolute;
-    return absolute / std::max(std::abs(a), std::abs(b));
+    return fmt::format("{} x {} {}{}{}", image.rows.width, image.rows.height,
+                       fmt::join(image.channel_names, " "), image.window.empty() ? "" : " at ",
+                       image.window);
 }
 
 // Adds the differences of some rows of one channel. The first of them is row `y` of the image.
 void add_rows(const Image2<float>& first, const Image2<float>& second, int rows, int y,
-              ChannelDifference& result, std::size_t channel, double& squares) {
+              std::size_t channel, DifferenceSum& sum) {
     for (int row = 0; row < rows; ++row) {
         for (int x = 0; x < first.width; ++x) {
-            const double a = first.texel(x, row)[channel];
-            const double b = second.texel(x, row)[channel];
-            const double absolute = distance(a, b);
-            squares += absolute * absolute;
-            result.differing += absolute > 0 ? 1 : 0;
-            result.max_relative = std::max(result.max_relative, relative(absolute, a, b));
-            if (absolute > result.max_absolute) {
-                result.max_absolute = absolute;
-                result.worst_x = x;
-                result.worst_y = y + row;
-            }
+            sum.add(first.texel(x, row)[channel], second.texel(x, row)[channel], [&] {
+                return std::vector{x, y + row};
+            });
         }
     }
 }
@@ -55,32 +35,29 @@ void add_rows(const Image2<float>& first, const Image2<float>& second, int rows,
 // Compares the channels of two images of the same layout.
 config::Outcome<std::vector<ChannelDifference>> compare_channels(const ComparedImage& first,
                                                                  const ComparedImage& second) {
-    std::vector<ChannelDifference> channels(first.channel_names.size());
-    std::vector<double> squares(channels.size(), 0.0);
+    std::vector<DifferenceSum> sums(first.channel_names.size());
     int step = std::min(first.rows.rows_per_piece, first.rows.height);
-    const int interleaved = static_cast<int>(channels.size());
+    const int interleaved = static_cast<int>(sums.size());
     Image2<float> a(first.rows.width, step, interleaved);
     Image2<float> b(first.rows.width, step, interleaved);
     for (int y = 0; y < first.rows.height; y += step) {
         step = std::min(step, first.rows.height - y);
         if (auto problem = first.rows.read(y, step, a.texels.data())) return {{}, {*problem}};
         if (auto problem = second.rows.read(y, step, b.texels.data())) return {{}, {*problem}};
-        for (std::size_t c = 0; c < channels.size(); ++c) {
-            add_rows(a, b, step, y, channels[c], c, squares[c]);
-        }
+        for (std::size_t c = 0; c < sums.size(); ++c) add_rows(a, b, step, y, c, sums[c]);
     }
-    const double texels = static_cast<double>(first.rows.width) * first.rows.height;
-    for (std::size_t c = 0; c < channels.size(); ++c) {
-        channels[c].channel = first.channel_names[c];
-        channels[c].rms = std::sqrt(squares[c] / texels);
+    std::vector<ChannelDifference> channels;
+    for (DifferenceSum& sum : sums) {
+        sum.channel.channel = first.channel_names[channels.size()];
+        channels.push_back(sum.finished());
     }
     return {std::move(channels), {}};
 }
 
-std::map<std::string, std::string> facts_of(const ComparedImage& image) {
-    std::map<std::string, std::string> facts(image.attributes.begin(), image.attributes.end());
-    facts["pixel type"] = to_string(image.pixel_type);
-    facts["compression"] = to_string(image.compression);
+Attributes facts_of(const ComparedImage& image) {
+    Attributes facts = image.attributes;
+    facts.emplace_back("pixel type", to_string(image.pixel_type));
+    facts.emplace_back("compression", image.compression);
     return facts;
 }
 
@@ -115,11 +92,23 @@ std::map<std::string, std::string> members_of(const std::string& text) {
     return members;
 }
 
-// Compares entries member by member, except for members that follow from the texels.
-std::vector<AttributeDifference> compare_attributes(const ComparedImage& first,
-                                                    const ComparedImage& second) {
+}  // namespace
+
+std::vector<AttributeDifference> metadata_differences(const std::string& first,
+                                                      const std::string& second) {
+    const auto members = members_of(first);
+    const auto others = members_of(second);
+    if (first != second && (members.empty() || others.empty())) {
+        return {{metadata_name, first, second}};
+    }
+    return compare_facts(members, others);
+}
+
+std::vector<AttributeDifference> attribute_differences(const Attributes& first,
+                                                       const Attributes& second) {
     std::vector<AttributeDifference> differences;
-    for (AttributeDifference& entry : compare_facts(facts_of(first), facts_of(second))) {
+    for (AttributeDifference& entry :
+         compare_facts({first.begin(), first.end()}, {second.begin(), second.end()})) {
         if (entry.name != metadata_name || !entry.first || !entry.second) {
             differences.push_back(std::move(entry));
             continue;
@@ -133,27 +122,16 @@ std::vector<AttributeDifference> compare_attributes(const ComparedImage& first,
     return differences;
 }
 
-}  // namespace
-
-std::vector<AttributeDifference> metadata_differences(const std::string& first,
-                                                      const std::string& second) {
-    const auto members = members_of(first);
-    const auto others = members_of(second);
-    if (first != second && (members.empty() || others.empty())) {
-        return {{metadata_name, first, second}};
-    }
-    return compare_facts(members, others);
-}
-
 ComparedImage compared(ExrRows& file) {
-    return {rows_of(file), file.channel_names(), file.pixel_type(), file.compression(),
-            file.attributes()};
+    const ExrFacts& facts = file.facts();
+    return {rows_of(file), facts.channel_names, facts.pixel_type,
+            facts.codec,   facts.attributes,    facts.window};
 }
 
 config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
                                                 const ComparedImage& second) {
     ImageDifference difference;
-    difference.attributes = compare_attributes(first, second);
+    difference.attributes = attribute_differences(facts_of(first), facts_of(second));
     if (layout_of(first) != layout_of(second)) {
         difference.layout = fmt::format("{} against {}", layout_of(first), layout_of(second));
         return {std::move(difference), {}};

@@ -1,9 +1,13 @@
 // Compares two images: the values of their channels and their attributes.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/io/formats/exr/exr_file.h"
@@ -16,10 +20,38 @@ struct ChannelDifference {
     std::string channel;
     double max_absolute = 0;  // infinite where only one of two values is finite
     double rms = 0;
-    double max_relative = 0;     // relative to the greater of the two magnitudes
-    std::int64_t differing = 0;  // number of texels; NaN equals NaN
-    int worst_x = 0;             // texel of max_absolute
-    int worst_y = 0;
+    double max_relative = 0;          // relative to the greater of the two magnitudes
+    std::int64_t differing = 0;       // number of texels; NaN equals NaN
+    std::vector<int> worst = {0, 0};  // place of max_absolute: column and row, or x, y and z
+};
+
+// Gathers the differences of a channel.
+struct DifferenceSum {
+    ChannelDifference channel;
+    double squares = 0;
+    std::int64_t count = 0;
+
+    // Adds two values at a place, which `place()` returns.
+    template <class Place>
+    void add(double a, double b, const Place& place) {
+        ++count;
+        if (a == b || (std::isnan(a) && std::isnan(b))) return;
+        constexpr double infinity = std::numeric_limits<double>::infinity();
+        const double difference = std::abs(a - b);
+        const double absolute = std::isnan(difference) ? infinity : difference;
+        const double larger = std::max(std::abs(a), std::abs(b));
+        squares += absolute * absolute;
+        ++channel.differing;
+        channel.max_relative =
+            std::max(channel.max_relative, std::isinf(absolute) ? infinity : absolute / larger);
+        if (absolute <= channel.max_absolute) return;
+        channel.max_absolute = absolute;
+        channel.worst = place();
+    }
+    ChannelDifference finished() {
+        channel.rms = count > 0 ? std::sqrt(squares / static_cast<double>(count)) : 0;
+        return std::move(channel);
+    }
 };
 
 // A text that differs between two files, or that one of them lacks.
@@ -46,8 +78,9 @@ struct ComparedImage {
     RowSource rows;
     std::vector<std::string> channel_names;
     config::PixelType pixel_type = config::PixelType::float32;
-    config::Compression compression = config::Compression::zip;
+    std::string compression = "zip";
     Attributes attributes;
+    std::string window = {};  // where it lies in a larger image
 };
 
 // Makes an open EXR file comparable. The result refers to `file`, which must not be moved.
@@ -56,6 +89,11 @@ ComparedImage compared(ExrRows& file);
 // Reads both images once, row by row. Diagnostics come from the row sources.
 config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
                                                 const ComparedImage& second);
+
+// Returns the differences between facts and texts by name. Those of entries are compared by member, except
+// for members that follow from the texels.
+std::vector<AttributeDifference> attribute_differences(const Attributes& first,
+                                                       const Attributes& second);
 
 // Whether the images have the same layout and no value differs by more than `tolerance`.
 bool equal_within(const ImageDifference& difference, double tolerance);

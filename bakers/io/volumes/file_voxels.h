@@ -23,6 +23,9 @@ struct FileVoxels {
     std::shared_ptr<const VoxelSource> voxels;
 };
 
-enum class VolumePart { shape, voxels };
+// What is asked for of a file: the shape alone; voxels that are densities; or its numbers as they are,
+// also those of level sets and those that are not finite, with neither faults nor `largest`. The box
+// of numbers may be empty.
+enum class VolumePart { shape, voxels, numbers };
 
 }  // namespace skybake

@@ -26,8 +26,7 @@ std::optional<std::string> find_grid_name(const std::vector<GridName>& grids,
         if (grid.is_of_numbers) choices.push_back(fmt::format("grid = \"{}\"", grid.name));
     }
     if (choices.empty()) return "it has no grid of numbers";
-    return fmt::format("it has no grid `{}`; write {}", wanted,
-                       fmt::join(choices, " or "));
+    return fmt::format("it has no grid `{}`; write {}", wanted, fmt::join(choices, " or "));
 }
 
 }  // namespace skybake

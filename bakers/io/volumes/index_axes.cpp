@@ -72,7 +72,8 @@ std::optional<std::size_t> axis_of(const std::array<double, 3>& step) {
 
 }  // namespace
 
-std::optional<std::string> read_index_map(const IndexMap& map, FileVoxels& voxels, IndexAxes& axes) {
+std::optional<std::string> read_index_map(const IndexMap& map, FileVoxels& voxels,
+                                          IndexAxes& axes) {
     std::array<bool, 3> taken{};
     for (std::size_t i = 0; i < 3; ++i) {
         const std::optional<std::size_t> axis = axis_of(map.steps[i]);
@@ -100,7 +101,8 @@ void turn_to_space(const IndexAxes& axes, FileVoxels& voxels) {
         const int last = indices.origin[i] + indices.size[i] - 1;
         voxels.first[a] = axes.falls[a] ? -last : indices.origin[i];
     }
-    if (voxels.voxels) voxels.voxels = std::make_shared<TurnedVoxels>(axes, std::move(voxels.voxels));
+    if (voxels.voxels)
+        voxels.voxels = std::make_shared<TurnedVoxels>(axes, std::move(voxels.voxels));
 }
 
 }  // namespace skybake

@@ -33,7 +33,7 @@ Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel,
                               config::NotFinite not_finite) {
     const Outcome<FileInput> opened = FileInput::open(path);  // says why it cannot be
     if (!opened.value) return {{}, opened.diagnostics};
-    const LoadedImageCodec& loaded = image_codec();
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) {
         return {{},
                 {file_error("E0300", path.string(),

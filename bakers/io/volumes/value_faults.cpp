@@ -8,8 +8,9 @@ namespace skybake {
 std::string words_of_fault(const ValueFaults::Kind& kind, const char* what) {
     const std::string first =
         fmt::format("its voxel ({}) is {}", fmt::join(kind.index, ", "), kind.value);
-    return kind.count == 1 ? first
-                           : fmt::format("{}, the first of {} that are {}", first, kind.count, what);
+    return kind.count == 1
+               ? first
+               : fmt::format("{}, the first of {} that are {}", first, kind.count, what);
 }
 
 std::string refusal_of(const ValueFaults& faults) {

@@ -10,15 +10,17 @@ namespace skybake {
 
 struct ValueFaults {
     struct Kind {
-        std::int64_t count = 0;                // voxels
-        std::array<std::int64_t, 3> index{};   // of the first one
-        float value = 0;                       // there
+        std::int64_t count = 0;               // voxels
+        std::array<std::int64_t, 3> index{};  // of the first one
+        float value = 0;                      // there
+        float least = 0;                      // of all; NaN does not count
         void add(float found, const std::array<std::int64_t, 3>& at, std::int64_t voxels) {
             if (count == 0) {
                 index = at;
                 value = found;
             }
             count += voxels;
+            if (found < least) least = found;
         }
     };
     Kind not_finite;

@@ -99,10 +99,10 @@ std::optional<Problem> find_cut(const VolumeFile& volume, const FileVoxels& file
         }
         const double end = double{1} * file.first[i] + file.size[i];
         if (first[i] >= end || first[i] + count[i] <= file.first[i]) {
-            return Problem{"E0110",
-                           fmt::format("its voxels along {} are {} to {}, and the crop is {} to {}",
-                                       "xyz"[i], file.first[i], end - 1,
-                                       first[i], first[i] + count[i] - 1)};
+            return Problem{
+                "E0110",
+                fmt::format("its voxels along {} are {} to {}, and the crop is {} to {}", "xyz"[i],
+                            file.first[i], end - 1, first[i], first[i] + count[i] - 1)};
         }
         cut.first[i] = static_cast<int>(first[i]);
         cut.size[i] = static_cast<int>(count[i]);
@@ -233,10 +233,13 @@ Outcome<T> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics
 
 // Warns (W0226) of values below 0, which are no densities.
 std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults& faults) {
-    if (faults.negative.count == 0) return {};
-    Diagnostic warning = file_error("W0226", volume.paths[0].string(),
-                                    fmt::format("`{}`: {}; they count as 0", volume.paths[0].string(),
-                                                words_of_fault(faults.negative, "below 0")));
+    const ValueFaults::Kind& found = faults.negative;
+    if (found.count == 0) return {};
+    const std::string path = volume.paths[0].string();
+    Diagnostic warning = file_error(
+        "W0226", path,
+        fmt::format("`{}`: {}{}; they count as 0", path, words_of_fault(found, "below 0"),
+                    found.count > 1 ? fmt::format(", and {} is the least", found.least) : ""));
     warning.severity = config::Severity::warning;
     warning.label = "densities are at least 0";
     if (!volume.file_place.source.empty()) warning.where = volume.file_place;

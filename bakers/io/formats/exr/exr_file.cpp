@@ -1,7 +1,8 @@
 #include "bakers/io/formats/exr/exr_file.h"
 
 #include <ImfFrameBuffer.h>
-#include <ImfInputFile.h>
+#include <ImfInputPart.h>
+#include <ImfMultiPartInputFile.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -74,13 +75,15 @@ Outcome<bool> write_exr_file(const FileContent& content, const fs::path& path) {
 Outcome<FileFacts> inspect_exr(const fs::path& path) {
     const Outcome<ExrRows> image = ExrRows::open(path);
     if (!image.value) return {{}, image.diagnostics};
+    const std::string& window = image.value->facts().window;
+    if (!window.empty()) return {{}, {damaged_exr(path.string(), "it is cropped to " + window)}};
     FileFacts facts;
-    facts.pixel_type = image.value->pixel_type();
-    facts.names = image.value->channel_names();
+    facts.pixel_type = image.value->facts().pixel_type;
+    facts.names = image.value->facts().channel_names;
     facts.channels = facts.names.size();
-    facts.compression = to_string(image.value->compression());
-    facts.image_size = {image.value->width(), image.value->height()};
-    for (const auto& [name, text] : image.value->attributes()) {
+    facts.compression = image.value->facts().codec;
+    facts.image_size = {image.value->facts().width, image.value->facts().height};
+    for (const auto& [name, text] : image.value->facts().attributes) {
         if (name == metadata_name) facts.metadata = text;
     }
     return {std::move(facts), {}};
@@ -111,9 +114,10 @@ Format exr_format() {
 }
 
 RowSource rows_of(ExrRows& file) {
-    return {
-        file.width(), file.height(), file.channel_names().size(), file.rows_per_piece(),
-        [&file](int first, int count, float* texels) { return file.read(first, count, texels); }};
+    return {file.facts().width, file.facts().height, file.facts().channel_names.size(),
+            file.rows_per_piece(), [&file](int first, int count, float* texels) {
+                return file.read(first, count, texels);
+            }};
 }
 
 struct ExrRows::File {
@@ -127,7 +131,8 @@ struct ExrRows::File {
 
     std::string name;
     ExrStream stream;
-    std::unique_ptr<Imf::InputFile> image;
+    std::unique_ptr<Imf::MultiPartInputFile> parts;
+    std::unique_ptr<Imf::InputPart> image;
     ExrFacts facts;
 };
 
@@ -136,25 +141,19 @@ ExrRows::ExrRows(ExrRows&&) noexcept = default;
 ExrRows& ExrRows::operator=(ExrRows&&) noexcept = default;
 ExrRows::~ExrRows() = default;
 
-int ExrRows::width() const { return file_->facts.width; }
-int ExrRows::height() const { return file_->facts.height; }
-const std::vector<std::string>& ExrRows::channel_names() const {
-    return file_->facts.channel_names;
-}
-config::PixelType ExrRows::pixel_type() const { return file_->facts.pixel_type; }
-config::Compression ExrRows::compression() const { return file_->facts.compression; }
-const Attributes& ExrRows::attributes() const { return file_->facts.attributes; }
+const ExrFacts& ExrRows::facts() const { return file_->facts; }
 
-config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path) {
+config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path, int part) {
     config::Outcome<FileInput> input = FileInput::open(path);
     if (!input.value) return {{}, std::move(input.diagnostics)};
     if (input.value->size() == 0) return {{}, {damaged_exr(path.string(), "it is empty")}};
     auto file = std::make_unique<File>(path.string(), std::move(*input.value));
     try {
-        if (const auto reason = unreadable_header(file->stream, file->stream.size())) {
+        if (const auto reason = unreadable_header(file->stream, file->stream.size(), part)) {
             return {{}, {damaged_exr(file->name, *reason)}};
         }
-        file->image = std::make_unique<Imf::InputFile>(file->stream, 0);  // 0: no further threads
+        file->parts = std::make_unique<Imf::MultiPartInputFile>(file->stream, 0);  // 0: one thread
+        file->image = std::make_unique<Imf::InputPart>(*file->parts, part);
         file->facts = facts_of(file->image->header());
     } catch (const std::exception& error) {
         return {{}, {file->diagnostic(error.what())}};
@@ -165,14 +164,14 @@ config::Outcome<ExrRows> ExrRows::open(const std::filesystem::path& path) {
 std::optional<config::Diagnostic> ExrRows::read(int first, int count, float* texels) {
     try {
         const Imath::Box2i window = file_->image->header().dataWindow();
-        const std::size_t texel = sizeof(float) * channel_names().size();
-        const std::size_t row = texel * static_cast<std::size_t>(width());
+        const std::size_t texel = sizeof(float) * facts().channel_names.size();
+        const std::size_t row = texel * static_cast<std::size_t>(facts().width);
         const Imath::V2i origin(window.min.x, window.min.y + first);
         Imf::FrameBuffer buffer;
-        for (std::size_t channel = 0; channel < channel_names().size(); ++channel) {
-            buffer.insert(
-                channel_names()[channel],
-                Imf::Slice::Make(Imf::FLOAT, texels + channel, origin, width(), count, texel, row));
+        for (std::size_t channel = 0; channel < facts().channel_names.size(); ++channel) {
+            buffer.insert(facts().channel_names[channel],
+                          Imf::Slice::Make(Imf::FLOAT, texels + channel, origin, facts().width,
+                                           count, texel, row));
         }
         file_->image->setFrameBuffer(buffer);
         file_->image->readPixels(origin.y, origin.y + count - 1);
@@ -185,9 +184,9 @@ std::optional<config::Diagnostic> ExrRows::read(int first, int count, float* tex
 int ExrRows::rows_per_piece() const {
     constexpr std::size_t floats = std::size_t{1} << 20;
     constexpr std::size_t block = 32;  // the most rows that a codec unpacks together
-    const std::size_t row = static_cast<std::size_t>(width()) * channel_names().size();
+    const std::size_t row = static_cast<std::size_t>(facts().width) * facts().channel_names.size();
     const std::size_t rows = std::max<std::size_t>(1, floats / row / block) * block;
-    return static_cast<int>(std::min<std::size_t>(rows, static_cast<std::size_t>(height())));
+    return static_cast<int>(std::min<std::size_t>(rows, static_cast<std::size_t>(facts().height)));
 }
 
 }  // namespace skybake

@@ -3,7 +3,6 @@
 #include <ImfChannelList.h>
 #include <ImfHeader.h>
 #include <ImfPartType.h>
-#include <ImfStringAttribute.h>
 #include <ImfTileDescription.h>
 #include <ImfVersion.h>
 #include <fmt/format.h>
@@ -17,13 +16,6 @@
 
 namespace skybake {
 namespace {
-
-std::string compression_of(const Imf::Header& header) {
-    constexpr std::array names = {"none",  "rle", "zips", "zip",  "piz",
-                                  "pxr24", "b44", "b44a", "dwaa", "dwab"};
-    const auto number = static_cast<std::size_t>(header.compression());
-    return number < names.size() ? names[number] : fmt::format("codec {}", number);
-}
 
 std::string kind_of(const Imf::Header& header, int version) {
     const std::string type = header.hasType() ? header.type() : "";
@@ -46,24 +38,18 @@ ExrPartHead part_of(const Imf::Header& header, int version) {
     ExrPartHead part;
     if (header.hasName()) part.name = header.name();
     part.kind = kind_of(header, version);
-    part.compression = compression_of(header);
+    part.compression = codec_name(header);
     part.data_window = window_of(header.dataWindow());
     part.display_window = window_of(header.displayWindow());
     constexpr std::array types = {"uint", "half", "float"};
     for (auto one = header.channels().begin(); one != header.channels().end(); ++one) {
         const Imf::Channel& channel = one.channel();
         const auto type = static_cast<std::size_t>(channel.type);
-        part.channels.push_back({one.name(), type < types.size() ? types[type] : "unknown",
+        part.channels.push_back({one.name(),
+                                 type < types.size() ? types[type] : "unknown",
                                  {channel.xSampling, channel.ySampling}});
     }
-    for (auto one = header.begin(); one != header.end(); ++one) {
-        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&one.attribute());
-        const std::string name = one.name();
-        if (text && name != "name" && name != "type") {
-            part.attributes.emplace_back(name, text->value());
-        }
-    }
-    part.attributes = joined_attributes(part.attributes);
+    part.attributes = header_texts(header);
     return part;
 }
 

@@ -4,7 +4,9 @@
 #include <ImfCompression.h>
 #include <ImfFrameBuffer.h>
 #include <ImfOutputFile.h>
+#include <ImfPartType.h>
 #include <ImfStringAttribute.h>
+#include <ImfTileDescription.h>
 #include <ImfVersion.h>
 #include <fmt/format.h>
 
@@ -27,35 +29,45 @@ using config::Compression;
 using config::PixelType;
 
 constexpr std::size_t longest_attribute_name = 31;
-// No codec that skybake reads expands a byte to more than deflate's 1032 bytes. A header that
-// promises more texels than that is damaged; without this limit, memory would be allocated for
-// them.
-constexpr double largest_expansion = 1100;
+// Deflate expands a byte to at most 1032 bytes, and PXR24 stores floats as 3 of their bytes. DWA keeps
+// one value of 64 where they are equal. A header that promises more texels than that is damaged;
+// without this limit, memory would be allocated for them.
+constexpr double deflate_expansion = 1500;
+constexpr double dwa_expansion = 64 * 1100;
 constexpr double expansion_slack = 65536;
+constexpr double block_slack = 64 << 20;  // a block may reach beyond a small image
 
 struct Codec {
-    Compression ours;
-    Imf::Compression theirs;
-    int rows;  // rows that it packs together
+    const char* name;
+    std::optional<Compression> ours;  // none if skybake reads it and does not write it
+    int rows;                         // rows that it packs together
+    double expansion = deflate_expansion;
 };
-constexpr std::array<Codec, 4> codecs = {{
-    {Compression::none, Imf::NO_COMPRESSION, 1},
-    {Compression::zip, Imf::ZIP_COMPRESSION, 16},
-    {Compression::zips, Imf::ZIPS_COMPRESSION, 1},
-    {Compression::piz, Imf::PIZ_COMPRESSION, 32},
+// In the order of Imf::Compression.
+constexpr std::array<Codec, Imf::NUM_COMPRESSION_METHODS> codecs = {{
+    {"none", Compression::none, 1, 1},
+    {"rle", std::nullopt, 1},
+    {"zips", Compression::zips, 1},
+    {"zip", Compression::zip, 16},
+    {"piz", Compression::piz, 32},
+    {"pxr24", std::nullopt, 16},
+    {"b44", std::nullopt, 32},
+    {"b44a", std::nullopt, 32},
+    {"dwaa", std::nullopt, 32, dwa_expansion},
+    {"dwab", std::nullopt, 256, dwa_expansion},
 }};
 
-const Codec& codec_of(Compression compression) {
-    return *std::find_if(codecs.begin(), codecs.end(),
-                         [compression](const Codec& codec) { return codec.ours == compression; });
+std::size_t codec_of(Compression compression) {
+    const auto found =
+        std::find_if(codecs.begin(), codecs.end(),
+                     [compression](const Codec& codec) { return codec.ours == compression; });
+    return static_cast<std::size_t>(found - codecs.begin());
 }
 
-// Returns null for a codec that skybake does not use.
-const Codec* codec_of(Imf::Compression compression) {
-    for (const Codec& codec : codecs) {
-        if (codec.theirs == compression) return &codec;
-    }
-    return nullptr;
+// Returns null for a codec that is not known.
+const Codec* codec_of(const Imf::Header& header) {
+    const auto number = static_cast<std::size_t>(header.compression());
+    return number < codecs.size() ? &codecs[number] : nullptr;
 }
 
 std::vector<std::string> texel_order(std::vector<std::string> names) {
@@ -69,18 +81,15 @@ std::vector<std::string> texel_order(std::vector<std::string> names) {
 }
 
 std::optional<std::string> unknown_channels(const Imf::ChannelList& channels) {
-    std::optional<Imf::PixelType> type;
     for (auto channel = channels.begin(); channel != channels.end(); ++channel) {
         if (channel.channel().xSampling != 1 || channel.channel().ySampling != 1) {
-            return "subsampled channels are not read";
+            return fmt::format("its channel `{}` is subsampled ({} x {})",
+                               config::printable(channel.name()), channel.channel().xSampling,
+                               channel.channel().ySampling);
         }
         if (channel.channel().type == Imf::UINT) return "integer channels are not read";
-        if (type.value_or(channel.channel().type) != channel.channel().type) {
-            return "channels of different types are not read";
-        }
-        type = channel.channel().type;
     }
-    if (!type) return "it has no channels";
+    if (channels.begin() == channels.end()) return "it has no channels";
     return std::nullopt;
 }
 
@@ -168,39 +177,42 @@ ImageSize size_of_image(const Imf::Header& header) {
 double bytes_per_texel(const Imf::Header& header) {
     double bytes = 0;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
-        bytes += channel.channel().type == Imf::HALF ? 2 : 4;
+        const Imf::Channel& one = channel.channel();
+        const double texels = std::max(1.0, double(one.xSampling) * one.ySampling);
+        bytes += (one.type == Imf::HALF ? 2 : 4) / texels;
     }
     return bytes;
 }
 
-// Whether a file of `bytes` bytes can hold the image. It has the texels and, for each block of
-// rows, the block's position in the file, the row's number, the length of the packed data, and at
-// least one byte of data.
-bool can_hold(std::uint64_t bytes, const Imf::Header& header, const Codec& codec) {
-    const ImageSize size = size_of_image(header);
-    const double file = static_cast<double>(bytes);
-    const double texels = size.width * size.height * bytes_per_texel(header);
-    const bool is_plain = codec.ours == Compression::none;
-    if (texels > (is_plain ? file : largest_expansion * file + expansion_slack)) return false;
-    constexpr double bytes_per_block = 8 + 4 + 4 + 1;
-    return std::ceil(size.height / codec.rows) * bytes_per_block <= file;
+// The texels that are packed together: rows, or a tile.
+ImageSize size_of_block(const Imf::Header& header, const Codec& codec) {
+    if (!header.hasTileDescription()) return {size_of_image(header).width, double(codec.rows)};
+    const Imf::TileDescription& tiles = header.tileDescription();
+    return {static_cast<double>(tiles.xSize), static_cast<double>(tiles.ySize)};
 }
 
-// Returns what is unknown in a header, in words, or nothing. The header is not larger than its
-// file.
-std::optional<std::string> unknown_layout(const Imf::Header& header, int version,
-                                          std::uint64_t bytes) {
-    if (Imf::isTiled(version)) return "tiled images are not read";
-    if (Imf::isMultiPart(version)) return "images of several parts are not read";
-    if (Imf::isNonImage(version)) return "deep images are not read";
-    const Codec* codec = codec_of(header.compression());
-    if (codec == nullptr) return "its compression is not one of none, zip, zips, piz";
-    if (auto reason = unknown_channels(header.channels())) return reason;
-    // This is a part of an image, or an image with a margin, so its first texel is not where the
-    // axes begin.
-    if (header.dataWindow() != header.displayWindow()) {
-        return "its data window is not its display window: cropped images are not read";
-    }
+// Whether a file of `bytes` bytes can hold the image. It has the texels and, for each block, the
+// block's position in the file, the row's number, the length of the packed data, and at least one byte
+// of data.
+bool can_hold(std::uint64_t bytes, const Imf::Header& header, const Codec& codec) {
+    const ImageSize size = size_of_image(header);
+    const ImageSize block = size_of_block(header, codec);
+    const double file = static_cast<double>(bytes);
+    const double texel = bytes_per_texel(header);
+    const double slack = codec.expansion == 1 ? 0 : expansion_slack;
+    if (size.width * size.height * texel > codec.expansion * file + slack) return false;
+    if (block.width * block.height * texel > deflate_expansion * file + block_slack) return false;
+    constexpr double bytes_per_block = 8 + 4 + 4 + 1;
+    const double blocks =
+        std::ceil(size.width / block.width) * std::ceil(size.height / block.height);
+    const bool counts_more = header.hasChunkCount() && header.chunkCount() * 8.0 > file;
+    return blocks * bytes_per_block <= file && !counts_more;
+}
+
+// Returns what is wrong with a header, in words, or nothing. The header is not larger than its file.
+std::optional<std::string> false_size(const Imf::Header& header, std::uint64_t bytes) {
+    const Codec* codec = codec_of(header);
+    if (codec == nullptr) return "its compression is not known";
     if (can_hold(bytes, header, *codec)) return std::nullopt;
     const ImageSize size = size_of_image(header);
     return fmt::format("its {} bytes cannot hold {} x {} texels", bytes, size.width, size.height);
@@ -210,7 +222,7 @@ std::optional<std::string> unknown_layout(const Imf::Header& header, int version
 
 Imf::Header make_exr_header(const ExrFacts& facts) {
     Imf::Header header(facts.width, facts.height, 1.0f, Imath::V2f(0, 0), 1.0f, Imf::INCREASING_Y,
-                       codec_of(facts.compression).theirs);
+                       static_cast<Imf::Compression>(codec_of(facts.compression)));
     const Imf::PixelType type = facts.pixel_type == PixelType::half ? Imf::HALF : Imf::FLOAT;
     for (const std::string& name : facts.channel_names) {
         header.channels().insert(name, Imf::Channel(type));
@@ -230,7 +242,7 @@ std::string exr_file_head(const Imf::Header& header) {
     return file.bytes();
 }
 
-int rows_of_exr_chunk(Compression compression) { return codec_of(compression).rows; }
+int rows_of_exr_chunk(Compression compression) { return codecs[codec_of(compression)].rows; }
 
 // The library packs the rows as an image of their own, of which they are the only chunk.
 std::string chunk_of_library(const ExrFacts& facts, int rows, const std::string& texels) {
@@ -287,11 +299,23 @@ std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, 
     return headers;
 }
 
-std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes) {
+std::string codec_name(const Imf::Header& header) {
+    const Codec* codec = codec_of(header);
+    return codec == nullptr ? "unknown" : codec->name;
+}
+
+std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes, int part) {
     int version = 0;
     const std::vector<Imf::Header> headers = exr_headers(stream, bytes, version);
     stream.seekg(0);
-    return unknown_layout(headers.front(), version, bytes);
+    for (const Imf::Header& header : headers) {
+        const bool has_type = header.hasType() && Imf::isImage(header.type());
+        if (Imf::isNonImage(version) && !has_type) return "deep images are not read";
+        if (auto reason = false_size(header, bytes)) return reason;
+    }
+    const auto number = static_cast<std::size_t>(part);
+    if (number >= headers.size()) return "it has fewer parts";
+    return unknown_channels(headers[number].channels());
 }
 
 ExrFacts facts_of(const Imf::Header& header) {
@@ -300,19 +324,33 @@ ExrFacts facts_of(const Imf::Header& header) {
     facts.width = window.max.x - window.min.x + 1;
     facts.height = window.max.y - window.min.y + 1;
     std::vector<std::string> names;
+    bool is_half = true;
     for (auto channel = header.channels().begin(); channel != header.channels().end(); ++channel) {
         names.emplace_back(channel.name());
-        facts.pixel_type =
-            channel.channel().type == Imf::HALF ? PixelType::half : PixelType::float32;
+        is_half = is_half && channel.channel().type == Imf::HALF;
     }
+    facts.pixel_type = is_half ? PixelType::half : PixelType::float32;
     facts.channel_names = texel_order(std::move(names));
-    facts.compression = codec_of(header.compression())->ours;
-    for (auto attribute = header.begin(); attribute != header.end(); ++attribute) {
-        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&attribute.attribute());
-        if (text != nullptr) facts.attributes.emplace_back(attribute.name(), text->value());
+    facts.compression = codec_of(header)->ours.value_or(Compression::none);
+    facts.codec = codec_of(header)->name;
+    const Imath::Box2i display = header.displayWindow();
+    if (window != display) {
+        facts.window = fmt::format("({}, {}) to ({}, {}) of ({}, {}) to ({}, {})", window.min.x,
+                                   window.min.y, window.max.x, window.max.y, display.min.x,
+                                   display.min.y, display.max.x, display.max.y);
     }
-    facts.attributes = joined_attributes(facts.attributes);
+    facts.attributes = header_texts(header);
     return facts;
+}
+
+Attributes header_texts(const Imf::Header& header) {
+    Attributes texts;
+    for (auto one = header.begin(); one != header.end(); ++one) {
+        const auto* text = dynamic_cast<const Imf::StringAttribute*>(&one.attribute());
+        const std::string name = one.name();
+        if (text && name != "name" && name != "type") texts.emplace_back(name, text->value());
+    }
+    return joined_attributes(texts);
 }
 
 config::Diagnostic damaged_exr(const std::string& name, const std::string& reason) {

@@ -10,20 +10,11 @@
 #include <vector>
 
 #include "bakers/io/formats/exr/attribute_pieces.h"
+#include "bakers/io/formats/exr/exr_file.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/file_formats.h"
 
 namespace skybake {
-
-// The facts that a file states, besides its pixels.
-struct ExrFacts {
-    int width = 0;
-    int height = 0;
-    std::vector<std::string> channel_names;
-    config::PixelType pixel_type = config::PixelType::float32;
-    config::Compression compression = config::Compression::zip;
-    Attributes attributes;
-};
 
 // Makes the header of a file as skybake writes it.
 Imf::Header make_exr_header(const ExrFacts& facts);
@@ -49,14 +40,20 @@ std::optional<std::string> bad_attribute_name(const Attributes& attributes);
 // claim more bytes than the file has.
 std::vector<Imf::Header> exr_headers(Imf::IStream& stream, std::uint64_t bytes, int& version);
 
-// Returns what the header of a file of `bytes` bytes contains that skybake does not read or that
-// the file is too short to hold, in words, or nothing. Call this before the library opens the file,
-// because the library trusts the header and allocates what it claims. The stream is at the file's
-// beginning before and after the call. Throws what the library and the stream throw.
-std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes);
+// Returns "zip", "dwaa" or "unknown".
+std::string codec_name(const Imf::Header& header);
 
-// Returns the facts of a header that skybake reads. Channels are in the order of texels: colours as
-// R G B [A], not in the file's alphabetical order. Texts are joined.
+// Returns what a part of a file of `bytes` bytes contains that skybake does not read or that the file is
+// too short to hold, in words, or nothing. Call this before the library opens the file, because the
+// library trusts the header and allocates what it claims. The stream is at the file's beginning before
+// and after the call. Throws what the library and the stream throw.
+std::optional<std::string> unreadable_header(Imf::IStream& stream, std::uint64_t bytes,
+                                             int part = 0);
+
+// Returns the texts of a header by name, joined, without the name and the type of a part.
+Attributes header_texts(const Imf::Header& header);
+
+// Returns the facts of a header that skybake reads.
 ExrFacts facts_of(const Imf::Header& header);
 
 // Returns E0304 for a damaged file.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -31,8 +32,14 @@ std::array<int, 3> leaf_of(const VoxelBox& part) {
 
 class NvdbVoxels : public VoxelSource {
   public:
-    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree, DensityRamp density)
-        : file_(std::move(file)), type_(type), tree_(std::move(tree)), density_(density) {}
+    // Without a ramp, values stay as the file has them.
+    NvdbVoxels(NvdbInput file, nanovdb::GridType type, NvdbTree tree,
+               std::optional<DensityRamp> density)
+        : file_(std::move(file)),
+          type_(type),
+          tree_(std::move(tree)),
+          makes_densities_(density),
+          density_(density.value_or(DensityRamp())) {}
 
     // Decodes every leaf once, for the largest value of the grid and the faults, and makes those tiles
     // that hold only zeros.
@@ -90,6 +97,7 @@ class NvdbVoxels : public VoxelSource {
   private:
     // Values that are not finite are taken for the background.
     float density_of(float value) const {
+        if (!makes_densities_) return value;
         return density_(std::isfinite(value) ? value : tree_.background());
     }
 
@@ -131,6 +139,7 @@ class NvdbVoxels : public VoxelSource {
     mutable NvdbInput file_;
     const nanovdb::GridType type_;
     NvdbTree tree_;
+    const bool makes_densities_;
     const DensityRamp density_;
 };
 
@@ -155,9 +164,13 @@ IndexAxes read_map(const nanovdb::Map& map, FileVoxels& voxels) {
     return axes;
 }
 
-void read_bounds(const NvdbTree& tree, FileVoxels& voxels) {
+void read_bounds(const NvdbTree& tree, VolumePart part, FileVoxels& voxels) {
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int64_t size = std::int64_t{tree.last()[i]} - tree.first()[i] + 1;
+        if (size <= 0 && part == VolumePart::numbers) {
+            voxels.first = voxels.size = {};
+            return;
+        }
         expect_nvdb(size > 0, "it has no active voxels");
         expect_nvdb(size <= std::numeric_limits<int>::max(), "its active voxels lie too far apart");
         voxels.first[i] = tree.first()[i];
@@ -184,7 +197,14 @@ Outcome<FileVoxels> open_nvdb_grid(const std::filesystem::path& path, const std:
         voxels.has_place = true;
         const IndexAxes axes = read_map(data.mMap, voxels);
         NvdbTree tree(file, grid);
-        read_bounds(tree, voxels);
+        read_bounds(tree, part, voxels);
+        if (part == VolumePart::numbers) {
+            voxels.background = tree.background();
+            voxels.voxels = std::make_shared<NvdbVoxels>(std::move(file), grid.head.type,
+                                                         std::move(tree), std::nullopt);
+            turn_to_space(axes, voxels);
+            return {std::move(voxels), {}};
+        }
         const DensityRamp density = ramp_of(tree, data.mGridClass);
         voxels.background = density(tree.background());
         if (part == VolumePart::voxels) {

@@ -42,8 +42,7 @@ struct ImageCodec {
     EncodedPicture (*encode_hdr)(int width, int height, std::span<const float> rgb);
 };
 
-// The function that the module exports, and its name.
-using ImageCodecFunction = const ImageCodec* (*)();
+// The name of the function that the module exports, which returns its ImageCodec.
 inline constexpr const char* image_codec_symbol = "skybake_image_codec";
 
 // The module's implementations.

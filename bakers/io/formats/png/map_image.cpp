@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string_view>
 #include <utility>
 
 #include "bakers/io/files/file_io.h"
-#include "bakers/io/files/load_module.h"
 #include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
@@ -46,19 +46,7 @@ std::string no_such_channel(const std::string& channel, const std::vector<std::s
                        suggestion.empty() ? "" : "; ", suggestion);
 }
 
-// Describes the first value that is not in [0, 1], or returns nothing.
-std::optional<std::string> value_out_of_range(const MapPixels& pixels) {
-    const auto found = std::find_if(pixels.values.begin(), pixels.values.end(),
-                                    [](float value) { return !(value >= 0 && value <= 1); });
-    if (found == pixels.values.end()) return std::nullopt;
-    const auto index = found - pixels.values.begin();
-    return fmt::format(
-        "the pixel in column {}, row {} (from 0, the first row is 0) is {}, and a map's "
-        "values are in [0, 1]",
-        index % pixels.width, index / pixels.width, *found);
-}
-
-// The inverse transfer function of IEC 61966-2-1, for v in [0, 1]. For v = 1 the quotient is
+// The inverse transfer function of IEC 61966-2-1, continued beyond [0, 1]. For v = 1 the quotient is
 // exactly 1 and its logarithm 0, so white stays 1.
 double linear_of_srgb(double v) {
     if (v <= 0.04045) return v / 12.92;
@@ -71,13 +59,29 @@ std::string_view bytes_of(const T& numbers) {
             numbers.size() * sizeof(typename T::value_type)};
 }
 
-MapImage finished(MapPixels pixels, config::MapColorSpace color_space) {
-    MapImage image{pixels.width, pixels.height, std::move(pixels.values), ""};
-    if (color_space == config::MapColorSpace::srgb) {
-        for (float& value : image.values) {
-            value = static_cast<float>(linear_of_srgb(double{value}));
+// Makes the map's numbers of the picture's. Describes the first one that is none, or returns nothing.
+std::optional<std::string> make_shares(const config::CloudMap& map, MapPixels& pixels) {
+    for (std::size_t i = 0; i < pixels.values.size(); ++i) {
+        const double stored = pixels.values[i];
+        const bool is_srgb = map.color_space == config::MapColorSpace::srgb;
+        double share = map.factor * (is_srgb ? linear_of_srgb(stored) : stored);
+        if (map.clamp && !std::isnan(share)) share = std::clamp(share, 0.0, 1.0);
+        if (!(share >= 0 && share <= 1)) {
+            const auto width = static_cast<std::size_t>(pixels.width);
+            return fmt::format(
+                "the pixel in column {}, row {} (from 0, the first row is 0) is {}, and a map's "
+                "values "
+                "are in [0, 1]{}",
+                i % width, i / width, pixels.values[i],
+                std::isnan(share) ? "" : "; `factor` scales them, and `clamp = true` limits them");
         }
+        pixels.values[i] = static_cast<float>(share);
     }
+    return std::nullopt;
+}
+
+MapImage finished(MapPixels pixels) {
+    MapImage image{pixels.width, pixels.height, std::move(pixels.values), ""};
     Hasher hasher;
     hasher.update(bytes_of(std::array<std::int32_t, 2>{image.width, image.height}));
     hasher.update(bytes_of(image.values));
@@ -96,7 +100,7 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
         assert(message.starts_with(words));
         return {{}, {map_error("E0300", map, map.file_place, message.substr(words.size()))}};
     }
-    const LoadedImageCodec& loaded = image_codec();
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) {
         return {{}, {map_error("E0300", map, map.file_place, loaded.reason)}};
     }
@@ -111,22 +115,12 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
                 {map_error("E0304", map, map.channel_place,
                            no_such_channel(map.channel, pixels.channel_names))}};
     }
-    if (const auto problem = value_out_of_range(pixels)) return {{}, {not_a_map(map, *problem)}};
-    return {finished(std::move(pixels), map.color_space), {}};
+    if (const auto problem = make_shares(map, pixels)) return {{}, {not_a_map(map, *problem)}};
+    return {finished(std::move(pixels)), {}};
 }
 
-namespace {
-
-LoadedImageCodec load() {
-    const ModuleSymbol symbol = load_module(image_module_name, image_codec_symbol);
-    if (symbol.address == nullptr) return {nullptr, symbol.reason};
-    return {reinterpret_cast<ImageCodecFunction>(symbol.address)(), ""};
-}
-
-}  // namespace
-
-const LoadedImageCodec& image_codec() {
-    static const LoadedImageCodec loaded = load();
+const LoadedCodec<ImageCodec>& image_codec() {
+    static const auto loaded = load_codec<ImageCodec>(image_module_name, image_codec_symbol);
     return loaded;
 }
 

@@ -117,22 +117,15 @@ void expect_plain_picture(const ImageSpec& picture) {
     const auto fits = [](int width, int height) {
         return width <= largest_map_edge && height <= largest_map_edge;
     };
-    expect(fits(picture.width, picture.height) && fits(picture.tile_width, picture.tile_height),
-           "it has " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
-               " pixels, at most " + std::to_string(largest_map_edge) +
-               " along each edge are read");
+    expect(fits(picture.width, picture.height) && fits(picture.tile_width, picture.tile_height) &&
+               fits(picture.full_width, picture.full_height),
+           "it has " + std::to_string(std::max(picture.width, picture.full_width)) + " x " +
+               std::to_string(std::max(picture.height, picture.full_height)) + " pixels, at most " +
+               std::to_string(largest_map_edge) + " along each edge are read");
     expect(picture.nchannels > 0 && picture.nchannels <= most_channels,
            "it has " + std::to_string(picture.nchannels) + " channels");
     expect(picture.get_int_attribute("Orientation", 1) == 1,
            "its orientation tag turns or mirrors it; store it upright");
-}
-
-// Refuses OpenEXR files that do not fill the display window, because other readers would fill the
-// rest with black.
-void expect_whole_window(const ImageSpec& picture) {
-    expect(picture.x == picture.full_x && picture.y == picture.full_y &&
-               picture.width == picture.full_width && picture.height == picture.full_height,
-           "its data window is not its display window");
 }
 
 // Refuses TIFF files that the library would convert from another colour model, invert for some
@@ -150,7 +143,7 @@ void expect_plain_samples(const ImageSpec& picture) {
 
 // --- Pixels -------------------------------------------------------------------------------------
 
-// Calls `rows_ready` with some rows of a channel after the other, top to bottom, as values of
+// Calls `rows_ready` with the first row's number and some rows of a channel, top to bottom, as values of
 // `type`.
 //
 // Without tiles, it reads row by row: the library decodes whole strips of TIFF with its own
@@ -172,22 +165,36 @@ void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDes
                                                        channel + 1, type, band.data());
         // Some failures are reported only by an error message.
         expect(read && !input.has_error(), reason(input));
-        rows_ready(band);
+        rows_ready(y, band);
     }
 }
 
-// Reads integers and divides them by their largest value; the quotient is rounded to nearest.
+// Reads integers and divides them by their largest value; the quotient is rounded to nearest. What
+// the file does not have of its display window is 0.
 template <class T>
 std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, int channel,
                                TypeDesc type, float largest) {
     std::vector<float> values;
+    const auto width = static_cast<std::size_t>(picture.full_width);
+    const auto count = width * static_cast<std::size_t>(picture.full_height);
     // Reserved memory costs nothing until it is written to, and a damaged size causes an error
     // before that.
-    values.reserve(static_cast<std::size_t>(picture.width) *
-                   static_cast<std::size_t>(picture.height));
-    read_rows<T>(input, picture, channel, type, [&](const std::vector<T>& band) {
-        for (const T value : band) values.push_back(static_cast<float>(value) / largest);
+    values.reserve(count);
+    const int shift = picture.x - picture.full_x;
+    const int begin = std::max(shift, 0);
+    const int end = std::min(shift + picture.width, picture.full_width);
+    read_rows<T>(input, picture, channel, type, [&](int y, const std::vector<T>& band) {
+        const T* row = band.data();
+        for (; row < band.data() + band.size(); row += picture.width, ++y) {
+            const int to = y - picture.full_y;
+            if (to < 0 || to >= picture.full_height || begin >= end) continue;
+            values.resize(static_cast<std::size_t>(to) * width + static_cast<std::size_t>(begin));
+            for (int x = begin; x < end; ++x) {
+                values.push_back(static_cast<float>(row[x - shift]) / largest);
+            }
+        }
     });
+    values.resize(count);
     return values;
 }
 
@@ -211,12 +218,17 @@ MapPixels read_picture(const std::filesystem::path& path, const std::string& cha
     ImageSpec picture;
     const char* const format = format_of(path);
     const std::unique_ptr<ImageInput> input = open(path, format, picture);
+    if (format != "openexr"sv) {  // windows of others are not the picture's
+        picture.full_x = picture.x;
+        picture.full_y = picture.y;
+        picture.full_width = picture.width;
+        picture.full_height = picture.height;
+    }
     expect_plain_picture(picture);
-    if (format == "openexr"sv) expect_whole_window(picture);
     if (format == "tiff"sv) expect_plain_samples(picture);
     MapPixels pixels;
-    pixels.width = picture.width;
-    pixels.height = picture.height;
+    pixels.width = picture.full_width;
+    pixels.height = picture.full_height;
     pixels.channel_names = picture.channelnames;
     const auto& names = pixels.channel_names;
     const auto found =

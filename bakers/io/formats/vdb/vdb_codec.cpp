@@ -5,8 +5,8 @@
 
 extern "C" const skybake::VdbCodec* skybake_vdb_codec() {
     using namespace skybake::vdb;
-    static constexpr skybake::VdbCodec codec = {file_head,   grid_head,  grid_positions, root,
-                                                upper_node,  lower_node, encode_strip,   read,
-                                                read_voxels, open_grid};
+    static constexpr skybake::VdbCodec codec = {file_head,    grid_head,  grid_positions,
+                                                root,         upper_node, lower_node,
+                                                encode_strip, read,       open_grid};
     return &codec;
 }

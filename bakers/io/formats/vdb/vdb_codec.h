@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -84,18 +83,14 @@ struct VdbCodec {
     void (*encode_strip)(const VoxelBox& strip, const float* values, const VdbLeaves& leaves,
                          VdbEncoding encoding, VdbStrip& encoded);
 
-    // Implement read_vdb and read_vdb_voxels for files that can be opened.
+    // Implement read_vdb and open_vdb_grid for files that can be opened.
     config::Outcome<VdbFile> (*read)(const std::filesystem::path& path);
-    config::Outcome<bool> (*read_voxels)(const std::filesystem::path& path,
-                                         const std::function<bool(const VdbSlab& slab)>& visit);
-    // Implements open_vdb_grid.
     config::Outcome<FileVoxels> (*open_grid)(const std::filesystem::path& path,
                                              const std::string& grid, VolumePart part,
                                              config::NotFinite not_finite);
 };
 
-// The function that the module exports, and its name.
-using VdbCodecFunction = const VdbCodec* (*)();
+// The name of the function that the module exports, which returns its VdbCodec.
 inline constexpr const char* vdb_codec_symbol = "skybake_vdb_codec";
 
 }  // namespace skybake

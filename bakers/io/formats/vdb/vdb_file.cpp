@@ -14,16 +14,9 @@
 #include "bakers/io/formats/vdb/vdb_codec.h"
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/formats/vdb/vdb_writer.h"
+#include "bakers/io/volumes/grid_files.h"
 
 namespace skybake {
-
-// The codec of the module skybake_vdb.so, or null with the reason. The module is loaded once and
-// stays loaded; load_module.h says where it is.
-struct LoadedVdbCodec {
-    const VdbCodec* codec = nullptr;
-    std::string reason;
-};
-const LoadedVdbCodec& vdb_codec();
 
 namespace {
 
@@ -33,6 +26,11 @@ using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::size_t hash_digits = 32;
+
+const LoadedCodec<VdbCodec>& vdb_codec() {
+    static const auto loaded = load_codec<VdbCodec>(vdb_module_name, vdb_codec_symbol);
+    return loaded;
+}
 
 // Returns what this writer cannot write of the volume, in words, or nothing. Asking for it is a bug
 // in the program.
@@ -68,7 +66,7 @@ template <class T, class Read>
 Outcome<T> read_with_module(const fs::path& path, Read&& read) {
     Outcome<FileInput> opened = FileInput::open(path);  // OpenVDB does not say why it fails
     if (!opened.value) return {{}, std::move(opened.diagnostics)};
-    const LoadedVdbCodec& loaded = vdb_codec();
+    const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec != nullptr) return read(*loaded.codec);
     return {{},
             {file_error("E0300", path.string(),
@@ -76,7 +74,7 @@ Outcome<T> read_with_module(const fs::path& path, Read&& read) {
 }
 
 std::optional<Diagnostic> vdb_obstacle(const fs::path& path) {
-    const LoadedVdbCodec& loaded = vdb_codec();
+    const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec != nullptr) return std::nullopt;
     return cannot_write_vdb(path, loaded.reason);
 }
@@ -86,45 +84,13 @@ Outcome<bool> write_vdb_file(const FileContent& content, const fs::path& path) {
                      content.threads, content.progress, path);
 }
 
-Outcome<FileFacts> inspect_vdb(const fs::path& path) {
-    const Outcome<VdbFile> file = read_vdb(path);
-    if (!file.value) return {{}, file.diagnostics};
-    FileFacts facts;
-    for (const VdbGrid& grid : file.value->grids) {
-        facts.names.push_back(grid.name);
-        const PixelType type = grid.half ? PixelType::half : PixelType::float32;
-        if (facts.pixel_type.value_or(type) != type) {
-            return {{}, {file_error("E0304", path.string(), "its grids are of different types")}};
-        }
-        facts.pixel_type = type;
-    }
-    facts.channels = facts.names.size();
-    for (const auto& [name, text] : file.value->attributes) {
-        if (name == metadata_name) facts.metadata = text;
-    }
-    return {std::move(facts), {}};
-}
-
-Outcome<bool> read_vdb_file(const fs::path& path, const FileShape& shape, int,
-                            const VoxelVisitor& visit) {
-    bool fits = true;
-    Outcome<bool> found = read_vdb_voxels(path, [&](const VdbSlab& slab) {
-        const std::int64_t slice = std::int64_t{slab.size[0]} * slab.size[1];
-        const auto count = static_cast<std::size_t>(slab.depth * slice) * shape.channels;
-        fits = slab.size == shape.size && slab.voxels.size() == count;
-        return fits && visit(slab.first_z * slice, slab.depth * slice, slab.voxels.data());
-    });
-    if (!fits) return {{}, {other_size(path)}};
-    return found;
-}
-
 }  // namespace
 
 Format vdb_format() {
     return {.format = config::FileFormat::vdb,
             .write = write_vdb_file,
-            .inspect = inspect_vdb,
-            .read = read_vdb_file,
+            .inspect = inspect_grids,
+            .read = read_grid_voxels,
             .compression =
                 [](const config::AssetFiles& files) { return to_string(files.vdb_compression); },
             .grids = vdb_grid_names,
@@ -142,7 +108,7 @@ Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes& attrib
     if (const auto reason = contradiction(volume, level)) {
         return {{}, {file_error("E0500", path.string(), *reason)}};
     }
-    const LoadedVdbCodec& loaded = vdb_codec();
+    const LoadedCodec<VdbCodec>& loaded = vdb_codec();
     if (loaded.codec == nullptr) return {{}, {cannot_write_vdb(path, loaded.reason)}};
     try {
         VdbWriter writer(volume, volume.levels[static_cast<std::size_t>(level)], *loaded.codec,
@@ -157,31 +123,10 @@ Outcome<VdbFile> read_vdb(const fs::path& path) {
     return read_with_module<VdbFile>(path, [&](const VdbCodec& codec) { return codec.read(path); });
 }
 
-Outcome<bool> read_vdb_voxels(const fs::path& path,
-                              const std::function<bool(const VdbSlab& slab)>& visit) {
-    return read_with_module<bool>(
-        path, [&](const VdbCodec& codec) { return codec.read_voxels(path, visit); });
-}
-
 Outcome<FileVoxels> open_vdb_grid(const fs::path& path, const std::string& grid, VolumePart part,
                                   config::NotFinite not_finite) {
     return read_with_module<FileVoxels>(
         path, [&](const VdbCodec& codec) { return codec.open_grid(path, grid, part, not_finite); });
-}
-
-namespace {
-
-LoadedVdbCodec load_codec() {
-    const ModuleSymbol symbol = load_module(vdb_module_name, vdb_codec_symbol);
-    if (symbol.address == nullptr) return {nullptr, symbol.reason};
-    return {reinterpret_cast<VdbCodecFunction>(symbol.address)(), ""};
-}
-
-}  // namespace
-
-const LoadedVdbCodec& vdb_codec() {
-    static const LoadedVdbCodec loaded = load_codec();
-    return loaded;
 }
 
 }  // namespace skybake

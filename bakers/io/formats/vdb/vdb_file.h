@@ -22,7 +22,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,20 +62,17 @@ config::Outcome<bool> write_vdb(const Baked& volume, int level, const Attributes
                                 std::size_t most_kept_bytes = vdb_most_kept_bytes);
 
 struct VdbGrid {
-    std::string name;                      // "density", "R", ...
-    std::string type;                      // "Tree_float_5_4_3"
-    std::string value_type;                // "float", "half", "int32", "vec3s", "points", "mask"
-    std::string grid_class;                // "fog volume"
-    std::string compression;               // "blosc + active values"
-    std::array<double, 3> voxel_size{};    // in the file's units: metres in ours
-    std::array<double, 3> first_centre{};  // centre of voxel (0, 0, 0)
+    std::string name;                    // "density", "R", ...
+    std::string type;                    // "Tree_float_5_4_3"
+    std::string value_type;              // "float", "half", "int32", "vec3s", "points", "mask"
+    std::string grid_class;              // "fog volume"
+    std::string compression;             // "blosc + active values"
+    std::array<double, 3> voxel_size{};  // in the file's units: metres in ours
+    std::optional<std::array<double, 3>> first_centre = {};  // of voxel (0, 0, 0), if it says so
     // The bounds of the active voxels, inclusive, as the file says; all 0 if it does not say.
     std::array<std::int64_t, 3> first_active{};
     std::array<std::int64_t, 3> last_active{};
     std::int64_t active_voxels = 0;
-    // The size of the volume: what the grid says, else the extent of its active voxels from (0, 0,
-    // 0).
-    std::array<std::int64_t, 3> size{};
     bool half = false;
     bool states_active = false;  // it has the bounds of its active voxels
     bool empty = false;          // it says that no voxel is active
@@ -93,25 +89,5 @@ struct VdbFile {
 // Reads what a file says of itself, without its voxels. E0300 if it cannot be read, E0304 if it is
 // damaged or not a VDB file.
 config::Outcome<VdbFile> read_vdb(const std::filesystem::path& path);
-
-// Planes z = first_z ... first_z + depth - 1 of all grids.
-struct VdbSlab {
-    std::array<int, 3> size{};  // of the volume
-    int first_z = 0;
-    int depth = 0;
-    std::vector<float> voxels;  // channels interleaved, x fastest, then y, then z
-};
-
-// Reads the voxels of a file that write_vdb made and passes them to `visit`, slab after slab from z
-// = 0 on. A slab has at most 8 planes. Inactive voxels are 0; channels are in the order of the
-// file's grids. Memory use is one slab and 16 bytes per leaf. Returns false, without reading
-// further, once visit returns false.
-//
-// E0300 if the file cannot be read. E0304 if it is damaged or is not such a file: grids have
-// another type, different sizes, tiles, or inactive voxels that are not 0; there are more than
-// 16384 voxels along an axis; or grids do not say their size and their bounds do not begin at the
-// origin.
-config::Outcome<bool> read_vdb_voxels(const std::filesystem::path& path,
-                                      const std::function<bool(const VdbSlab& slab)>& visit);
 
 }  // namespace skybake

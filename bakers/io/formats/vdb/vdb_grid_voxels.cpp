@@ -34,8 +34,11 @@ Coord corner_of(const VoxelBox& box) { return {box.origin[0], box.origin[1], box
 template <class Value>
 class GridVoxels : public VoxelSource {
   public:
-    GridVoxels(const std::filesystem::path& path, const Grid& grid, GridTree tree, Input& input)
+    // Without `makes_densities`, values stay as the file has them.
+    GridVoxels(const std::filesystem::path& path, const Grid& grid, GridTree tree, Input& input,
+               bool makes_densities)
         : tree_(std::move(tree)),
+          makes_densities_(makes_densities),
           half_(grid.descriptor.saveFloatAsHalf()),
           settings_(std::ios::binary),
           file_(uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC); })) {
@@ -92,7 +95,8 @@ class GridVoxels : public VoxelSource {
     // Values that are not finite are taken for the background.
     void to_densities(LeafValues& values) const {
         for (float& value : values) {
-            value = tree_.density(std::isfinite(value) ? value : tree_.background);
+            if (makes_densities_)
+                value = tree_.density(std::isfinite(value) ? value : tree_.background);
         }
     }
 
@@ -166,6 +170,7 @@ class GridVoxels : public VoxelSource {
     }
 
     GridTree tree_;
+    const bool makes_densities_;
     const bool half_;
     io::StreamMetadata::Ptr metadata_{new io::StreamMetadata};
     std::istringstream settings_;  // of the streams that leaves are decoded from
@@ -202,10 +207,13 @@ IndexAxes read_transform(const openvdb::GridBase& grid, FileVoxels& voxels) {
 }
 
 // Fills in the box of the voxels: what the grid's metadata says, else what is active.
-void read_bounds(const openvdb::GridBase& grid, const GridTree& tree, FileVoxels& voxels) {
+void read_bounds(const openvdb::GridBase& grid, const GridTree& tree, VolumePart part,
+                 FileVoxels& voxels) {
     constexpr std::int64_t most_voxels = std::numeric_limits<int>::max();
     const std::optional<Vector> stated = stated_vector(grid, vdb_size_name);
-    expect(stated || !tree.active.empty(), "it has no active voxels");
+    const bool has_box = stated || !tree.active.empty();
+    if (!has_box && part == VolumePart::numbers) return;
+    expect(has_box, "it has no active voxels");
     const Vector first = stated ? Vector{} : tree.active.first;
     for (std::size_t i = 0; i < 3; ++i) {
         const std::int64_t size = stated ? (*stated)[i] : tree.active.last[i] - first[i] + 1;
@@ -231,12 +239,14 @@ Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::stri
         with_number_type(grid, [&]<class Value>(Value) {
             const IndexAxes axes = read_transform(*grid.grid, voxels);
             GridTree tree = read_grid_tree(input, grid);
-            read_bounds(*grid.grid, tree, voxels);
+            const bool makes_densities = part != VolumePart::numbers;
+            if (!makes_densities) tree.density = {};
+            read_bounds(*grid.grid, tree, part, voxels);
             voxels.background = tree.density(tree.background);
-            if (part == VolumePart::voxels) {
-                auto source =
-                    std::make_shared<GridVoxels<Value>>(path, grid, std::move(tree), input);
-                source->survey(voxels);
+            if (part != VolumePart::shape) {
+                auto source = std::make_shared<GridVoxels<Value>>(path, grid, std::move(tree),
+                                                                  input, makes_densities);
+                if (makes_densities) source->survey(voxels);
                 const bool refused =
                     not_finite == config::NotFinite::refuse && voxels.faults.not_finite.count > 0;
                 if (refused) throw Damaged(refusal_of(voxels.faults));

@@ -29,8 +29,6 @@ void encode_strip(const VoxelBox& strip, const float* values, const VdbLeaves& l
 
 // The functions of VdbCodec that read files; vdb_codec.h describes them.
 config::Outcome<VdbFile> read(const std::filesystem::path& path);
-config::Outcome<bool> read_voxels(const std::filesystem::path& path,
-                                  const std::function<bool(const VdbSlab& slab)>& visit);
 config::Outcome<FileVoxels> open_grid(const std::filesystem::path& path, const std::string& grid,
                                       VolumePart part, config::NotFinite not_finite);
 
