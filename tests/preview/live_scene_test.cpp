@@ -1,5 +1,4 @@
 #include "bakers/preview/live/live_scene.h"
-#include "bakers/preview/live/film_lookup.h"
 
 #include <gtest/gtest.h>
 
@@ -12,6 +11,7 @@
 
 #include "bakers/math/half_conversion.h"
 #include "bakers/preview/live/live_textures.h"
+#include "bakers/preview/runtime/runtime_library.h"
 #include "bakers/render/scene_march.h"
 #include "bakers/render/tone_curve.h"
 #include "bakers/render/white_balance.h"
@@ -54,23 +54,34 @@ std::vector<std::string> texture_names(const json& scene) {
 TEST(LiveScene, HoldsTheTablesOfASky) {
     const json scene = scene_of(kSky);
     EXPECT_EQ(texture_names(scene),
-              (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table"}));
+              (std::vector<std::string>{"transmittance_table", "multiple_scattering_table"}));
     EXPECT_EQ(scene["textures"][0]["size"], json({64, 16}));
     EXPECT_EQ(scene["textures"][0]["type"], "float");
     EXPECT_TRUE(scene["clouds"].empty());
     EXPECT_EQ(scene["light"], "the recipe's atmosphere");
 }
 
+// The phase functions of spheres have no closed form: the page reads them from a table.
+TEST(LiveScene, HoldsTheTableOfPhaseFunctionsOfSpheres) {
+    std::string recipe = kSky;
+    recipe.replace(recipe.find("earth_hillaire"), 14, "mars");
+    const json scene = scene_of(recipe);
+    EXPECT_EQ(texture_names(scene),
+              (std::vector<std::string>{"transmittance_table", "multiple_scattering_table",
+                                        "phase_rows"}));
+    EXPECT_NE(scene["air"].get<std::string>().find("phase_in_row(phase_rows, "), std::string::npos);
+}
+
 TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
     const json scene = scene_of(kCloud);
     EXPECT_EQ(texture_names(scene),
-              (std::vector<std::string>{"transmittance_table", "scattering_table", "phase_table",
+              (std::vector<std::string>{"transmittance_table", "multiple_scattering_table",
                                         "cloud_table_0", "cells_table_0", "shift_table"}));
     EXPECT_EQ(scene["clouds"][0]["name"], "volume");
     EXPECT_EQ(scene["clouds"][0]["tile"], json({3000.0, 2000.0, 700.0}));
     EXPECT_EQ(scene["clouds"][0]["base"], 1000.0);
     EXPECT_DOUBLE_EQ(scene["clouds"][0]["extinction"], 0.04);
-    EXPECT_EQ(scene["textures"][3]["size"], json({16, 12, 8}));
+    EXPECT_EQ(scene["textures"][2]["size"], json({16, 12, 8}));
     EXPECT_EQ(scene["textures"].back()["size"], json({kVariedTiles, kVariedTiles}));
     EXPECT_EQ(scene["light"], "the preset earth, whose tables were baked for this page");
 }
@@ -78,7 +89,7 @@ TEST(LiveScene, HoldsACloudAndBakesTheLightThatIsMissing) {
 // The matrix of the lookup makes equal channels of the daylight on level ground, of the same luminance.
 TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     const PreviewAssets assets = baked(kSky);
-    const std::string film = film_lookup(assets, 1);
+    const std::string film = runtime_library(assets, 1);
     const auto tables =
         make_sky_tables(*assets.of_kind("transmittance"), assets.of_kind("multiple_scattering"));
     const GroundIrradiance ground =
@@ -102,7 +113,7 @@ TEST(LiveScene, PrintsTheWhiteOfItsDaylight) {
     };
     EXPECT_NEAR(luminance([&](std::size_t c) { return ground.sun[c] + ground.sky[c]; }) / white.y,
                 1, 1e-3);
-    EXPECT_EQ(film_lookup(baked(kCloud), 1), "");
+    EXPECT_EQ(runtime_library(baked(kCloud), 1), "");
 }
 
 // A page that begins with a single tile can show the layer too, with the same copies.

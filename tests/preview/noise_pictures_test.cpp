@@ -41,11 +41,6 @@ PreviewAsset volume_of(std::array<int, 3> size, std::vector<std::string> channel
     return asset;
 }
 
-VoxelView view_of(const PreviewAsset& asset) {
-    return {asset.entry.levels[0].size, static_cast<int>(asset.entry.channels.size()),
-            &asset.voxels};
-}
-
 const PreviewPicture& named(const std::vector<PreviewPicture>& pictures, const std::string& name) {
     const auto found = std::find_if(pictures.begin(), pictures.end(),
                                     [&](const PreviewPicture& p) { return p.name == name; });

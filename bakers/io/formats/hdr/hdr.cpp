@@ -35,7 +35,7 @@ Outcome<bool> write_hdr_file(const FileContent& content, const fs::path& path) {
     if (baked.channel_names.size() != 3 || baked.pixel_type != PixelType::rgbe) {
         return {{}, {contradiction(path, "Radiance files hold three channels of rgbe")}};
     }
-    const LoadedImageCodec& loaded = image_codec();
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) return {{}, {file_error("E0301", path.string(), loaded.reason)}};
     SheetWriter sheet(baked, content.level, content.threads, content.progress);
     std::vector<float> texels;
@@ -101,7 +101,7 @@ Outcome<bool> read_hdr_file(const fs::path& path, const FileShape& shape, int,
         shape.pixel_type != PixelType::rgbe) {
         return {{}, {other_size(path)}};
     }
-    const LoadedImageCodec& loaded = image_codec();
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) return {{}, {file_error("E0300", path.string(), loaded.reason)}};
     std::array<MapPixels, 3> planes;
     for (std::size_t c = 0; c < planes.size(); ++c) {
