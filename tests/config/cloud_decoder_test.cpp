@@ -54,13 +54,13 @@ TEST(CloudDecoder, ReadsEveryKey) {
         "extinction_scale = '0 /m'\n"
         "height_profile = { type = 'tabulated', table = [[0, 0.0], [0.25, 2]] }\n"
         "coverage_map = { file = 'maps/../a.png', channel = 'R', wrap = 'clamp', "
-        "filter = 'nearest', color_space = 'srgb' }\n"
+        "factor = 2, clamp = true, filter = 'nearest', color_space = 'srgb' }\n"
         "[[clouds.c.towers]]\ncenter = [0.2, -3]\nsigma = [0.03, 0.06]\nrotation = '180 deg'\n"
         "correlation = -0.5\namplitude = 0.4\n");
     EXPECT_EQ(
         testing::to_string(cloud),
         "c n [4, 5, 1] d [16, 16, 16] [0, 0.95] 1 | 1000 2000 500 | -1200 0.05 0.35 0 1 1 0 0\n"
-        "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1\n   0 1 0\n"
+        "5 50 4 1 0:0 0.25:2\nmaps/../a.png a.png R 1 0 1 2 true\n   0 1 0 1 false\n"
         "0 [0.2, -3] [0.03, 0.06] 3.141592653589793 -0.5 0.4");
     const Cloud blended = cloud_of(
         "height_profile = { type = 'blended', cloud_type = 0.5 }\ntype_map = { file = 't.png' }\n");

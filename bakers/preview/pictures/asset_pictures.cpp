@@ -76,7 +76,7 @@ VoxelView view_of(const PreviewAsset& asset) {
 
 bool has_all_texels(const PreviewAsset& asset) {
     std::size_t values = asset.entry.channels.size();
-    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(edge);
+    for (const int edge : asset.entry.size) values *= static_cast<std::size_t>(std::max(edge, 0));
     return asset.entry.size.size() == 3 && values > 0 && asset.voxels.size() == values;
 }
 

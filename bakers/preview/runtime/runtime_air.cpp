@@ -68,6 +68,7 @@ std::string sum_over_layers(const SkyMedium& medium, const Values& value_of) {
 std::string scattering_glsl(const SkyLayer& layer, int degree, int channels) {
     if (!layer.scatters) return "";
     const Spectrum moment = scattered_moments(layer, degree)[static_cast<std::size_t>(degree)];
+    if (moment == Spectrum{}) return "";
     return light_glsl(moment * full_coefficients(layer).scattering_per_km, channels);
 }
 
