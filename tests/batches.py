@@ -16,7 +16,7 @@ from pathlib import Path
 
 LARGEST = 16
 ROOT = Path(__file__).parent.parent
-ALONE = re.compile(r'#include .*(hwy/|-inl\.h|CLI/|toml\+\+|OpenEXR/|Imf)')
+ALONE = re.compile(r'#include .*(hwy/|-inl\.h|toml\+\+|OpenEXR/|Imf)')
 NO_DEFINITION = re.compile(r"TEST|namespace|using \w+::|extern|return|[A-Z]+_|[#/} ]")
 DEFINITION = re.compile(
     r"(?:template.*> )?(?:struct|class|enum class|enum|union) (\w+)"
