@@ -254,7 +254,7 @@ const tests = {
             while (!fs.existsSync(path.join(out, 'preview_state.js'))) await new Promise((resolve) => setTimeout(resolve, 20));
             const page = await open(browser, path.join(out, 'index.html'));
             const has_albedo = (albedo) => page.waitForFunction((text) => window.skybakeLive.scene.air.includes(text),
-                `ALBEDO = Light(${albedo}, ${albedo}, ${albedo})`);
+                `air_ground_albedo() { return vec3(${albedo}, ${albedo}, ${albedo})`);
             await has_albedo('0.3');
             await page.evaluate(() => { window.skybakeLive.view.heading = 200; });
             fs.writeFileSync(watched, tables.replace('\n[bake', '\n[atmosphere]\nground_albedo = 0.9\n[bake'));
