@@ -88,7 +88,7 @@ const tests = {
     },
 
     async 'says that a browser has too few textures, and shows pictures'(browser) {
-        const file = live('many', air + ['a', 'b', 'c', 'd', 'e'].map((name) => layer(name, [8, 8, 4],
+        const file = live('many', air + ['a', 'b', 'c', 'd', 'e', 'f'].map((name) => layer(name, [8, 8, 4],
             'extent = ["2 km", "2 km", "0.5 km"]\nbase_altitude = "1 km"\ncoverage = 0.5')).join(''));
         const context = await browser.newContext(), page = await context.newPage();
         await page.addInitScript(() => {
@@ -99,7 +99,7 @@ const tests = {
         });
         await page.goto(`file://${file}`);
         await page.waitForFunction(() => window.skybakeLive.failed);
-        assert.match(await page.innerText('#reason'), /5 layers of clouds need 17 textures at once, and this browser has 16/);
+        assert.match(await page.innerText('#reason'), /6 layers of clouds need 18 textures at once, and this browser has 16/);
     },
 };
 

@@ -238,7 +238,7 @@ const tests = {
         };
         const clouds_alone = await open(browser, live('clouds_alone', cloud));
         assert.match(await about(clouds_alone), /the preset earth, whose tables were baked for this page/);
-        assert.equal(await clouds_alone.evaluate(() => window.skybakeLive.scene.textures.length), 6);
+        assert.equal(await clouds_alone.evaluate(() => window.skybakeLive.scene.textures.length), 5);
         const one_table = tables.slice(0, tables.indexOf('[bake.multiple'));
         const sky_alone = await open(browser, live('sky_alone', one_table));
         assert.match(await about(sky_alone), /the recipe's atmosphere, whose tables were baked for this page/);
