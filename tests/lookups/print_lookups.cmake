@@ -56,6 +56,10 @@ skybake(said bake ${RECIPE} -o ${FOLDER}/one_colour --certify=off --prune
     --set "atmosphere.layers.ozone.absorption=\"1.88e-6 /m\""
     --only transmittance --only air --only sky)
 print_lookups(${FOLDER}/one_colour "one_colour_")
+# A folder may lack assets of its recipe, such as the grid by which marches through a cloud leap.
+skybake(said bake ${RECIPE} -o ${FOLDER}/few --certify=off --prune
+    --only transmittance --only hillaire --only cloud)
+print_lookups(${FOLDER}/few "few_")
 skybake(said bake ${CMAKE_CURRENT_LIST_DIR}/printed_wavelengths.toml -o ${FOLDER}/four_wavelengths
     --certify=off --prune)
 print_lookups(${FOLDER}/four_wavelengths "four_wavelengths_")

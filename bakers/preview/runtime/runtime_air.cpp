@@ -51,7 +51,7 @@ std::string density_function(const SkyLayer& layer, std::size_t i) {
         glsl_comment(fmt::format("The density of the layer `{}` at h km.", layer.name)), i, body);
 }
 
-// Returns what the sum over layers of density times a value is, "" if all values are 0.
+// Returns the sum over layers of density times a value, which is empty where it is 0.
 template <class Values>
 std::string sum_over_layers(const SkyMedium& medium, const Values& value_of) {
     std::vector<std::string> terms;

@@ -30,18 +30,25 @@ bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
                        [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
 }
 
+// Returns the section of the first asset that the folder holds and that `is_wanted`, or null. A recipe
+// may have more assets than were baked.
+template <class Section, class Condition>
+const config::Bake* baked_section(const PreviewAssets& assets, const Condition& is_wanted) {
+    for (const PreviewAsset& asset : assets.assets) {
+        const config::Bake* bake = config::own_bake(assets.recipe->parameters, asset.entry.name);
+        const auto* section = bake != nullptr ? bake->find<Section>() : nullptr;
+        if (section != nullptr && is_wanted(*section)) return bake;
+    }
+    return nullptr;
+}
+
 // --- Phase functions -----------------------------------------------------------------------------
 
 // Returns the bake of a table of the phase function of a layer.
-const config::Bake* phase_bake(const config::Parameters& parameters, const std::string& layer) {
-    for (const config::Bake& bake : parameters.bakes) {
-        const auto* phase = bake.find<config::PhaseBake>();
-        if (phase != nullptr && phase->layer == layer &&
-            phase->content == config::PhaseContent::phase) {
-            return &bake;
-        }
-    }
-    return nullptr;
+const config::Bake* phase_bake(const PreviewAssets& assets, const std::string& layer) {
+    return baked_section<config::PhaseBake>(assets, [&](const config::PhaseBake& phase) {
+        return phase.layer == layer && phase.content == config::PhaseContent::phase;
+    });
 }
 
 // Returns the textures of the air, or the name of a layer whose phase function is in no table.
@@ -50,7 +57,7 @@ struct FoundTextures {
     std::string missing;
 };
 
-FoundTextures air_textures(const RuntimeAir& air) {
+FoundTextures air_textures(const RuntimeAir& air, const PreviewAssets& assets) {
     FoundTextures found;
     AirTextures& textures = found.textures;
     textures.names = {table_name(air.transmittance->entry.name),
@@ -58,7 +65,7 @@ FoundTextures air_textures(const RuntimeAir& air) {
     for (const SkyLayer& layer : air.medium.layers) {
         textures.phases.emplace_back();
         if (!layer.scatters || layer.phase.of(0).table == nullptr) continue;
-        const config::Bake* bake = phase_bake(air.recipe->parameters, layer.name);
+        const config::Bake* bake = phase_bake(assets, layer.name);
         if (bake == nullptr) {
             found.missing = layer.name;
             continue;
@@ -80,17 +87,13 @@ struct RuntimeCloud {
     std::array<int, 3> voxels{};
 };
 
-const config::Bake* leaps_of(const config::Parameters& parameters, const std::string& volume) {
-    for (const config::Bake& bake : parameters.bakes) {
-        const auto* occupancy = bake.find<config::OccupancyBake>();
-        if (occupancy == nullptr || occupancy->of != volume) continue;
-        const auto& contents = occupancy->contents;
-        if (std::find(contents.begin(), contents.end(), config::OccupancyContent::leap) !=
-            contents.end()) {
-            return &bake;
-        }
-    }
-    return nullptr;
+const config::Bake* leaps_of(const PreviewAssets& assets, const std::string& volume) {
+    return baked_section<config::OccupancyBake>(
+        assets, [&](const config::OccupancyBake& occupancy) {
+            return occupancy.of == volume &&
+                   std::ranges::find(occupancy.contents, config::OccupancyContent::leap) !=
+                       occupancy.contents.end();
+        });
 }
 
 // Returns the first volume of one channel of each cloud.
@@ -103,8 +106,8 @@ std::vector<RuntimeCloud> runtime_clouds(const PreviewAssets& assets) {
         const auto* volume = bake != nullptr ? bake->find<config::CloudVolumeBake>() : nullptr;
         if (volume == nullptr || asset.entry.channels.size() != 1) continue;
         if (!seen.insert(volume->cloud).second) continue;
-        clouds.push_back({bake, leaps_of(parameters, bake->name),
-                          spanned_cloud(parameters, *volume), volume->size});
+        clouds.push_back(
+            {bake, leaps_of(assets, bake->name), spanned_cloud(parameters, *volume), volume->size});
     }
     return clouds;
 }
@@ -274,7 +277,7 @@ std::string film_glsl(const RuntimeAir& air) {
 std::string runtime_library(const PreviewAssets& assets, int threads) {
     const auto air = assets.recipe ? runtime_air(*assets.recipe, assets, threads) : std::nullopt;
     if (!has_colours(air)) return "";
-    const FoundTextures found = air_textures(*air);
+    const FoundTextures found = air_textures(*air, assets);
     if (!found.missing.empty()) {
         return glsl_comment(
                    fmt::format("There is no skybake_sky: the phase function of the layer "
