@@ -2,12 +2,14 @@
 // Compares the picture of an example of examples/runtimes, in Chromium without a GPU, with that of `skybake preview`
 // of the same bake from the same camera; it must be another picture if one of the files is upside down. The shaders
 // for Vulkan and Direct3D become SPIR-V, and SPIRV-Cross makes WebGL's GLSL of that. The modules for three.js and
-// Babylon.js draw with these programs.
-//   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl|three|babylon
+// Babylon.js draw with these programs, and Godot's own program for the web draws its project.
+//   node runtime_example.js PROGRAM FOLDER EXAMPLES webgl|webgpu|glsl|hlsl|three|babylon|godot
 const assert = require('node:assert/strict');
 const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
+const {pathToFileURL} = require('node:url');
+const {answers_of_godot} = require('./godot_project.js');
 const {browser_with_a_page, on_canvas, site} = require('./page_of.js');
 
 const [, , program, folder, examples, name_of_example] = process.argv;
@@ -15,6 +17,7 @@ const work = fs.mkdtempSync(path.join(folder, `${name_of_example}-`));
 const is_module = ['three', 'babylon'].includes(name_of_example);
 const name_of_folder = is_module ? 'npm' : name_of_example;
 const example = path.join(work, name_of_folder);
+const is_godot = name_of_example === 'godot';
 const has_page = fs.existsSync(path.join(examples, name_of_example, 'index.html'));
 
 // Small pictures have four samples for each pixel in the preview, and so here.
@@ -63,9 +66,11 @@ function upside_down(name) {
     fs.cpSync(path.join(example, 'baked'), copy, {recursive: true});
     const manifest = JSON.parse(fs.readFileSync(path.join(copy, 'manifest.json'), 'utf8'));
     const count = manifest.assets.find((asset) => asset.name === name).size.at(-1);
-    const file = path.join(copy, `${name}.bin`), bytes = fs.readFileSync(file), length = bytes.length / count;
-    const rows = Array.from({length: count}, (_, i) => bytes.subarray(i * length, (i + 1) * length));
-    fs.writeFileSync(file, Buffer.concat(rows.reverse()));
+    const file = path.join(copy, `${name}.${is_godot ? 'dds' : 'bin'}`), bytes = fs.readFileSync(file);
+    const head = !is_godot ? 0 : bytes.toString('latin1', 84, 88) === 'DX10' ? 148 : 128;
+    const length = (bytes.length - head) / count;
+    const rows = Array.from({length: count}, (_, i) => bytes.subarray(head + i * length, head + (i + 1) * length));
+    fs.writeFileSync(file, Buffer.concat([bytes.subarray(0, head), ...rows.reverse()]));
     return path.basename(copy);
 }
 
@@ -78,9 +83,20 @@ const module_scripts = `<script type="importmap">${JSON.stringify({imports: {
     ${name_of_example === 'babylon' ? '<script src="/modules/babylonjs/babylon.js"></script>' : ''}
     <script src="page/module_page.js"></script>`;
 
+// A view by Godot, as bytes of RGBA.
+async function drawn_by_godot(baked, view) {
+    const {uniforms_of} = await import(pathToFileURL(path.join(examples, 'view.js')));
+    const files = Object.fromEntries(['picture.gdshader', 'picture.tscn'].map((name) => [name, fs.readFileSync(path.join(example, name))]));
+    for (const name of fs.readdirSync(path.join(work, baked))) files[`baked/${name}`] = fs.readFileSync(path.join(work, baked, name));
+    const asked = {size: view.size, uniforms: Array.from(uniforms_of(view))};
+    const {answers, complaints} = await answers_of_godot(work, folder, 'godot_example.gd', asked, files);
+    assert.deepEqual(complaints, []);
+    return answers;
+}
+
 // Draws a view of a bake. `shader` is WebGL's, of an example that has no page of its own. Its rows begin at the top,
 // as they do in Vulkan.
-const draw = (page, folder, view, shader) => is_module ? page.evaluate(async ([name, url, view]) =>
+const draw = (page, folder, view, shader) => is_godot ? drawn_by_godot(folder, view) : is_module ? page.evaluate(async ([name, url, view]) =>
     window.reduced(await window.draw_by_module[name](url, view), 2), [name_of_example, `work/${folder}`, view]) :
     page.evaluate(async ([url, view, main, shader]) => {
     const {renderer} = await import(main);
@@ -149,7 +165,7 @@ function rms(a, b, [first, end]) {
 async function main() {
     fs.cpSync(examples, work, {recursive: true, filter: (one) => path.basename(one) !== 'baked'});
     execFileSync(path.join(work, 'bake.sh'), [name_of_folder, program], {stdio: 'ignore'});
-    const shader = has_page || is_module ? undefined : ported_shader();
+    const shader = has_page || is_module || is_godot ? undefined : ported_shader();
     const {browser, page} = await browser_with_a_page(work, {work, page: __dirname, modules: path.join(folder, 'node_modules')},
         `<script src="page/pictures_page.js"></script>${is_module ? module_scripts : ''}`,
         name_of_example === 'webgpu' ? on_canvas : undefined);

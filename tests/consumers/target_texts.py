@@ -5,6 +5,7 @@ format asks of names and brackets. COMMAND FOLDER bakes the assets without a tar
 """
 
 import ast
+import itertools
 import json
 import math
 import re
@@ -20,6 +21,7 @@ import yaml
 SUN = [math.sin(math.radians(35)) * math.cos(math.radians(20)), math.sin(math.radians(20)),
        math.cos(math.radians(35)) * math.cos(math.radians(20))]
 LOW, HIGH = (0, 0, 100), (600, 400, 300)
+CAMERAS = []  # that were found
 CUBES = ("babylon", "bevy", "godot", "three", "unity")  # targets that load it as a cube
 
 
@@ -152,6 +154,65 @@ def check_unity_sky(failures, text, is_cube):
         failures.expect_near(float(found), wanted, 1e-5, "the direction of Unity's sun")
 
 
+def check_camera(failures, name, at, axes, edges=(0.36, 0.2025)):
+    """All corners of the cloud are in the picture, and one is at its rim. Axes go right, up and against the view."""
+    shares = []
+    for corner in itertools.product(*zip(LOW, HIGH)):
+        across, up, back = (sum((c - p) * a for c, p, a in zip(corner, at, axis)) for axis in axes)
+        failures.expect(back < 0, True, f"whether the camera of {name} has a corner before it")
+        shares += [abs(across / back) / edges[0], abs(up / back) / edges[1]]
+    failures.expect_near(max(shares), 1, 1e-4, f"how far the corners of the cloud are from the middle, as the camera of {name} has them")
+    failures.expect(axes[1][2] > 0.9 and at[2] >= 2, True, f"whether the camera of {name} stands upright on the ground")
+
+
+def rows_of(text, columns=3):
+    numbers = [float(n) for n in re.findall(r"[-+.\de]+", text)]
+    return [numbers[i:i + columns] for i in range(0, len(numbers), columns)]
+
+
+def file_axes(v):
+    """A vector of programs in which y points up, in the file's axes."""
+    return [v[0], -v[2], v[1]]
+
+
+def check_cameras(failures, name, text):
+    """The axes of each program's camera: Godot's and Houdini's have y up, Unreal's y mirrored, and USD's are the file's."""
+    if name == "cloud.tscn":
+        numbers = rows_of(re.findall(r"Transform3D\(([^)]*)\)", text)[1])
+        check_camera(failures, name, file_axes(numbers[3]), [file_axes(column) for column in zip(*numbers[:3])])
+        failures.expect_near(math.tan(math.radians(float(re.search(r"fov = (\S+)", text)[1])) / 2), 0.2025, 1e-6, "Godot's fov")
+    elif name == "cloud.houdini.py":
+        *axes, at = [row[:3] for row in rows_of(re.search(r"hou\.Matrix4\(\((.*)\)\)\)", text, re.DOTALL)[1], 4)]
+        check_camera(failures, name, file_axes(at), [file_axes(axis) for axis in axes])
+    elif name == "cloud.usda":
+        *axes, at = [row[:3] for row in rows_of(re.search(r"xformOp:transform = \((.*)\)", text)[1], 4)]
+        check_camera(failures, name, at, axes)
+    elif name in ("cloud.unreal.py", "cloud.blender.py"):
+        pattern = r"x, y, z = \((.*)\)\nahead = \((.*)\)" if "unreal" in name else r"camera.location = \((.*)\)(?:.*\n.*\n.*Vector)\(\((.*?)\)\)"
+        at, ahead = ([float(n) for n in numbers.split(",")] for numbers in re.search(pattern, text).groups())
+        level = math.hypot(ahead[0], ahead[1])
+        right = [ahead[1] / level, -ahead[0] / level, 0]
+        up = [right[1] * ahead[2], -right[0] * ahead[2], level]
+        check_camera(failures, name, at, [right, up, [-a for a in ahead]])
+    else:
+        return
+    CAMERAS.append(name)
+
+
+def check_usd_sky(failures, text):
+    """UsdLux: domes are OpenEXR's maps, whose middle is at +z with +x left of it, and distant lights shine along -z.
+
+    The intensity of a normalized distant light is what a surface that faces it receives.
+    """
+    rows = rows_of(re.search(r"xformOp:transform = \((.*)\)", text).group(1), 4)
+    x, y, z = ([*row[:3]] for row in rows[:3])
+    for found, wanted in zip(z, (-SUN[0], SUN[1], SUN[2])):
+        failures.expect_near(found, wanted, 1e-5, "the direction of USD's sun")
+    for a, b, wanted in ((x, x, 1), (y, y, 1), (x, y, 0), (y, z, 0), (z, x, 0)):
+        failures.expect_near(sum(p * q for p, q in zip(a, b)), wanted, 1e-5, "the axes of USD's sun")
+    failures.expect("bool inputs:normalize = 1" in text, True, "whether the intensity of USD's sun is an irradiance")
+
+
 def check_bevy(failures, name, text):
     """Bevy's release notes: Skybox is in bevy_light from 0.19 on (pull request 22682)."""
     failures.expect("core_pipeline" in text, False, f"whether {name} looks for skyboxes where they were before Bevy 0.19")
@@ -204,6 +265,9 @@ def main():
                 check_brackets(failures, name, text)
             if name.endswith(".tscn") and "FogVolume" in text:
                 check_godot_place(failures, text)
+            check_cameras(failures, name, text)
+            if name == "sky.usda":
+                check_usd_sky(failures, text)
             if name == "sky.unreal.py":
                 check_unreal_sky(failures, text)
             elif name.endswith(".unreal.py"):
@@ -216,6 +280,7 @@ def main():
                 check_pbrt(failures, text, files)
             for reference in re.findall(r"@\./([^@]+)@", text) if name.endswith(".usda") else ():
                 failures.expect(reference in files, True, f"whether {reference} lies beside {name}")
+    failures.expect(sorted(set(CAMERAS)), [f"cloud.{end}" for end in ("blender.py", "houdini.py", "tscn", "unreal.py", "usda")], "the cameras")
     failures.exit()
 
 

@@ -10,7 +10,7 @@ import math
 import os
 
 import bpy
-$if LAMP=yes$import mathutils
+import mathutils
 
 text = bpy.data.texts.get(os.path.basename(__file__))
 script = bpy.path.abspath(text.filepath) if text and text.filepath else __file__
@@ -49,13 +49,12 @@ $if FORMAT=vdb$if scene.camera is None or scene.camera.name == "Camera":
 $if FORMAT=vdb$    camera = bpy.data.objects.new("$NAME$ camera", bpy.data.cameras.new("$NAME$"))
 $if FORMAT=vdb$    scene.collection.objects.link(camera)
 $if FORMAT=vdb$    scene.camera = camera
-$if FORMAT=vdb$    camera.rotation_euler = (math.radians(98), 0, math.radians(63 - 90))
-$if FORMAT=vdb$    corners = [c for x in ($LOW_X$, $HIGH_X$) for y in ($LOW_Y$, $HIGH_Y$) for z in ($LOW_Z$, $HIGH_Z$) for c in (x, y, z)]
-$if FORMAT=vdb$    camera.location, _ = camera.camera_fit_coords(bpy.context.evaluated_depsgraph_get(), corners)
-$if FORMAT=vdb$    camera.location.z = max(camera.location.z, 2)
+$if FORMAT=vdb$    camera.location = ($CAMERA_AT$)
+$if FORMAT=vdb$    camera.rotation_mode = "QUATERNION"
+$if FORMAT=vdb$    camera.rotation_quaternion = mathutils.Vector(($CAMERA_AHEAD$)).to_track_quat("-Z", "Y")
 $if FORMAT=vdb$
 $if FORMAT=vdb$# By default cameras see nothing beyond 100 m.
-$if FORMAT=vdb$reach = 10 * max($EXTENT_X$, $EXTENT_Y$, $HIGH_Z$)
+$if FORMAT=vdb$reach = 10 * $CAMERA_REACH$
 $if FORMAT=vdb$for camera in bpy.data.cameras:
 $if FORMAT=vdb$    camera.clip_end = max(camera.clip_end, reach)
 $if FORMAT=vdb$for screen in bpy.data.screens:

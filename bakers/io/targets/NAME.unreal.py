@@ -6,7 +6,7 @@ $if FORMAT=vdb$$if PLAYS=yes$"""Imports the $FRAMES$ files of $NAME$ into Unreal
 $if FORMAT=dds,png$It also makes the material function MF_$ID$, which samples the texture at UVW.
 $if FORMAT=png$The sheet has $COLUMNS$ x $ROWS$ frames, counted from the left and from the top, as SubUV materials have it.
 $if FORMAT=vdb$It makes the material M_$ID$ and a Heterogeneous Volume where the recipe has the cloud: Unreal counts in
-$if FORMAT=vdb$centimetres and its y points the other way. It is for Unreal 5.4 and later, which place a volume by its file.
+$if FORMAT=vdb$centimetres and its y points the other way. A camera sees all of it. The script is for Unreal 5.4 and later, which place a volume by its file.
 $if FORMAT=hdr$It makes a HDRI Backdrop where that plug-in is on, else a Sky Light: straight ahead is -y, up +z and right +x.
 $if LAMP=yes$The sky lacks the sun's disc, so it also makes the sun, whose intensity is the irradiance in the unit of the map.
 """
@@ -84,7 +84,7 @@ $if FORMAT=vdb$materials.recompile_material(material)
 $if FORMAT=vdb$
 $if FORMAT=vdb$actors = unreal.get_editor_subsystem(unreal.EditorActorSubsystem)
 $if FORMAT=vdb$for actor in actors.get_all_level_actors():
-$if FORMAT=vdb$    if actor.get_actor_label() == "skybake $NAME$":
+$if FORMAT=vdb$    if actor.get_actor_label() in ("skybake $NAME$", "skybake $NAME$ camera"):
 $if FORMAT=vdb$        actors.destroy_actor(actor)
 $if FORMAT=vdb$actor = actors.spawn_actor_from_class(unreal.HeterogeneousVolume, unreal.Vector(0, 0, 0), unreal.Rotator(0, 0, 0))
 $if FORMAT=vdb$actor.set_actor_label("skybake $NAME$")
@@ -96,6 +96,14 @@ $if FORMAT=vdb$$if PLAYS=yes$volume.set_start_frame(0)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_end_frame($FRAMES$ - 1)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_looping(True)
 $if FORMAT=vdb$$if PLAYS=yes$volume.set_playing(True)
+$if FORMAT=vdb$
+$if FORMAT=vdb$# A camera that has all of the cloud in its picture.
+$if FORMAT=vdb$x, y, z = ($CAMERA_AT$)
+$if FORMAT=vdb$ahead = ($CAMERA_AHEAD$)
+$if FORMAT=vdb$rotation = unreal.MathLibrary.make_rot_from_x(unreal.Vector(ahead[0], -ahead[1], ahead[2]))
+$if FORMAT=vdb$camera = actors.spawn_actor_from_class(unreal.CameraActor, unreal.Vector(100 * x, -100 * y, 100 * z), rotation)
+$if FORMAT=vdb$camera.set_actor_label("skybake $NAME$ camera")
+$if FORMAT=vdb$camera.camera_component.set_field_of_view($CAMERA_ANGLE$)
 $if FORMAT=hdr$# Faces of cubes that are made of panoramas have 512 texels along an edge, if nothing else is said.
 $if FORMAT=hdr$texture.set_editor_property("max_texture_size", 1 << ($WIDTH$ // 2 - 1).bit_length())
 $if FORMAT=hdr$

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <map>
 #include <numbers>
 
@@ -16,6 +17,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/formats/volume_camera.h"
 #include "bakers/math/hash.h"
 #include "bakers/math/transcendental.h"
 #include "config/sections/frames.h"
@@ -86,16 +88,48 @@ void add_sequence(const Baked& baked, const ManifestFile& first, Values& values)
     values["ENDING"] = first.path.substr(baked.name.size());
 }
 
-// The rows of a rotation that turns +z to a direction. Lamps of Godot shine towards -z.
-std::string lamp_basis(const glm::dvec3& to_sun) {
+// A direction or a place of z up, where y points up and +z towards whoever looks ahead.
+glm::dvec3 y_up(const glm::dvec3& v) { return {v.x, v.z, -v.y}; }
+
+std::string vector_text(const glm::dvec3& v) {
+    return fmt::format("{:.7g}, {:.7g}, {:.7g}", v.x, v.y, v.z);
+}
+
+// The rows of a matrix that has these columns, one after the other.
+std::string rows_text(const glm::dmat3& columns) {
+    const glm::dmat3 rows = glm::transpose(columns);
+    return fmt::format("{}, {}, {}, ", vector_text(rows[0]), vector_text(rows[1]),
+                       vector_text(rows[2]));
+}
+
+// The columns of a rotation that turns +z to a direction, as lamps that shine towards -z need.
+glm::dmat3 lamp_axes(const glm::dvec3& to_sun) {
     const glm::dvec3 level(to_sun.z, 0, -to_sun.x);
     const glm::dvec3 x = glm::length(level) > 0 ? glm::normalize(level) : glm::dvec3(1, 0, 0);
-    const glm::dmat3 rows = glm::transpose(glm::dmat3(x, glm::cross(to_sun, x), to_sun));
-    std::string text;
+    return {x, glm::cross(to_sun, x), to_sun};
+}
+
+// Adds the camera that has all of a volume in its picture.
+void add_camera(const Baked& baked, Values& values) {
+    const VolumeCamera camera = volume_camera(baked);
+    const glm::dmat3 axes(y_up(camera.axes[0]), y_up(camera.axes[1]), y_up(camera.axes[2]));
+    values["CAMERA_AT"] = vector_text(camera.position_m);
+    values["CAMERA_AHEAD"] = vector_text(-camera.axes[2]);
+    values["CAMERA_REACH"] = fmt::format("{:.7g}", camera.reach_m);
+    values["CAMERA_BASIS"] = rows_text(axes) + vector_text(y_up(camera.position_m));
     for (glm::length_t i = 0; i < 3; ++i) {
-        text += fmt::format("{:.7g}, {:.7g}, {:.7g}, ", rows[i].x, rows[i].y, rows[i].z);
+        values[fmt::format("CAMERA_AXIS_{}", "XYZ"[i])] = vector_text(axes[i]);
     }
-    return text;
+    // The angle of the whole picture along an edge of the sensor.
+    const auto degrees = [](double edge_mm) {
+        const double reach_mm = glm::length(glm::dvec2(camera_focal_length_mm, edge_mm / 2));
+        return 2 * arc_cosine(camera_focal_length_mm / reach_mm) * 180 / std::numbers::pi;
+    };
+    values["CAMERA_ANGLE"] = fmt::format("{:.7g}", degrees(camera_width_mm));
+    values["CAMERA_HEIGHT_ANGLE"] = fmt::format("{:.7g}", degrees(camera_height_mm));
+    values["CAMERA_FOCAL"] = fmt::format("{}", camera_focal_length_mm);
+    values["CAMERA_WIDTH"] = fmt::format("{}", camera_width_mm);
+    values["CAMERA_AT_Y_UP"] = vector_text(y_up(camera.position_m));
 }
 
 // Adds a lamp in the place of the sun's disc: IRRADIANCE times the colour. A sun that is below the
@@ -118,10 +152,15 @@ void add_lamp(const Baked& baked, Values& values) {
     add("IRRADIANCE", most);
     values["SUN_RGB"] = fmt::format("{:.7g}", fmt::join(light, ", "));
     add("ENERGY", most / std::numbers::pi);
+    if (!shines) return;
     values["SUN_RAY"] =
-        shines ? fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2], sun[0], -sun[1])
-               : "";
-    values["SUN_BASIS"] = shines ? lamp_basis(glm::dvec3(sun[0], sun[1], -sun[2])) : "";
+        fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2], sun[0], -sun[1]);
+    values["SUN_BASIS"] = rows_text(lamp_axes({sun[0], sun[1], -sun[2]}));
+    // Domes of USD have the middle of the map at +z and what is right of it at -x.
+    const glm::dmat3 dome = lamp_axes({-sun[0], sun[1], sun[2]});
+    values["SUN_MATRIX"] =
+        fmt::format("({}, 0), ({}, 0), ({}, 0), (0, 0, 0, 1)", vector_text(dome[0]),
+                    vector_text(dome[1]), vector_text(dome[2]));
 }
 
 // "over +x", or "40 degrees to the right of +x": where an environment has the sun. Its parameters say
@@ -172,6 +211,7 @@ Values values_of(const Baked& baked, const ManifestAsset& asset) {
     add_lamp(baked, values);
     add_sun(baked, values);
     add_place(baked, values);
+    if (asset.is_volume()) add_camera(baked, values);
     return values;
 }
 

@@ -9,6 +9,7 @@
 #include "bakers/io/files/file_io.h"
 #include "bakers/io/files/output_folder.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
+#include "bakers/io/formats/volume_camera.h"
 #include "config/sections/frames.h"
 
 namespace skybake {
@@ -65,6 +66,25 @@ std::string file_path(const std::vector<std::string>& files, bool plays) {
     return text + "        }\n";
 }
 
+// A camera of its own beside the volume, which is what refers to the scene takes.
+std::string camera_text(const Baked& volume) {
+    const VolumeCamera camera = volume_camera(volume);
+    std::string matrix;
+    for (glm::length_t i = 0; i < 3; ++i) {
+        const glm::dvec3& axis = camera.axes[i];
+        matrix += fmt::format("({:.7g}, {:.7g}, {:.7g}, 0), ", axis.x, axis.y, axis.z);
+    }
+    const glm::dvec3& at = camera.position_m;
+    return fmt::format(
+        "\ndef Camera \"camera\"\n{{\n    float2 clippingRange = (1, {:.7g})\n"
+        "    float focalLength = {}\n    float horizontalAperture = {}\n"
+        "    float verticalAperture = {}\n"
+        "    matrix4d xformOp:transform = ({}({:.7g}, {:.7g}, {:.7g}, 1))\n"
+        "    uniform token[] xformOpOrder = [\"xformOp:transform\"]\n}}\n",
+        camera.reach_m, camera_focal_length_mm, camera_width_mm, camera_height_mm, matrix, at.x,
+        at.y, at.z);
+}
+
 std::string usd_scene(const Baked& volume) {
     const std::string scene = volume.frames > 0 ? config::sequence_name(volume.name) : volume.name;
     const std::string prim = usd_identifier(scene);
@@ -88,7 +108,8 @@ std::string usd_scene(const Baked& volume) {
             usd_identifier(grid), path, grid,
             volume.pixel_type == config::PixelType::half ? "half" : "float");
     }
-    return text + "}\n";
+    text += "}\n";
+    return volume.up_axis == "+z" ? text + camera_text(volume) : text;
 }
 
 config::Outcome<bool> write_usda_file(const FileContent& content,

@@ -2,7 +2,7 @@
 //
 // The file has no voxels. It names NAME.vdb beside it, and says what a scene needs to know before it
 // opens that: the bounds in metres (`extent`), the unit (`metersPerUnit` = 1), the axis that points
-// up, and the type of the grids. It refers to level 0 alone. Solaris, Omniverse and Unreal's importer
+// up, and the type of the grids. Beside the volume it has a camera that sees all of it. It refers to level 0 alone. Solaris, Omniverse and Unreal's importer
 // read it.
 //
 // The scene of a sequence is NAME.usda beside NAME_0001.vdb and the files of the other frames. Its
