@@ -25,6 +25,21 @@ async function three_scene(folder, view) {
     return {THREE, sky, renderer, camera, scene: new THREE.Scene()};
 }
 
+async function babylon_scene(folder, view) {
+    const {Skybake} = await import('skybake/babylon');
+    const canvas = canvas_of(view.size);
+    const engine = new BABYLON.Engine(canvas, false, {preserveDrawingBuffer: true, useExactSrgbConversions: true});
+    const scene = new BABYLON.Scene(engine);
+    const [x, y, z] = view.position, [ahead_x, ahead_y, ahead_z] = direction(view.pitch, view.heading);
+    const camera = new BABYLON.FreeCamera('camera', new BABYLON.Vector3(x, z, y), scene);
+    camera.setTarget(new BABYLON.Vector3(x + ahead_x, z + ahead_z, y + ahead_y));
+    Object.assign(camera, {fov: vertical_field(view), minZ: 1, maxZ: 1e6});
+    const sky = await Skybake.load(folder, scene);
+    sky.set_sun(view.sun_elevation, view.sun_azimuth);
+    sky.exposure = view.exposure;
+    return {sky, scene, canvas, camera};
+}
+
 window.draw_by_module = {
     async three(folder, view) {
         const {sky, renderer, camera, scene} = await three_scene(folder, view);
@@ -34,17 +49,7 @@ window.draw_by_module = {
     },
 
     async babylon(folder, view) {
-        const {Skybake} = await import('skybake/babylon');
-        const canvas = canvas_of(view.size);
-        const engine = new BABYLON.Engine(canvas, false, {preserveDrawingBuffer: true});
-        const scene = new BABYLON.Scene(engine);
-        const [x, y, z] = view.position, [ahead_x, ahead_y, ahead_z] = direction(view.pitch, view.heading);
-        const camera = new BABYLON.FreeCamera('camera', new BABYLON.Vector3(x, z, y), scene);
-        camera.setTarget(new BABYLON.Vector3(x + ahead_x, z + ahead_z, y + ahead_y));
-        Object.assign(camera, {fov: vertical_field(view), minZ: 1, maxZ: 1e6});
-        const sky = await Skybake.load(folder, scene);
-        sky.set_sun(view.sun_elevation, view.sun_azimuth);
-        sky.exposure = view.exposure;
+        const {sky, scene, canvas} = await babylon_scene(folder, view);
         sky.background();
         await scene.whenReadyAsync();
         scene.render();
@@ -52,28 +57,57 @@ window.draw_by_module = {
     },
 };
 
-// The middle pixel of a wall that stands across the view, so many metres away, behind the air of three.js's module, and
-// that of the sky: linear light as sRGB.
-window.wall_behind_air = async (folder, view, distance) => {
-    const {THREE, sky, renderer, camera, scene} = await three_scene(folder, view);
-    const wall = new THREE.Mesh(new THREE.PlaneGeometry(4 * distance, 4 * distance),
-        sky.add_air(new THREE.MeshBasicMaterial({color: view.wall, side: THREE.DoubleSide})));
-    wall.quaternion.copy(camera.quaternion);
-    wall.position.copy(camera.position).addScaledVector(camera.getWorldDirection(new THREE.Vector3()), distance);
-    scene.add(wall);
-    renderer.render(scene, camera);
-    const pixel = () => {
-        const context = canvas_of(view.size).getContext('2d');
-        context.drawImage(renderer.domElement, 0, 0);
-        return [...context.getImageData(view.size[0] / 2, view.size[1] / 2, 1, 1).data].slice(0, 3);
-    };
-    const before_wall = pixel();
-    // The same by a shader of one's own, which has the module's functions.
-    const own = sky.background();
-    own.material.fragmentShader = `in vec3 ray;\nout vec4 color;\n${sky.glsl}
-        void main() { color = vec4(srgb_of(skybake_exposure * linear_srgb(sky(normalize(ray)))), 1.0); }`;
-    scene.remove(wall);
-    scene.add(own);
-    renderer.render(scene, camera);
-    return {before_wall, sky: pixel()};
+const middle_of = (canvas, [width, height]) => {
+    const context = canvas_of([width, height]).getContext('2d');
+    context.drawImage(canvas, 0, 0);
+    return [...context.getImageData(width / 2, height / 2, 1, 1).data].slice(0, 3);
+};
+
+// The middle pixel of a wall that stands across the view, so many metres away, behind the air of a module, and that of
+// the sky: linear light as sRGB.
+window.wall_behind_air = {
+    async three(folder, view, distance) {
+        const {THREE, sky, renderer, camera, scene} = await three_scene(folder, view);
+        const wall = new THREE.Mesh(new THREE.PlaneGeometry(4 * distance, 4 * distance),
+            sky.add_air(new THREE.MeshBasicMaterial({color: view.wall, side: THREE.DoubleSide})));
+        wall.quaternion.copy(camera.quaternion);
+        wall.position.copy(camera.position).addScaledVector(camera.getWorldDirection(new THREE.Vector3()), distance);
+        scene.add(wall);
+        renderer.render(scene, camera);
+        const before_wall = middle_of(renderer.domElement, view.size);
+        // The same by a shader of one's own, which has the module's functions.
+        const own = sky.background();
+        own.material.fragmentShader = `in vec3 ray;\nout vec4 color;\n${sky.glsl}
+            void main() { color = vec4(srgb_of(skybake_exposure * linear_srgb(sky(normalize(ray)))), 1.0); }`;
+        scene.remove(wall);
+        scene.add(own);
+        renderer.render(scene, camera);
+        return {before_wall, sky: middle_of(renderer.domElement, view.size)};
+    },
+
+    // By a material that counts in sRGB and by one that counts in linear light.
+    async babylon(folder, view, distance) {
+        const {sky, scene, canvas, camera} = await babylon_scene(folder, view);
+        const wall = BABYLON.MeshBuilder.CreatePlane('wall', {size: 4 * distance, sideOrientation: BABYLON.Mesh.DOUBLESIDE}, scene);
+        wall.position = camera.position.add(camera.getForwardRay(1).direction.scale(distance));
+        wall.lookAt(camera.position);
+        const colour = BABYLON.Color3.FromHexString(`#${view.wall.toString(16).padStart(6, '0')}`);
+        const seen = {};
+        for (const Material of [BABYLON.StandardMaterial, BABYLON.PBRMaterial]) {
+            wall.material = sky.add_air(new Material('wall', scene));
+            Object.assign(wall.material, Material === BABYLON.PBRMaterial ? {unlit: true, albedoColor: colour.toLinearSpace()} :
+                {disableLighting: true, emissiveColor: colour});
+            await scene.whenReadyAsync();
+            scene.render();
+            seen[wall.material.getClassName()] = middle_of(canvas, view.size);
+        }
+        wall.dispose();
+        sky.background();
+        const shaders = BABYLON.Effect.ShadersStore;
+        shaders.skybakeFragmentShader = shaders.skybakeFragmentShader.replace(/void main[^]*/, `void main() {
+            gl_FragColor = vec4(srgb_of(skybake_exposure * linear_srgb(sky(normalize(ray)))), 1.0); }`);
+        await scene.whenReadyAsync();
+        scene.render();
+        return {before_wall: seen.StandardMaterial, linear: seen.PBRMaterial, sky: middle_of(canvas, view.size)};
+    },
 };

@@ -2,7 +2,7 @@
 // A sky of skybake's in Babylon.js, whose world is in metres, left-handed, with y up:
 //   const sky = await Skybake.load('out/', scene);
 //   sky.background();
-import {Constants, Effect, Mesh, RawTexture, RawTexture3D, ShaderMaterial, Vector3, VertexData} from '@babylonjs/core';
+import {Constants, Effect, MaterialPluginBase, Mesh, RawTexture, RawTexture3D, ShaderMaterial, Vector3, VertexData} from '@babylonjs/core';
 import {load_bake, picture_glsl, pixel_angle, sun_direction, texels_for_gpu} from './skybake.js';
 
 const types = {unorm8: Constants.TEXTURETYPE_UNSIGNED_BYTE, half: Constants.TEXTURETYPE_HALF_FLOAT,
@@ -20,6 +20,39 @@ function texture_of(asset, scene) {
         texture[['wrapU', 'wrapV', 'wrapR'][i]] = wrap === 'repeat' ? Constants.TEXTURE_WRAP_ADDRESSMODE : Constants.TEXTURE_CLAMP_ADDRESSMODE;
     });
     return texture;
+}
+
+const uniforms = ['skybake_camera', 'skybake_sun', 'skybake_pixel', 'skybake_exposure'];
+
+const skies = new WeakMap();
+
+// What a material of Babylon.js does before its fog. The colour of a StandardMaterial is sRGB there, that of all others
+// is linear.
+class Air extends MaterialPluginBase {
+    constructor(material, sky) {
+        skies.set(material, sky);  // the base asks for the code already
+        super(material, 'SkybakeAir', 200, {SKYBAKE_AIR: true});
+        this._enable(true);
+    }
+
+    get sky() { return skies.get(this._material); }
+    getClassName() { return 'SkybakeAir'; }
+    getUniforms() { return {externalUniforms: uniforms}; }
+    getSamplers(samplers) { samplers.push(...Object.keys(this.sky.textures).map((name) => `${name}_table`)); }
+    bindForSubMesh(buffer, scene, engine, {effect}) { this.sky.bind(effect); }
+
+    getCustomCode(type) {
+        if (type !== 'fragment') return null;
+        const is_srgb = this._material.getClassName() === 'StandardMaterial', seen = is_srgb ? 'color' : 'finalColor';
+        const behind = is_srgb ? `toLinearSpace(${seen}.rgb)` : `${seen}.rgb`, all = 'through * behind + skybake_exposure * linear_srgb(before.light)';
+        return {CUSTOM_FRAGMENT_DEFINITIONS: `precision highp sampler2D;\nprecision highp sampler3D;\n${this.sky.glsl}`,
+            CUSTOM_FRAGMENT_BEFORE_FOG: `{
+                vec3 way = vPositionW - skybake_camera, behind = ${behind};
+                Air before = air(normalize(way), length(way));
+                vec3 through = linear_srgb(before.through) / linear_srgb(before.through * 0.0 + 1.0);
+                ${seen}.rgb = ${is_srgb ? `toGammaSpace(${all})` : all};
+            }`};
+    }
 }
 
 export class Skybake {
@@ -62,7 +95,7 @@ export class Skybake {
             precision highp sampler2D;\nprecision highp sampler3D;\nvarying vec3 ray;\n${this.glsl}${picture_glsl}
             void main() { gl_FragColor = picture(normalize(ray)); }`;
         const material = new ShaderMaterial('skybake', this.scene, 'skybake', {attributes: ['position'],
-            uniforms: ['rays', 'skybake_camera', 'skybake_sun', 'skybake_pixel', 'skybake_exposure'],
+            uniforms: ['rays', ...uniforms],
             samplers: Object.keys(this.textures).map((name) => `${name}_table`)});
         material.backFaceCulling = false;
         material.disableDepthWrite = true;
@@ -78,5 +111,11 @@ export class Skybake {
             this.bind(material);
         });
         return mesh;
+    }
+
+    // Lets a material of Babylon.js lie behind the air: its own colour is dimmed, and the air's light is added.
+    add_air(material) {
+        new Air(material, this);
+        return material;
     }
 }

@@ -40,7 +40,7 @@ function functions_of(glsl) {
 //   vec3 sky(vec3 ray)                      what is seen where there is no cloud, with the ground and the sun
 //   Air air(vec3 ray, float distance)       {light, through}: the air before a surface
 //   Clouds clouds(vec3 ray)                 {light, through, distance_m}, where the recipe has clouds
-//   vec3 view(vec3 ray, float noise)        all of them
+//   vec3 seen(vec3 ray, float noise)        all of them
 //   vec3 linear_srgb(vec3 light), vec3 shown_by_film(vec3 light)
 // Rays have the length 1, and distances are in metres.
 export async function load_bake(folder, to_z_up) {
@@ -68,9 +68,9 @@ function wrappers_of(lookups, functions, to_z_up) {
         `Air air(vec3 ray, float distance) { return ${call('air', 'distance')}; }`];
     if (functions.clouds) {
         wrappers.push(`Clouds clouds(vec3 ray) { return ${call('clouds', '1e6, skybake_pixel, 0.5')}; }`,
-            `${light} view(vec3 ray, float noise) { return ${call('view', 'skybake_pixel, noise')}; }`);
+            `${light} seen(vec3 ray, float noise) { return ${call('view', 'skybake_pixel, noise')}; }`);
     } else {
-        wrappers.push(`${light} view(vec3 ray, float noise) { return sky(ray); }`);
+        wrappers.push(`${light} seen(vec3 ray, float noise) { return sky(ray); }`);
     }
     return `${wrappers.join('\n')}\n`;
 }
@@ -97,5 +97,5 @@ export const pixel_angle = (vertical_field_radians, height) => 2 * Math.tan(0.5 
 export const picture_glsl = `
 // Jimenez 2014: neighbouring pixels differ much.
 float noise_of_pixel() { return fract(52.9829189 * fract(dot(gl_FragCoord.xy, vec2(0.06711056, 0.00583715)))); }
-vec4 picture(vec3 ray) { return vec4(shown_by_film(skybake_exposure * view(ray, noise_of_pixel())), 1.0); }
+vec4 picture(vec3 ray) { return vec4(shown_by_film(skybake_exposure * seen(ray, noise_of_pixel())), 1.0); }
 `;

@@ -2,7 +2,7 @@ import type {Camera, IUniform, Material, Mesh, Texture, WebGLRenderer} from 'thr
 export class Skybake {
     static load(folder: string): Promise<Skybake>;
     readonly manifest: unknown;
-    /** Declares the uniforms, and has sky(ray), air(ray, distance), clouds(ray), view(ray, noise) and shown_by_film(light). */
+    /** Declares the uniforms, and has sky(ray), air(ray, distance), clouds(ray), seen(ray, noise) and shown_by_film(light). */
     readonly glsl: string;
     readonly textures: Record<string, Texture>;
     readonly uniforms: Record<string, IUniform>;
