@@ -129,9 +129,12 @@ std::vector<Diagnostic> memory_excess(const FolderPlan& plan, std::optional<doub
 // Returns what the writers of an asset's formats do in another way than before, without a change of
 // their bakers. Keys of other assets do not know of it.
 std::string revisions_of(const config::AssetFiles& files) {
-    const bool has_nvdb =
-        std::ranges::find(files.formats, config::FileFormat::nvdb) != files.formats.end();
-    return has_nvdb ? "nvdb: a checksum of every node" : "";
+    std::string text;
+    for (const config::FileFormat format : files.formats) {
+        if (format == config::FileFormat::nvdb) text += "nvdb: a checksum of every node";
+        if (format == config::FileFormat::usda) text += "usda: a camera";
+    }
+    return text;
 }
 
 std::string_view to_string(Certification certification) {

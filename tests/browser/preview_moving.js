@@ -123,7 +123,7 @@ const tests = {
     async 'follows a recipe'(browser) {
         const watched = write('watched.toml', recipe);
         const out = path.join(work, 'watched');
-        const child = spawn(program, ['preview', watched, '--watch', '-o', out], {stdio: ['ignore', 'ignore', 'pipe']});
+        const child = spawn(program, ['preview', watched, '--watch', '--size', '160x90', '-o', out], {stdio: ['ignore', 'ignore', 'pipe']});
         const ended = new Promise((resolve) => child.on('exit', resolve));
         let said = '';
         child.stderr.on('data', (text) => { said += text; });
@@ -189,7 +189,7 @@ const tests = {
 
     async 'keeps an enlarged picture open while it is made anew'(browser) {
         const watched = write('enlarged.toml', recipe), out = path.join(work, 'enlarged');
-        const child = spawn(program, ['preview', watched, '--watch', '-o', out, '--only', 'shape'], {stdio: 'ignore'});
+        const child = spawn(program, ['preview', watched, '--watch', '-o', out, '--only', 'shape', '--size', '160x90'], {stdio: 'ignore'});
         try {
             await until(() => fs.existsSync(path.join(out, 'preview_state.js')));
             const page = await open(browser, path.join(out, 'index.html'));

@@ -14,9 +14,9 @@ import sys
 import tempfile
 from pathlib import Path
 
-SIZE = (96, 64)
+SIZE = (96, 54)  # of the camera
 BLOCK = 4  # pixels
-HORIZON = 48  # rows that are surely above it
+HORIZON = 44  # rows that are surely above it
 EXPOSURE = 3  # stops
 
 
@@ -117,8 +117,8 @@ def main():
         found = json.loads((Path(bare) / "found.json").read_text())
     right, sunless, once_scattered = (difference(found, name) for name in ("blender", "sunless", "once"))
     print(f"RMS of white: {right:.4f}; without the sun {sunless:.4f}, scattered once {once_scattered:.4f}")
-    failures.expect(right <= 0.05, True, f"whether Blender's picture is within 5 % of the preview ({right:.4f})")
-    failures.expect(min(sunless, once_scattered) > 0.055, True, "whether wrong pictures differ more")
+    failures.expect(right <= 0.04, True, f"whether Blender's picture is within 4 % of the preview ({right:.4f})")
+    failures.expect(min(sunless, once_scattered) > 0.045, True, "whether wrong pictures differ more")
     failures.expect(0 < found["exposure"] < 4, True, f"whether the script brightens the view ({found['exposure']})")
     failures.exit()
 

@@ -172,7 +172,15 @@ TEST(Usda, PlacesTheVdbFile) {
               "\n    def OpenVDBAsset \"density\"\n    {\n"
               "        asset filePath = @./cumulus-1.vdb@\n"
               "        token fieldName = \"density\"\n        token fieldClass = \"fogVolume\"\n"
-              "        token fieldDataType = \"half\"\n    }\n}\n");
+              "        token fieldDataType = \"half\"\n    }\n}\n"
+              // tests/consumers/target_texts.py holds the numbers of a camera to its picture.
+              "\ndef Camera \"camera\"\n{\n    float2 clippingRange = (1, 3298.341)\n"
+              "    float focalLength = 50\n    float horizontalAperture = 36\n"
+              "    float verticalAperture = 20.25\n"
+              "    matrix4d xformOp:transform = ((0.8910065, -0.4539905, 0, 0), "
+              "(-0.06318327, -0.1240041, 0.9902681, 0), (-0.4495723, -0.8823353, -0.1391731, 0), "
+              "(-618.301, -1113.484, 1058.594, 1))\n"
+              "    uniform token[] xformOpOrder = [\"xformOp:transform\"]\n}\n");
 }
 
 }  // namespace
