@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
@@ -199,9 +200,16 @@ Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
 }
 
 const PreviewAsset* PreviewAssets::of_kind(std::string_view kind) const {
-    const auto found = std::ranges::find_if(
-        assets, [&](const PreviewAsset& asset) { return asset.entry.kind == kind; });
-    return found == assets.end() ? nullptr : &*found;
+    const auto sky_error = [](const PreviewAsset& asset) {
+        const auto& error = asset.entry.error;
+        return error && error->sky ? error->sky->median : std::numeric_limits<double>::infinity();
+    };
+    const PreviewAsset* best = nullptr;
+    for (const PreviewAsset& asset : assets) {
+        if (asset.entry.kind != kind) continue;
+        if (best == nullptr || sky_error(asset) < sky_error(*best)) best = &asset;
+    }
+    return best;
 }
 
 std::optional<std::size_t> previewed_level(const ManifestAsset& asset) {

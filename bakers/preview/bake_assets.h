@@ -26,7 +26,8 @@ struct PreviewAssets {
     std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
     std::vector<std::string> notes;            // on what is not shown, and why
 
-    // Returns the first asset of that kind, or null.
+    // Returns the asset of that kind whose light has the smallest error in skies, the first one where
+    // none was measured, or null.
     const PreviewAsset* of_kind(std::string_view kind) const;
 };
 

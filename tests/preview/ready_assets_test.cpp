@@ -105,5 +105,18 @@ TEST_F(BakedBefore, ADamagedFileIsNotShown) {
     EXPECT_EQ(read_bytes(folder_ / "out/manifest.json").empty(), false) << "the folder stays";
 }
 
+TEST(OfKind, IsTheTableWhoseLightHasTheSmallestErrorInSkies) {
+    PreviewAssets assets;
+    for (const std::optional<double> median : {std::optional<double>(), {0.05}, {0.01}, {0.03}}) {
+        assets.assets.emplace_back().entry.kind = "multiple_scattering";
+        if (!median) continue;
+        assets.assets.back().entry.error.emplace().sky.emplace().median = *median;
+    }
+    EXPECT_EQ(assets.of_kind("multiple_scattering"), &assets.assets[2]);
+    EXPECT_EQ(assets.of_kind("transmittance"), nullptr);
+    assets.assets.resize(1);
+    EXPECT_EQ(assets.of_kind("multiple_scattering"), &assets.assets[0]);
+}
+
 }  // namespace
 }  // namespace skybake

@@ -276,7 +276,14 @@ std::string film_glsl(const RuntimeAir& air) {
 
 std::string runtime_library(const PreviewAssets& assets, int threads) {
     const auto air = assets.recipe ? runtime_air(*assets.recipe, assets, threads) : std::nullopt;
-    if (!has_colours(air)) return "";
+    if (!has_colours(air)) {
+        const bool has_tables =
+            assets.of_kind("transmittance") && assets.of_kind("multiple_scattering");
+        return !has_tables ? ""
+                           : glsl_comment(
+                                 "There is no skybake_sky: it needs tables of three or four "
+                                 "wavelengths which can be read and whose recipe is known.");
+    }
     const FoundTextures found = air_textures(*air, assets);
     if (!found.missing.empty()) {
         return glsl_comment(
