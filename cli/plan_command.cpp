@@ -22,9 +22,11 @@
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/plan_sky.h"
 #include "bakers/plot/drawing.h"
+#include "bakers/preview/page.h"
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/options.h"
+#include "cli/plan_page.h"
 #include "cli/progress.h"
 #include "cli/report.h"
 #include "cli/table_printer.h"
@@ -112,15 +114,6 @@ std::vector<std::size_t> shown_ways(const Plan& plan) {
     return shown;
 }
 
-std::string remark_of(const Plan& plan, std::size_t index) {
-    const MeasuredWay& way = plan.ways[index];
-    std::string remark = way.on_front ? "front" : "";
-    if (index == plan.knee) remark = "knee";
-    if (index == plan.chosen) remark = plan.keeps_limits ? "chosen" : "least error";
-    if (way.way.baseline.empty()) return remark;
-    return fmt::format("{}{}baseline: {}", remark, remark.empty() ? "" : ", ", way.way.baseline);
-}
-
 std::string table_text(const Plan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
                      Align::right, Align::right, Align::right, Align::left});
@@ -157,18 +150,22 @@ std::string file_name_of(const PlanSubject& subject) {
 }
 
 // A plan's files carry the sign of a report, which guards what others have written.
-std::vector<ReportFile> files_of(const std::vector<Plan>& plans) {
+Outcome<std::vector<ReportFile>> files_of(const std::vector<Plan>& plans,
+                                          const std::string& title) {
+    auto page = plan_page(plans, title);
+    if (!page.value) return {{}, std::move(page.diagnostics)};
     std::vector<ReportFile> files = {{"plan.csv", plan_csv(plans)},
-                                     {"plan.json", plan_json(plans)}};
+                                     {"plan.json", plan_json(plans)},
+                                     {page_name, std::move(*page.value)}};
     for (const Plan& plan : plans) {
         files.push_back({file_name_of(plan.subject) + ".svg", report_svg(plan_figure(plan))});
         files.push_back({file_name_of(plan.subject) + ".png", plan.sheet});
     }
-    return files;
+    return {std::move(files), {}};
 }
 
 std::vector<std::string> file_names_of(const std::vector<PlanSubject>& subjects) {
-    std::vector<std::string> names = {"plan.csv", "plan.json"};
+    std::vector<std::string> names = {"plan.csv", "plan.json", page_name};
     for (const PlanSubject& subject : subjects) {
         names.push_back(file_name_of(subject) + ".svg");
         names.push_back(file_name_of(subject) + ".png");
@@ -269,7 +266,9 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
         if (outcome == ExitCode::done) outcome = code;
         plans.push_back(std::move(*plan.value));
     }
-    ExitCode code = write_report_files(files_of(plans), invocation[options::output], console);
+    const auto files = files_of(plans, recipe_name(invocation.arguments()[0]));
+    if (!files.value) return console.report(files.diagnostics);
+    ExitCode code = write_report_files(*files.value, invocation[options::output], console);
     if (code == ExitCode::done && outcome == ExitCode::done && invocation.has(options::write)) {
         code = write_recipe(plans, *recipe.value, invocation[options::write], console);
     }
@@ -288,7 +287,8 @@ Command plan_command() {
             "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches and "
             "size",
         .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {options::output("write plan.csv, .json and pictures into this folder", "plan"),
+        .options = {options::output(
+                        "write index.html, plan.csv, .json and pictures into this folder", "plan"),
                     set_row(),
                     options::max_sky_error("choose among ways with at most this error in nine of "
                                            "ten views of the sky"),

@@ -98,8 +98,6 @@ reports() {
     local recipe name file
     mkdir -p "$folder/reports"
     for recipe in earth phase bruneton volume; do reported "$recipe" "$recipe"; done
-    reported truth earth --truth
-    reported colors earth --colors
     for file in $(pictures 'reports/*/*.svg'); do rsvg-convert "$file" -o "${file%.svg}.png"; done
     mapfile -t shown < <(pictures 'reports/*/*.png')
     sheets reports "${shown[@]}"

@@ -90,6 +90,7 @@ struct BlockGrid {
     PlotArea first_cell;  // its place across, and its size
     int columns = 0;
     int names_width = 0;  // of rows
+    int width = 0;        // of the sheet
 };
 
 BlockGrid lay_out(const std::vector<SheetBlock>& blocks) {
@@ -109,6 +110,11 @@ BlockGrid lay_out(const std::vector<SheetBlock>& blocks) {
     }
     grid.names_width = static_cast<int>(std::ceil(names_width));
     grid.first_cell.x = gutter + (names_width > 0 ? grid.names_width + gutter : 0);
+    grid.width = grid.first_cell.x + grid.columns * (grid.first_cell.width + gutter);
+    for (const SheetBlock& block : blocks) {
+        const double title = std::ceil(text_width(block.title, block_title_style));
+        grid.width = std::max(grid.width, grid.first_cell.x + static_cast<int>(title) + gutter);
+    }
     return grid;
 }
 
@@ -173,7 +179,7 @@ Picture contact_sheet(const std::vector<Picture>& pictures,
 Picture contact_sheet(const std::vector<SheetBlock>& blocks) {
     const BlockGrid grid = lay_out(blocks);
     Drawing drawing;
-    drawing.width = grid.first_cell.x + grid.columns * (grid.first_cell.width + gutter);
+    drawing.width = grid.width;
     drawing.height = gutter;
     for (const SheetBlock& block : blocks) {
         drawing.height = draw_block(drawing, block, grid, drawing.height);

@@ -136,15 +136,16 @@ Json to_json(const PageVariant& variant) {
     return json;
 }
 
-Json to_json(const PageSweep& sweep) {
+Json to_json(const PageTable& table) {
     Json columns = Json::array();
-    for (const PageSweep::Column& column : sweep.columns) {
+    for (const PageTable::Column& column : table.columns) {
         columns.push_back({{"title", column.title}, {"shown", column.shown}});
     }
     Json rows = Json::array();
-    for (const PageVariant& variant : sweep.variants) rows.push_back(to_json(variant));
-    return {{"content", sweep.content},
-            {"pictures", to_json(sweep.pictures)},
+    for (const PageVariant& variant : table.variants) rows.push_back(to_json(variant));
+    return {{"title", table.title},
+            {"content", table.content},
+            {"pictures", to_json(table.pictures)},
             {"columns", std::move(columns)},
             {"rows", std::move(rows)}};
 }
@@ -172,7 +173,7 @@ std::string page_data(const PreviewPage& page) {
     return script_text({{"generator", generator()},
                         {"title", page.title},
                         {"notes", page.notes},
-                        {"sweep", page.sweep ? to_json(*page.sweep) : Json(nullptr)},
+                        {"tables", array_of(page.tables)},
                         {"scenes", array_of(page.scenes)},
                         {"assets", array_of(page.assets)},
                         {"others", other_files_json(page)}});

@@ -44,10 +44,10 @@ struct PageScene {
     bool clouds = false;  // with the recipe's clouds; shown before all others
 };
 
-// One variant of a sweep. A cell is sorted by its number and shows its text, if it has one.
+// One variant of a table. A cell is sorted by its number and shows its text, if it has one.
 struct PageVariant {
     std::string name;
-    std::string folder;  // as seen from the page
+    std::string folder;  // as seen from the page; empty: it has none
     struct Cell {
         std::optional<double> number;
         std::string text;
@@ -56,7 +56,9 @@ struct PageVariant {
     std::optional<PagePicture> picture;
 };
 
-struct PageSweep {
+// Variants side by side: those of a sweep, or the ways of a plan.
+struct PageTable {
+    std::string title;
     struct Column {
         std::string title;
         std::string shown;  // the page's function that makes a text of numbers; empty: texts
@@ -72,7 +74,7 @@ struct PreviewPage {
     std::vector<std::string> notes;
     std::vector<PageAsset> assets;
     std::vector<PageScene> scenes;
-    std::optional<PageSweep> sweep;
+    std::vector<PageTable> tables;  // shown first
     // File names of pictures of earlier previews that are still beside the page. They stay
     // skybake's.
     std::vector<std::string> retired;

@@ -1,14 +1,14 @@
 'use strict';
 // Arranges the page of the data that stand in it, and arranges it anew where a watching page gets others.
 
-// The parts to be looked at come first: the sweep, all clouds in one sky, clouds in their light, the
+// The parts to be looked at come first: tables of variants, all clouds in one sky, clouds in their light, the
 // sky, then all others.
 function sectionsOf(preview) {
     const isLit = (asset) => asset.pictures.some((picture) => picture.kind === 'scene');
     const named = (asset) => [asset.name, () => assetSection(asset)];
     const titled = (scene) => [scene.title, () => sceneSection(scene)];
     return [
-        ...(preview.sweep ? [['Sweep', () => sweepSection(preview.sweep)]] : []),
+        ...preview.tables.map((table) => [table.title, () => tableSection(table)]),
         ...preview.scenes.filter((scene) => scene.clouds).map(titled),
         ...preview.assets.filter(isLit).map(named),
         ...preview.scenes.filter((scene) => !scene.clouds).map(titled),

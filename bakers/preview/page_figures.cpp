@@ -75,9 +75,9 @@ PagePicture report_plot(const PageAsset& asset) {
 
 std::string pictures_html(const PreviewPage& page) {
     std::string html;
-    if (page.sweep) {
-        html += figures_html(page.sweep->pictures, page.watch_revision);
-        for (const PageVariant& variant : page.sweep->variants) {
+    for (const PageTable& table : page.tables) {
+        html += figures_html(table.pictures, page.watch_revision);
+        for (const PageVariant& variant : table.variants) {
             if (variant.picture) html += figures_html({*variant.picture}, page.watch_revision);
         }
     }

@@ -126,25 +126,26 @@ function sceneSection(scene) {
     return element('section', {id: anchor(scene.title)}, element('h2', {}, scene.title),
         gallery(scene.pictures), scene.content ? element('p', {class: 'lead'}, scene.content) : null);
 }
-// A variant by its number, which its name begins with, with a link to its folder.
+// A variant by its number, which its name begins with, with a link to its folder, if it has one.
 function folderLink(row) {
+    if (row.folder === '') return {text: row.name, value: row.name};
     const href = row.folder.split('/').map(encodeURIComponent).join('/');
     return {text: row.name, value: row.name,
             content: element('a', {href, title: row.name}, row.name.split('_')[0])};
 }
-function sweepSection(sweep) {
+function tableSection(table) {
     const shown = {number, figure, percent, byteCount, duration};
-    const columns = [{title: ''}, {title: 'Variant'}, ...sweep.columns.map(
+    const columns = [{title: ''}, {title: 'Variant'}, ...table.columns.map(
         ({title, shown: name}) => ({title, number: name !== '', wraps: name !== ''}))];
-    const rows = sweep.rows.map((row) => [
+    const rows = table.rows.map((row) => [
         {text: '', value: null, content: row.picture ? pictureButton(row.picture) : ''},
         folderLink(row),
         ...row.cells.map((cell, i) => cell.text !== null ? cell
-            : amount(cell.value, shown[sweep.columns[i].shown])),
+            : amount(cell.value, shown[table.columns[i].shown])),
     ]);
-    return element('section', {id: anchor('Sweep')}, element('h2', {}, 'Sweep'),
-        element('p', {class: 'lead'}, sweep.content), gallery(sweep.pictures),
-        sortableTable(columns, rows, 'Variants of the sweep'));
+    return element('section', {id: anchor(table.title)}, element('h2', {}, table.title),
+        element('p', {class: 'lead'}, table.content), gallery(table.pictures),
+        sortableTable(columns, rows, `Variants of ${table.title}`));
 }
 
 function notice(notes) {

@@ -91,9 +91,9 @@ void append(const std::vector<PagePicture>& pictures, std::vector<const PagePict
 
 std::vector<const PagePicture*> pictures_of(const PreviewPage& page) {
     std::vector<const PagePicture*> all;
-    if (page.sweep) {
-        append(page.sweep->pictures, all);
-        for (const PageVariant& variant : page.sweep->variants) {
+    for (const PageTable& table : page.tables) {
+        append(table.pictures, all);
+        for (const PageVariant& variant : table.variants) {
             if (variant.picture) all.push_back(&*variant.picture);
         }
     }

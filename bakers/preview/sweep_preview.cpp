@@ -164,6 +164,7 @@ class SweepPreview {
           encoder_(options.threads, options.memory) {}
 
     Outcome<PreviewPage> make() {
+        shown_.title = "Sweep";
         shown_.columns = table_.columns();
         for (const SweepVariant& variant : sweep_.variants) {
             if (is_cancelled(options_.progress)) return {};
@@ -178,7 +179,7 @@ class SweepPreview {
         shown_.content =
             fmt::format("{} variants of one recipe{}.", sweep_.variants.size(), without_assets());
         page_.title = fs::absolute(folder_).lexically_normal().filename().string();
-        page_.sweep = std::move(shown_);
+        page_.tables.push_back(std::move(shown_));
         return {std::move(page_), std::move(warnings_)};
     }
 
@@ -274,7 +275,7 @@ class SweepPreview {
     PreviewOptions options_;
     PictureEncoder encoder_;
     PreviewPage page_;
-    PageSweep shown_;
+    PageTable shown_;
     std::vector<Picture> pictures_;  // of the variants so far; empty: none
     std::size_t pictured_ = 0;
     std::optional<std::size_t> first_;  // the first variant that has a picture

@@ -64,8 +64,8 @@ SweepTable::SweepTable(const PreviewSweep& sweep) : sweep_(sweep) {
     }
 }
 
-std::vector<PageSweep::Column> SweepTable::columns() const {
-    std::vector<PageSweep::Column> columns;
+std::vector<PageTable::Column> SweepTable::columns() const {
+    std::vector<PageTable::Column> columns;
     for (std::size_t i = 0; i < sweep_.names.size(); ++i) {
         const bool numbers = std::ranges::all_of(sweep_.variants, [&](const SweepVariant& variant) {
             return variant.values[i].number.has_value();

@@ -19,7 +19,7 @@ class SweepTable {
     // Returns what varies, then for each asset the figures that any variant has, then the difference
     // of the picture from the first, then the status. Assets that are the same in all variants come
     // last.
-    std::vector<PageSweep::Column> columns() const;
+    std::vector<PageTable::Column> columns() const;
 
     // Returns the row of a variant, without its picture. `difference` is that of its picture from
     // the first; `folder` is that of the sweep, as seen from the page.
@@ -30,7 +30,7 @@ class SweepTable {
     struct Figure {
         std::string asset;
         std::string name;  // as in PreviewSweep
-        PageSweep::Column column;
+        PageTable::Column column;
     };
 
     const PreviewSweep& sweep_;

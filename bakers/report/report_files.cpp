@@ -200,8 +200,9 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
         const fs::path path = folder / name;
         std::error_code error;
         if (!fs::is_regular_file(path, error) || is_report_text(name, beginning_of(path))) continue;
-        // A PNG does not say who made it: it counts as a plan's if the plan's JSON is beside it.
-        if (has_plan && name.ends_with(".png")) continue;
+        // PNG files and pages do not say whether a plan made them: they count as a plan's if its JSON
+        // is beside them.
+        if (has_plan && (name.ends_with(".png") || name.ends_with(".html"))) continue;
         config::Diagnostic diagnostic = file_error(
             "E0303", path.string(),
             fmt::format("`{}` already exists, and is neither a report nor a plan of skybake",

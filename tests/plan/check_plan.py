@@ -1,8 +1,11 @@
 """Runs `skybake plan` on a small scene and reads all that it writes with independent parsers."""
 
+import base64
 import csv
 import json
 import pathlib
+import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -42,7 +45,7 @@ def main():
         run = plan("scene.toml", "--write", "planned.toml")
         assert run.returncode == 0, run.stderr
         out = folder / "plan"
-        assert sorted(path.name for path in out.iterdir()) == ["plan.csv", "plan.json", "plan.png", "plan.svg"]
+        assert sorted(path.name for path in out.iterdir()) == ["index.html", "plan.csv", "plan.json", "plan.png", "plan.svg"]
         for path in [*out.iterdir(), folder / "planned.toml"]:
             assert path.name in run.stderr, run.stderr
         root = xml.etree.ElementTree.parse(out / "plan.svg").getroot()
@@ -58,6 +61,18 @@ def main():
         for row, way in zip(rows, sky["ways"]):
             assert None not in row and None not in row.values(), row
             assert 0 < float(row["median"]) <= float(row["p90"]) == way["p90"] < 1, row
+
+        # The page has the chart, the pictures and all ways, the least error first.
+        page = (out / "index.html").read_text()
+        data = json.loads(re.search(r'id="preview">(.*?)</script>', page, re.DOTALL)[1])
+        [table] = data["tables"]
+        errors = [line["cells"][1]["value"] for line in table["rows"]]
+        wanted = sorted(way["p90"] for way in sky["ways"])
+        assert all(abs(a - b) < 0.05 * b for a, b in zip(errors, wanted, strict=True)), errors
+        assert [line["cells"][6]["text"] for line in table["rows"]].count("chosen") == 1
+        images = [base64.b64decode(image) for image in re.findall(r'src="data:image/png;base64,([^"]*)"', page)]
+        assert images[1] == (out / "plan.png").read_bytes() and len(images) == 2
+        assert (table["pictures"][1]["width"], table["pictures"][1]["height"]) == struct.unpack(">II", images[1][16:24])
 
         # The planned recipe is one, and bakes what was planned.
         bake = subprocess.run([program, "bake", "planned.toml", "-o", "baked", "--certify=off"],

@@ -154,6 +154,13 @@ TEST(LineChart, TakesAnyNumbers) {
     }));
 }
 
+TEST(ContactSheet, IsAsWideAsItsTitles) {
+    SheetBlock block{"short", {"one"}, {"row"}, {Picture(20, 20)}};
+    const int narrow = contact_sheet({block}).width;
+    block.title = std::string(60, 'm');
+    EXPECT_GT(contact_sheet({block}).width, narrow + 400);
+}
+
 TEST(ContactSheet, PlacesPicturesInRowsWithTheirCaptions) {
     const std::vector<Colour> colours = {{255, 0, 0}, {0, 255, 0}, {0, 0, 255}};
     std::vector<Picture> pictures;

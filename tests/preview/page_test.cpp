@@ -49,14 +49,15 @@ PreviewPage page_of(const std::string& name) {
     entry.error->worst = name;
     page.assets.push_back({std::move(entry), {picture(name)}, "<svg width=\"10\" height=\"20\"/>"});
     page.scenes.push_back({name, name, {picture("scene")}});
-    PageSweep sweep;
+    PageTable sweep;
+    sweep.title = name;
     sweep.content = name;
     sweep.pictures = {picture("sheet")};
     sweep.columns = {{name, "figure"}, {"text", ""}};
     sweep.variants = {
         {name, name + "/0000/", {{0.25, ""}, {std::nullopt, name}}, picture("variant")},
         {"", "", {{std::nullopt, ""}, {std::nullopt, ""}}, std::nullopt}};
-    page.sweep = std::move(sweep);
+    page.tables.push_back(std::move(sweep));
     return page;
 }
 
@@ -92,7 +93,7 @@ TEST(Page, SaysWhatItWasGiven) {
         EXPECT_EQ(data["assets"][0]["pictures"][0]["width"], 4);
         EXPECT_EQ(data["assets"][0]["pictures"][1]["height"], 20);  // of the plot
         EXPECT_EQ(data["scenes"][0]["title"], name);
-        const json& rows = data["sweep"]["rows"];
+        const json& rows = data["tables"][0]["rows"];
         EXPECT_EQ(rows[0]["cells"][0]["value"], 0.25);
         EXPECT_TRUE(rows[0]["cells"][0]["text"].is_null());
         EXPECT_EQ(rows[0]["cells"][1]["value"], name);

@@ -178,7 +178,7 @@ TEST(SweepTable, SaysWhatIsMeasuredOfWhat) {
     const PreviewSweep sweep = loaded(sweep_of({2}), "index,asset,texels_s\n1,air,2.5\n");
     const SweepTable table(sweep);
     std::string titles;  // "air", which varies, comes before "sun"
-    for (const PageSweep::Column& column : table.columns()) titles += column.title + "\n";
+    for (const PageTable::Column& column : table.columns()) titles += column.title + "\n";
     EXPECT_EQ(titles,
               "k0\nair: sky error, median\nair: sky error, 9 in 10\nair: sky error, max\n"
               "air: lookup error, max\nair: lookup error, RMS\nair: files\nair: texels\n"

@@ -1,0 +1,125 @@
+#include "cli/plan_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "bakers/plan/plan_files.h"
+#include "bakers/plot/chart.h"
+#include "bakers/preview/page.h"
+#include "bakers/report/measurement.h"
+
+namespace skybake::cli {
+
+using config::Outcome;
+
+namespace {
+
+// The first chunk of a PNG has its width and height, the most significant byte first.
+std::array<int, 2> png_size(std::string_view png) {
+    std::array<int, 2> size{};
+    for (std::size_t i = 0; i < 8 && 16 + i < png.size(); ++i) {
+        size[i / 4] = size[i / 4] * 256 + static_cast<unsigned char>(png[16 + i]);
+    }
+    return size;
+}
+
+PageVariant row_of(const Plan& plan, std::size_t index) {
+    const MeasuredWay& way = plan.ways[index];
+    const auto number = [](double value) { return PageVariant::Cell{value, ""}; };
+    return {full_name(way.way),
+            "",
+            {number(way.error.median),
+             number(way.figures.error),
+             number(way.error.max),
+             number(way.figures.fetches),
+             number(way.figures.bytes),
+             number(way.bake_s),
+             {std::nullopt, remark_of(plan, index)}},
+            std::nullopt};
+}
+
+// "RMS %" without its unit, which the numbers of a page have.
+std::string error_title(const Plan& plan) {
+    return "error, " + plan.words.column.substr(0, plan.words.column.rfind(' '));
+}
+
+std::string content_of(const Plan& plan) {
+    const MeasuredWay& chosen = plan.ways[plan.chosen];
+    std::string text =
+        fmt::format("{}: {}, {}. Errors: {}. Views: {}. Reference: {}; its standard error is {} %.",
+                    plan.keeps_limits ? "Chosen" : "Least error", full_name(chosen.way),
+                    figures_text(plan, chosen.figures), plan.words.meaning, plan.scene,
+                    plan.reference, to_percent(plan.ways.front().error.standard_error));
+    for (const std::string& note : plan.notes) text += " " + note;
+    return text;
+}
+
+Outcome<PageTable> table_of(const Plan& plan) {
+    const Picture chart = painted(drawing_of(plan_figure(plan)));
+    auto chart_bytes = png_bytes(chart);
+    if (!chart_bytes.value) return {{}, std::move(chart_bytes.diagnostics)};
+    PageTable table;
+    table.title = name_of(plan.subject);
+    table.title.front() = 'T';  // "the sky", "the cloud `cumulus`"
+    table.content = content_of(plan);
+    table.pictures.push_back({.name = "chart",
+                              .title = "Error against size and fetches",
+                              .caption = "The line joins the ways that no other way beats.",
+                              .width = chart.width,
+                              .height = chart.height,
+                              .png = std::move(*chart_bytes.value),
+                              .kind = PictureKind::plot,
+                              .titled = true});
+    const auto [width, height] = png_size(plan.sheet);
+    table.pictures.push_back({.name = "pictures",
+                              .title = "Pictures",
+                              .caption =
+                                  "By paths of light and by the best way of each family, with "
+                                  "the differences: red is brighter, blue darker.",
+                              .width = width,
+                              .height = height,
+                              .png = plan.sheet,
+                              .kind = PictureKind::scene});
+    table.columns = {{"error, median", "percent"},
+                     {error_title(plan), "percent"},
+                     {"error, max", "percent"},
+                     {"fetches", "number"},
+                     {"textures", "byteCount"},
+                     {"bake", "duration"},
+                     {"", ""}};
+    std::vector<std::size_t> order(plan.ways.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return plan.ways[i].figures.error; });
+    for (const std::size_t i : order) table.variants.push_back(row_of(plan, i));
+    return {std::move(table), {}};
+}
+
+}  // namespace
+
+std::string remark_of(const Plan& plan, std::size_t index) {
+    const MeasuredWay& way = plan.ways[index];
+    std::string remark = way.on_front ? "front" : "";
+    if (index == plan.knee) remark = "knee";
+    if (index == plan.chosen) remark = plan.keeps_limits ? "chosen" : "least error";
+    if (way.way.baseline.empty()) return remark;
+    return fmt::format("{}{}baseline: {}", remark, remark.empty() ? "" : ", ", way.way.baseline);
+}
+
+Outcome<std::string> plan_page(const std::vector<Plan>& plans, const std::string& title) {
+    PreviewPage page;
+    page.title = title;
+    for (const Plan& plan : plans) {
+        auto table = table_of(plan);
+        if (!table.value) return {{}, std::move(table.diagnostics)};
+        page.tables.push_back(std::move(*table.value));
+    }
+    return {page_html(page), {}};
+}
+
+}  // namespace skybake::cli
