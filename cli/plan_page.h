@@ -17,4 +17,7 @@ config::Outcome<std::string> plan_page(const std::vector<Plan>& plans, const std
 // Returns what a table says of a way: "chosen", "knee", "front", and of which baseline it is.
 std::string remark_of(const Plan& plan, std::size_t index);
 
+// Returns the JSON Schema of plan.json, which is plan_schema.json.
+std::string plan_schema();
+
 }  // namespace skybake::cli

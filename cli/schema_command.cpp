@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/console.h"
 #include "cli/events.h"
+#include "cli/plan_page.h"
 #include "config/text/text.h"
 
 namespace skybake::cli {
@@ -26,6 +27,7 @@ constexpr std::array schemas = {
     Schema{"manifest", manifest_schema},
     Schema{"sweep", [] { return std::string(sweep_schema()); }},
     Schema{"events", event_schema},
+    Schema{"plan", plan_schema},
 };
 
 ExitCode run_schema(const Invocation& invocation, Console& console) {
@@ -39,7 +41,7 @@ ExitCode run_schema(const Invocation& invocation, Console& console) {
         return ExitCode::done;
     }
     std::string label = config::did_you_mean(name, names);
-    if (label.empty()) label = "recipe, manifest, sweep or events";
+    if (label.empty()) label = "recipe, manifest, sweep, events or plan";
     return console.report(
         std::array{usage_error(fmt::format("there is no schema `{}`", name), label)});
 }
@@ -50,11 +52,11 @@ Command schema_command() {
     return {
         .name = "schema",
         .brief = "print JSON Schemas",
-        .summary = "print the JSON Schema of recipes, manifests, sweeps or the events of --json",
+        .summary = "print the JSON Schema of recipes, manifests, sweeps, plans or the events of --json",
         .arguments = {{.name = "what",
-                       .help = "recipe (default), manifest, sweep or events",
+                       .help = "recipe (default), manifest, sweep, events or plan",
                        .required = false,
-                       .choices = {"recipe", "manifest", "sweep", "events"}}},
+                       .choices = {"recipe", "manifest", "sweep", "events", "plan"}}},
         .examples = {{"skybake schema > recipe.schema.json", "serves an editor's TOML mode"},
                      {"skybake schema manifest", "describes manifest.json"}},
         .run = run_schema};

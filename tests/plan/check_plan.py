@@ -11,6 +11,11 @@ import sys
 import tempfile
 import xml.etree.ElementTree
 
+try:
+    import jsonschema
+except ImportError:
+    jsonschema = None
+
 SCENE = """
 preset = "earth_hillaire"
 [scene]
@@ -61,6 +66,13 @@ def main():
         for row, way in zip(rows, sky["ways"]):
             assert None not in row and None not in row.values(), row
             assert 0 < float(row["median"]) <= float(row["p90"]) == way["p90"] < 1, row
+
+        # It is as its schema says, and another text is not.
+        schema = json.loads(subprocess.run([program, "schema", "plan"], capture_output=True, check=True).stdout)
+        if jsonschema:
+            jsonschema.Draft202012Validator.check_schema(schema)
+            jsonschema.validate(result, schema)
+            assert not jsonschema.Draft202012Validator(schema).is_valid({**result, "subjects": [{**sky, "knee": -1}]})
 
         # The page has the chart, the pictures and all ways, the least error first.
         page = (out / "index.html").read_text()
