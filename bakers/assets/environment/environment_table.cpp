@@ -119,12 +119,6 @@ AccuracyRequest request_of_environment(const EnvironmentBake& bake,
     return request;
 }
 
-Image2<double> in_double(const Image2<float>& image) {
-    Image2<double> result(image.width, image.height, image.channels);
-    std::ranges::copy(image.texels, result.texels.begin());
-    return result;
-}
-
 // Makes what follows from the texels once they are known: the lights, the sun's disc and rough levels.
 class EnvironmentFinish {
   public:
@@ -160,7 +154,7 @@ class EnvironmentFinish {
         Image2<double> map = in_double(table.image());
         add_sun_points(sun, models_.layout(), map);
         table.range = {};
-        set_image(store_texels(map, table.pixel_type, table.range), table);
+        set_image(store_texels(map, table, table.range), table);
     }
 
     // Made of a table that does not yet hold the disc, whose light is added in closed form.
