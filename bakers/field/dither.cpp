@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "bakers/field/pixel_type.h"
+#include "config/sections/files.h"
 
 namespace skybake {
 namespace {
@@ -24,6 +25,9 @@ double offset_of(const std::array<int, 2>& texel, int channel) {
 }
 
 }  // namespace
+
+TexelRounding::TexelRounding(const config::AssetFiles& files)
+    : type(files.pixel_type), dithers(files.dither) {}
 
 float round_texel(double value, TexelRounding rounding, std::array<int, 2> texel, int channel) {
     const bool has_steps = config::unorm_types.contains(rounding.type);

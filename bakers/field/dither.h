@@ -4,7 +4,11 @@
 
 #include <array>
 
-#include "config/sections/files.h"
+#include "config/sections/pixel_types.h"
+
+namespace skybake::config {
+struct AssetFiles;
+}  // namespace skybake::config
 
 namespace skybake {
 
@@ -14,8 +18,7 @@ struct TexelRounding {
     bool dithers = false;
 
     TexelRounding(config::PixelType of) : type(of) {}
-    TexelRounding(const config::AssetFiles& files)
-        : type(files.pixel_type), dithers(files.dither) {}
+    TexelRounding(const config::AssetFiles& files);
 };
 
 // Returns the value of a channel of texel (x, y) as a file holds it. With dither, unorm types round a
