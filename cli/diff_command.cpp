@@ -77,15 +77,14 @@ void append(const std::vector<config::Diagnostic>& from, std::vector<config::Dia
     to.insert(to.end(), from.begin(), from.end());
 }
 
-// Compares a part of two files. A name tells parts apart.
-void compare_part(const fs::path& first, const fs::path& second, int part, const std::string& name,
-                  Comparison& comparison) {
-    auto a = ExrRows::open(first, part);
-    auto b = ExrRows::open(second, part);
-    append(a.diagnostics, comparison.diagnostics);
-    append(b.diagnostics, comparison.diagnostics);
-    if (!a.value || !b.value) return;
-    auto difference = skybake::compare_images(compared(*a.value), compared(*b.value));
+// Compares two images, which have been opened. A name tells them apart from others.
+template <class Image, class Compared>
+void compare_opened(config::Outcome<Image> first, config::Outcome<Image> second,
+                    const Compared& compared, const std::string& name, Comparison& comparison) {
+    append(first.diagnostics, comparison.diagnostics);
+    append(second.diagnostics, comparison.diagnostics);
+    if (!first.value || !second.value) return;
+    auto difference = skybake::compare_images(compared(*first.value), compared(*second.value));
     append(difference.diagnostics, comparison.diagnostics);
     if (!difference.value) return;
     comparison.files.push_back({name, "", std::move(*difference.value)});
@@ -104,13 +103,18 @@ void compare_images(const fs::path& first, const fs::path& second, Comparison& c
     }
     for (std::size_t i = 0; i < count; ++i) {
         const bool is_one = count == 1;
-        compare_part(first, second, static_cast<int>(i),
-                     is_one ? name : fmt::format("{}, part {}", name, (*parts.value)[i].name),
-                     comparison);
+        const auto part = static_cast<int>(i);
+        compare_opened(
+            ExrRows::open(first, part), ExrRows::open(second, part),
+            [](ExrRows& file) { return compared(file); },
+            is_one ? name : fmt::format("{}, part {}", name, (*parts.value)[i].name), comparison);
     }
 }
 
-// Compares files by their bytes, and those with grids by their values if the bytes differ.
+bool is_radiance(const fs::path& path) { return path.extension() == ".hdr"; }
+
+// Compares files by their bytes, and those with grids and Radiance pictures by their values if the bytes
+// differ.
 void compare_bytes(const fs::path& first, const fs::path& second, Comparison& comparison) {
     const auto a = fingerprint(first);
     const auto b = fingerprint(second);
@@ -124,11 +128,15 @@ void compare_bytes(const fs::path& first, const fs::path& second, Comparison& co
         append(difference.diagnostics, comparison.diagnostics);
         if (!difference.value) return;
         file.image = std::move(*difference.value);
+    } else if (!is_same && is_radiance(first) && is_radiance(second)) {
+        return compare_opened(
+            compared_radiance(first), compared_radiance(second),
+            [](const ComparedImage& image) { return image; }, file.name, comparison);
     } else if (a.value->bytes != b.value->bytes) {
         file.image.layout = fmt::format("{} bytes against {}", a.value->bytes, b.value->bytes);
     } else if (!is_same) {
         file.image.layout =
-            "the bytes differ; only values of EXR, VDB and NanoVDB files are compared";
+            "the bytes differ; only values of EXR, VDB, NanoVDB and HDR files are compared";
     }
     comparison.files.push_back(std::move(file));
 }

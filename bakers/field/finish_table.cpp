@@ -179,15 +179,12 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
 void add_levels(Baked& table) {
     std::shared_ptr<const VoxelSource> finer = table.levels.front().voxels;
     while (static_cast<int>(table.levels.size()) < table.mips) {
-        Level level = table.levels.back();
-        const MipSource means(finer, level.size);
-        level.size = next_mip_size(level.size);
-        Image2<float> image(level.size[0], level.size[1], table.image().channels);
+        const MipSource means(finer, table.levels.back().size);
+        const std::array<int, 3> size = next_mip_size(table.levels.back().size);
+        Image2<float> image(size[0], size[1], table.image().channels);
         fill_image(means, image);
-        finer = std::make_shared<DenseTexels>(image);
-        round_values(image.texels.data(), image.texels.size(), table.pixel_type);
-        level.voxels = std::make_shared<DenseTexels>(std::move(image));
-        table.levels.push_back(std::move(level));
+        add_level(in_double(image), table);
+        finer = std::make_shared<DenseTexels>(std::move(image));
     }
 }
 
@@ -273,7 +270,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
             return search_table(model, at_level, image, request.quick_search, options);
         };
         const TableSearch search =
-            smallest_table(model, *request.max_error, table.pixel_type, points, options, check);
+            smallest_table(model, *request.max_error, table, points, options, check);
         if (options.cancelled()) return outcome;
         if (!search.found) {
             outcome.diagnostics.push_back(failure(
@@ -307,7 +304,7 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
 
     if (options.cancelled()) return outcome;
     const Image2<double> values = bake_texels(model, level, size, options);
-    set_image(store_texels(values, table.pixel_type, table.range), table);
+    set_image(store_texels(values, table, table.range), table);
     if (options.cancelled()) return outcome;
     if (const auto problem = check_range(values, table, place_of, model)) {
         outcome.diagnostics.push_back(*problem);
@@ -355,7 +352,7 @@ void add_level(const Image2<double>& texels, Baked& table) {
     Level level = table.levels.back();
     level.size = {texels.width, texels.height, 1};
     RangeCounts range;
-    level.voxels = std::make_shared<DenseTexels>(store_texels(texels, table.pixel_type, range));
+    level.voxels = std::make_shared<DenseTexels>(store_texels(texels, table, range));
     table.levels.push_back(std::move(level));
 }
 

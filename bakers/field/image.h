@@ -2,6 +2,7 @@
 // coordinates.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -33,6 +34,12 @@ struct Image2 {
     T* texel(int x, int y) { return texels.data() + offset(x, y); }
     const T* texel(int x, int y) const { return texels.data() + offset(x, y); }
 };
+
+inline Image2<double> in_double(const Image2<float>& image) {
+    Image2<double> result(image.width, image.height, image.channels);
+    std::ranges::copy(image.texels, result.texels.begin());
+    return result;
+}
 
 // A picture of one channel that lies over a cloud's ground plan. Row-major, the picture's first row
 // first. Values are in [0, 1] and linear.

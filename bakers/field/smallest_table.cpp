@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "bakers/field/interpolation.h"
-#include "bakers/field/pixel_type.h"
 
 namespace skybake {
 
@@ -79,7 +78,7 @@ std::vector<PointIndex> all_points(const ReferencePoints& points) {
 }
 
 // Returns the error of one lookup. Only the four texels that the lookup needs are made.
-double lookup_error(const TableModel& model, const Candidate& candidate, config::PixelType type,
+double lookup_error(const TableModel& model, const Candidate& candidate, TexelRounding rounding,
                     const ReferencePoints& points, PointIndex index) {
     const PointRow& point = points.rows[index.row];
     const auto [width, height] = candidate.size;
@@ -93,7 +92,7 @@ double lookup_error(const TableModel& model, const Candidate& candidate, config:
     model.row(candidate.level, texel_coordinate(model.convention, up.second, height), x,
               texels.texel(0, 1));
     RangeCounts range;
-    const Image2<float> stored = store_texels(texels, type, range);
+    const Image2<float> stored = store_texels(texels, rounding, range, {across.first, up.first});
     std::vector<double> value(static_cast<std::size_t>(model.channels));
     bilinear(stored, (across.fraction + 0.5) / 2, (up.fraction + 0.5) / 2, value.data());
     double largest = 0;
@@ -121,7 +120,7 @@ PointIndex add_point(const TableModel& model, const FoundErrors& found, Referenc
 
 }  // namespace
 
-TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
+TableSearch smallest_table(const TableModel& model, double max_error, TexelRounding rounding,
                            ReferencePoints points, const BakeOptions& options,
                            const TableCheck& check) {
     // No table keeps within the bound if the kernel's error at that level exceeds it. If the
@@ -145,7 +144,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
         if (candidate.level < first || candidate.level > last) continue;
         double largest = 0;
         for (std::size_t k = 0; k < order.size() && largest <= max_error; ++k) {
-            const double error = lookup_error(model, candidate, type, points, order[k]);
+            const double error = lookup_error(model, candidate, rounding, points, order[k]);
             if (error <= largest) continue;
             largest = error;
             if (!(error <= max_error)) {
@@ -156,7 +155,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
         if (largest <= max_error && check) {
             RangeCounts range;
             const Image2<float> image = store_texels(
-                bake_texels(model, candidate.level, candidate.size, options), type, range);
+                bake_texels(model, candidate.level, candidate.size, options), rounding, range);
             if (options.cancelled()) break;
             const FoundErrors found = check(candidate.level, image);
             if (options.cancelled()) break;
@@ -175,7 +174,7 @@ TableSearch smallest_table(const TableModel& model, double max_error, config::Pi
     const Candidate largest_table = {{widths(model).back(), heights(model).back()}, levels - 1, 0};
     search.best = {largest_table.size, largest_table.level, 0};
     for (const PointIndex& index : order) {
-        const double error = lookup_error(model, largest_table, type, points, index);
+        const double error = lookup_error(model, largest_table, rounding, points, index);
         search.best.max_error = std::max(search.best.max_error, error);
     }
     return search;

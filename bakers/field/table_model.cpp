@@ -24,14 +24,22 @@ Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2
     return image;
 }
 
-Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
-                           RangeCounts& range) {
+Image2<float> store_texels(const Image2<double>& texels, TexelRounding rounding, RangeCounts& range,
+                           std::array<int, 2> first) {
     Image2<float> image(texels.width, texels.height, texels.channels);
-    for (std::size_t i = 0; i < texels.texels.size(); ++i) {
-        image.texels[i] = store(texels.texels[i], type, range);
+    for (int y = 0; y < texels.height; ++y) {
+        for (int x = 0; x < texels.width; ++x) {
+            for (int c = 0; c < texels.channels; ++c) {
+                const double value = texels.texel(x, y)[c];
+                const float nearest = store(value, rounding.type, range);
+                image.texel(x, y)[c] =
+                    rounding.dithers ? round_texel(value, rounding, {first[0] + x, first[1] + y}, c)
+                                     : nearest;
+            }
+        }
     }
-    if (type == config::PixelType::rgbe) {
-        round_values(image.texels.data(), image.texels.size(), type);
+    if (rounding.type == config::PixelType::rgbe) {
+        round_values(image.texels.data(), image.texels.size(), rounding.type);
     }
     return image;
 }

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "bakers/field/conventions.h"
+#include "bakers/field/dither.h"
 #include "bakers/field/image.h"
 #include "bakers/math/bake_options.h"
-#include "config/sections/pixel_types.h"
 
 namespace skybake {
 
@@ -61,8 +61,9 @@ double lookup_v(const TableModel& model, double y, int rows);
 Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2> size,
                            const BakeOptions& options);
 
-// Returns the texels rounded to the pixel type, and counts those that it holds inaccurately.
-Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
-                           RangeCounts& range);
+// Returns the texels rounded for a file, and counts those that its pixel type holds inaccurately.
+// `first` is the place in the table of an image that is a part of it.
+Image2<float> store_texels(const Image2<double>& texels, TexelRounding rounding, RangeCounts& range,
+                           std::array<int, 2> first = {0, 0});
 
 }  // namespace skybake

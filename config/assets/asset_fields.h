@@ -103,9 +103,11 @@ struct FileWords {
     std::string_view pixel_type = R"("half")";  // the default
     std::string_view flip = "false";            // the default; empty if other keys decide it
     std::string_view layout = R"("stack")";     // the default
+    bool dithers = false;                       // whether the key `dither` is offered
 };
 
-inline constexpr FileWords table_files = {.pixel_type = R"("float")"};
+inline constexpr FileWords table_files = {.pixel_type = R"("float")", .dithers = true};
+inline constexpr std::string_view stepped[] = {"unorm8", "unorm16"};
 
 inline constexpr Range packet_number_range{1, most_wavelengths / wavelengths_per_packet};
 
@@ -168,6 +170,12 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
          Default{R"("zstd")"}, Role::files},
     };
     rows.insert(rows.end(), std::begin(file_rows), std::end(file_rows));
+    if (words.dithers) {
+        rows.push_back({"dither", Kind::flag, &AssetFiles::dither,
+                        "whether neighbours are rounded up and down by turns, so that gradients "
+                        "show no bands; texels are then off by up to a step",
+                        When{"pixel_type", stepped}});
+    }
     return rows;
 }
 

@@ -32,6 +32,8 @@ constexpr Choice environment_mapping_choices[] = {
      "six square faces below each other: +x, -x, +y, -y, +z, -z, as GPUs have them"},
     {EnvironmentMapping::octahedral, "octahedral",
      "the sphere as an octahedron that is unfolded to a square, the zenith in its middle"},
+    {EnvironmentMapping::equal_area, "equal_area",
+     "such a square whose texels show equal areas of the sphere, as pbrt-v4 reads it"},
 };
 
 constexpr Choice environment_sun_choices[] = {
@@ -55,7 +57,7 @@ const Row<EnvironmentBake> environment_table[] = {
      environment_mapping_choices, Default{R"("longitude_latitude")"}},
     {"size", Kind::size, &EnvironmentBake::size,
      "texels of the image: around, and from the zenith to straight down; of a "
-     "cube [256, 1536] by default, of an octahedron [512, 512]",
+     "cube [256, 1536] by default, of a square [512, 512]",
      texel_range, Default{"[1024, 512]"}},
     {camera_altitude_field, &EnvironmentBake::altitude},
     {"sun_elevation", Kind::angle, &EnvironmentBake::sun_elevation,
@@ -129,7 +131,7 @@ struct EnvironmentResolver {
     // Returns how many squares the image is high, or 0 where it need not be made of squares.
     int squares() const {
         if (is("mapping", EnvironmentMapping::cube)) return 6;
-        return is("mapping", EnvironmentMapping::octahedral) ? 1 : 0;
+        return is("mapping", EnvironmentMapping::longitude_latitude) ? 0 : 1;
     }
 
     void resolve_size() const {

@@ -14,7 +14,7 @@
 namespace skybake::config {
 
 // The direction that a texel shows. A cube is a strip of six faces below each other.
-enum class EnvironmentMapping { longitude_latitude, cube, octahedral };
+enum class EnvironmentMapping { longitude_latitude, cube, octahedral, equal_area };
 
 // Whether texels hold the light of the sun's disc.
 enum class SunInMap { none, disc };

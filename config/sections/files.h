@@ -15,6 +15,7 @@ namespace skybake::config {
 struct AssetFiles {
     std::vector<FileFormat> formats = {FileFormat::exr};  // without duplicates
     PixelType pixel_type = PixelType::float32;
+    bool dither = false;                         // of tables: see bakers/field/dither.h
     SheetLayout layout = SheetLayout::stack;     // for images
     int columns = 0;                             // for an atlas; 0: chosen by slice_sheet
     bool flip = false;                           // for images: the last row is stored first

@@ -76,8 +76,8 @@ TargetUse volumes_of(std::vector<FileFormat> formats, Words sidecars) {
 }
 
 // The sky as a panorama of renderers.
-TargetUse panorama_of(Words sidecars) {
-    TargetUse use = sky_of(FileFormat::exr, std::move(sidecars), {panorama}, {upright, lights});
+TargetUse panorama_of(Words sidecars, std::string_view mapping = panorama) {
+    TargetUse use = sky_of(FileFormat::exr, std::move(sidecars), {mapping}, {upright, lights});
     use.pixel_type = {};
     return use;
 }
@@ -109,6 +109,8 @@ std::vector<TargetFacts> make_targets() {
     frames.mappings = {"frames"};  // SubUV materials play sheets
     TargetUse stages = volumes_of({FileFormat::vdb, FileFormat::usda}, {});
     stages.written = 2;
+    TargetUse equal_areas = panorama_of({"*.pbrt"}, "equal_area");
+    equal_areas.light_channels = 3;
     return {
         {Target::three,
          "three",
@@ -196,8 +198,8 @@ std::vector<TargetFacts> make_targets() {
          {volumes_of({FileFormat::vol}, {"*.mitsuba.xml"}), panorama_of({"*.mitsuba.xml"})}},
         {Target::pbrt,
          "pbrt",
-         "pbrt-v4: NanoVDB grids, with parts of scenes",
-         {volumes_of({FileFormat::nvdb}, {"*.pbrt"})}},
+         "pbrt-v4: NanoVDB grids and EXR environments, with parts of scenes",
+         {volumes_of({FileFormat::nvdb}, {"*.pbrt"}), equal_areas}},
         {Target::cosmoscout,
          "cosmoscout",
          "CosmoScout VR: TIFF textures for Bruneton's model of csp-atmospheres, with its metadata",

@@ -53,12 +53,7 @@ vec4 environment_octahedral_texel(sampler2D table, float x, float y) {  // beyon
     return texture(table, vec2(0.5 + 0.5 * of_x, 0.5 + 0.5 * in_y));
 }
 
-vec4 environment_octahedral_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
-    vec3 v = environment_view(dir, up, ahead);
-    float s = abs(v.x) + abs(v.y) + abs(v.z);
-    float x = v.x / s, y = -v.z / s;
-    float across = v.y < 0.0 ? (x < 0.0 ? -1.0 : 1.0) * (1.0 - abs(y)) : x;
-    float down = v.y < 0.0 ? (y < 0.0 ? -1.0 : 1.0) * (1.0 - abs(x)) : y;
+vec4 environment_square_of_4(sampler2D table, float across, float down) {           // from -1 to 1
     float n = float(textureSize(table, 0).x), next = 2.0 / n;
     float column = (0.5 + 0.5 * across) * n - 0.5, row = (0.5 + 0.5 * down) * n - 0.5;
     float left = (floor(column) + 0.5) * next - 1.0, top = (floor(row) + 0.5) * next - 1.0;
@@ -69,6 +64,28 @@ vec4 environment_octahedral_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead)
     return mix(above, below, row - floor(row));
 }
 
+vec4 environment_octahedral_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    vec3 v = environment_view(dir, up, ahead);
+    float s = abs(v.x) + abs(v.y) + abs(v.z);
+    float x = v.x / s, y = -v.z / s;
+    float across = v.y < 0.0 ? (x < 0.0 ? -1.0 : 1.0) * (1.0 - abs(y)) : x;
+    float down = v.y < 0.0 ? (y < 0.0 ? -1.0 : 1.0) * (1.0 - abs(x)) : y;
+    return environment_square_of_4(table, across, down);
+}
+
 vec3 environment_octahedral(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
     return vec3(environment_octahedral_of_4(table, dir, up, ahead));
+}
+
+vec4 environment_equal_area_of_4(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    const float PI = 3.14159265;
+    vec3 v = environment_view(dir, up, ahead);
+    float level = length(vec2(v.x, v.z)), r = level / sqrt(1.0 + abs(v.y));
+    float b = level > 0.0 ? r * atan(abs(v.x), abs(v.z)) * 2.0 / PI : 0.0, a = r - b;
+    float across = v.y < 0.0 ? 1.0 - b : a, down = v.y < 0.0 ? 1.0 - a : b;
+    return environment_square_of_4(table, v.z < 0.0 ? -across : across, v.x < 0.0 ? down : -down);
+}
+
+vec3 environment_equal_area(sampler2D table, vec3 dir, vec3 up, vec3 ahead) {
+    return vec3(environment_equal_area_of_4(table, dir, up, ahead));
 }

@@ -156,6 +156,27 @@ TEST(DiffCommand, ShowsWhereValuesDiffer) {
     EXPECT_EQ(document["files"][1]["channels"][1]["max_absolute"], 0.5);
 }
 
+// Rows of fewer than 8 texels are four bytes of each: R, G, B and the exponent plus 128.
+TEST(DiffCommand, ComparesRadiancePicturesByValue) {
+    const testing::TemporaryFolder folder;
+    const auto picture = [&](const char* name, char green, const std::string& behind) {
+        const std::string texels = {64, 64, 64, char(129), 64, green, 32, char(129),
+                                    32, 0,  1,  char(128), 0,  0,     0,  0};
+        testing::write_bytes(folder / name,
+                             "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 2 +X 2\n" + texels + behind);
+        return (folder / name).string();
+    };
+    const std::string first = picture("a.hdr", 64, "");
+    EXPECT_EQ(run_words({"diff", first, picture("same.hdr", 64, "a comment")}).code, 0);
+    const Result result = run_words({"diff", first, picture("b.hdr", 96, "")});
+    EXPECT_EQ(result.code, 1);
+    expect_has(result.out, {"b.hdr: differs", "G        0.25", "column 1, row 0"});
+    EXPECT_EQ(result.out.find("column 1, row 0"), result.out.rfind("column 1, row 0"));
+    EXPECT_EQ(run_words({"diff", first, picture("b.hdr", 96, ""), "--tolerance", "0.25"}).code, 0);
+    testing::write_bytes(folder / "short.hdr", testing::read_bytes(first).substr(0, 60));
+    EXPECT_EQ(run_words({"diff", first, (folder / "short.hdr").string()}).code, 3);
+}
+
 TEST(DiffCommand, MetadataCountsOnRequest) {
     const Pair pair;
     pair.change([](ExrImage& image) {

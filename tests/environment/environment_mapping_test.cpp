@@ -101,6 +101,11 @@ TEST(EnvironmentMapping, LooksAheadInTheMiddle) {
     EXPECT_LT(glm::length(square.direction(0, 0.5, 0) - glm::dvec3(0, 0, 1)), 1e-15);
     EXPECT_LT(glm::length(square.direction(0, 1, 0.5) - glm::dvec3(1, 0, 0)), 1e-15);
     EXPECT_LT(glm::length(square.direction(0, 1, 1) - glm::dvec3(0, -1, 0)), 1e-15);
+    const EnvironmentLayout pbrt(EnvironmentMapping::equal_area, {8, 8});
+    EXPECT_LT(glm::length(pbrt.direction(0, 0.5, 0.5) - glm::dvec3(0, 1, 0)), 1e-15);
+    EXPECT_LT(glm::length(pbrt.direction(0, 1, 0.5) - glm::dvec3(0, 0, 1)), 1e-15);
+    EXPECT_LT(glm::length(pbrt.direction(0, 0.5, 0) - glm::dvec3(1, 0, 0)), 1e-15);
+    EXPECT_LT(glm::length(pbrt.direction(0, 1, 1) - glm::dvec3(0, -1, 0)), 1e-15);
 }
 
 // Table 8.19 of the specification of OpenGL 4.6: of each face the major axis and what sc and tc are.

@@ -31,6 +31,9 @@ inline const std::vector<MappingCase> kMappingCases = {
     {EnvironmentMapping::octahedral, {16, 16}},
     {EnvironmentMapping::octahedral, {9, 9}},
     {EnvironmentMapping::octahedral, {1, 1}},
+    {EnvironmentMapping::equal_area, {16, 16}},
+    {EnvironmentMapping::equal_area, {9, 9}},
+    {EnvironmentMapping::equal_area, {1, 1}},
 };
 
 // Directions spread evenly over the sphere, none of them on an edge of a mapping: a spiral.

@@ -21,6 +21,7 @@
 #include "bakers/io/formats/texture.h"
 #include "tests/fuzz/properties.h"
 #include "tests/support/volumes.h"
+#include "tests/support/zipped_nvdb.h"
 
 namespace skybake {
 namespace {
@@ -88,6 +89,12 @@ Sample sample_of(FileFormat format, PixelType type, int channels, int levels, bo
                      is_compressed);
 }
 
+Sample zipped_nvdb() {
+    Sample sample = sample_of(FileFormat::nvdb, PixelType::float32, 1, 1, false);
+    sample.bytes = testing::zipped_nvdb(sample.bytes);
+    return sample;
+}
+
 Sample cube_of(FileFormat format, bool is_compressed) {
     Baked cube = testing::plain_volume({4, 24, 1}, 3, PixelType::half);
     cube.axes.resize(2);
@@ -118,7 +125,8 @@ const std::vector<Sample>& samples() {
         sample_of(FileFormat::f32, PixelType::float32, 3, 1, false),
         cube_of(FileFormat::dds, false),
         cube_of(FileFormat::ktx2, false),
-        cube_of(FileFormat::ktx2, true)};
+        cube_of(FileFormat::ktx2, true),
+        zipped_nvdb()};
     return all;
 }
 

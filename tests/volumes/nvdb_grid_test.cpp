@@ -278,10 +278,10 @@ TEST(NvdbGrid, MayBeOfLaterReleases) {
     testing::write_bytes(folder / "v.nvdb", bytes);
     const FileVoxels file = opened(folder / "v.nvdb");
     expect_accessors_voxels<float>(handle, file, {file.first, file.size});
-    bytes[14] = 1;  // the codec
+    bytes[14] = 2;  // the codec
     testing::write_bytes(folder / "v.nvdb", bytes);
     EXPECT_TRUE(
-        problem_of(folder / "v.nvdb").starts_with("it is compressed by zip; `nanovdb_convert"));
+        problem_of(folder / "v.nvdb").starts_with("it is compressed by blosc; `nanovdb_convert"));
     testing::write_bytes(folder / "v.nvdb", bytes.substr(grid));
     EXPECT_EQ(problem_of(folder / "v.nvdb"), "it is a grid without a file's head");
 }

@@ -120,6 +120,8 @@ LookupWords lookup_words(const EnvironmentBake& asset) {
             return {"environment_cube", "ahead"};
         case EnvironmentMapping::octahedral:
             return {"environment_octahedral", "ahead"};
+        case EnvironmentMapping::equal_area:
+            return {"environment_equal_area", "ahead"};
         default:
             return {"environment", looks_to_the_sun(asset) ? "sun" : "ahead"};
     }

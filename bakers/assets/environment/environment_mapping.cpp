@@ -67,6 +67,34 @@ glm::dvec3 on_octahedron(double right, double ahead) {
     return {sign_of(right) * (1 - std::fabs(ahead)), up, sign_of(ahead) * (1 - std::fabs(right))};
 }
 
+// The direction at a place of the octahedron's square of equal areas.
+glm::dvec3 on_equal_areas(double ahead, double right) {
+    fold_back(ahead, right);
+    fold_back(right, ahead);
+    const double above = 1 - std::fabs(ahead) - std::fabs(right);
+    const double r = 1 - std::fabs(above);
+    const double share = r == 0 ? 1 : (std::fabs(right) - std::fabs(ahead)) / r + 1;
+    const SineCosine around = sine_and_cosine(std::numbers::pi / 4 * share);
+    const double level = r * std::sqrt(2 - r * r);
+    return {sign_of(right) * level * around.sine, sign_of(above) * (1 - r * r),
+            sign_of(ahead) * level * around.cosine};
+}
+
+// Where a direction is in that square: ahead and right.
+std::array<double, 2> at_equal_area(const glm::dvec3& direction) {
+    const glm::dvec3 unit = glm::normalize(direction);
+    const double level = std::sqrt(unit.x * unit.x + unit.z * unit.z);
+    const double r = level / std::sqrt(1 + std::fabs(unit.y));  // sqrt(1 - |up|), with all digits
+    double right = r * angle_of(std::fabs(unit.x), std::fabs(unit.z)) * 2 / std::numbers::pi;
+    double ahead = r - right;
+    if (unit.y < 0) {
+        right = 1 - right;
+        ahead = 1 - ahead;
+        std::swap(right, ahead);
+    }
+    return {sign_of(unit.z) * ahead, sign_of(unit.x) * right};
+}
+
 // The solid angle of a triangle of three vectors of any length (Van Oosterom & Strackee 1983).
 double solid_angle_of_triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     a = glm::normalize(a);
@@ -137,6 +165,8 @@ glm::dvec3 EnvironmentLayout::direction(int part, double x, double y) const {
             return glm::normalize(on_face(part, 2 * x - 1, 2 * y - 1));
         case EnvironmentMapping::octahedral:
             return glm::normalize(on_octahedron(2 * x - 1, 1 - 2 * y));
+        case EnvironmentMapping::equal_area:
+            return on_equal_areas(2 * x - 1, 1 - 2 * y);
         default:
             return direction_of_angles(
                 {2 * std::numbers::pi * (x - 0.5), std::numbers::pi * (0.5 - y)});
@@ -147,6 +177,7 @@ double EnvironmentLayout::density(double x, double y) const {
     if (mapping_ == EnvironmentMapping::longitude_latitude) {
         return std::fabs(sine_and_cosine(std::numbers::pi * (0.5 - y)).cosine);
     }
+    if (mapping_ == EnvironmentMapping::equal_area) return 1;
     const glm::dvec3 p = mapping_ == EnvironmentMapping::cube ? on_face(0, 2 * x - 1, 2 * y - 1)
                                                               : on_octahedron(2 * x - 1, 1 - 2 * y);
     const double square = glm::dot(p, p);
@@ -159,6 +190,9 @@ double EnvironmentLayout::solid_angle(int, int column, int row) const {
     const int rows = size[1];
     if (mapping_ == EnvironmentMapping::octahedral) {
         return solid_angle_on_octahedron(columns, column, row);
+    }
+    if (mapping_ == EnvironmentMapping::equal_area) {
+        return 4 * std::numbers::pi / (double{1} * columns * rows);
     }
     if (mapping_ == EnvironmentMapping::longitude_latitude) {
         const auto sine_at = [&](int edge) {
@@ -183,6 +217,10 @@ EnvironmentLayout::At EnvironmentLayout::at(const glm::dvec3& direction) const {
         const MapAngles angles = angles_of(direction);
         return {0, 0.5 + angles.azimuth / (2 * std::numbers::pi),
                 0.5 - angles.elevation / std::numbers::pi};
+    }
+    if (mapping_ == EnvironmentMapping::equal_area) {
+        const std::array<double, 2> place = at_equal_area(direction);
+        return {0, 0.5 + 0.5 * place[0], 0.5 - 0.5 * place[1]};
     }
     const double length = std::fabs(direction.x) + std::fabs(direction.y) + std::fabs(direction.z);
     double right = direction.x / length;

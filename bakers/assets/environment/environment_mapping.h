@@ -11,6 +11,11 @@
 //                       s = |right| + |up| + |ahead|; the lower half is folded out over the four
 //                       edges of that square (Cigolle et al. 2014, "A Survey of Efficient
 //                       Representations for Independent Unit Vectors")
+//   equal_area          2 x - 1 = ahead', 1 - 2 y = right' for up >= 0, with r = sqrt(1 - up),
+//                       |right'| = r (2 / pi) atan(|right| / |ahead|), |ahead'| = r - |right'|; the
+//                       lower half is folded out likewise. These are the images of pbrt-v4, with x
+//                       straight ahead, y to the left and z up (Clarberg 2008, "Fast Equal-Area
+//                       Mapping of the (Hemi)Sphere using SIMD")
 #pragma once
 
 #include <array>
@@ -36,7 +41,7 @@ MapAngles angles_of(const glm::dvec3& direction);
 
 class EnvironmentLayout {
   public:
-    // `size` is that of the image: of a cube n x 6 n, of an octahedron n x n.
+    // `size` is that of the image: of a cube n x 6 n, of an octahedron, in either mapping, n x n.
     EnvironmentLayout(config::EnvironmentMapping mapping, std::array<int, 2> size);
 
     config::EnvironmentMapping mapping() const { return mapping_; }

@@ -60,6 +60,17 @@ std::array<AxisMapping, 2> axes_of_environment(const EnvironmentBake& bake) {
                        "|right| / s) / 2",
                        "end points on texture edges", 1, -1};
             break;
+        case EnvironmentMapping::equal_area:
+            axes[0] = {
+                "ahead",
+                "u = 1/2 + sign(ahead) a / 2, r = sqrt(1 - |up|), b = r (2 / pi) atan(|right| / "
+                "|ahead|), a = r - b; below the horizontal u = 1/2 + sign(ahead) (1 - b) / 2",
+                "end points on texture edges", -1, 1};
+            axes[1] = {"right",
+                       "v = 1/2 - sign(right) b / 2; below the horizontal v = 1/2 - sign(right) "
+                       "(1 - a) / 2",
+                       "end points on texture edges", 1, -1};
+            break;
         default:
             axes[0] = {"azimuth_deg",
                        looks_to_the_sun(bake)
@@ -75,7 +86,7 @@ std::array<AxisMapping, 2> axes_of_environment(const EnvironmentBake& bake) {
     return axes;
 }
 
-constexpr const char* kMappingWords[] = {"longitude_latitude", "cube", "octahedral"};
+constexpr const char* kMappingWords[] = {"longitude_latitude", "cube", "octahedral", "equal_area"};
 
 void describe_environment(const EnvironmentBake& bake, const SkyViewCamera& camera,
                           const Shell& shell, Baked& table) {
@@ -119,12 +130,6 @@ AccuracyRequest request_of_environment(const EnvironmentBake& bake,
     return request;
 }
 
-Image2<double> in_double(const Image2<float>& image) {
-    Image2<double> result(image.width, image.height, image.channels);
-    std::ranges::copy(image.texels, result.texels.begin());
-    return result;
-}
-
 // Makes what follows from the texels once they are known: the lights, the sun's disc and rough levels.
 class EnvironmentFinish {
   public:
@@ -160,7 +165,7 @@ class EnvironmentFinish {
         Image2<double> map = in_double(table.image());
         add_sun_points(sun, models_.layout(), map);
         table.range = {};
-        set_image(store_texels(map, table.pixel_type, table.range), table);
+        set_image(store_texels(map, table, table.range), table);
     }
 
     // Made of a table that does not yet hold the disc, whose light is added in closed form.

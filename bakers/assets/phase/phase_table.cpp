@@ -63,13 +63,13 @@ PhaseSpacing best_spacing(const PhaseSource& source, const PhaseBake& bake,
         double cost = 0;
         if (bake.max_error) {
             const TableSearch search =
-                smallest_table(model, *bake.max_error, bake.pixel_type, points, options);
+                smallest_table(model, *bake.max_error, bake, points, options);
             // Spacings that do not get there are told apart by how far they come.
             cost = search.found ? search.found->size[0] : 1e6 * (1 + search.best.max_error);
         } else {
             RangeCounts range;
-            const Image2<float> image = store_texels(bake_texels(model, 0, {bake.size, 1}, options),
-                                                     bake.pixel_type, range);
+            const Image2<float> image =
+                store_texels(bake_texels(model, 0, {bake.size, 1}, options), bake, range);
             cost = measure_lookups(model, image, points).figures.max;
         }
         if (cost < least) {

@@ -10,6 +10,7 @@
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/hdr/hdr.h"
 
 namespace skybake {
 namespace {
@@ -126,6 +127,16 @@ ComparedImage compared(ExrRows& file) {
     const ExrFacts& facts = file.facts();
     return {rows_of(file), facts.channel_names, facts.pixel_type,
             facts.codec,   facts.attributes,    facts.window};
+}
+
+config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path) {
+    config::Outcome<HdrPicture> picture = read_hdr_picture(path);
+    if (!picture.value) return {{}, std::move(picture.diagnostics)};
+    ComparedImage image{std::move(picture.value->rows), {"R", "G", "B"}, config::PixelType::rgbe};
+    if (const std::string& entry = picture.value->entry; !entry.empty()) {
+        image.attributes.emplace_back(metadata_name, entry);
+    }
+    return {std::move(image), {}};
 }
 
 config::Outcome<ImageDifference> compare_images(const ComparedImage& first,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -85,6 +86,9 @@ struct ComparedImage {
 
 // Makes an open EXR file comparable. The result refers to `file`, which must not be moved.
 ComparedImage compared(ExrRows& file);
+
+// Reads a Radiance picture into memory.
+config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path);
 
 // Reads both images once, row by row. Diagnostics come from the row sources.
 config::Outcome<ImageDifference> compare_images(const ComparedImage& first,

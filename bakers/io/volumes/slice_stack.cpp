@@ -42,7 +42,7 @@ Outcome<MapPixels> read_slice(const fs::path& path, const std::string& channel,
     const auto parts = read_exr_heads(path);
     const std::string subsampled = parts.value ? subsampled_channel(*parts.value) : "";
     if (!subsampled.empty()) return {{}, {not_a_slice(path, subsampled)}};
-    MapPixels pixels = loaded.codec->read(path, channel);
+    MapPixels pixels = loaded.codec->read(path, channel, 1);
     if (!pixels.problem.empty()) return {{}, {not_a_slice(path, pixels.problem)}};
     if (pixels.values.empty()) {
         return {{},

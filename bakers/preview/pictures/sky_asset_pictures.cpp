@@ -148,7 +148,7 @@ std::string_view environment_layout(EnvironmentMapping mapping) {
     if (mapping == EnvironmentMapping::cube) {
         return ", with the faces right, left, up, down, ahead and behind from the top";
     }
-    if (mapping == EnvironmentMapping::octahedral) {
+    if (mapping != EnvironmentMapping::longitude_latitude) {
         return ", with the zenith in the middle and straight down in the corners";
     }
     return ", with straight ahead in the middle";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -96,33 +97,40 @@ Outcome<bool> read_hdr_file(const fs::path& path, const FileShape& shape, int,
                             const VoxelVisitor& visit) {
     const Outcome<FileFacts> facts = inspect_hdr(path);
     if (!facts.value) return {{}, facts.diagnostics};
-    const auto size = image_size(shape.size, shape.grid);
-    if (facts.value->image_size != size || shape.channels != 3 ||
+    if (facts.value->image_size != image_size(shape.size, shape.grid) || shape.channels != 3 ||
         shape.pixel_type != PixelType::rgbe) {
         return {{}, {other_size(path)}};
     }
-    const LoadedCodec<ImageCodec>& loaded = image_codec();
-    if (loaded.codec == nullptr) return {{}, {file_error("E0300", path.string(), loaded.reason)}};
-    std::array<MapPixels, 3> planes;
-    for (std::size_t c = 0; c < planes.size(); ++c) {
-        planes[c] = loaded.codec->read(path, std::string(1, "RGB"[c]));
-        const std::string& problem = planes[c].problem;
-        if (!problem.empty()) return {{}, {damaged_file(path, "Radiance", problem)}};
-    }
-    const auto width = static_cast<std::size_t>(size[0]);
-    const auto read = [&](int first, int count,
-                          float* texels) -> std::optional<config::Diagnostic> {
-        const std::size_t from = static_cast<std::size_t>(first) * width;
-        for (std::size_t i = from; i < from + static_cast<std::size_t>(count) * width; ++i) {
-            for (const MapPixels& plane : planes) *texels++ = plane.values[i];
-        }
-        return std::nullopt;
-    };
-    return read_sheet({static_cast<int>(size[0]), static_cast<int>(size[1]), 3, 16, read},
-                      shape.size, shape.grid, visit);
+    const Outcome<HdrPicture> picture = read_hdr_picture(path);
+    if (!picture.value) return {{}, picture.diagnostics};
+    return read_sheet(picture.value->rows, shape.size, shape.grid, visit);
 }
 
 }  // namespace
+
+Outcome<HdrPicture> read_hdr_picture(const fs::path& path) {
+    Outcome<FileInput> file = FileInput::open(path);
+    if (!file.value) return {{}, std::move(file.diagnostics)};
+    const LoadedCodec<ImageCodec>& loaded = image_codec();
+    if (loaded.codec == nullptr) return {{}, {file_error("E0300", path.string(), loaded.reason)}};
+    const auto pixels = std::make_shared<const MapPixels>(loaded.codec->read(path, "R", 3));
+    if (!pixels->problem.empty() || pixels->values.empty()) {
+        return {{},
+                {damaged_file(
+                    path, "Radiance",
+                    pixels->problem.empty() ? "it has no channels R, G and B" : pixels->problem)}};
+    }
+    const std::size_t row = 3 * static_cast<std::size_t>(pixels->width);
+    const auto read = [pixels, row](int first, int count,
+                                    float* texels) -> std::optional<config::Diagnostic> {
+        std::copy_n(&pixels->values[static_cast<std::size_t>(first) * row],
+                    static_cast<std::size_t>(count) * row, texels);
+        return std::nullopt;
+    };
+    return {HdrPicture{{pixels->width, pixels->height, 3, 16, read},
+                       entry_behind(*file.value).value_or("")},
+            {}};
+}
 
 Format hdr_format() {
     return {.format = config::FileFormat::hdr,

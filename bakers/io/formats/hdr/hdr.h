@@ -13,4 +13,11 @@ namespace skybake {
 
 Format hdr_format();
 
+// A picture of any program, held in memory, and the asset's entry behind it, or "".
+struct HdrPicture {
+    RowSource rows;  // R, G and B
+    std::string entry;
+};
+config::Outcome<HdrPicture> read_hdr_picture(const std::filesystem::path& path);
+
 }  // namespace skybake

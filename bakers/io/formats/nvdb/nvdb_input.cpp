@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
+#include <new>
 #include <optional>
 
 #include "bakers/field/leaf_codes.h"
 #include "bakers/io/formats/format.h"
+#include "bakers/io/formats/nvdb/nvdb_zip.h"
 
 namespace skybake {
 namespace {
@@ -13,6 +16,11 @@ namespace {
 constexpr std::uint16_t most_grids = 64;
 constexpr std::uint32_t most_name = 4096;             // bytes
 constexpr std::uint64_t most_description = 64 << 20;  // bytes
+constexpr std::uint16_t zip_codec = 1;
+constexpr std::uint64_t most_inflated = std::uint64_t{4} << 30;  // bytes of a grid
+constexpr std::uint64_t most_deflated = 1032;  // no byte of a deflated stream makes more than these
+// Grids that are compressed are read from beyond the end of any file.
+constexpr std::uint64_t inflated_at = std::uint64_t{1} << 62;
 constexpr const char* nvdb_way_on =
     "`nanovdb_convert FILE.nvdb FILE.vdb` makes an OpenVDB file of it, for format = \"vdb\"";
 
@@ -21,6 +29,14 @@ constexpr const char* nvdb_way_on =
 NvdbInput::NvdbInput(FileInput file) : file_(std::move(file)) { read_heads(); }
 
 void NvdbInput::read(std::uint64_t offset, void* bytes, std::size_t count) {
+    const auto next = inflated_.upper_bound(offset);
+    if (next != inflated_.begin()) {
+        const auto& [begin, grid] = *std::prev(next);
+        const std::uint64_t at = offset - begin;
+        expect_nvdb(at <= grid.second && count <= grid.second - at, "it ends early");
+        std::memcpy(bytes, grid.first.get() + at, count);
+        return;
+    }
     const auto done = file_.read(offset, static_cast<char*>(bytes), count);
     expect_nvdb(done && *done == count, "it ends early");
 }
@@ -53,9 +69,13 @@ std::uint64_t NvdbInput::read_segment(std::uint64_t offset) {
     for (int i = 0; i < segment.grids; ++i) offset = read_head(offset);
     for (std::size_t i = first; i < grids_.size(); ++i) {
         grids_[i].begin = offset;
-        if (segment.codec != 0) {
+        if (segment.codec == zip_codec) {
+            grids_[i].zipped = offset;
+            grids_[i].begin = inflated_at + i * 2 * most_inflated;
+        } else if (segment.codec != 0) {
+            const bool is_blosc = segment.codec == 2;
             grids_[i].unread = fmt::format("it is compressed by {}; {}",
-                                           segment.codec == 1 ? "zip" : "blosc", nvdb_way_on);
+                                           is_blosc ? "blosc" : "an unknown codec", nvdb_way_on);
         }
         const NvdbGridHead& head = grids_[i].head;
         const std::uint64_t bytes = segment.codec == 0 ? head.grid_size : head.file_size;
@@ -80,10 +100,9 @@ std::uint64_t NvdbInput::read_head(std::uint64_t offset) {
 }
 
 std::string nvdb_type_name(nanovdb::GridType type) {
-    constexpr std::array names = {"unknown", "float", "double", "int16",  "int32", "int64",
-                                  "vec3f",   "vec3d", "mask",   "half",   "uint32", "bool",
-                                  "rgba8",   "fp4",   "fp8",    "fp16",   "fpN",    "vec4f",
-                                  "vec4d",   "index"};
+    constexpr std::array names = {"unknown", "float", "double", "int16",  "int32", "int64", "vec3f",
+                                  "vec3d",   "mask",  "half",   "uint32", "bool",  "rgba8", "fp4",
+                                  "fp8",     "fp16",  "fpN",    "vec4f",  "vec4d", "index"};
     const auto number = static_cast<std::size_t>(type);
     return number < names.size() ? names[number] : fmt::format("type {}", number);
 }
@@ -94,12 +113,31 @@ nanovdb::GridData NvdbInput::grid_data(const NvdbGrid& grid) {
         throw NvdbDamage{fmt::format("its grid `{}` holds {}; {}", grid.name,
                                      nvdb_type_name(grid.head.type), nvdb_way_on)};
     }
+    if (grid.zipped != 0 && !inflated_.contains(grid.begin)) inflate(grid);
     const auto data = read<nanovdb::GridData>(grid.begin);
     const bool is_known = data.mMagic == nvdb_magic || data.mMagic == nvdb_new_grid_magic;
-    expect_nvdb(is_known && data.mGridType == grid.head.type &&
-                    data.mGridSize == grid.head.grid_size,
-                "a grid contradicts its head");
+    expect_nvdb(
+        is_known && data.mGridType == grid.head.type && data.mGridSize == grid.head.grid_size,
+        "a grid contradicts its head");
     return data;
+}
+
+// A compressed grid is the length of a stream of zlib, and the stream.
+void NvdbInput::inflate(const NvdbGrid& grid) try {
+    const NvdbGridHead& head = grid.head;
+    expect_nvdb(head.file_size > sizeof(std::uint64_t) &&
+                    read<std::uint64_t>(grid.zipped) == head.file_size - sizeof(std::uint64_t),
+                "a compressed grid contradicts its head");
+    expect_nvdb(head.grid_size <= most_inflated, "a compressed grid is larger than 4 GiB");
+    expect_nvdb(head.grid_size / most_deflated <= head.file_size,
+                "a compressed grid is too short for its size");
+    std::string stream(head.file_size - sizeof(std::uint64_t), '\0');
+    read(grid.zipped + sizeof(std::uint64_t), stream.data(), stream.size());
+    auto bytes = inflated_stream(stream, head.grid_size);
+    expect_nvdb(bytes != nullptr, "a compressed grid is damaged");
+    inflated_.emplace(grid.begin, std::pair(std::move(bytes), head.grid_size));
+} catch (const std::bad_alloc&) {
+    throw NvdbDamage{"a compressed grid does not fit in memory"};
 }
 
 std::uint64_t NvdbInput::root_of(const NvdbGrid& grid) {
@@ -114,7 +152,7 @@ std::uint64_t NvdbInput::root_of(const NvdbGrid& grid) {
 
 std::string NvdbInput::description() {
     const NvdbGrid& grid = grids_.front();
-    if (!grid.unread.empty()) return "";
+    if (!grid.unread.empty() || grid.zipped != 0) return "";
     const auto data = read<nanovdb::GridData>(grid.begin);
     if (data.mBlindMetadataCount == 0) return "";
     const auto at = static_cast<std::uint64_t>(data.mBlindMetadataOffset);

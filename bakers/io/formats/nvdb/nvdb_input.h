@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,7 +31,9 @@ inline void expect_nvdb(bool condition, const char* reason) {
 struct NvdbGrid {
     std::string name;
     NvdbGridHead head;
-    std::uint64_t begin = 0;  // in the file
+    std::uint64_t begin = 0;  // where its bytes are read from
+    std::uint64_t zipped =
+        0;  // where it is in the file, of a grid that is compressed by zip; else 0
     std::string unread = {};  // why its voxels are not read: "it is compressed"; empty: they are
 };
 
@@ -58,8 +62,9 @@ class NvdbInput {
         read(offset, memory.data(), sizeof(Node));
     }
 
-    // Returns what a grid says of itself, which must agree with its head. It must not be compressed, and
-    // its leaves must be of a type that skybake uses.
+    // Returns what a grid says of itself, which must agree with its head. It must not be compressed but
+    // by zip, in which case its bytes are held in memory from here on, and its leaves must be of a type
+    // that skybake uses.
     nanovdb::GridData grid_data(const NvdbGrid& grid);
     // Returns where the root is in the grid, of which the tiles lie behind it.
     std::uint64_t root_of(const NvdbGrid& grid);
@@ -70,9 +75,12 @@ class NvdbInput {
     void read_heads();
     std::uint64_t read_segment(std::uint64_t offset);
     std::uint64_t read_head(std::uint64_t offset);
+    void inflate(const NvdbGrid& grid);
 
     FileInput file_;
     std::vector<NvdbGrid> grids_;
+    // Bytes of grids that were compressed, by NvdbGrid::begin.
+    std::map<std::uint64_t, std::pair<std::unique_ptr<char[]>, std::uint64_t>> inflated_;
 };
 
 // Returns `from + step`, where a record of `bytes` bytes must lie in the grid.

@@ -18,7 +18,7 @@ struct MapPixels {
     int width = 0;                           // 1 to largest_map_edge
     int height = 0;                          // the same
     std::vector<std::string> channel_names;  // in the file's order
-    std::vector<float> values;  // of the requested channel, row-major; empty: no such channel
+    std::vector<float> values;  // of the requested channels, row-major; empty: no such channel
 };
 
 // The bytes of a picture's file, or why there are none.
@@ -29,9 +29,10 @@ struct EncodedPicture {
 
 // The module's functions, none of which throws.
 struct ImageCodec {
-    // Reads the channel of that name, or the first channel if the name is empty. Integers are
-    // divided by their largest value; nothing else is changed.
-    MapPixels (*read)(const std::filesystem::path& path, const std::string& channel);
+    // Reads the channel of that name, or the first channel if the name is empty, and those behind it
+    // up to `count`, interleaved. Integers are divided by their largest value; nothing else is
+    // changed.
+    MapPixels (*read)(const std::filesystem::path& path, const std::string& channel, int count);
 
     // Makes a PNG with 8 bits per channel, sRGB, from interleaved R G B with row 0 at the top. It
     // contains no date and no software's name, so the same picture gives the same bytes.

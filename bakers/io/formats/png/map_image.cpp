@@ -108,7 +108,7 @@ Outcome<MapImage> read_map_image(const config::CloudMap& map) {
     const auto parts = read_exr_heads(map.path);
     const std::string subsampled = parts.value ? subsampled_channel(*parts.value) : "";
     if (!subsampled.empty()) return {{}, {not_a_map(map, subsampled)}};
-    MapPixels pixels = loaded.codec->read(map.path, map.channel);
+    MapPixels pixels = loaded.codec->read(map.path, map.channel, 1);
     if (!pixels.problem.empty()) return {{}, {not_a_map(map, pixels.problem)}};
     if (pixels.values.empty()) {
         return {{},

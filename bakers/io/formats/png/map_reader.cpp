@@ -143,13 +143,19 @@ void expect_plain_samples(const ImageSpec& picture) {
 
 // --- Pixels -------------------------------------------------------------------------------------
 
-// Calls `rows_ready` with the first row's number and some rows of a channel, top to bottom, as values of
+// Channels first ... end - 1, which are interleaved where they are read.
+struct Channels {
+    int first = 0;
+    int end = 0;
+};
+
+// Calls `rows_ready` with the first row's number and some rows of channels, top to bottom, as values of
 // `type`.
 //
 // Without tiles, it reads row by row: the library decodes whole strips of TIFF with its own
 // decoder, which reports success even if it fails.
 template <class T, class Visit>
-void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDesc type,
+void read_rows(ImageInput& input, const ImageSpec& picture, Channels channels, TypeDesc type,
                Visit&& rows_ready) {
     const bool tiled = picture.tile_width > 0;
     const int rows = tiled ? picture.tile_height : 1;
@@ -157,12 +163,13 @@ void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDes
     std::vector<T> band;
     for (int y = picture.y; y < end; y += rows) {
         const int y_end = std::min(y + rows, end);
-        band.resize(static_cast<std::size_t>(y_end - y) * static_cast<std::size_t>(picture.width));
+        band.resize(static_cast<std::size_t>(y_end - y) * static_cast<std::size_t>(picture.width) *
+                    static_cast<std::size_t>(channels.end - channels.first));
         const bool read = tiled ? input.read_tiles(0, 0, picture.x, picture.x + picture.width, y,
-                                                   y_end, picture.z, picture.z + 1, channel,
-                                                   channel + 1, type, band.data())
-                                : input.read_scanlines(0, 0, y, y_end, picture.z, channel,
-                                                       channel + 1, type, band.data());
+                                                   y_end, picture.z, picture.z + 1, channels.first,
+                                                   channels.end, type, band.data())
+                                : input.read_scanlines(0, 0, y, y_end, picture.z, channels.first,
+                                                       channels.end, type, band.data());
         // Some failures are reported only by an error message.
         expect(read && !input.has_error(), reason(input));
         rows_ready(y, band);
@@ -172,20 +179,22 @@ void read_rows(ImageInput& input, const ImageSpec& picture, int channel, TypeDes
 // Reads integers and divides them by their largest value; the quotient is rounded to nearest. What
 // the file does not have of its display window is 0.
 template <class T>
-std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, int channel,
+std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, Channels channels,
                                TypeDesc type, float largest) {
     std::vector<float> values;
-    const auto width = static_cast<std::size_t>(picture.full_width);
+    const int each = channels.end - channels.first;
+    const auto width =
+        static_cast<std::size_t>(picture.full_width) * static_cast<std::size_t>(each);
     const auto count = width * static_cast<std::size_t>(picture.full_height);
     // Reserved memory costs nothing until it is written to, and a damaged size causes an error
     // before that.
     values.reserve(count);
-    const int shift = picture.x - picture.full_x;
+    const int shift = (picture.x - picture.full_x) * each;
     const int begin = std::max(shift, 0);
-    const int end = std::min(shift + picture.width, picture.full_width);
-    read_rows<T>(input, picture, channel, type, [&](int y, const std::vector<T>& band) {
+    const int end = std::min(shift + picture.width * each, picture.full_width * each);
+    read_rows<T>(input, picture, channels, type, [&](int y, const std::vector<T>& band) {
         const T* row = band.data();
-        for (; row < band.data() + band.size(); row += picture.width, ++y) {
+        for (; row < band.data() + band.size(); row += picture.width * each, ++y) {
             const int to = y - picture.full_y;
             if (to < 0 || to >= picture.full_height || begin >= end) continue;
             values.resize(static_cast<std::size_t>(to) * width + static_cast<std::size_t>(begin));
@@ -198,23 +207,23 @@ std::vector<float> read_values(ImageInput& input, const ImageSpec& picture, int 
     return values;
 }
 
-std::vector<float> read_channel(ImageInput& input, const ImageSpec& picture, int channel) {
-    const TypeDesc type = picture.channelformat(channel);
+std::vector<float> read_channels(ImageInput& input, const ImageSpec& picture, Channels channels) {
+    const TypeDesc type = picture.channelformat(channels.first);
     if (type == TypeDesc::UINT8) {
-        return read_values<std::uint8_t>(input, picture, channel, type, 255.0F);
+        return read_values<std::uint8_t>(input, picture, channels, type, 255.0F);
     }
     if (type == TypeDesc::UINT16) {
-        return read_values<std::uint16_t>(input, picture, channel, type, 65535.0F);
+        return read_values<std::uint16_t>(input, picture, channels, type, 65535.0F);
     }
     expect(type == TypeDesc::HALF || type == TypeDesc::FLOAT,
            std::string("its values are of type ") + type.c_str() +
                ": 8 or 16 bit integers, half and float are read");
-    return read_values<float>(input, picture, channel, TypeDesc::FLOAT, 1.0F);
+    return read_values<float>(input, picture, channels, TypeDesc::FLOAT, 1.0F);
 }
 
-// --- A channel ----------------------------------------------------------------------------------
+// --- Channels ----------------------------------------------------------------------------------
 
-MapPixels read_picture(const std::filesystem::path& path, const std::string& channel) {
+MapPixels read_picture(const std::filesystem::path& path, const std::string& channel, int count) {
     ImageSpec picture;
     const char* const format = format_of(path);
     const std::unique_ptr<ImageInput> input = open(path, format, picture);
@@ -233,17 +242,18 @@ MapPixels read_picture(const std::filesystem::path& path, const std::string& cha
     const auto& names = pixels.channel_names;
     const auto found =
         channel.empty() ? names.begin() : std::find(names.begin(), names.end(), channel);
-    if (found == names.end()) return pixels;
-    pixels.values = read_channel(*input, picture, static_cast<int>(found - names.begin()));
+    if (names.end() - found < count) return pixels;
+    const auto first = static_cast<int>(found - names.begin());
+    pixels.values = read_channels(*input, picture, {first, first + count});
     return pixels;
 }
 
 }  // namespace
 
-MapPixels read_map(const std::filesystem::path& path, const std::string& channel) {
+MapPixels read_map(const std::filesystem::path& path, const std::string& channel, int count) {
     MapPixels pixels;
     try {
-        return read_picture(path, channel);
+        return read_picture(path, channel, count);
     } catch (const std::bad_alloc&) {
         pixels.problem = "it does not fit in memory";
     } catch (const std::exception& error) {

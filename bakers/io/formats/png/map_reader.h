@@ -11,7 +11,7 @@
 namespace skybake {
 
 // The module's implementation of ImageCodec::read.
-MapPixels read_map(const std::filesystem::path& path, const std::string& channel);
+MapPixels read_map(const std::filesystem::path& path, const std::string& channel, int count);
 
 // Returns what is wrong with the chunks of a PNG file, or nothing. Each chunk must have the right
 // checksum, and the last must be IEND; bytes after it do not belong to the picture.
