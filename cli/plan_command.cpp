@@ -31,8 +31,6 @@
 
 namespace skybake::cli {
 
-using config::Outcome;
-
 namespace options {
 namespace {
 
@@ -139,8 +137,7 @@ std::string table_text(const Plan& plan) {
         "{} from {}\n"
         "  error: {}\n"
         "  paths: {}; their standard error is {} %\n"
-        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all "
-        "cores\n"
+        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all cores\n"
         "  front: no other way is as good in error, fetches and size\n"
         "  knee: the least error x root of fetches x fourth root of bytes\n\n",
         name_of(plan.subject), plan.scene, plan.words.meaning, plan.reference,
@@ -177,19 +174,19 @@ std::vector<std::string> file_names_of(const std::vector<PlanSubject>& subjects)
 }
 
 // Returns E0303 if the recipe is to be written over a file.
-std::optional<config::Diagnostic> existing_recipe(const Invocation& invocation) {
+std::optional<Diagnostic> existing_recipe(const Invocation& invocation) {
     std::error_code error;
     const std::filesystem::path path = invocation[options::write];
     if (path.empty() || invocation[options::force] || !std::filesystem::exists(path, error)) {
         return std::nullopt;
     }
-    config::Diagnostic problem =
+    Diagnostic problem =
         file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()));
     problem.label = "overwrite it with --force, or choose another name";
     return problem;
 }
 
-ExitCode write_recipe(const std::vector<Plan>& plans, const config::Recipe& recipe,
+ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,
                       const std::filesystem::path& path, Console& console) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
@@ -197,8 +194,8 @@ ExitCode write_recipe(const std::vector<Plan>& plans, const config::Recipe& reci
                               console);
 }
 
-config::Diagnostic nothing_to_draw(const Invocation& invocation) {
-    config::Diagnostic problem;
+Diagnostic nothing_to_draw(const Invocation& invocation) {
+    Diagnostic problem;
     problem.code = "E0105";
     problem.message =
         "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws";
@@ -219,7 +216,7 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
     request.progress = &progress;
     Outcome<Plan> plan = subject.draws == config::Draws::sky ? plan_sky(request)
                                                              : plan_cloud(request, subject.cloud);
-    for (config::Diagnostic& found : plan.diagnostics) {
+    for (Diagnostic& found : plan.diagnostics) {
         if (found.where.source.empty()) {
             found.where.source = recipe_name(invocation.arguments()[0]);
         }
@@ -228,8 +225,8 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
 }
 
 // Returns all that forbids a plan before any work is done.
-std::vector<config::Diagnostic> obstacles(const Invocation& invocation,
-                                          const std::vector<PlanSubject>& subjects) {
+std::vector<Diagnostic> obstacles(const Invocation& invocation,
+                                  const std::vector<PlanSubject>& subjects) {
     if (invocation[options::json] && invocation[options::csv]) {
         return {
             usage_error("--json and --csv exclude each other", "the folder gets both in any case")};
@@ -281,30 +278,30 @@ ExitCode run_plan(const Invocation& invocation, Console& console) {
 }  // namespace
 
 Command plan_command() {
-    return {
-        .name = "plan",
-        .brief = "choose what a scene needs",
-        .summary =
-            "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches and "
-            "size",
-        .arguments = {{.name = "recipe.toml", .help = recipe_help}},
-        .options = {options::output("write plan.csv, .json and pictures into this folder", "plan"),
-                    set_row(),
-                    options::max_sky_error("choose among ways with at most this error in nine of "
-                                           "ten views of the sky"),
-                    options::max_cloud_error("choose among ways with at most this RMS error of a "
-                                             "cloud's picture, in shares of white"),
-                    options::max_fetches("choose among ways with at most N fetches per pixel"),
-                    options::max_size("choose among ways whose textures take at most this (2MiB)"),
-                    options::write("write the recipe of the chosen ways"), cache_row(),
-                    options::jobs("use N threads (default: all)"),
-                    options::force("overwrite files that no plan has written"),
-                    options::csv("print CSV instead of the table (--json: plan.json)")},
-        .examples = {{"skybake plan earth.toml", "shows what each way costs, and the best"},
-                     {"skybake plan earth.toml --max-sky-error 2% --write sky.toml",
-                      "writes the recipe of the way with the fewest fetches"}},
-        .exit_codes = {ExitCode::io, ExitCode::checks},
-        .run = run_plan};
+    return {.name = "plan",
+            .brief = "choose what a scene needs",
+            .summary =
+                "measure the ways to draw a recipe's sky and clouds, and choose by error, fetches "
+                "and size",
+            .arguments = {{.name = "recipe.toml", .help = recipe_help}},
+            .options =
+                {options::output("write plan.csv, .json and pictures into this folder", "plan"),
+                 set_row(),
+                 options::max_sky_error(
+                     "choose among ways with at most this error in nine of ten views of the sky"),
+                 options::max_cloud_error("choose among ways with at most this RMS error of a "
+                                          "cloud's picture, in shares of white"),
+                 options::max_fetches("choose among ways with at most N fetches per pixel"),
+                 options::max_size("choose among ways whose textures take at most this (2MiB)"),
+                 options::write("write the recipe of the chosen ways"), cache_row(),
+                 options::jobs("use N threads (default: all)"),
+                 options::force("overwrite files that no plan has written"),
+                 options::csv("print CSV instead of the table (--json: plan.json)")},
+            .examples = {{"skybake plan earth.toml", "shows what each way costs, and the best"},
+                         {"skybake plan earth.toml --max-sky-error 2% --write sky.toml",
+                          "writes the recipe of the way with the fewest fetches"}},
+            .exit_codes = {ExitCode::io, ExitCode::checks},
+            .run = run_plan};
 }
 
 }  // namespace skybake::cli

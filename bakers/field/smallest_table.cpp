@@ -9,7 +9,6 @@
 #include "bakers/field/pixel_type.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::array<int, 19> kSizes = {4,   6,   8,   12,  16,  24,  32,   48,   64,  96,
@@ -79,7 +78,7 @@ std::vector<PointIndex> all_points(const ReferencePoints& points) {
 }
 
 // Returns the error of one lookup. Only the four texels that the lookup needs are made.
-double lookup_error(const TableModel& model, const Candidate& candidate, config::PixelType type,
+double lookup_error(const TableModel& model, const Candidate& candidate, PixelType type,
                     const ReferencePoints& points, PointIndex index) {
     const PointRow& point = points.rows[index.row];
     const auto [width, height] = candidate.size;
@@ -121,7 +120,7 @@ PointIndex add_point(const TableModel& model, const FoundErrors& found, Referenc
 
 }  // namespace
 
-TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
+TableSearch smallest_table(const TableModel& model, double max_error, PixelType type,
                            ReferencePoints points, const BakeOptions& options,
                            const TableCheck& check) {
     // No table keeps within the bound if the kernel's error at that level exceeds it. If the

@@ -29,7 +29,7 @@ using TableCheck = std::function<FoundErrors(int level, const Image2<float>& ima
 // `max_error` at every point and, if there is a check, wherever it looks. Points that the check
 // finds are added to those that later tables are tried at. The costs are fixed, so the choice is a
 // pure function of the parameters.
-TableSearch smallest_table(const TableModel& model, double max_error, config::PixelType type,
+TableSearch smallest_table(const TableModel& model, double max_error, PixelType type,
                            ReferencePoints points, const BakeOptions& options,
                            const TableCheck& check = {});
 

@@ -24,13 +24,12 @@ Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2
     return image;
 }
 
-Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
-                           RangeCounts& range) {
+Image2<float> store_texels(const Image2<double>& texels, PixelType type, RangeCounts& range) {
     Image2<float> image(texels.width, texels.height, texels.channels);
     for (std::size_t i = 0; i < texels.texels.size(); ++i) {
         image.texels[i] = store(texels.texels[i], type, range);
     }
-    if (type == config::PixelType::rgbe) {
+    if (type == PixelType::rgbe) {
         round_values(image.texels.data(), image.texels.size(), type);
     }
     return image;

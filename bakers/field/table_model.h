@@ -62,7 +62,6 @@ Image2<double> bake_texels(const TableModel& model, int level, std::array<int, 2
                            const BakeOptions& options);
 
 // Returns the texels rounded to the pixel type, and counts those that it holds inaccurately.
-Image2<float> store_texels(const Image2<double>& texels, config::PixelType type,
-                           RangeCounts& range);
+Image2<float> store_texels(const Image2<double>& texels, PixelType type, RangeCounts& range);
 
 }  // namespace skybake

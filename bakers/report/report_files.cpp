@@ -15,7 +15,6 @@
 #include "config/sections/file_formats.h"
 
 namespace skybake {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,9 +191,9 @@ bool is_report_text(std::string_view name, std::string_view text) {
     return text.find(fmt::format("<!-- {} -->", report_plot_sign)) < kSignLength;
 }
 
-std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
-                                                     const std::vector<std::string>& names) {
-    std::vector<config::Diagnostic> diagnostics;
+std::vector<Diagnostic> foreign_report_files(const fs::path& folder,
+                                             const std::vector<std::string>& names) {
+    std::vector<Diagnostic> diagnostics;
     const bool has_plan = is_report_text("plan.json", beginning_of(folder / "plan.json"));
     for (const std::string& name : names) {
         const fs::path path = folder / name;
@@ -202,7 +201,7 @@ std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
         if (!fs::is_regular_file(path, error) || is_report_text(name, beginning_of(path))) continue;
         // A PNG does not say who made it: it counts as a plan's if the plan's JSON is beside it.
         if (has_plan && name.ends_with(".png")) continue;
-        config::Diagnostic diagnostic = file_error(
+        Diagnostic diagnostic = file_error(
             "E0303", path.string(),
             fmt::format("`{}` already exists, and is neither a report nor a plan of skybake",
                         path.string()));
