@@ -13,7 +13,7 @@
 #include "bakers/preview/load_sweep.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
-#include "bakers/workspace/cached_bytes.h"
+#include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/depfile.h"
 #include "bakers/workspace/http_cache.h"
 #include "bakers/workspace/sweep/index_files.h"
@@ -33,7 +33,6 @@ inline const Option<bool> prune{"prune"};
 namespace {
 
 namespace fs = std::filesystem;
-using config::Outcome;
 
 // Translates the options of the command line into a bake.
 FolderBake folder_bake(const Invocation& invocation, const BakeSelection& selection) {
@@ -51,10 +50,10 @@ FolderBake folder_bake(const Invocation& invocation, const BakeSelection& select
 }
 
 // A bake in the root of a sweep would mix its files with the variants' folders.
-std::vector<config::Diagnostic> check_no_sweep(const FolderBake& bake) {
+std::vector<Diagnostic> check_no_sweep(const FolderBake& bake) {
     if (bake.force || !is_sweep_folder(bake.folder)) return {};
     const std::string folder = bake.folder.string();
-    config::Diagnostic diagnostic =
+    Diagnostic diagnostic =
         file_error("E0303", folder,
                    fmt::format("`{}` holds a sweep: it has a {}", folder, sweep_manifest_name));
     diagnostic.label = "choose another folder with -o, or bake into this one with --force";
@@ -93,7 +92,7 @@ Outcome<WriteResult> write_depfile(const fs::path& path, const FolderBake& bake,
 
 // Returns E0302 if the output is the cache: its assets would lie beside the entries, and no later run could
 // tell that the folder is a cache.
-std::vector<config::Diagnostic> check_two_folders(const fs::path& cache, const fs::path& output) {
+std::vector<Diagnostic> check_two_folders(const fs::path& cache, const fs::path& output) {
     std::error_code ignored;
     const bool is_one = !cache.empty() && fs::weakly_canonical(cache, ignored) ==
                                               fs::weakly_canonical(output, ignored);

@@ -177,12 +177,13 @@ std::string retired_text(const BakedFolder& baked, bool prune) {
         text += fmt::format("  {} is no longer in the recipe; removed\n", file.path);
     }
     for (const RetiredFile& file : baked.retired) {
-        text += prune ? fmt::format(
-                            "  {} is no longer in the recipe, but was changed since it was "
-                            "baked; kept\n",
-                            file.path)
-                      : fmt::format("  {} is no longer in the recipe; kept (--prune removes it)\n",
-                                    file.path);
+        text +=
+            prune
+                ? fmt::format(
+                      "  {} is no longer in the recipe, but was changed since it was baked; kept\n",
+                      file.path)
+                : fmt::format("  {} is no longer in the recipe; kept (--prune removes it)\n",
+                              file.path);
     }
     return text;
 }
@@ -340,7 +341,7 @@ void BakeReporter::waits() {
     console_.note("waiting: another skybake is baking into this folder\n");
 }
 
-std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
+std::vector<Diagnostic> long_bake(const FolderPlan& plan) {
     constexpr double kLong = 600;  // seconds
     const double seconds = plan.seconds();
     if (!(seconds > kLong)) return {};
@@ -349,8 +350,8 @@ std::vector<config::Diagnostic> long_bake(const FolderPlan& plan) {
             return (one.stale() ? one.estimate.seconds : 0) <
                    (other.stale() ? other.estimate.seconds : 0);
         });
-    config::Diagnostic warning;
-    warning.severity = config::Severity::warning;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
     warning.code = "W0225";
     warning.message = fmt::format(
         "baking may take {:.0f} minutes of one core, `{}` {:.0f} of them besides shared light",

@@ -54,7 +54,7 @@ std::string summary_text(const BakedFolder& baked, const SummaryOptions& options
 std::string extent_text(std::span<const int> size);
 
 // Returns a warning if a bake is estimated to take more than ten minutes of one core.
-std::vector<config::Diagnostic> long_bake(const FolderPlan& plan);
+std::vector<Diagnostic> long_bake(const FolderPlan& plan);
 
 std::string plan_event(const FolderPlan& plan);
 

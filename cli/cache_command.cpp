@@ -20,7 +20,7 @@ namespace skybake::cli {
 namespace options {
 
 // Reads an amount in bytes.
-config::Outcome<std::uint64_t> read_max_size(const std::string& text) {
+Outcome<std::uint64_t> read_max_size(const std::string& text) {
     if (const auto bytes = parse_byte_size(text)) return {*bytes, {}};
     return {{}, {bad_value("--max-size", text, std::string(byte_size_words))}};
 }

@@ -29,7 +29,7 @@ std::string count(std::size_t number, std::string_view what) {
 
 // Returns "3 layers, 1 noise, 1 cloud, 2 assets to bake". Layers, noises and clouds are named only
 // if the recipe is about them.
-std::string contents(const config::Parameters& parameters) {
+std::string contents(const Parameters& parameters) {
     std::string text;
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
     if (has_atmosphere) text += count(parameters.atmosphere.layers.size(), "layer") + ", ";
@@ -41,8 +41,8 @@ std::string contents(const config::Parameters& parameters) {
     return text + count(parameters.bakes.size(), "asset") + " to bake";
 }
 
-std::string checked_event(const std::string& name, const config::Parameters& parameters,
-                          const std::vector<config::Diagnostic>& warnings) {
+std::string checked_event(const std::string& name, const Parameters& parameters,
+                          const std::vector<Diagnostic>& warnings) {
     const bool has_atmosphere = parameters.atmosphere.ground_radius.meters > 0;
     return event_line({{"event", "checked"},
                        {"recipe", name},
@@ -65,7 +65,7 @@ ExitCode run_check(const Invocation& invocation, Console& console) {
     problems.insert(problems.end(), unreadable.begin(), unreadable.end());
     if (problems.empty()) problems = check_air(*outcome.value);
     if (!problems.empty()) return console.report_results(problems);
-    const config::Parameters& parameters = outcome.value->parameters;
+    const Parameters& parameters = outcome.value->parameters;
     if (console.display().json) {
         console.result(checked_event(name, parameters, outcome.diagnostics));
     }

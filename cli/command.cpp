@@ -124,7 +124,7 @@ ExitCode answer(const CommandLine& line, bool wordless, Console& console) {
 }
 
 ExitCode report_exception(Console& console, const std::exception& exception) {
-    config::Diagnostic diagnostic;
+    Diagnostic diagnostic;
     if (is_want_of_threads(exception)) {
         diagnostic.code = "E0306";
         diagnostic.message = want_of_threads;

@@ -38,7 +38,7 @@ struct OptionRow {
     bool is_path = false;                        // the value names a file or a folder
     // It returns E0001 for a text that the option does not take. If it is null, the option takes
     // any text.
-    std::function<std::vector<config::Diagnostic>(const std::string& text)> check = nullptr;
+    std::function<std::vector<Diagnostic>(const std::string& text)> check = nullptr;
 };
 
 template <class T>
@@ -63,12 +63,12 @@ struct Option {
     std::vector<Choice<T>> choices = {};
     // It turns the text into the value, or reports E0001. If it is null, the text is one of the
     // choices or the value itself.
-    config::Outcome<T> (*read)(const std::string& text) = nullptr;
+    Outcome<T> (*read)(const std::string& text) = nullptr;
 
     OptionRow operator()(std::string_view help, std::string_view fallback = {}) const;
 
     // Returns no value for a text that the option does not take.
-    config::Outcome<T> value_of(const std::string& text) const;
+    Outcome<T> value_of(const std::string& text) const;
 };
 
 // This is what the user typed, checked against the command's tables.
@@ -141,9 +141,9 @@ const std::vector<OptionRow>& global_options();
 // --- Parsing ------------------------------------------------------------------------------------
 
 struct CommandLine {
-    const Command* command = nullptr;             // null if none was named
-    Invocation invocation;                        // the command's options and the global ones
-    std::vector<config::Diagnostic> diagnostics;  // E0001
+    const Command* command = nullptr;     // null if none was named
+    Invocation invocation;                // the command's options and the global ones
+    std::vector<Diagnostic> diagnostics;  // E0001
 };
 
 // Parses the words after the program's name. Options may stand anywhere after the command, and
@@ -153,10 +153,10 @@ CommandLine parse_arguments(std::span<const std::string> words, std::span<const 
                             std::span<const OptionRow> global_options);
 
 // Returns E0001 with the nearest known name, if one is near.
-config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands);
+Diagnostic unknown_command(const std::string& name, std::span<const Command> commands);
 
 // Returns an E0001 diagnostic about the command line.
-config::Diagnostic usage_error(std::string message, std::string label = {});
+Diagnostic usage_error(std::string message, std::string label = {});
 
 // Runs the program once, from its words to its exit code. `words` are the words after the program's
 // name. An exception is a mistake in the program; it ends here with the exit code `internal`.
@@ -166,7 +166,7 @@ ExitCode run(std::span<const std::string> words, Sink out, Sink error,
 // --- Templates ----------------------------------------------------------------------------------
 
 template <class T>
-config::Outcome<T> Option<T>::value_of(const std::string& text) const {
+Outcome<T> Option<T>::value_of(const std::string& text) const {
     if (read) return read(text);
     for (const Choice<T>& choice : choices) {
         if (choice.word == text) return {choice.value, {}};

@@ -83,8 +83,8 @@ std::string printable_lines(std::string_view text) {
 
 // Returns diagnostics in which nothing controls a terminal. Their lines of text are left to the
 // printer, which marks columns in them.
-std::vector<config::Diagnostic> printable(std::vector<config::Diagnostic> diagnostics) {
-    for (config::Diagnostic& diagnostic : diagnostics) {
+std::vector<Diagnostic> printable(std::vector<Diagnostic> diagnostics) {
+    for (Diagnostic& diagnostic : diagnostics) {
         for (std::string* text :
              {&diagnostic.message, &diagnostic.label, &diagnostic.where.source}) {
             *text = config::printable(*text);
@@ -167,16 +167,16 @@ void Console::detail(std::string_view text) {
     if (display_.verbose) note(text);
 }
 
-ExitCode Console::report(std::span<const config::Diagnostic> diagnostics) {
+ExitCode Console::report(std::span<const Diagnostic> diagnostics) {
     return report_to(false, diagnostics);
 }
 
-ExitCode Console::report_results(std::span<const config::Diagnostic> diagnostics) {
+ExitCode Console::report_results(std::span<const Diagnostic> diagnostics) {
     return report_to(is_machine_format(display_.diagnostics), diagnostics);
 }
 
-ExitCode Console::report_to(bool results, std::span<const config::Diagnostic> diagnostics) {
-    const std::vector<config::Diagnostic> all(diagnostics.begin(), diagnostics.end());
+ExitCode Console::report_to(bool results, std::span<const Diagnostic> diagnostics) {
+    const std::vector<Diagnostic> all(diagnostics.begin(), diagnostics.end());
     if (display_.json) {
         reported_.insert(reported_.end(), diagnostics.begin(), diagnostics.end());
     }

@@ -79,10 +79,10 @@ class Console {
 
     // Prints diagnostics to stderr as --diagnostics wants them, and returns the exit code of the
     // gravest (done if there are none or only warnings).
-    ExitCode report(std::span<const config::Diagnostic> diagnostics);
+    ExitCode report(std::span<const Diagnostic> diagnostics);
     // Does the same for a command whose results are diagnostics (check): json and sarif go to
     // stdout.
-    ExitCode report_results(std::span<const config::Diagnostic> diagnostics);
+    ExitCode report_results(std::span<const Diagnostic> diagnostics);
 
     // Writes what waits for the end of the run, which is a SARIF document and the event of a
     // failure, and returns the exit code for the process.
@@ -96,7 +96,7 @@ class Console {
     int error_columns() const { return error_.columns; }
 
   private:
-    ExitCode report_to(bool results, std::span<const config::Diagnostic> diagnostics);
+    ExitCode report_to(bool results, std::span<const Diagnostic> diagnostics);
     void write_error(std::string_view text);
     ExitCode exit_code(ExitCode code) const;
 
@@ -106,8 +106,8 @@ class Console {
     Display display_;
     bool result_lost_ = false;
     bool sarif_is_result_ = false;
-    std::vector<config::Diagnostic> sarif_;
-    std::vector<config::Diagnostic> reported_;  // kept with --json
+    std::vector<Diagnostic> sarif_;
+    std::vector<Diagnostic> reported_;  // kept with --json
 };
 
 // --- Signals such as Ctrl-C ----------------------------------------------------------------------

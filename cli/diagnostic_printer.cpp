@@ -12,9 +12,6 @@
 namespace skybake::cli {
 namespace {
 
-using config::Diagnostic;
-using config::Severity;
-
 // --- Words that the formats share ---------------------------------------------------------------
 
 // Returns a place as far as it is known, such as "earth.toml:14:1".

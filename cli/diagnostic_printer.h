@@ -20,11 +20,11 @@ enum class DiagnosticFormat {
 };
 
 // Returns "error" or "warning".
-std::string_view severity_word(const config::Diagnostic& diagnostic);
+std::string_view severity_word(const Diagnostic& diagnostic);
 
 // Returns the text. It ends in a newline. Without diagnostics it is empty, except for SARIF, which
 // then is a document without results. `color` only matters to `human`.
-std::string print_diagnostics(std::span<const config::Diagnostic> diagnostics,
-                              DiagnosticFormat format, bool color = false);
+std::string print_diagnostics(std::span<const Diagnostic> diagnostics, DiagnosticFormat format,
+                              bool color = false);
 
 }  // namespace skybake::cli

@@ -14,7 +14,7 @@
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/io/formats/exr/exr_heads.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/io/manifest/compare_volumes.h"
+#include "bakers/io/manifest/compare.h"
 #include "bakers/io/volumes/grid_files.h"
 #include "cli/console.h"
 #include "cli/events.h"
@@ -26,7 +26,7 @@ namespace skybake::cli {
 namespace options {
 
 // Reads a number that is at least 0.
-config::Outcome<double> read_tolerance(const std::string& text) {
+Outcome<double> read_tolerance(const std::string& text) {
     double number = 0;
     const char* const end = text.data() + text.size();
     const auto parsed = std::from_chars(text.data(), end, number);
@@ -52,7 +52,7 @@ struct FileDifference {
 
 struct Comparison {
     std::vector<FileDifference> files;
-    std::vector<config::Diagnostic> diagnostics;
+    std::vector<Diagnostic> diagnostics;
 };
 
 struct Judgement {
@@ -73,7 +73,7 @@ struct Judgement {
 
 // --- Comparing ----------------------------------------------------------------------------------
 
-void append(const std::vector<config::Diagnostic>& from, std::vector<config::Diagnostic>& to) {
+void append(const std::vector<Diagnostic>& from, std::vector<Diagnostic>& to) {
     to.insert(to.end(), from.begin(), from.end());
 }
 
@@ -159,8 +159,7 @@ void compare_files(const fs::path& first, const fs::path& second, Comparison& co
     }
 }
 
-std::set<std::string> files_in(const fs::path& folder,
-                               std::vector<config::Diagnostic>& diagnostics) {
+std::set<std::string> files_in(const fs::path& folder, std::vector<Diagnostic>& diagnostics) {
     std::set<std::string> names;
     std::error_code error;
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;

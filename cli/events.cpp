@@ -16,8 +16,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string_view severity_word(const config::Diagnostic& diagnostic) {
-    return diagnostic.severity == config::Severity::error ? "error" : "warning";
+std::string_view severity_word(const Diagnostic& diagnostic) {
+    return diagnostic.severity == Severity::error ? "error" : "warning";
 }
 
 // Escapes everything except unreserved characters and the slashes between folders (RFC 3986).
@@ -49,7 +49,7 @@ Json sarif_location(const config::SourceRange& where) {
     return {{"physicalLocation", std::move(place)}};
 }
 
-Json sarif_result(const config::Diagnostic& diagnostic) {
+Json sarif_result(const Diagnostic& diagnostic) {
     const std::string text = diagnostic.label.empty()
                                  ? diagnostic.message
                                  : fmt::format("{}; {}", diagnostic.message, diagnostic.label);
@@ -64,9 +64,9 @@ Json sarif_result(const config::Diagnostic& diagnostic) {
 }
 
 // Returns the codes that occur, each once, in order.
-Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
+Json sarif_rules(std::span<const Diagnostic> diagnostics) {
     std::vector<std::string> codes;
-    for (const config::Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
+    for (const Diagnostic& diagnostic : diagnostics) codes.push_back(diagnostic.code);
     std::ranges::sort(codes);
     codes.erase(std::unique(codes.begin(), codes.end()), codes.end());
     Json rules = Json::array();
@@ -81,7 +81,7 @@ Json sarif_rules(std::span<const config::Diagnostic> diagnostics) {
     return rules;
 }
 
-Json diagnostic_json(const config::Diagnostic& diagnostic) {
+Json diagnostic_json(const Diagnostic& diagnostic) {
     Json json = {{"severity", severity_word(diagnostic)},
                  {"code", diagnostic.code},
                  {"message", diagnostic.message},
@@ -105,7 +105,7 @@ std::string event_line(const Json& event) {
 }
 
 std::string failed_event(std::string_view command, ExitCode code,
-                         std::span<const config::Diagnostic> diagnostics) {
+                         std::span<const Diagnostic> diagnostics) {
     return event_line({{"event", "failed"},
                        {"command", command},
                        {"exit_code", static_cast<int>(code)},
@@ -117,23 +117,23 @@ bool is_file(const std::string& source) {
            source != standard_input_name;
 }
 
-Json diagnostics_json(std::span<const config::Diagnostic> diagnostics) {
+Json diagnostics_json(std::span<const Diagnostic> diagnostics) {
     Json array = Json::array();
-    for (const config::Diagnostic& diagnostic : diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
         array.push_back(diagnostic_json(diagnostic));
     }
     return array;
 }
 
-std::string print_json_lines(std::span<const config::Diagnostic> diagnostics) {
+std::string print_json_lines(std::span<const Diagnostic> diagnostics) {
     std::string text;
     for (const Json& json : diagnostics_json(diagnostics)) text += event_line(json);
     return text;
 }
 
-std::string print_sarif(std::span<const config::Diagnostic> diagnostics) {
+std::string print_sarif(std::span<const Diagnostic> diagnostics) {
     Json results = Json::array();
-    for (const config::Diagnostic& diagnostic : diagnostics) {
+    for (const Diagnostic& diagnostic : diagnostics) {
         results.push_back(sarif_result(diagnostic));
     }
     Json run = {

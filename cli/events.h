@@ -17,7 +17,7 @@ std::string event_line(const nlohmann::ordered_json& event);
 
 // Returns the last line of a run that failed. `command` is empty if no command was understood.
 std::string failed_event(std::string_view command, ExitCode code,
-                         std::span<const config::Diagnostic> diagnostics);
+                         std::span<const Diagnostic> diagnostics);
 
 // Whether a diagnostic's source names a file. "--set `a.b=c`", "--vary `a.b=1,2`", "preset earth"
 // and "<stdin>" are sources, but an editor can open none of them.
@@ -26,13 +26,13 @@ bool is_file(const std::string& source);
 // Returns an array of objects with severity, code, message and label, and, as far as they are
 // known, file, line, column and length. Columns count code points from 1. If the source is not a
 // file, `source` names it; of such sources only standard input has lines.
-nlohmann::ordered_json diagnostics_json(std::span<const config::Diagnostic> diagnostics);
+nlohmann::ordered_json diagnostics_json(std::span<const Diagnostic> diagnostics);
 
 // Returns the same objects, one per line.
-std::string print_json_lines(std::span<const config::Diagnostic> diagnostics);
+std::string print_json_lines(std::span<const Diagnostic> diagnostics);
 
 // Returns one SARIF 2.1.0 document, which code scanning services read.
-std::string print_sarif(std::span<const config::Diagnostic> diagnostics);
+std::string print_sarif(std::span<const Diagnostic> diagnostics);
 
 // Returns the JSON Schema of all events, which is event_schema.json.
 std::string event_schema();

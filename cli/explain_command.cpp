@@ -17,7 +17,7 @@
 namespace skybake::cli {
 namespace {
 
-config::Diagnostic unknown_name(const std::string& name) {
+Diagnostic unknown_name(const std::string& name) {
     const std::vector<std::string> known = config::explained_names();
     const std::vector<std::string_view> names(known.begin(), known.end());
     std::string label = config::did_you_mean(name, names);

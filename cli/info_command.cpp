@@ -55,7 +55,7 @@ struct ValueRange {
 };
 
 // Returns one range per channel. It reads the file row by row.
-config::Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
+Outcome<std::vector<ValueRange>> value_ranges(ExrRows& image) {
     const std::size_t channels = image.facts().channel_names.size();
     std::vector<ValueRange> ranges(channels);
     std::vector<float> texels;
@@ -160,7 +160,7 @@ ExitCode show_plain_file(const fs::path& path, const Format& format, bool json, 
         return ExitCode::done;
     }
     const char* content = format.read != nullptr ? "texels alone" : "references alone";
-    config::Diagnostic diagnostic = file_error(
+    Diagnostic diagnostic = file_error(
         "E0304", path.string(),
         fmt::format("`{}` holds {} and does not describe itself", path.string(), content));
     diagnostic.label = "no manifest.json beside it describes it";

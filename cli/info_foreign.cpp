@@ -167,7 +167,7 @@ ExitCode show_grids(const fs::path& path, bool json, Console& console) {
     return ExitCode::done;
 }
 
-ExitCode show_exr_heads(const fs::path& path, const config::Diagnostic& reason, bool json,
+ExitCode show_exr_heads(const fs::path& path, const Diagnostic& reason, bool json,
                         Console& console) {
     const auto parts = read_exr_heads(path);
     if (!parts.value || reason.code != "E0304") return console.report({&reason, 1});

@@ -22,7 +22,7 @@ nlohmann::ordered_json attributes_json(const Attributes& attributes);
 ExitCode show_grids(const std::filesystem::path& path, bool json, Console& console);
 
 // The header of an EXR file whose pixels are not read, for this reason.
-ExitCode show_exr_heads(const std::filesystem::path& path, const config::Diagnostic& reason,
-                        bool json, Console& console);
+ExitCode show_exr_heads(const std::filesystem::path& path, const Diagnostic& reason, bool json,
+                        Console& console);
 
 }  // namespace skybake::cli

@@ -29,7 +29,6 @@ namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Outcome;
 
 // --- What is known of the file ------------------------------------------------------------------
 
@@ -111,7 +110,7 @@ std::string language_line(ShadingLanguage language) {
 }
 
 // Returns what a runtime must know of the file besides the functions.
-std::string heading(const DescribedFile& described, const fs::path& path, const config::Bake& bake,
+std::string heading(const DescribedFile& described, const fs::path& path, const Bake& bake,
                     const AssetLookup& lookup, ShadingLanguage language) {
     const auto& [asset, file] = described;
     const int levels = config::files_of(bake).mips;
@@ -154,8 +153,7 @@ void print(Console& console, bool json, const fs::path& path, const Lookup& look
 }
 
 // Returns the numbers of the recipe that a runtime needs beside the texels of a bake.
-std::string numbers_glsl(const config::Parameters& parameters, const config::Bake& bake,
-                         const std::string& name) {
+std::string numbers_glsl(const Parameters& parameters, const Bake& bake, const std::string& name) {
     std::string text;
     if (const config::Atmosphere& air = parameters.atmosphere; air.top_radius.meters > 0) {
         text += number_function("float", "baked_ground_radius_km",
@@ -165,9 +163,9 @@ std::string numbers_glsl(const config::Parameters& parameters, const config::Bak
                                 glsl_number(air.top_radius.kilometers()),
                                 "The radius at which the air ends.");
     }
-    const auto* volume = bake.find<config::CloudVolumeBake>();
+    const auto* volume = bake.find<CloudVolumeBake>();
     if (volume == nullptr) return text;
-    const config::Cloud cloud = spanned_cloud(parameters, *volume);
+    const Cloud cloud = spanned_cloud(parameters, *volume);
     return text +
            number_function("vec3", name + "_corner_m", glsl_vector(corner_m_of(cloud)),
                            "The lower corner of its box, whose z is the altitude of its base.") +
@@ -184,14 +182,15 @@ Outcome<Lookup> lookup_of_file(const fs::path& path, ShadingLanguage language) {
     if (!file.value) return {{}, file.diagnostics};
     const auto& [asset, shape] = *file.value;
     const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
-    const config::Bake* own =
+    const Bake* own =
         recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
     if (own == nullptr) {
-        return {{},
-                {file_error("E0304", path.string(),
-                            fmt::format("`{}`: this release cannot read the parameters that it "
-                                        "was baked with",
-                                        path.string()))}};
+        return {
+            {},
+            {file_error(
+                "E0304", path.string(),
+                fmt::format("`{}`: this release cannot read the parameters that it was baked with",
+                            path.string()))}};
     }
     const AssetLookup lookup =
         baker_of(*own).lookup(recipe.value->parameters, *own,

@@ -129,9 +129,9 @@ std::string init_command_of(std::span<const KnownPreset> presets, std::string_vi
 
 // Returns E0115: there is no such preset, or it is a preset of a layer. The label suggests presets
 // that may be meant.
-config::Diagnostic unknown_preset(const std::string& name) {
+Diagnostic unknown_preset(const std::string& name) {
     const bool of_layer = config::find_preset(config::layer_presets(), name) != nullptr;
-    config::Diagnostic diagnostic =
+    Diagnostic diagnostic =
         of_layer
             ? usage_error(
                   fmt::format("`{}` is the preset of a layer and not of a whole recipe", name),
@@ -182,19 +182,19 @@ std::string preset_list_event() {
 }
 
 // Returns the one preset that a name means. Reports E0115 if there is none or there are several.
-config::Outcome<KnownPreset> preset_of(const std::string& name) {
+Outcome<KnownPreset> preset_of(const std::string& name) {
     const auto presets = presets_for_init(name);
     if (presets.size() == 1) return {presets.front(), {}};
     if (presets.empty()) return {{}, {unknown_preset(name)}};
-    config::Diagnostic diagnostic =
+    Diagnostic diagnostic =
         usage_error(fmt::format("several presets have the name `{}`", name),
                     fmt::format("name it with its kind: {}", full_names(presets)));
     diagnostic.code = "E0115";
     return {{}, {std::move(diagnostic)}};
 }
 
-config::Diagnostic would_overwrite(const std::string& file) {
-    config::Diagnostic diagnostic =
+Diagnostic would_overwrite(const std::string& file) {
+    Diagnostic diagnostic =
         file_error("E0303", file, fmt::format("`{}` exists and would be overwritten", file));
     diagnostic.label = "overwrite it with --force";
     return diagnostic;
@@ -263,12 +263,12 @@ OptionRow preset_row() {
 
 }  // namespace
 
-std::optional<config::Diagnostic> preset_in_place_of_file(const std::filesystem::path& path) {
+std::optional<Diagnostic> preset_in_place_of_file(const std::filesystem::path& path) {
     std::error_code error;
     if (fs::exists(fs::symlink_status(path, error))) return std::nullopt;
     const auto presets = presets_for_init(path.string());
     if (presets.empty()) return std::nullopt;
-    config::Diagnostic diagnostic =
+    Diagnostic diagnostic =
         file_error("E0300", "", fmt::format("`{}` is a preset and not a file", path.string()));
     diagnostic.label =
         fmt::format("write a recipe from it: {}", init_command_of(presets, path.string()));

@@ -23,10 +23,6 @@ namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Bake;
-using config::Diagnostic;
-using config::Outcome;
-using config::Recipe;
 
 struct Unit {
     std::string_view name;
@@ -51,7 +47,7 @@ constexpr std::array units = {
 };
 
 Diagnostic nothing_to_bake() {
-    return {config::Severity::error,
+    return {Severity::error,
             "E0124",
             "the recipe bakes nothing: it has no [bake.*]",
             {},

@@ -28,7 +28,7 @@ std::optional<std::int64_t> parse_count(std::string_view text, std::int64_t leas
                                         std::int64_t most);
 
 // Returns E0001, "`--tasks` cannot be `x`", with a label that says what the option takes.
-config::Diagnostic bad_value(std::string_view option, std::string_view text, std::string label);
+Diagnostic bad_value(std::string_view option, std::string_view text, std::string label);
 
 // --- Options ------------------------------------------------------------------------------------
 
@@ -37,13 +37,13 @@ namespace options {
 using Texts = std::vector<std::string>;
 
 // Returns E0001 for an empty name.
-config::Outcome<std::filesystem::path> read_folder(const std::string& text);
+Outcome<std::filesystem::path> read_folder(const std::string& text);
 // Reads a number of threads from 1 to 1024.
-config::Outcome<int> read_jobs(const std::string& text);
+Outcome<int> read_jobs(const std::string& text);
 // Reads the URL of a cache. The error E0001 does not show a password.
-config::Outcome<std::string> read_cache(const std::string& text);
+Outcome<std::string> read_cache(const std::string& text);
 // Reads an amount of memory and returns it in MiB.
-config::Outcome<double> read_max_memory(const std::string& text);
+Outcome<double> read_max_memory(const std::string& text);
 
 // All commands take these options.
 inline const Option<bool> help{"help", 'h'};
@@ -94,7 +94,7 @@ OptionRow server_row();
 // Returns the folder of the cache: --cache-dir, else the environment variable SKYBAKE_CACHE_DIR. It
 // is empty if there is no cache. The cache decides how fast a bake is, never what it makes. E0302 if the
 // folder is no cache and holds files.
-config::Outcome<std::filesystem::path> cache_folder(const Invocation& invocation);
+Outcome<std::filesystem::path> cache_folder(const Invocation& invocation);
 
 // Returns the folder of the program's own cache for previews, below $XDG_CACHE_HOME or ~/.cache. It is
 // empty if there is no such place, or if something else stands there.
@@ -102,7 +102,7 @@ std::filesystem::path own_cache_folder();
 
 // Returns the URL of the cache on a server: --cache, else the environment variable SKYBAKE_CACHE. It
 // is empty if there is none. E0001 if the variable holds no URL.
-config::Outcome<std::string> cache_url(const Invocation& invocation);
+Outcome<std::string> cache_url(const Invocation& invocation);
 
 // Returns none without --max-memory.
 std::optional<double> memory_limit_mib(const Invocation& invocation);
@@ -124,23 +124,21 @@ std::string recipe_name(std::string_view argument);
 // Reads the recipe that the first argument names, with its --set values and `more` of the same. Paths
 // in a recipe from standard input, which may be read again, are relative to the current folder. It
 // reports E0300 and E0120 if the recipe cannot be read, and the recipe's own diagnostics.
-config::Outcome<config::Recipe> recipe_of(const Invocation& invocation,
-                                          std::span<const std::string> more = {});
+Outcome<Recipe> recipe_of(const Invocation& invocation, std::span<const std::string> more = {});
 
 // Returns E0300 if the path is not a file but the name of a preset. The label says how to begin
 // with the preset.
-[[nodiscard]] std::optional<config::Diagnostic> preset_in_place_of_file(
-    const std::filesystem::path& path);
+[[nodiscard]] std::optional<Diagnostic> preset_in_place_of_file(const std::filesystem::path& path);
 
 struct BakeSelection {
-    config::Recipe recipe;
-    std::vector<config::Bake> bakes;  // all bakes of the recipe, or those that --only names
-    int threads = 0;                  // 0: as many as the machine has
+    Recipe recipe;
+    std::vector<Bake> bakes;  // all bakes of the recipe, or those that --only names
+    int threads = 0;          // 0: as many as the machine has
 };
 
 // Reads the recipe that the first argument names, with its --set values, and selects its bakes. It
 // reports the recipe's own diagnostics, E0001 for --only, E0124 for a recipe without bakes, and
 // E0300 and E0304 for maps that cannot be read.
-config::Outcome<BakeSelection> select_bakes(const Invocation& invocation);
+Outcome<BakeSelection> select_bakes(const Invocation& invocation);
 
 }  // namespace skybake::cli

@@ -123,12 +123,11 @@ std::string bash_values(std::string_view command, std::span<const OptionRow> opt
         for (const std::string& word : spellings(option)) {
             patterns.push_back(fmt::format("{}:{}", command, word));
         }
-        const std::string reply =
-            !offered(option).empty()
-                ? fmt::format("_skybake_words \"{}\"", offered(option))
-            : is_folder(option) ? "_skybake_paths -d"
-            : option.is_path    ? "_skybake_paths -f"
-                                : ":";
+        const std::string reply = !offered(option).empty()
+                                      ? fmt::format("_skybake_words \"{}\"", offered(option))
+                                  : is_folder(option) ? "_skybake_paths -d"
+                                  : option.is_path    ? "_skybake_paths -f"
+                                                      : ":";
         text += fmt::format("        {}) {}; return ;;\n", fmt::join(patterns, "|"), reply);
     }
     return text;
@@ -186,8 +185,8 @@ std::string bash_completion(std::span<const Command> commands, std::span<const O
         "    if [[ $cur == -* ]]; then\n        local options=\"{}\"\n"
         "        case $command in\n{}        esac\n"
         "        _skybake_words \"$options\"\n        return\n    fi\n"
-        "    case $command in\n        \"\") _skybake_words \"{}\" ;;\n{}"
-        "        *) _skybake_paths -f ;;\n    esac\n}}\n"
+        "    case $command in\n        \"\") _skybake_words \"{}\" ;;\n{}        *) _skybake_paths "
+        "-f ;;\n    esac\n}}\n"
         "complete -F _skybake skybake\n",
         bash_functions, fmt::join(names, "|"), bash_values("*", globals), values,
         bash_words(globals), options, fmt::join(names, " "), arguments);
@@ -299,15 +298,15 @@ std::string man_page(std::span<const Command> commands, std::span<const OptionRo
         text += term(fmt::format("\\fBskybake\\-{}\\fR(1)", command.name), command.summary);
     }
     text += ".SH OPTIONS\nThese options stand after any command.\n" + option_terms(globals);
-    text += ".SH ENVIRONMENT\n" +
-            term("\\fBSKYBAKE_CACHE_DIR\\fR",
-                 "the folder through which bakes share assets, where --cache-dir names none") +
-            term("\\fBSKYBAKE_CACHE\\fR",
-                 "the URL of the server through which bakes share assets, where --cache names "
-                 "none") +
-            term("\\fBNO_COLOR\\fR", "messages have no colours if this is set") +
-            term("\\fBCLICOLOR_FORCE\\fR, \\fBFORCE_COLOR\\fR",
-                 "messages have colours even outside a terminal if one of these is set");
+    text +=
+        ".SH ENVIRONMENT\n" +
+        term("\\fBSKYBAKE_CACHE_DIR\\fR",
+             "the folder through which bakes share assets, where --cache-dir names none") +
+        term("\\fBSKYBAKE_CACHE\\fR",
+             "the URL of the server through which bakes share assets, where --cache names none") +
+        term("\\fBNO_COLOR\\fR", "messages have no colours if this is set") +
+        term("\\fBCLICOLOR_FORCE\\fR, \\fBFORCE_COLOR\\fR",
+             "messages have colours even outside a terminal if one of these is set");
     return text + exit_terms({}) + example_terms(examples);
 }
 

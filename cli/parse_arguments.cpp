@@ -80,8 +80,8 @@ std::string misplaced_option(std::string_view word, const Command& command) {
     return "";
 }
 
-config::Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
-                                  const std::string& help) {
+Diagnostic unknown_option(const std::string& word, std::span<const OptionRow> options,
+                          const std::string& help) {
     const std::string shown = word.substr(0, word.find('='));
     std::vector<std::string_view> known;
     for (const OptionRow& option : options) known.push_back(option.name);
@@ -108,9 +108,8 @@ const Command* command_of_option(const std::string& option, std::span<const std:
 
 // Reports an option before the command that is not a global one: it belongs to commands, or does
 // not exist.
-config::Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
-                                std::span<const Command> commands,
-                                std::span<const OptionRow> globals) {
+Diagnostic stray_option(const std::string& option, std::span<const std::string> words,
+                        std::span<const Command> commands, std::span<const OptionRow> globals) {
     if (const Command* command = command_of_option(option, words, commands)) {
         return usage_error(fmt::format("`{}` stands before the command", option),
                            fmt::format("the options of a command come after it: skybake {} {}",
@@ -123,14 +122,14 @@ config::Diagnostic stray_option(const std::string& option, std::span<const std::
     return unknown_option(option, all, "skybake --help");
 }
 
-config::Diagnostic unknown_choice(const OptionRow& option, const std::string& value) {
+Diagnostic unknown_choice(const OptionRow& option, const std::string& value) {
     std::string hint = config::did_you_mean(value, option.choices);
     if (hint.empty()) hint = fmt::format("use one of {}", fmt::join(option.choices, ", "));
     return usage_error(fmt::format("{} cannot be `{}`", dashed(option.name), value),
                        std::move(hint));
 }
 
-config::Diagnostic missing_value(const OptionRow& option) {
+Diagnostic missing_value(const OptionRow& option) {
     return usage_error(
         fmt::format("{} needs a value: --{} {}", dashed(option.name), option.name, option.value));
 }
@@ -140,7 +139,7 @@ struct Found {
     std::vector<std::vector<std::string>> values;  // per option; "true" for each use of a switch
     std::vector<std::string> arguments;
     std::vector<std::string> unknown;
-    std::optional<config::Diagnostic> malformed;  // an option lacks its value, or a switch has one
+    std::optional<Diagnostic> malformed;  // an option lacks its value, or a switch has one
 };
 
 // Sorts words as most programs do: "--name value", "--name=value", "-n value", "-nvalue", switches
@@ -182,9 +181,9 @@ Found sort_words(std::vector<std::string> words, std::span<const OptionRow> opti
 
 // Returns what is wrong with the values of an option. If the option cannot be repeated, only its
 // last value counts.
-std::vector<config::Diagnostic> check_values(const OptionRow& option,
-                                             const std::vector<std::string>& values) {
-    std::vector<config::Diagnostic> problems;
+std::vector<Diagnostic> check_values(const OptionRow& option,
+                                     const std::vector<std::string>& values) {
+    std::vector<Diagnostic> problems;
     for (const std::string& value : values) {
         const bool counts = option.repeatable || &value == &values.back();
         const bool known = std::ranges::find(option.choices, value) != option.choices.end();
@@ -241,7 +240,7 @@ void take_arguments(const Found& found, const Command& command, CommandLine& lin
 
 }  // namespace
 
-config::Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
+Diagnostic unknown_command(const std::string& name, std::span<const Command> commands) {
     std::vector<std::string_view> names;
     for (const Command& command : commands) names.push_back(command.name);
     std::string hint = config::did_you_mean(name, names);
@@ -249,8 +248,8 @@ config::Diagnostic unknown_command(const std::string& name, std::span<const Comm
     return usage_error(fmt::format("unknown command `{}`", name), std::move(hint));
 }
 
-config::Diagnostic usage_error(std::string message, std::string label) {
-    config::Diagnostic diagnostic;
+Diagnostic usage_error(std::string message, std::string label) {
+    Diagnostic diagnostic;
     diagnostic.code = "E0001";
     diagnostic.message = std::move(message);
     diagnostic.label = std::move(label);

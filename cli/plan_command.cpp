@@ -33,8 +33,6 @@
 
 namespace skybake::cli {
 
-using config::Outcome;
-
 namespace options {
 namespace {
 
@@ -132,8 +130,7 @@ std::string table_text(const Plan& plan) {
         "{} from {}\n"
         "  error: {}\n"
         "  paths: {}; their standard error is {} %\n"
-        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all "
-        "cores\n"
+        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all cores\n"
         "  front: no other way is as good in error, fetches and size\n"
         "  knee: the least error x root of fetches x fourth root of bytes\n\n",
         name_of(plan.subject), plan.scene, plan.words.meaning, plan.reference,
@@ -174,19 +171,19 @@ std::vector<std::string> file_names_of(const std::vector<PlanSubject>& subjects)
 }
 
 // Returns E0303 if the recipe is to be written over a file.
-std::optional<config::Diagnostic> existing_recipe(const Invocation& invocation) {
+std::optional<Diagnostic> existing_recipe(const Invocation& invocation) {
     std::error_code error;
     const std::filesystem::path path = invocation[options::write];
     if (path.empty() || invocation[options::force] || !std::filesystem::exists(path, error)) {
         return std::nullopt;
     }
-    config::Diagnostic problem =
+    Diagnostic problem =
         file_error("E0303", path.string(), fmt::format("`{}` already exists", path.string()));
     problem.label = "overwrite it with --force, or choose another name";
     return problem;
 }
 
-ExitCode write_recipe(const std::vector<Plan>& plans, const config::Recipe& recipe,
+ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,
                       const std::filesystem::path& path, Console& console) {
     std::filesystem::path folder = path.parent_path();
     if (folder.empty()) folder = ".";
@@ -194,8 +191,8 @@ ExitCode write_recipe(const std::vector<Plan>& plans, const config::Recipe& reci
                               console);
 }
 
-config::Diagnostic nothing_to_draw(const Invocation& invocation) {
-    config::Diagnostic problem;
+Diagnostic nothing_to_draw(const Invocation& invocation) {
+    Diagnostic problem;
     problem.code = "E0105";
     problem.message =
         "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws";
@@ -216,7 +213,7 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
     request.progress = &progress;
     Outcome<Plan> plan = subject.draws == config::Draws::sky ? plan_sky(request)
                                                              : plan_cloud(request, subject.cloud);
-    for (config::Diagnostic& found : plan.diagnostics) {
+    for (Diagnostic& found : plan.diagnostics) {
         if (found.where.source.empty()) {
             found.where.source = recipe_name(invocation.arguments()[0]);
         }
@@ -225,8 +222,8 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
 }
 
 // Returns all that forbids a plan before any work is done.
-std::vector<config::Diagnostic> obstacles(const Invocation& invocation,
-                                          const std::vector<PlanSubject>& subjects) {
+std::vector<Diagnostic> obstacles(const Invocation& invocation,
+                                  const std::vector<PlanSubject>& subjects) {
     if (invocation[options::json] && invocation[options::csv]) {
         return {
             usage_error("--json and --csv exclude each other", "the folder gets both in any case")};

@@ -15,7 +15,7 @@
 #include "bakers/render/sun_disc.h"
 #include "bakers/render/tone_curve.h"
 #include "bakers/workspace/asset_cache.h"
-#include "bakers/workspace/cached_bytes.h"
+#include "bakers/workspace/cache_folder.h"
 #include "cli/options.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -24,16 +24,16 @@ namespace skybake::cli {
 namespace options {
 
 // These report E0001 for a text that is not a number, has no unit or is out of range.
-config::Outcome<std::vector<double>> read_elevations(const std::string& text);
-config::Outcome<double> read_azimuth(const std::string& text);
-config::Outcome<double> read_exposure(const std::string& text);
-config::Outcome<double> read_altitude(const std::string& text);
-config::Outcome<CameraRequest> read_camera(const std::string& text);
-config::Outcome<std::array<int, 2>> read_size(const std::string& text);
-config::Outcome<int> read_draft(const std::string& text);
-config::Outcome<config::Moment> read_time(const std::string& text);
-config::Outcome<EarthPlace> read_place(const std::string& text);
-config::Outcome<int> read_turntable(const std::string& text);
+Outcome<std::vector<double>> read_elevations(const std::string& text);
+Outcome<double> read_azimuth(const std::string& text);
+Outcome<double> read_exposure(const std::string& text);
+Outcome<double> read_altitude(const std::string& text);
+Outcome<CameraRequest> read_camera(const std::string& text);
+Outcome<std::array<int, 2>> read_size(const std::string& text);
+Outcome<int> read_draft(const std::string& text);
+Outcome<config::Moment> read_time(const std::string& text);
+Outcome<EarthPlace> read_place(const std::string& text);
+Outcome<int> read_turntable(const std::string& text);
 
 inline const Option<std::vector<double>> sun_elevation{
     "sun-elevation", 0, "DEGREES", {}, read_elevations};
@@ -106,7 +106,7 @@ class ReadyFiles {
 // Reads what is asked for. A folder or a manifest.json is a folder; .exr, .vdb and .bin are files;
 // anything else is a recipe. E0001 is reported for arguments that cannot go together, are not a
 // number or are out of range.
-config::Outcome<PreviewRequest> preview_request(const Invocation& invocation);
+Outcome<PreviewRequest> preview_request(const Invocation& invocation);
 
 // Checks whether the folder may be written to, as far as this can be seen before the pictures are
 // made. Reports E0302 or E0303 if not.

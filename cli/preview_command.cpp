@@ -20,7 +20,6 @@
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/check_options.h"
-#include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/make_preview.h"
 #include "bakers/preview/sweep_preview.h"
@@ -65,7 +64,6 @@ std::vector<fs::path> likely_folders(const PreviewRequest& request) {
     return folders;
 }
 
-using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
 // Intermediates that assets and pictures are made from.
@@ -86,7 +84,7 @@ Outcome<PreviewAssets> bake_recipe(const Invocation& invocation, PreviewRequest&
                                    SharedLight& shared, StageProgress& progress) {
     auto selection = select_bakes(invocation);
     if (!selection.value) return {{}, std::move(selection.diagnostics)};
-    const std::vector<config::Bake>& bakes = selection.value->bakes;
+    const std::vector<Bake>& bakes = selection.value->bakes;
     const LitPictures lit = lit_pictures_of(bakes);
     auto unused = unused_options(lit, request.options);
     if (!unused.empty()) return {{}, std::move(unused)};
@@ -281,22 +279,19 @@ Command preview_command() {
              options::only("show only [bake.NAME]"),
              options::sun_elevation(
                  "show skies and clouds under these suns; separate them by commas"),
-             options::sun_azimuth(
-                 "place the sun of clouds, from +x towards +y (default: 112 degrees to "
-                 "the left of the view)"),
-             options::at(
-                 "place the sun as at this time, such as \"2026-06-21 18:30 +02:00\"; without "
-                 "an offset or Z it is mean solar time"),
+             options::sun_azimuth("place the sun of clouds, from +x towards +y (default: 112 "
+                                  "degrees to the left of the view)"),
+             options::at("place the sun as at this time, such as \"2026-06-21 18:30 +02:00\"; "
+                         "without an offset or Z it is mean solar time"),
              options::place("take the time at this latitude and longitude, such as 47.4,8.5"),
              options::exposure("fix the exposure; 0 stops is a factor of 1 (default: chosen)"),
              options::tone_curve("show skies and clouds by this tone curve (default film)"),
-             options::glare(
-                 "scatter the sun's light in pictures of skies as a camera or an eye does "
-                 "(default none)"),
+             options::glare("scatter the sun's light in pictures of skies as a camera or an eye "
+                            "does (default none)"),
              options::altitude("place the camera of skies at this altitude (default 200m)"),
              options::camera(
-                 "place the camera of clouds by \"position=2km,3km,200m heading=63deg "
-                 "pitch=12deg fov=50deg\" or some of these; the heading turns from +x towards +y"),
+                 "place the camera of clouds by \"position=2km,3km,200m heading=63deg pitch=12deg "
+                 "fov=50deg\" or some of these; the heading turns from +x towards +y"),
              options::size("make pictures of clouds this large (default 960x540)"),
              options::single("show a single tile of a cloud, framed as a whole"),
              options::table_sky("show clouds as runtimes with tables do: their sky behind, light "
@@ -305,9 +300,9 @@ Command preview_command() {
              options::live("write a page that renders the baked files while you look around in it"),
              options::watch("follow the recipe until Ctrl-C, with a draft and then full quality"),
              options::draft("give a draft's volumes N voxels along the longest edge (default 64)"),
-             options::cache_dir("take the light of skies from this folder and keep it there, or "
-                                "nowhere if it is \"\" (default: $SKYBAKE_CACHE_DIR, else "
-                                "~/.cache/skybake)"),
+             options::cache_dir(
+                 "take the light of skies from this folder and keep it there, or nowhere if it is "
+                 "\"\" (default: $SKYBAKE_CACHE_DIR, else ~/.cache/skybake)"),
              options::jobs("use N threads; pictures do not depend on N (default: all)"),
              options::force("overwrite files that no preview has made")},
         .examples = {{"skybake preview cumulus.toml --live --watch",

@@ -25,9 +25,7 @@ namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
 using config::Dimension;
-using config::Outcome;
 using Subject = PreviewRequest::Subject;
 
 // Reads a number, or a quantity of that dimension in base units.
@@ -314,7 +312,7 @@ std::vector<Diagnostic> choose_cache(const Invocation& invocation, PreviewReques
 
 }  // namespace
 
-config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
+Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     PreviewRequest request;
     for (const std::string& path : invocation.arguments()) request.paths.emplace_back(path);
     request.subject = subject_of(request.paths[0]);
@@ -325,7 +323,7 @@ config::Outcome<PreviewRequest> preview_request(const Invocation& invocation) {
     request.force = invocation[options::force];
     request.watch = invocation[options::watch];
 
-    config::Outcome<PreviewRequest> outcome;
+    Outcome<PreviewRequest> outcome;
     std::vector<Diagnostic>& problems = outcome.diagnostics;
     if (request.watch && invocation.has(options::turntable)) {
         problems.push_back(usage_error("--watch and --turntable exclude each other",

@@ -20,8 +20,9 @@ inline const Option<bool> csv{"csv"};
 
 // Checks whether files with these names may be written. It is called before the report, which takes
 // a minute. Reports E0302, and E0303 unless `force` is set.
-[[nodiscard]] std::vector<config::Diagnostic> check_report_folder(
-    const std::filesystem::path& folder, const std::vector<std::string>& names, bool force);
+[[nodiscard]] std::vector<Diagnostic> check_report_folder(const std::filesystem::path& folder,
+                                                          const std::vector<std::string>& names,
+                                                          bool force);
 
 // Writes all files or none. Their paths are printed as notes.
 ExitCode write_report_files(const std::vector<ReportFile>& files,

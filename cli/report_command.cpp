@@ -81,8 +81,7 @@ std::string sky_text(const std::optional<SkyError>& sky) {
     }
     return fmt::format(
         "  sky error: {} % (median), {} % (nine in ten are below), {} % (largest, at {}), against "
-        "{}, "
-        "whose standard error is {} %\n",
+        "{}, whose standard error is {} %\n",
         to_percent(sky->median), to_percent(sky->ninth_decile), to_percent(sky->max), sky->worst,
         sky->reference, to_percent(sky->standard_error));
 }
@@ -96,8 +95,7 @@ std::string asset_text(const AssetReport& asset) {
                "{}\n{}  lookup error: {}\n"
                "  time: {}, {}\n"
                "  front: no other variant has a smaller error (RMS) in as little time (within 5 "
-               "%), "
-               "or in as few bytes; errors have two digits\n\n",
+               "%), or in as few bytes; errors have two digits\n\n",
                title_of(asset), sky_text(asset.sky), error, asset.timing,
                asset.repetitions == 1 ? "one run"
                                       : fmt::format("median of {}", asset.repetitions)) +
@@ -105,9 +103,6 @@ std::string asset_text(const AssetReport& asset) {
 }
 
 std::string report_text(const AssetReport& asset) { return asset_text(asset); }
-
-using config::Bake;
-using config::Outcome;
 
 std::string report_table(const std::vector<AssetReport>& assets) {
     std::string text;
@@ -167,9 +162,8 @@ ExitCode run_report(const Invocation& invocation, Console& console) {
 
 }  // namespace
 
-std::vector<config::Diagnostic> check_report_folder(const std::filesystem::path& folder,
-                                                    const std::vector<std::string>& names,
-                                                    bool force) {
+std::vector<Diagnostic> check_report_folder(const std::filesystem::path& folder,
+                                            const std::vector<std::string>& names, bool force) {
     // No file is named here, because report_files.h knows the files of a report and no manifest
     // claims them.
     auto diagnostics = inspect_output_folder(folder, {}, true).diagnostics;

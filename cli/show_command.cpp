@@ -55,7 +55,7 @@ bool is_below(std::string_view path, const Names& asked) {
     return true;
 }
 
-std::vector<Line> lines_below(const config::Recipe& recipe, const Names& asked) {
+std::vector<Line> lines_below(const Recipe& recipe, const Names& asked) {
     std::vector<Line> lines;
     for (const config::ResolvedValue& value : recipe.values) {
         if (is_below(value.path, asked)) lines.push_back(make_line(value));
@@ -116,7 +116,7 @@ std::vector<std::string> depth_row(const std::string& name, const std::vector<do
 
 // Writes the optical depths straight up. A wrong unit shows in these sums more clearly than in any
 // single number.
-std::string depths_text(const config::Parameters& parameters) {
+std::string depths_text(const Parameters& parameters) {
     TextTable table({Align::left, Align::right, Align::right, Align::right}, 0);
     std::vector<std::string> heading = {"# zenith optical depth"};
     for (const config::Length wavelength : parameters.wavelengths) {
@@ -136,7 +136,7 @@ std::string depths_text(const config::Parameters& parameters) {
 
 // Whether the recipe has an atmosphere. A recipe that only has noises has no atmosphere and no
 // ground.
-bool has_atmosphere(const config::Parameters& parameters) {
+bool has_atmosphere(const Parameters& parameters) {
     return parameters.atmosphere.ground_radius.meters > 0;
 }
 
@@ -155,7 +155,7 @@ std::string path_with_tail(const std::vector<std::string>& known, const Names& t
     return "";
 }
 
-config::Diagnostic unknown_path(const config::Recipe& recipe, const std::string& asked) {
+Diagnostic unknown_path(const Recipe& recipe, const std::string& asked) {
     std::vector<std::string> known;
     for (const config::ResolvedValue& value : recipe.values) {
         const Line line = make_line(value);
@@ -171,7 +171,7 @@ config::Diagnostic unknown_path(const config::Recipe& recipe, const std::string&
 
 using Json = nlohmann::ordered_json;
 
-Json depths_json(const config::Parameters& parameters) {
+Json depths_json(const Parameters& parameters) {
     std::vector<double> wavelengths_nm;
     for (const config::Length wavelength : parameters.wavelengths) {
         wavelengths_nm.push_back(wavelength.meters * 1e9);
@@ -185,7 +185,7 @@ Json depths_json(const config::Parameters& parameters) {
 }
 
 std::string values_event(const std::string& recipe, const std::vector<Line>& lines,
-                         const config::Parameters* sky) {
+                         const Parameters* sky) {
     Json values = Json::array();
     for (const Line& line : lines) {
         values.push_back({{"path", line.value->path},
@@ -212,7 +212,7 @@ ExitCode run_show(const Invocation& invocation, Console& console) {
     // A user who asks for one layer, or for one key of all layers, has not asked for the sums.
     const bool all_layers = names.size() <= 2 && shows_layers(lines);
     const bool sums = (whole && has_atmosphere(outcome.value->parameters)) || all_layers;
-    const config::Parameters* const sky = sums ? &outcome.value->parameters : nullptr;
+    const Parameters* const sky = sums ? &outcome.value->parameters : nullptr;
     if (console.display().json) {
         console.result(values_event(recipe_name(invocation.arguments()[0]), lines, sky));
     } else {

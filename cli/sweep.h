@@ -22,8 +22,8 @@ enum class ScriptEngine { slurm, commands, ninja, openjd, kubernetes };
 
 namespace options {
 
-config::Outcome<int> read_tasks(const std::string& text);
-config::Outcome<std::pair<int, int>> read_shard(const std::string& text);
+Outcome<int> read_tasks(const std::string& text);
+Outcome<std::pair<int, int>> read_shard(const std::string& text);
 
 inline const Option<Texts> vary{"vary", 0, "KEY=VALUES"};
 inline const Option<Texts> zip{"zip", 0, "KEY,KEY"};
@@ -99,7 +99,7 @@ std::string planned_variant_events(const SweepJob& job, const std::vector<Planne
 std::string swept_event(const std::vector<VariantResult>& results, int made, double seconds);
 
 // Returns E0406, such as "2 of 12 variants failed", or nothing if all are done.
-[[nodiscard]] std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results);
+[[nodiscard]] std::vector<Diagnostic> unfinished(const std::vector<VariantResult>& results);
 
 // --- Scripts for farms --------------------------------------------------------------------------
 

@@ -30,7 +30,7 @@
 
 namespace skybake::cli {
 
-config::Outcome<int> options::read_tasks(const std::string& text) {
+Outcome<int> options::read_tasks(const std::string& text) {
     const auto tasks = parse_count(text, 1, config::most_variants);
     if (tasks) return {static_cast<int>(*tasks), {}};
     return {{},
@@ -38,7 +38,7 @@ config::Outcome<int> options::read_tasks(const std::string& text) {
                        fmt::format("it takes a number from 1 to {}", config::most_variants))}};
 }
 
-config::Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
+Outcome<std::pair<int, int>> options::read_shard(const std::string& text) {
     const std::size_t slash = std::min(text.find('/'), text.size());
     const std::string_view view = text;
     const auto shard = parse_count(view.substr(0, slash), 1, config::most_variants);
@@ -54,17 +54,14 @@ config::Outcome<std::pair<int, int>> options::read_shard(const std::string& text
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 // Every variant reads the recipe again. A pipe cannot be read twice: opening it a second time would
 // wait.
 std::vector<Diagnostic> check_rereadable(const fs::path& recipe) {
     if (is_standard_input(recipe.string())) {
-        return {
-            usage_error("a sweep reads its recipe more than once, which standard input does not "
-                        "allow",
-                        "write the recipe into a file")};
+        return {usage_error(
+            "a sweep reads its recipe more than once, which standard input does not allow",
+            "write the recipe into a file")};
     }
     if (auto diagnostic = preset_in_place_of_file(recipe)) return {std::move(*diagnostic)};
     std::error_code error;
@@ -128,7 +125,7 @@ void report_warnings(const std::vector<VariantResult>& results, Console& console
     std::vector<Diagnostic> warnings;
     for (const VariantResult& result : results) {
         for (const Diagnostic& diagnostic : result.diagnostics) {
-            if (diagnostic.severity != config::Severity::warning) continue;
+            if (diagnostic.severity != Severity::warning) continue;
             const config::SourceRange& where = diagnostic.where;
             if (known
                     .emplace(diagnostic.code, diagnostic.message, where.source, where.line,
@@ -150,7 +147,7 @@ ExitCode report_unfinished(const std::vector<VariantResult>& results, Console& c
         console.note(fmt::format("{}:\n", result.name));
         std::vector<Diagnostic> errors = result.diagnostics;
         std::erase_if(errors, [](const Diagnostic& diagnostic) {
-            return diagnostic.severity == config::Severity::warning;
+            return diagnostic.severity == Severity::warning;
         });
         console.report(errors);
     }
@@ -301,8 +298,8 @@ Command sweep_command() {
                     cache_row(), server_row(),
                     options::max_memory("limit the memory of all variants at once (2GiB, 500M)"),
                     options::force("overwrite files that skybake did not write")},
-        .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.coverage=0.2:0.8:4 "
-                      "--vary clouds.cumulus.convection.seed=1,2",
+        .examples = {{"skybake sweep clouds.toml --vary clouds.cumulus.coverage=0.2:0.8:4 --vary "
+                      "clouds.cumulus.convection.seed=1,2",
                       "bakes 8 variants"},
                      {"skybake sweep sky.toml --shard 1/2", "bakes half of the variants"},
                      {"skybake sweep sky.toml --emit slurm > sweep.sh",

@@ -12,7 +12,6 @@
 #include "cli/sweep.h"
 
 namespace skybake::cli {
-
 namespace {
 
 using Json = nlohmann::ordered_json;

@@ -33,8 +33,8 @@ std::string folder_of(const SweepJob& job, const VariantResult& variant) {
 }
 
 std::string first_error(const VariantResult& variant) {
-    for (const config::Diagnostic& diagnostic : variant.diagnostics) {
-        if (diagnostic.severity != config::Severity::error) continue;
+    for (const Diagnostic& diagnostic : variant.diagnostics) {
+        if (diagnostic.severity != Severity::error) continue;
         return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
     }
     return "";
@@ -221,9 +221,9 @@ std::string swept_event(const std::vector<VariantResult>& results, int made, dou
                        {"seconds", seconds}});
 }
 
-std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& results) {
+std::vector<Diagnostic> unfinished(const std::vector<VariantResult>& results) {
     constexpr std::size_t most_named = 5;
-    std::vector<config::Diagnostic> diagnostics;
+    std::vector<Diagnostic> diagnostics;
     for (const VariantStatus status : {VariantStatus::failed, VariantStatus::missing}) {
         std::size_t count = 0;
         std::string names;
@@ -233,7 +233,7 @@ std::vector<config::Diagnostic> unfinished(const std::vector<VariantResult>& res
         }
         if (count == 0) continue;
         if (count > most_named) names += fmt::format(" and {} more", count - most_named);
-        config::Diagnostic diagnostic;
+        Diagnostic diagnostic;
         diagnostic.code = "E0406";
         diagnostic.message =
             fmt::format("{} of {} failed: {}", count, plural(results.size(), "variant"), names);

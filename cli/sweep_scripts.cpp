@@ -16,7 +16,6 @@ namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Outcome;
 
 bool is_safe_in_shells(char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -165,10 +164,11 @@ Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& 
     if (invocation.has(options::cache)) {
         const std::string url = invocation[options::cache];
         if (without_credentials(url) != url) {
-            return {{},
-                    {usage_error("--emit: the script would show the password of --cache",
-                                 "set $SKYBAKE_CACHE where the tasks run, or write it into "
-                                 "their ~/.netrc")}};
+            return {
+                {},
+                {usage_error(
+                    "--emit: the script would show the password of --cache",
+                    "set $SKYBAKE_CACHE where the tasks run, or write it into their ~/.netrc")}};
         }
     }
     SweepScript script;
@@ -188,14 +188,14 @@ Outcome<SweepScript> sweep_script(const Invocation& invocation, const SweepJob& 
         }
         if (engine == ScriptEngine::openjd && word.find("{{") != std::string::npos) {
             return {{},
-                    {usage_error("--emit: a value holds `{{`, which Open Job Description would "
-                                 "replace")}};
+                    {usage_error(
+                        "--emit: a value holds `{{`, which Open Job Description would replace")}};
         }
     }
     if (invocation.has(options::image) != (engine == ScriptEngine::kubernetes)) {
         return {{},
-                {usage_error("--emit kubernetes needs --image, which names a container image "
-                             "that has skybake; other engines do not use it")}};
+                {usage_error("--emit kubernetes needs --image, which names a container image that "
+                             "has skybake; other engines do not use it")}};
     }
     if (engine == ScriptEngine::kubernetes) {
         script.image = invocation[options::image];

@@ -49,7 +49,7 @@ std::string as_text(const VerifyReport& report) {
 }
 
 // Reports a recipe or a baked file that is given instead of the folder of a bake.
-std::vector<config::Diagnostic> check_path(const fs::path& path) {
+std::vector<Diagnostic> check_path(const fs::path& path) {
     const std::string extension = path.extension().string();
     const bool is_baked = extension.size() > 1 && find_format(extension.substr(1)) != nullptr;
     std::error_code error;

@@ -56,8 +56,7 @@ bool is_foreign_volume(std::string_view argument) {
     return has_grids(path) && !described_by_manifest(path) && !entry_of_file(path).value;
 }
 
-config::Outcome<config::Recipe> recipe_of_volume(const std::string& file,
-                                                 std::span<const std::string> settings) {
+Outcome<Recipe> recipe_of_volume(const std::string& file, std::span<const std::string> settings) {
     const fs::path path(file);
     const auto with_shape = [&](const config::VolumeShape& shape) {
         return config::parse_recipe(recipe_text(path, shape), file, path.parent_path(), settings);

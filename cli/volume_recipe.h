@@ -15,7 +15,6 @@ bool is_foreign_volume(std::string_view argument);
 
 // Returns a recipe of the file as [bake.cloud] with at most 256 voxels along an axis, and `settings` as
 // those of --set. Its optical depth is 20 along its height at density 1. E0300, E0304, and a recipe's.
-config::Outcome<config::Recipe> recipe_of_volume(const std::string& file,
-                                                 std::span<const std::string> settings);
+Outcome<Recipe> recipe_of_volume(const std::string& file, std::span<const std::string> settings);
 
 }  // namespace skybake::cli

@@ -26,8 +26,6 @@ namespace skybake::cli {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 // Ends the work once a file is saved, because the work belongs to the text before.
 class UntilSaved : public BakeProgress {
@@ -187,11 +185,11 @@ class Watch {
     }
 
     // Makes the page of the selected bakes, with the values that `recipe` gives them.
-    Outcome<PreviewPage> page_of(const BakeSelection& selection, const config::Recipe& recipe,
-                                 bool draft, RoundMemo& memory, BakeProgress& progress) {
-        std::vector<config::Bake> bakes;
-        for (const config::Bake& bake : recipe.parameters.bakes) {
-            for (const config::Bake& wanted : selection.bakes) {
+    Outcome<PreviewPage> page_of(const BakeSelection& selection, const Recipe& recipe, bool draft,
+                                 RoundMemo& memory, BakeProgress& progress) {
+        std::vector<Bake> bakes;
+        for (const Bake& bake : recipe.parameters.bakes) {
+            for (const Bake& wanted : selection.bakes) {
                 if (wanted.name == bake.name) bakes.push_back(bake);
             }
         }

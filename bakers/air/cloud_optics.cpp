@@ -6,7 +6,7 @@
 
 namespace skybake {
 
-CloudOptics cloud_optics(const config::Cloud& cloud) {
+CloudOptics cloud_optics(const Cloud& cloud) {
     return {cloud.extinction_scale.per_meter, cloud.threshold_at == config::ThresholdAt::runtime,
             cloud.threshold, cloud.edge_softness};
 }

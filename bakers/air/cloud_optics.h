@@ -15,7 +15,7 @@ struct CloudOptics {
     double edge_softness = 0;
 };
 
-CloudOptics cloud_optics(const config::Cloud& cloud);
+CloudOptics cloud_optics(const Cloud& cloud);
 
 // Returns extinction / extinction_per_m for a value in double.
 double density(const CloudOptics& optics, double value);

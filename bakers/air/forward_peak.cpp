@@ -9,7 +9,6 @@
 #include "bakers/air/optical_depth.h"
 
 namespace skybake {
-
 namespace {
 
 // 1 - cos of 10 degrees: ray bundles have a ray in every 5 to 10 degrees.

@@ -11,7 +11,6 @@
 #include "config/sections/layer.h"
 
 namespace skybake {
-
 namespace {
 
 using config::Layer;

@@ -9,7 +9,6 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
-
 namespace {
 
 // An optical depth that no transmittance in double can show.

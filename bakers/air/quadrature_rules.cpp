@@ -8,7 +8,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Returns the index of the rule: 0, 1, 2 and 3 for 1, 2, 4 and 8 nodes.

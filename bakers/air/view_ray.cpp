@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // However little light it scatters, no cell of a ray that is refined spans more than this

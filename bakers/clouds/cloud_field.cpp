@@ -11,7 +11,6 @@
 #include "bakers/math/memory.h"
 
 namespace skybake::cloud {
-
 namespace {
 
 // Regions that are proved empty or not: small enough to follow a cloud's outline, large enough for

@@ -6,20 +6,14 @@
 #include <cstddef>
 #include <utility>
 
-#include "bakers/clouds/tower_life.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_bounds.h"
 
 namespace skybake::cloud {
-
 namespace {
 
-using config::Cloud;
 using config::CloudChannels;
 using config::HeightProfileType;
-using config::Noise;
-using config::NoiseChannel;
-using config::NoiseOctaves;
 
 // R and G of a cloud of several channels carry shape and profile; B and A are for detail (Olajos
 // 2016).

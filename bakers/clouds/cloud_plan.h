@@ -107,19 +107,17 @@ struct CloudMaps {
 
 // Makes the plan. `base` and `detail` are the noises that the cloud names; `detail` is null if it
 // names none.
-CloudPlan make_cloud_plan(const config::Cloud& cloud, const config::Noise& base,
-                          const config::Noise* detail, const std::array<int, 3>& size,
-                          CloudMaps maps);
+CloudPlan make_cloud_plan(const Cloud& cloud, const Noise& base, const Noise* detail,
+                          const std::array<int, 3>& size, CloudMaps maps);
 
 // Makes the plan of a cloud of a volume.
-CloudPlan make_cloud_plan(const config::Cloud& cloud, const CloudVolume& volume,
-                          const config::Noise* detail, const std::array<int, 3>& size,
-                          CloudMaps maps);
+CloudPlan make_cloud_plan(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
+                          const std::array<int, 3>& size, CloudMaps maps);
 
 // Returns the noise as a cloud samples it: with frequencies multiplied by `scale`, at voxel
 // centres, and only the first channel for a cloud of one channel.
-config::Noise cloud_noise(const config::Noise& noise, const std::array<int, 3>& scale,
-                          config::CloudChannels channels);
+Noise cloud_noise(const Noise& noise, const std::array<int, 3>& scale,
+                  config::CloudChannels channels);
 
 // The height profile is the factor that gives the noise a base, a body and a top.
 

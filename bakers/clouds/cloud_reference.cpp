@@ -6,11 +6,75 @@
 #include <numbers>
 #include <utility>
 
-#include "bakers/clouds/tower_life.h"
+#include "bakers/clouds/resampled_volume.h"
+#include "bakers/clouds/tower_field.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/noise/noise_reference.h"
 
 namespace skybake::cloud {
+namespace {
+
+// A voxel of the source along an axis, and its share.
+struct Share {
+    int voxel = 0;
+    double weight = 0;
+};
+
+// `at` is the place in voxels of the source, of which an axis has `from`, and its result `to`.
+std::vector<Share> shares_of(double at, int from, int to) {
+    if (to >= from) {
+        const double below = std::floor(at - 0.5);
+        const double fraction = at - 0.5 - below;
+        const int voxel = static_cast<int>(below);
+        return {{voxel, 1 - fraction}, {voxel + 1, fraction}};
+    }
+    const double width = static_cast<double>(from) / to;
+    const double begin = at - width / 2;
+    const double end = at + width / 2;
+    std::vector<Share> shares;
+    for (double voxel = std::floor(begin); voxel < end; ++voxel) {
+        const double shared = std::min(end, voxel + 1) - std::max(begin, voxel);
+        shares.push_back({static_cast<int>(voxel), shared / width});
+    }
+    return shares;
+}
+
+int modulo(int voxel, int period) { return (voxel % period + period) % period; }
+
+}  // namespace
+
+VolumeReference::VolumeReference(CloudVolume volume, const std::array<int, 3>& size)
+    : volume_(std::move(volume)), size_(size) {}
+
+bool VolumeReference::is_expensive() const {
+    constexpr double most_voxels = 4000;
+    double voxels = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        voxels *= std::max(1.0, static_cast<double>(volume_.source.size[i]) / size_[i]);
+    }
+    return voxels > most_voxels;
+}
+
+double VolumeReference::operator()(const std::array<double, 3>& place) const {
+    const std::array<int, 3>& size = volume_.source.size;
+    std::array<std::vector<Share>, 3> shares;
+    for (std::size_t i = 0; i < 3; ++i) {
+        shares[i] = shares_of(place[i] * size[i], size[i], size_[i]);
+        if (i == 2 || volume_.wrap == config::VolumeWrap::empty) continue;
+        for (Share& share : shares[i]) share.voxel = modulo(share.voxel, size[i]);
+    }
+    double sum = 0;
+    for (const Share& z : shares[2]) {
+        for (const Share& y : shares[1]) {
+            for (const Share& x : shares[0]) {
+                float value = 0;
+                volume_.source.voxels->fill({{x.voxel, y.voxel, z.voxel}, {1, 1, 1}}, {&value});
+                sum += x.weight * y.weight * z.weight * double{value};
+            }
+        }
+    }
+    return sum;
+}
 
 namespace {
 
@@ -106,21 +170,19 @@ double height_profile_reference(const config::HeightProfile& profile, double h) 
     return height_profile(profile, h);
 }
 
-CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise& base,
-                               const config::Noise* detail, CloudMaps maps)
+CloudReference::CloudReference(const Cloud& cloud, const Noise& base, const Noise* detail,
+                               CloudMaps maps)
     : CloudReference(cloud, detail, std::move(maps)) {
     base_ = cloud_noise(base, cloud.noise_scale, cloud.channels);
 }
 
-CloudReference::CloudReference(const config::Cloud& cloud, const CloudVolume& volume,
-                               const config::Noise* detail, const std::array<int, 3>& size,
-                               CloudMaps maps)
+CloudReference::CloudReference(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
+                               const std::array<int, 3>& size, CloudMaps maps)
     : CloudReference(cloud, detail, std::move(maps)) {
     volume_.emplace(volume, size);
 }
 
-CloudReference::CloudReference(const config::Cloud& cloud, const config::Noise* detail,
-                               CloudMaps maps)
+CloudReference::CloudReference(const Cloud& cloud, const Noise* detail, CloudMaps maps)
     : cloud_(cloud), towers_(living_towers(cloud)), maps_(std::move(maps)) {
     if (detail != nullptr) {
         detail_ = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);

@@ -22,12 +22,11 @@ double height_profile_reference(const config::HeightProfile& profile, double h);
 class CloudReference {
   public:
     // The arguments are those of make_cloud_plan, with the noises as the recipe defines them.
-    CloudReference(const config::Cloud& cloud, const config::Noise& base,
-                   const config::Noise* detail, CloudMaps maps);
+    CloudReference(const Cloud& cloud, const Noise& base, const Noise* detail, CloudMaps maps);
 
     // Makes the reference of a volume's cloud, at the size of its voxels.
-    CloudReference(const config::Cloud& cloud, const CloudVolume& volume,
-                   const config::Noise* detail, const std::array<int, 3>& size, CloudMaps maps);
+    CloudReference(const Cloud& cloud, const CloudVolume& volume, const Noise* detail,
+                   const std::array<int, 3>& size, CloudMaps maps);
 
     // True if a point takes more than a millisecond.
     bool is_expensive() const;
@@ -36,15 +35,15 @@ class CloudReference {
     std::vector<double> operator()(const std::array<double, 3>& place) const;
 
   private:
-    CloudReference(const config::Cloud& cloud, const config::Noise* detail, CloudMaps maps);
+    CloudReference(const Cloud& cloud, const Noise* detail, CloudMaps maps);
     double profile_at(double x, double y, double h) const;
     double shaped(const std::array<double, 3>& place, double base_noise) const;
 
-    config::Cloud cloud_;
+    Cloud cloud_;
     std::vector<config::Tower> towers_;
-    std::optional<config::Noise> base_;  // none: `volume_` is in its place
+    std::optional<Noise> base_;  // none: `volume_` is in its place
     std::optional<VolumeReference> volume_;
-    std::optional<config::Noise> detail_;
+    std::optional<Noise> detail_;
     CloudMaps maps_;
 };
 

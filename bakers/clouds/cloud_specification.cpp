@@ -7,7 +7,6 @@
 #include "bakers/clouds/column_field.h"
 
 namespace skybake::cloud {
-
 namespace {
 
 float density(const CloudPlan& plan, float value) {

@@ -5,7 +5,6 @@
 #include <vector>
 
 namespace skybake::cloud {
-
 namespace {
 
 // Centres of `count` columns from `first` on, in tiles.

@@ -16,7 +16,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake::cloud {
-
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

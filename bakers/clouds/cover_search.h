@@ -23,7 +23,7 @@ namespace skybake::cloud {
 struct CoverRequest {
     double share = 0;  // of the columns, in [0, 1]
     float level = 0;   // stored values above this are cloud
-    config::PixelType pixel_type = config::PixelType::float32;
+    PixelType pixel_type = PixelType::float32;
 };
 
 struct FoundCover {

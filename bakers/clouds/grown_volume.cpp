@@ -8,7 +8,6 @@
 #include "bakers/math/wrapped.h"
 
 namespace skybake::cloud {
-
 namespace {
 
 std::array<float, 4> cubic_weights(double t) {
@@ -131,7 +130,7 @@ bool GrownVolume::is_empty(const VoxelBox& asked) const {
 }
 
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const config::Cloud& cloud, const std::array<int, 3>& size) {
+                            const Cloud& cloud, const std::array<int, 3>& size) {
     CloudVolume volume;
     SourceVoxels& source = volume.source;
     for (std::size_t i = 0; i < 3; ++i) {

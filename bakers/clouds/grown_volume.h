@@ -56,6 +56,6 @@ class GrownVolume : public VoxelSource {
 
 // Returns the volume that a cloud of this extent takes its density from, for a bake of a size.
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const config::Cloud& cloud, const std::array<int, 3>& size);
+                            const Cloud& cloud, const std::array<int, 3>& size);
 
 }  // namespace skybake::cloud

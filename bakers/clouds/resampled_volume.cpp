@@ -8,7 +8,6 @@
 #include "bakers/math/wrapped.h"
 
 namespace skybake::cloud {
-
 namespace {
 
 using config::VolumeWrap;

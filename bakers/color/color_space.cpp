@@ -4,7 +4,6 @@
 #include <glm/matrix.hpp>
 
 namespace skybake {
-
 namespace {
 
 constexpr glm::dvec2 kD65(0.3127, 0.3290);          // as Rec. 709 and Rec. 2020 state it
@@ -70,10 +69,6 @@ Primaries primaries_of(ColorSpace space) {
 glm::dvec3 xyz_of(glm::dvec2 chromaticity) {
     const double x = chromaticity.x, y = chromaticity.y;
     return glm::dvec3(x, y, 1 - x - y) / y;
-}
-
-glm::dvec2 chromaticity_of(glm::dvec3 xyz) {
-    return glm::dvec2(xyz.x, xyz.y) / (xyz.x + xyz.y + xyz.z);
 }
 
 glm::dmat3 to_xyz(ColorSpace space) {

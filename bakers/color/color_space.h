@@ -48,8 +48,6 @@ Primaries primaries_of(ColorSpace space);
 
 // The XYZ of a chromaticity with Y = 1.
 glm::dvec3 xyz_of(glm::dvec2 chromaticity);
-// The chromaticity of XYZ, whose sum is not 0.
-glm::dvec2 chromaticity_of(glm::dvec3 xyz);
 
 // Space -> XYZ and XYZ -> space, where the space's own white has Y = 1 (SMPTE RP 177). GLM's
 // matrices are stored by columns: xyz = to_xyz(space) * rgb.

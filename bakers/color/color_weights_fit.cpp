@@ -6,7 +6,6 @@
 #include <cstddef>
 
 namespace skybake {
-
 namespace {
 
 // The weight, in the mean square over samples, of differences from the weights of color_weights: so

@@ -3,7 +3,6 @@
 #include "bakers/color/spectral_nodes.h"
 
 namespace skybake {
-
 namespace {
 
 struct MatchingRow {

@@ -11,7 +11,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake::convection {
-
 namespace {
 
 double cells_of(const Specification& wanted) {
@@ -44,7 +43,7 @@ std::string text_of(const Specification& wanted) {
 
 }  // namespace
 
-Specification specification_of(const config::Cloud& cloud) {
+Specification specification_of(const Cloud& cloud) {
     const config::Convection& convection = cloud.convection;
     Specification wanted;
     std::array<double, 3> edge_m{};

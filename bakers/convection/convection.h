@@ -21,7 +21,7 @@ struct GrownCloud {
 };
 
 // Returns what the growth of a cloud with shape = "convection" depends on.
-Specification specification_of(const config::Cloud& cloud);
+Specification specification_of(const Cloud& cloud);
 
 // Grows the cloud. Returns null after an interruption.
 std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options);

@@ -1,11 +1,125 @@
 #include "bakers/convection/flow.h"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bakers/convection/saturation.h"
 #include "bakers/convection/transport.h"
+#include "bakers/math/mix64.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake::convection {
+namespace {
+
+constexpr double kDrawn_s = 60;   // in which air above a patch takes on its warmth
+constexpr double kMoment_s = 20;  // for which the noise of the warming stays
+constexpr double kReach = 3;      // radii of a patch
+
+std::uint64_t mixed(std::uint64_t x) { return mix64(x + kGolden64); }
+
+// In [0, 1).
+double number(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
+
+// The distance around a circle.
+double around(double distance, double length) {
+    return distance - length * std::floor(distance / length + 0.5);
+}
+
+// Numbers in [0, 1), one after another.
+struct Numbers {
+    std::uint64_t bits = 0;
+    double next() { return number(bits = mixed(bits)); }
+};
+
+// A thermal that rises from a patch: warm air gathers here and there on it, and for a while.
+Patch make_pulse(const Specification& wanted, const Patch& patch, Numbers& numbers) {
+    Patch pulse = patch;
+    const double away = std::sqrt(numbers.next());
+    const SineCosine turn = sine_and_cosine(2 * std::numbers::pi * numbers.next());
+    pulse.centre_m[0] += patch.radius_m * away * turn.cosine;
+    pulse.centre_m[1] += patch.radius_m * away * turn.sine;
+    pulse.radius_m *= 0.3 + 0.4 * numbers.next();
+    pulse.strength = (1 - 0.4 * away) * (0.7 + 0.6 * numbers.next());
+    pulse.begin_s = 0.6 * wanted.growth_s * numbers.next();
+    pulse.end_s = pulse.begin_s + wanted.growth_s * (0.3 + 0.4 * numbers.next());
+    return pulse;
+}
+
+}  // namespace
+
+float noise_at(std::uint64_t seed, const std::array<int, 3>& cell, int moment) {
+    std::uint64_t bits = mixed(seed);
+    for (const int i : {cell[0], cell[1], cell[2], moment})
+        bits = mixed(bits ^ static_cast<std::uint64_t>(i));
+    return static_cast<float>(2 * number(bits) - 1);
+}
+
+std::vector<Patch> make_patches(const Specification& wanted) {
+    constexpr int kPulses = 8;  // of a patch
+    std::vector<Patch> pulses;
+    const Grid& grid = wanted.grid;
+    for (int i = 0; i < wanted.patches; ++i) {
+        Numbers numbers{mixed(wanted.seed ^ mixed(static_cast<std::uint64_t>(i)))};
+        Patch patch;
+        for (std::size_t k = 0; k < 2; ++k) {
+            patch.centre_m[k] = numbers.next() * grid.cells[k] * double{grid.edge_m[k]};
+        }
+        const double share = numbers.next();
+        const auto& [narrow, wide] = wanted.patch_width_m;
+        patch.radius_m = 0.5 * (narrow + (wide - narrow) * share * share);  // most are small
+        for (int k = 0; k < kPulses; ++k) pulses.push_back(make_pulse(wanted, patch, numbers));
+    }
+    return pulses;
+}
+
+PatchSource::PatchSource(const Specification& wanted, const Sounding& sounding)
+    : wanted_(wanted),
+      patches_(make_patches(wanted)),
+      heat_(sounding.patch_heat),
+      water_(sounding.patch_water),
+      levels_(std::max(2, wanted.mixed_levels / 3)) {}
+
+float PatchSource::share_at(const std::vector<Patch>& patches, int x, int y) const {
+    const Grid& grid = wanted_.grid;
+    double share = 0;
+    for (const Patch& patch : patches) {
+        double squares = 0;
+        for (std::size_t k = 0; k < 2; ++k) {
+            const double at = ((k == 0 ? x : y) + 0.5) * double{grid.edge_m[k]};
+            const double away =
+                around(at - patch.centre_m[k], grid.cells[k] * double{grid.edge_m[k]});
+            squares += away * away;
+        }
+        squares /= patch.radius_m * patch.radius_m;
+        if (squares < kReach * kReach) share += patch.strength * exponential(-squares);
+    }
+    return static_cast<float>(share);
+}
+
+void PatchSource::warm(double time_s, double step_s, int z, State& state) const {
+    std::vector<Patch> active;
+    for (const Patch& patch : patches_) {
+        if (patch.begin_s <= time_s && time_s < patch.end_s) active.push_back(patch);
+    }
+    if (active.empty()) return;
+    const auto rate = static_cast<float>(step_s / kDrawn_s);
+    const int moment = static_cast<int>(time_s / kMoment_s);
+    for (int y = 0; y < wanted_.grid.cells[1]; ++y) {
+        float* heat = state.heat.row(y, z);
+        float* water = state.water.row(y, z);
+        for (int x = 0; x < wanted_.grid.cells[0]; ++x) {
+            const float share = share_at(active, x, y);
+            if (share == 0) continue;
+            const float noise = 1 + 0.3F * noise_at(wanted_.seed, {x, y, z}, moment);
+            const float drawn = std::min(1.0F, rate * share * noise);
+            heat[x] += drawn * std::max(0.0F, heat_ - heat[x]);
+            water[x] += drawn * std::max(0.0F, water_ - water[x]);
+        }
+        state.heat.wrap(y, z);
+        state.water.wrap(y, z);
+    }
+}
 
 namespace {
 

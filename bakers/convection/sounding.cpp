@@ -6,7 +6,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::convection {
-
 namespace {
 
 double power(double base, double exponent) { return exponential(exponent * logarithm(base)); }

@@ -14,8 +14,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 constexpr int block_edge = 4;
 constexpr int leaf_edge = 8;
 

@@ -10,7 +10,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 using Values = std::vector<std::vector<double>>;
@@ -79,7 +78,7 @@ std::vector<double> look_up(const StoredVoxels& voxels, const Level& level,
 }
 
 // Compares lookups with the reference at places, in tiles.
-VolumeErrors measure(const Level& level, config::PixelType type, const VolumeReference& reference,
+VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& reference,
                      const std::vector<Coordinates>& places, const VolumeComparison& comparison,
                      const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
@@ -182,14 +181,13 @@ std::vector<double> shares_of_range(const Level& level, const std::vector<double
     return errors;
 }
 
-std::vector<double> look_up(const Level& level, config::PixelType type,
-                            const std::array<double, 3>& uvw) {
+std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw) {
     return look_up(StoredVoxels(level, type), level, uvw);
 }
 
-VolumeErrors measure_lookups(const Level& level, config::PixelType type,
-                             const VolumeReference& reference, int count,
-                             const BakeOptions& options, const VolumeComparison& comparison) {
+VolumeErrors measure_lookups(const Level& level, PixelType type, const VolumeReference& reference,
+                             int count, const BakeOptions& options,
+                             const VolumeComparison& comparison) {
     std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
         Coordinates place = low_discrepancy_point(i);
@@ -202,8 +200,8 @@ VolumeErrors measure_lookups(const Level& level, config::PixelType type,
     return measure(level, type, reference, places, comparison, options);
 }
 
-VolumeErrors measure_voxels(const Level& level, config::PixelType type,
-                            const VolumeReference& reference, int count, const BakeOptions& options,
+VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeReference& reference,
+                            int count, const BakeOptions& options,
                             const VolumeComparison& comparison) {
     std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {

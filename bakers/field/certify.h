@@ -82,13 +82,13 @@ struct VolumeErrors {
 // Measures trilinear lookups of the stored voxels at `count` points of the fixed set. Axes are
 // repeated or clamped as level.repeats says. Along an axis of one voxel, the points lie at its
 // centre. Voxels are evaluated one by one, so the volume is never held in memory.
-VolumeErrors measure_lookups(const Level& level, config::PixelType type,
-                             const VolumeReference& reference, int count,
-                             const BakeOptions& options, const VolumeComparison& comparison = {});
+VolumeErrors measure_lookups(const Level& level, PixelType type, const VolumeReference& reference,
+                             int count, const BakeOptions& options,
+                             const VolumeComparison& comparison = {});
 
 // Measures the voxels that the same set falls into, at their centres.
-VolumeErrors measure_voxels(const Level& level, config::PixelType type,
-                            const VolumeReference& reference, int count, const BakeOptions& options,
+VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeReference& reference,
+                            int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
 
 // Returns the errors of values as shares of each channel's range, max - min. A channel that has one
@@ -97,8 +97,7 @@ std::vector<double> shares_of_range(const Level& level, const std::vector<double
                                     const std::vector<double>& wanted);
 
 // Returns the result of a lookup of the stored voxels, one value per channel.
-std::vector<double> look_up(const Level& level, config::PixelType type,
-                            const std::array<double, 3>& uvw);
+std::vector<double> look_up(const Level& level, PixelType type, const std::array<double, 3>& uvw);
 
 // The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {

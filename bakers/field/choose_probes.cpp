@@ -16,7 +16,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 // A wrong lookup shows if it is off by more than kShows tolerances. More than kPlenty tolerances
@@ -398,9 +397,9 @@ Probe as_probe(TakenProbe taken) {
     return probe;
 }
 
-std::optional<config::Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {
+std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set) {
     if (set.missed.empty()) return std::nullopt;
-    config::Diagnostic diagnostic;
+    Diagnostic diagnostic;
     diagnostic.code = "E0407";
     diagnostic.message =
         fmt::format("`{}`: its probes would pass a file that is wrong in one of these ways: {}",

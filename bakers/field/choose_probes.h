@@ -29,7 +29,7 @@ namespace skybake {
 struct ProbedTexture {
     ReadableTexture texture;
     int dimensions = 3;
-    config::PixelType type = config::PixelType::float32;
+    PixelType type = PixelType::float32;
     std::vector<double> largest;  // per channel: the largest absolute value
 };
 
@@ -80,7 +80,6 @@ ProbeSet take_probes(const ProbedTexture& texture, const std::vector<ProbeSpace>
                      const BakeOptions& options);
 
 // Returns E0407 if the probes miss a wrong lookup.
-[[nodiscard]] std::optional<config::Diagnostic> weak_probes(const std::string& asset,
-                                                            const ProbeSet& set);
+[[nodiscard]] std::optional<Diagnostic> weak_probes(const std::string& asset, const ProbeSet& set);
 
 }  // namespace skybake

@@ -16,14 +16,10 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
-
 namespace {
 
-using config::Diagnostic;
-using config::Outcome;
-
 Diagnostic failure(std::string code, std::string message, std::string label = {}) {
-    return {config::Severity::error, std::move(code), std::move(message), {}, std::move(label)};
+    return {Severity::error, std::move(code), std::move(message), {}, std::move(label)};
 }
 
 PointCounts points_of(const AccuracyRequest& request, Certification certification) {
@@ -117,8 +113,7 @@ ProbeSpace table_space(const TableModel& model, std::array<int, 2> size, PlaceOf
     return space;
 }
 
-ProbedTexture probed_texture(const Image2<float>& image, const Level& level,
-                             config::PixelType type) {
+ProbedTexture probed_texture(const Image2<float>& image, const Level& level, PixelType type) {
     ProbedTexture texture;
     texture.texture = readable_texture(image);
     texture.texture.use = {level.size, level.repeats, level.nearest};
@@ -171,7 +166,7 @@ void fill_image(const VoxelSource& source, Image2<float>& image) {
     std::vector<float*> targets;
     for (std::size_t c = 0; c < channels; ++c) targets.push_back(&planes[c * count]);
     source.fill({{}, {image.width, image.height, 1}}, targets);
-    store_voxels({targets.begin(), targets.end()}, count, config::PixelType::float32,
+    store_voxels({targets.begin(), targets.end()}, count, PixelType::float32,
                  reinterpret_cast<char*>(image.texels.data()));
 }
 
@@ -291,12 +286,12 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
         const LevelChoice choice = choose_level(model, request, *texels, options);
         if (options.cancelled()) return outcome;
         if (!choice.level) {
-            outcome.diagnostics.push_back(
-                failure("E0404",
-                        fmt::format("`{}`: no quadrature meets max_texel_error = {:.3g}; the "
-                                    "finest has {:.3g}",
-                                    table.name, *request.max_texel_error, choice.best_error),
-                        "use a larger max_texel_error"));
+            outcome.diagnostics.push_back(failure(
+                "E0404",
+                fmt::format(
+                    "`{}`: no quadrature meets max_texel_error = {:.3g}; the finest has {:.3g}",
+                    table.name, *request.max_texel_error, choice.best_error),
+                "use a larger max_texel_error"));
             return outcome;
         }
         level = *choice.level;
@@ -316,8 +311,8 @@ Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& req
             "W0201", fmt::format("`{}`: {} of {} values are below {:.3g}, where {} loses precision",
                                  table.name, table.range.below_normal, values.texels.size(),
                                  smallest_normal(table.pixel_type),
-                                 table.pixel_type == config::PixelType::half ? "half" : "float"));
-        warning.severity = config::Severity::warning;
+                                 table.pixel_type == PixelType::half ? "half" : "float"));
+        warning.severity = Severity::warning;
         outcome.diagnostics.push_back(std::move(warning));
     }
     if (model.cost_per_texel.size() > 1) {

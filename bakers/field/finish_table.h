@@ -49,15 +49,14 @@ struct TablePart {
 // Errors: E0401 if a texel is not finite, E0402 if it is beyond the pixel type's range, E0403 if
 // max_error cannot be met, E0404 if max_texel_error cannot be met, E0405 if physics does not allow
 // a value. Warning: W0201 if texels are below the pixel type's normal range.
-config::Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
-                                     const BakeOptions& options, const PlaceOf& place_of,
-                                     Baked table);
+Outcome<TablePart> make_part(const TableModel& model, const AccuracyRequest& request,
+                             const BakeOptions& options, const PlaceOf& place_of, Baked table);
 
 // The parts of a table; nothing if one of them could not be made.
-using StackedParts = config::Outcome<std::vector<TablePart>>;
+using StackedParts = Outcome<std::vector<TablePart>>;
 
 // Adds a part and what there is to say of it. Returns whether there is such a part.
-bool add_part(config::Outcome<TablePart> part, StackedParts& parts);
+bool add_part(Outcome<TablePart> part, StackedParts& parts);
 
 // Joins parts of the same size, channels and pixel type to one table: part k of n lies at v from
 // k/n to (k + 1)/n. The table has the texts of the first part; its range counts and its certificate
@@ -66,15 +65,14 @@ bool add_part(config::Outcome<TablePart> part, StackedParts& parts);
 // nor a diagnostic. `change`, if there is one, comes before levels are added: it may change texels, which
 // it rounds itself (store_texels), and add all levels, which are means otherwise.
 using ChangeTable = std::function<void(Baked& table)>;
-config::Outcome<Baked> stack_tables(StackedParts parts, const BakeOptions& options,
-                                    const ChangeTable& change = nullptr);
+Outcome<Baked> stack_tables(StackedParts parts, const BakeOptions& options,
+                            const ChangeTable& change = nullptr);
 
 // Adds a level of texels, rounded to the table's pixel type.
 void add_level(const Image2<double>& texels, Baked& table);
 
 // Makes a table of one part: make_part, then stack_tables.
-config::Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,
-                                    const BakeOptions& options, const PlaceOf& place_of,
-                                    Baked table);
+Outcome<Baked> finish_table(const TableModel& model, const AccuracyRequest& request,
+                            const BakeOptions& options, const PlaceOf& place_of, Baked table);
 
 }  // namespace skybake

@@ -20,7 +20,6 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
-
 namespace {
 
 std::string place_text(const std::array<double, 3>& uvw) {
@@ -88,8 +87,8 @@ void add_levels(int count, NextSize next_size, const BakeOptions& options, Baked
     }
 }
 
-std::optional<config::Diagnostic> add_level_probes(int number, const VolumeFinish& finish,
-                                                   const BakeOptions& options, Baked& volume) {
+std::optional<Diagnostic> add_level_probes(int number, const VolumeFinish& finish,
+                                           const BakeOptions& options, Baked& volume) {
     ProbePlaces place;
     if (finish.probe_place) {
         place = [&finish, number](const std::array<double, 3>& uvw) {
@@ -106,7 +105,7 @@ using UnitPlace = std::array<double, 3>;  // texture coordinates
 
 constexpr int kVolumeProbes = 24;
 
-ProbedTexture probed_volume(const Level& level, int dimensions, config::PixelType type) {
+ProbedTexture probed_volume(const Level& level, int dimensions, PixelType type) {
     ProbedTexture texture;
     texture.dimensions = dimensions;
     texture.texture.use = {level.size, level.repeats, level.nearest};
@@ -212,7 +211,7 @@ class Slope {
 };
 
 // Adds the peaks, places a little beside them, and the slopes around some of them.
-void add_peaks(const Level& level, config::PixelType type, std::vector<UnitPlace>& places) {
+void add_peaks(const Level& level, PixelType type, std::vector<UnitPlace>& places) {
     constexpr std::size_t kWithSlopes = 8;
     const StoredVoxels voxels(level, type);
     const std::vector<VoxelPeak> peaks = chosen_peaks(level);
@@ -286,9 +285,8 @@ void add_slice_levels(int count, const BakeOptions& options, Baked& volume) {
 
 int quick_lookup_points(bool is_expensive) { return is_expensive ? 64 : 1024; }
 
-config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
-                                     const BakeOptions& options) {
-    config::Outcome<Baked> outcome;
+Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish, const BakeOptions& options) {
+    Outcome<Baked> outcome;
     code_levels(volume);
     for (std::size_t i = 0; i < volume.levels.size(); ++i) {
         if (options.cancelled()) return outcome;
@@ -317,10 +315,9 @@ config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
     return outcome;
 }
 
-std::optional<config::Diagnostic> add_volume_probes(const std::string& asset, int dimensions,
-                                                    const ProbePlaces& place,
-                                                    config::PixelType type,
-                                                    const BakeOptions& options, Level& level) {
+std::optional<Diagnostic> add_volume_probes(const std::string& asset, int dimensions,
+                                            const ProbePlaces& place, PixelType type,
+                                            const BakeOptions& options, Level& level) {
     ProbeSpace space{place ? place : texture_place, {}};
     const Level readable = in_memory_if_small(level, options);
     add_seams(readable, space.wanted);

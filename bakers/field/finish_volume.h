@@ -62,16 +62,15 @@ int quick_lookup_points(bool is_expensive);
 // options.certification is off. E0401 or E0402 if the pixel type cannot hold a voxel; E0407 if the
 // probes cannot detect a wrong file. After an interruption there is neither a value nor a
 // diagnostic.
-config::Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish,
-                                     const BakeOptions& options);
+Outcome<Baked> finish_volume(Baked volume, const VolumeFinish& finish, const BakeOptions& options);
 
 // Fills in the probes and catches of a level that has been surveyed. A file of two `dimensions` is
 // looked up by two coordinates, so that none can be mistaken for a third. `place` returns the physical
 // place for texture coordinates; if it is empty, only texture coordinates are known. Candidate
 // places lie all over the volume, at its seams, at the level's peaks and on the slopes around them.
 // E0407 names `asset`.
-[[nodiscard]] std::optional<config::Diagnostic> add_volume_probes(
-    const std::string& asset, int dimensions, const ProbePlaces& place, config::PixelType type,
-    const BakeOptions& options, Level& level);
+[[nodiscard]] std::optional<Diagnostic> add_volume_probes(const std::string& asset, int dimensions,
+                                                          const ProbePlaces& place, PixelType type,
+                                                          const BakeOptions& options, Level& level);
 
 }  // namespace skybake

@@ -11,7 +11,6 @@
 #include "bakers/math/memory.h"
 
 namespace skybake {
-
 namespace {
 
 // A row of a box begins at this float of an array over the box.

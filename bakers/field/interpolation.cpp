@@ -4,7 +4,6 @@
 #include <cstddef>
 
 namespace skybake {
-
 namespace {
 
 // The two voxels around a place on one axis, and the place's position between them, from 0 to 1.

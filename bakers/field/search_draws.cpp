@@ -7,7 +7,6 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake {
-
 namespace {
 
 // The golden section, by which places in successive strata differ, and 1 / 1.3247... (the real root

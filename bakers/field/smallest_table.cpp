@@ -8,7 +8,6 @@
 #include "bakers/field/interpolation.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::array<int, 19> kSizes = {4,   6,   8,   12,  16,  24,  32,   48,   64,  96,

@@ -8,7 +8,6 @@
 #include "bakers/field/value_kernel.h"
 
 namespace skybake {
-
 namespace {
 
 std::atomic<std::int64_t>& bytes_taken() {

@@ -16,7 +16,7 @@ namespace skybake {
 class StoredVoxels {
   public:
     // The level's statistics must be known, one per channel.
-    StoredVoxels(const Level& level, config::PixelType type) : level_(level), type_(type) {}
+    StoredVoxels(const Level& level, PixelType type) : level_(level), type_(type) {}
 
     std::size_t channels() const { return level_.statistics.size(); }
 
@@ -29,7 +29,7 @@ class StoredVoxels {
     void fetch(const VoxelBox& box, std::size_t from, std::vector<float>& values) const;
 
     const Level& level_;
-    config::PixelType type_;
+    PixelType type_;
 };
 
 // The size of the next coarser level: half of each size, rounded down, at least 1.

@@ -18,11 +18,7 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
-
-using config::Diagnostic;
-using config::PixelType;
 
 // Summary of one channel's values, for one box or for all boxes so far.
 struct Summary {

@@ -27,7 +27,7 @@ struct ColumnCount {
     float above = 0;
     double share = 0;  // of the columns with a stored value above that
 };
-[[nodiscard]] std::vector<config::Diagnostic> survey_level(
+[[nodiscard]] std::vector<Diagnostic> survey_level(
     Baked& volume, int level, const std::vector<std::array<double, 2>>& histogram_ranges,
     const BakeOptions& options, ColumnCount* count = nullptr);
 

@@ -7,7 +7,6 @@
 #include "bakers/field/interpolation.h"
 
 namespace skybake {
-
 namespace {
 
 // Cells of an axis whose measured points are not spread as its texels: as many for each texel.

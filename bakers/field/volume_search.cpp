@@ -9,7 +9,6 @@
 #include "bakers/field/stored_voxels.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::int64_t kMostVoxels = 1 << 18;
@@ -102,10 +101,9 @@ class VoxelBends {
 
 }  // namespace
 
-VolumeErrors search_volume(const Level& level, config::PixelType type,
-                           const VolumeReference& reference, const VolumeReference& estimate,
-                           const SearchCounts& counts, const BakeOptions& options,
-                           const VolumeComparison& comparison) {
+VolumeErrors search_volume(const Level& level, PixelType type, const VolumeReference& reference,
+                           const VolumeReference& estimate, const SearchCounts& counts,
+                           const BakeOptions& options, const VolumeComparison& comparison) {
     // An axis of one voxel is looked up at the voxel's centre.
     const auto lookup_place = [&](SearchPlace place) {
         for (std::size_t a = 0; a < 3; ++a) {

@@ -10,9 +10,8 @@ namespace skybake {
 // says. `counts.per_row` is not used: each row has one point. If `estimate` is not empty and
 // counts.exact is not 0, it is searched in place of the reference. Where the voxels let large
 // errors expect is only looked at if there are at most 2^18 of them.
-VolumeErrors search_volume(const Level& level, config::PixelType type,
-                           const VolumeReference& reference, const VolumeReference& estimate,
-                           const SearchCounts& counts, const BakeOptions& options,
-                           const VolumeComparison& comparison);
+VolumeErrors search_volume(const Level& level, PixelType type, const VolumeReference& reference,
+                           const VolumeReference& estimate, const SearchCounts& counts,
+                           const BakeOptions& options, const VolumeComparison& comparison);
 
 }  // namespace skybake

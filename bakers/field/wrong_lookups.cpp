@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace skybake {
-
 namespace {
 
 using TextureCoordinates = std::array<double, 3>;

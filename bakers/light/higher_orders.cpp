@@ -14,7 +14,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // The light that one km of air scatters towards an eye, from moments of the light (solved_light.h).

@@ -11,7 +11,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Where tables have all but so much of the extinction, rays are cut at their altitudes alone.

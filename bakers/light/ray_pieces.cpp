@@ -7,7 +7,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::ray_pieces {
-
 namespace {
 
 using NodeShares = std::array<std::array<double, kNodes>, kNodes>;

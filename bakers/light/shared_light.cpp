@@ -9,7 +9,6 @@
 #include "config/sections/layer.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kSecondsOfDegree8 = 1.2;  // to solve for the light of Earth's sky

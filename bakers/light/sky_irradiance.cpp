@@ -13,7 +13,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Higher orders of at most this degree in the azimuth's cosine have few azimuths, whose number is

@@ -66,7 +66,7 @@ SkyLight::SkyLight(SkyMedium medium, SkyOrders orders,
       integrator_(medium_, higher_orders_.get()),
       make_sunlight_([this, threads] { return make_sunlight(medium_.air, threads); }) {}
 
-std::optional<config::Diagnostic> SkyLight::problem(const std::string& name) const {
+std::optional<Diagnostic> SkyLight::problem(const std::string& name) const {
     if (!solved_) return std::nullopt;
     return check_light(energy_balance(medium_, *solved_), *solved_, name);
 }

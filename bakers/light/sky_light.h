@@ -37,7 +37,7 @@ class SkyLight {
     SkyLight& operator=(const SkyLight&) = delete;
 
     // Returns an error if the light was solved for and the solution is invalid (energy_balance.h).
-    [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
+    [[nodiscard]] std::optional<Diagnostic> problem(const std::string& name) const;
 
     // The medium, in which light scattered into forward peaks counts as not scattered
     // (forward_peak.h) unless orders() is single.

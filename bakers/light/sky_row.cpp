@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::size_t kMiddleNode = ray_pieces::kNodes / 2;

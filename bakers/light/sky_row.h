@@ -71,7 +71,7 @@ class SkyRow {
         double from_km;
         double to_km;
         std::size_t first_node;
-        bool in_skins;  // of layers that begin or end abruptly (lit_skins.h)
+        bool in_skins;  // of layers that begin or end abruptly (sky_radiance.h)
     };
     void add_piece(const ray_pieces::Piece& piece);
     // Adds light that is scattered once. Sums (sky_row.cpp) collect what a place sends to the eye of

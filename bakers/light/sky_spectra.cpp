@@ -17,7 +17,6 @@
 #include "config/sections/spectral_air.h"
 
 namespace skybake {
-
 namespace {
 
 // Spectra are known at these wavelengths.

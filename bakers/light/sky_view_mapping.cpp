@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // arccos(R / (R + h)) = 2 arcsin sqrt(h / (2 (R + h))): no digits are lost near h = 0.

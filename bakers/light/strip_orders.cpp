@@ -13,7 +13,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kStripWidth = std::numbers::pi / StripOrders::kStrips;  // of azimuth, in radians

@@ -8,7 +8,6 @@
 #include "bakers/march/layer_march.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kDistances = 48;

@@ -4,13 +4,11 @@
 #include <cmath>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/march/voxel_blocks.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake {
-
 namespace {
 
 using Plane = std::vector<double>;

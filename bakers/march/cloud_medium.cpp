@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <random>
 
-#include "bakers/march/voxel_blocks.h"
 #include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/leap_distance.h"
@@ -13,7 +11,6 @@
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake {
-
 namespace {
 
 using occupancy::CellGrid;
@@ -88,8 +85,8 @@ LeapGrid leap_grid(const std::array<int, 3>& voxels, int cell, const std::vector
     return grid;
 }
 
-CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
-                         const std::array<int, 3>& size, int channels, int threads, bool repeats) {
+CloudMedium cloud_medium(const Cloud& cloud, const float* voxels, const std::array<int, 3>& size,
+                         int channels, int threads, bool repeats) {
     CloudMedium medium;
     for (std::size_t a = 0; a < 3; ++a) medium.extent_m[a] = cloud.extent[a].meters;
     medium.base_m = cloud.base_altitude.meters;

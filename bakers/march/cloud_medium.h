@@ -4,10 +4,13 @@
 // Positions are in voxel units: voxel i of an axis has its centre at i + 1/2. The volume either
 // repeats along x and y or has empty space beside it. Along z lookups are clamped, and space below
 // 0 and above size[2] is empty.
+//
+// Blocks of voxels that divide a volume evenly.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "bakers/air/cloud_optics.h"
@@ -83,9 +86,8 @@ struct CloudMedium {
 
 // Makes a medium without leaps: all its cells count as occupied. The leaps of a repeating volume
 // are also valid for the same volume without repetition, which contains less cloud.
-CloudMedium cloud_medium(const config::Cloud& cloud, const float* voxels,
-                         const std::array<int, 3>& size, int channels, int threads,
-                         bool repeats = true);
+CloudMedium cloud_medium(const Cloud& cloud, const float* voxels, const std::array<int, 3>& size,
+                         int channels, int threads, bool repeats = true);
 
 // Returns the medium of the mean densities of blocks of at most so many voxels along x, y and z, which divide the
 // volume evenly. It has no edge and no leaps.
@@ -96,5 +98,26 @@ TileVariation varied_tiles(const CloudMedium& medium);
 
 // Calculates leaps from the voxels, by the exact rule for trilinear lookups.
 LeapGrid leaps_of_voxels(const CloudMedium& medium, int cell, int threads);
+
+// A grid of blocks of at most `block` voxels. Block k of an axis has the voxels
+// floor(k N / n) ... floor((k + 1) N / n) - 1.
+struct VoxelBlocks {
+    std::array<int, 3> voxels{};
+    std::array<int, 3> size{};
+
+    VoxelBlocks(const std::array<int, 3>& voxels_, const std::array<int, 3>& block)
+        : voxels(voxels_) {
+        for (std::size_t a = 0; a < 3; ++a) size[a] = (voxels[a] + block[a] - 1) / block[a];
+    }
+    int first(std::size_t axis, int k) const {
+        return static_cast<int>(std::int64_t{k} * voxels[axis] / size[axis]);
+    }
+    std::size_t plane_count() const {
+        return static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
+    }
+};
+
+// Returns the mean density of the voxels of a block.
+double mean_density(const CloudMedium& medium, const VoxelBlocks& blocks, int i, int j, int k);
 
 }  // namespace skybake

@@ -102,8 +102,7 @@ struct CloudSamples {
     // Returns, up to rounding, the first sample at or beyond a distance. Nothing is beyond negative ones.
     HWY_INLINE FloatLanes first_beyond(FloatLanes distance_m) const {
         const FloatLanes even = maximum(distance_m * FloatLanes(steps_per_m), FloatLanes(0.0F));
-        const FloatLanes stretch =
-            square_root(FloatLanes(1.0F) + FloatLanes(4.0F * growth) * even);
+        const FloatLanes stretch = square_root(FloatLanes(1.0F) + FloatLanes(4.0F * growth) * even);
         return ceil_of((even + even) / (FloatLanes(1.0F) + stretch) - jitter);
     }
 };

@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 using CellLight = std::array<float, LightInCloud::kAll>;

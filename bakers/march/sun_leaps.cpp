@@ -8,7 +8,6 @@
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake {
-
 namespace {
 
 using Cell = std::array<int, 3>;

@@ -3,7 +3,6 @@
 #include <utility>
 
 namespace skybake {
-
 namespace {
 
 thread_local BakeClock* running = nullptr;

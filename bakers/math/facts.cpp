@@ -8,7 +8,6 @@
 #include <charconv>
 
 namespace skybake {
-
 namespace {
 
 double number_of(const std::string& text) {

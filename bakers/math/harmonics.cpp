@@ -4,7 +4,6 @@
 #include <numbers>
 
 namespace skybake {
-
 namespace {
 
 // The square roots of the norms: sqrt(n / pi) / d.

@@ -6,7 +6,6 @@
 #include <new>
 
 namespace skybake {
-
 namespace {
 
 std::string hex_of(const XXH128_hash_t& hash) {

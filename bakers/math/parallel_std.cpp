@@ -13,7 +13,6 @@
 #include "bakers/math/startable_threads.h"
 
 namespace skybake {
-
 namespace {
 
 // Hands out the indices of a pipeline in order and lets the thread that completes the oldest one

@@ -16,7 +16,6 @@
 #include "bakers/math/startable_threads.h"
 
 namespace skybake {
-
 namespace {
 
 using oneapi::tbb::global_control;
@@ -68,9 +67,8 @@ void parallel_for(int count, int threads, const std::function<void(int)>& tile) 
         for (int i = 0; i < count; ++i) tile(i);
         return;
     }
-    run_with_threads(own, [&] {
-        oneapi::tbb::parallel_for(0, count, tile, oneapi::tbb::simple_partitioner());
-    });
+    run_with_threads(
+        own, [&] { oneapi::tbb::parallel_for(0, count, tile, oneapi::tbb::simple_partitioner()); });
 }
 
 void ordered_pipeline(int count, int threads, int slots,

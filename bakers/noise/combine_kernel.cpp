@@ -11,7 +11,6 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
-using config::NoiseType;
 
 namespace {
 
@@ -92,7 +91,7 @@ HWY_INLINE FloatVector shaped(const ChannelPlan& channel, FloatVector value) {
 void combine(const ChannelPlan& channel, const float* gradient,
              const std::vector<const float*>& fields, std::size_t count, float* out) {
     const bool rectified = gradient != nullptr && channel.type != NoiseType::curl &&
-                           channel.fractal == config::NoiseFractal::rectified;
+                           channel.fractal == NoiseFractal::rectified;
     sum_cells(channel, fields, count, out);
     if (channel.type == NoiseType::perlin_worley) {
         const FloatVector one = constant(1);
@@ -116,9 +115,9 @@ void combine(const ChannelPlan& channel, const float* gradient,
     }
 }
 
-void pack(config::NoisePacking packing, const std::array<const float*, 4>& channels,
-          std::size_t count, float* out) {
-    const bool shape = packing == config::NoisePacking::shape;
+void pack(NoisePacking packing, const std::array<const float*, 4>& channels, std::size_t count,
+          float* out) {
+    const bool shape = packing == NoisePacking::shape;
     const FloatVector one = constant(1);
     for (std::size_t i = 0; i < count; i += kLanes) {
         const auto weighted = [&](std::size_t first) HWY_ATTR {
@@ -168,11 +167,8 @@ HWY_EXPORT(pack);
 HWY_EXPORT(add_shaped);
 HWY_EXPORT(shift);
 
-using config::NoiseType;
-
 SumShift sum_shift(const ChannelPlan& channel) {
-    const bool centered =
-        channel.type != NoiseType::curl && channel.fractal == config::NoiseFractal::fbm;
+    const bool centered = channel.type != NoiseType::curl && channel.fractal == NoiseFractal::fbm;
     return centered ? SumShift{0.5f, 0.5f} : SumShift{};
 }
 
@@ -181,7 +177,7 @@ void combine_channel(const ChannelPlan& channel, const float* gradient,
     HWY_DYNAMIC_DISPATCH(combine)(channel, gradient, fields, count, out);
 }
 
-void pack_channels(config::NoisePacking packing, const std::array<const float*, 4>& channels,
+void pack_channels(NoisePacking packing, const std::array<const float*, 4>& channels,
                    std::size_t count, float* out) {
     HWY_DYNAMIC_DISPATCH(pack)(packing, channels, count, out);
 }

@@ -24,7 +24,7 @@ SumShift sum_shift(const ChannelPlan& channel);
 
 // Computes one row of the packed channel from the rows of R, G, B and, for shape, A. `out` may be
 // one of them.
-void pack_channels(config::NoisePacking pack, const std::array<const float*, 4>& channels,
+void pack_channels(NoisePacking pack, const std::array<const float*, 4>& channels,
                    std::size_t count, float* out);
 
 // Adds `weight` times the shape of an octave to the sums, or, if `set` is true, sets the sums to

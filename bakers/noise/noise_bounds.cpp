@@ -6,12 +6,8 @@
 #include <numbers>
 
 namespace skybake::noise {
-
 namespace {
 
-using config::NoiseChannel;
-using config::NoiseFractal;
-using config::NoiseType;
 using config::WorleyFeature;
 using config::WorleyValue;
 
@@ -149,17 +145,17 @@ Interval weighted(const Interval& a, const Interval& b, const Interval& c) {
 
 }  // namespace
 
-std::array<double, 2> value_bounds(const config::Noise& noise, std::size_t channel) {
+std::array<double, 2> value_bounds(const Noise& noise, std::size_t channel) {
     std::array<Interval, 4> channels{};
     for (std::size_t i = 0; i < noise.channels.size(); ++i) {
         channels[i] = channel_bounds(noise.channels[i], noise.period > 0);
     }
     switch (noise.pack) {
-        case config::NoisePacking::none:
+        case NoisePacking::none:
             return channels[channel];
-        case config::NoisePacking::detail:
+        case NoisePacking::detail:
             return weighted(channels[0], channels[1], channels[2]);
-        case config::NoisePacking::shape:
+        case NoisePacking::shape:
             break;
     }
     // (r + 1 - w) / (2 - w) is monotonic in r and in w while w < 2.

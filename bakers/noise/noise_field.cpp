@@ -15,7 +15,6 @@
 #include "bakers/noise/stack_filler.h"
 
 namespace skybake::noise {
-
 namespace {
 
 // Chunks are as deep as the blocks of cellular noise, and small enough for the second cache to hold
@@ -59,7 +58,7 @@ class BoxFiller {
 
   private:
     bool wanted(std::size_t channel) const {
-        return plan_.pack != config::NoisePacking::none || channels_[channel] != nullptr;
+        return plan_.pack != NoisePacking::none || channels_[channel] != nullptr;
     }
 
     void prepare() {
@@ -173,13 +172,13 @@ class BoxFiller {
     // True if kernels may write a channel's rows straight to the caller: nothing else becomes of
     // them, and whole vectors end where rows do.
     bool is_bare(const ChannelPlan& channel) const {
-        return !channel.is_shaped() && plan_.pack == config::NoisePacking::none &&
+        return !channel.is_shaped() && plan_.pack == NoisePacking::none &&
                row_stride_ == static_cast<std::size_t>(box_.size[0]);
     }
 
     // True if the channel is one field of cells as it is.
     bool is_one_field(const ChannelPlan& channel) const {
-        if (channel.type != config::NoiseType::worley || channel.cells.size() != 1) return false;
+        if (channel.type != NoiseType::worley || channel.cells.size() != 1) return false;
         const auto& [field, weight] = channel.cells.front();
         return is_bare(channel) && weight == 1 && lattices_[static_cast<std::size_t>(field)];
     }
@@ -191,7 +190,7 @@ class BoxFiller {
             return callers_[field] == channels_[index];
         }
         return is_bare(channel) && channel.cells.empty() && stacks_[index] &&
-               stacks_[index]->is_separable() && channel.fractal != config::NoiseFractal::rectified;
+               stacks_[index]->is_separable() && channel.fractal != NoiseFractal::rectified;
     }
 
     // Row (y, z) of the chunk in an array over the whole box.
@@ -225,7 +224,7 @@ class BoxFiller {
             rows_[i] = fields_[i].empty() ? nullptr : fields_[i].data() + offset;
             if (callers_[i] != nullptr) rows_[i] = row_of(callers_[i], chunk, y, z);
         }
-        const bool packed = plan_.pack != config::NoisePacking::none;
+        const bool packed = plan_.pack != NoisePacking::none;
         for (std::size_t c = 0; c < plan_.channels.size(); ++c) {
             if (!wanted(c) || is_direct(c)) continue;
             const float* gradient = gradients_[c].empty() ? nullptr : gradients_[c].data() + offset;

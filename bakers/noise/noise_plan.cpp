@@ -8,13 +8,7 @@
 #include "bakers/noise/noise_stacks.h"
 
 namespace skybake::noise {
-
 namespace {
-
-using config::NoiseChannel;
-using config::NoiseFractal;
-using config::NoiseOctaves;
-using config::NoiseType;
 
 int field_index(NoisePlan& plan, CellField field) {
     for (std::size_t i = 0; i < plan.fields.size(); ++i) {
@@ -81,7 +75,7 @@ void add_octaves(const NoiseChannel& channel, const OctaveMaker& maker, NoisePla
 }
 
 // Returns the warp of a channel, which channels before it may have, too, or -1 if it has none.
-int warp_index(const config::Noise& noise, const NoiseChannel& channel, const OctaveMaker& maker,
+int warp_index(const Noise& noise, const NoiseChannel& channel, const OctaveMaker& maker,
                NoisePlan& plan) {
     if (channel.warp_strength == 0) return -1;
     assert(channel.type != NoiseType::constant && channel.type != NoiseType::curl);
@@ -96,7 +90,7 @@ int warp_index(const config::Noise& noise, const NoiseChannel& channel, const Oc
     return static_cast<int>(plan.warps.size()) - 1;
 }
 
-ChannelPlan channel_plan(const config::Noise& noise, const NoiseChannel& channel, NoisePlan& plan) {
+ChannelPlan channel_plan(const Noise& noise, const NoiseChannel& channel, NoisePlan& plan) {
     const OctaveMaker maker{
         plan.axes, {noise.seed, channel.seed}, noise.period, noise.time, noise.time_cells};
     ChannelPlan result;
@@ -132,7 +126,7 @@ double smooth_step(const std::array<double, 2>& edges, double value) {
 
 // The wind carries the noise's values along, so that samples are taken against it. After a loop the
 // noise has moved by whole tiles.
-void add_drift(const config::Noise& noise, std::array<TileAxis, 3>& axes) {
+void add_drift(const Noise& noise, std::array<TileAxis, 3>& axes) {
     for (std::size_t i = 0; i < 3; ++i) {
         TileAxis& axis = axes[i];
         axis.drift_steps = std::int64_t{noise.period} * noise.repeats[i];
@@ -161,7 +155,7 @@ Fraction fraction_of(const LatticePosition& position) {
 
 }  // namespace
 
-NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size) {
+NoisePlan make_noise_plan(const Noise& noise, const std::array<int, 3>& size) {
     assert(size[0] >= 1 && size[1] >= 1 && size[2] >= 1);
     NoisePlan plan;
     plan.axes = tile_axes(size, noise.sampling);

@@ -162,9 +162,9 @@ struct WeightedField {
 };
 
 struct ChannelPlan {
-    config::NoiseType type = config::NoiseType::constant;
+    NoiseType type = NoiseType::constant;
     float value = 0;  // constant
-    config::NoiseFractal fractal = config::NoiseFractal::fbm;
+    NoiseFractal fractal = NoiseFractal::fbm;
     GradientStack gradient;
     std::vector<WeightedField> cells;
     int warp = -1;  // of its gradients and cells
@@ -188,16 +188,16 @@ struct NoisePlan {
     std::vector<WarpPlan> warps;
     std::vector<CellField> fields;
     std::vector<ChannelPlan> channels;
-    config::NoisePacking pack = config::NoisePacking::none;
+    NoisePacking pack = NoisePacking::none;
     int output_channels() const {
-        return pack == config::NoisePacking::none ? static_cast<int>(channels.size()) : 1;
+        return pack == NoisePacking::none ? static_cast<int>(channels.size()) : 1;
     }
 };
 
-NoisePlan make_noise_plan(const config::Noise& noise, const std::array<int, 3>& size);
+NoisePlan make_noise_plan(const Noise& noise, const std::array<int, 3>& size);
 
 // Returns the range in which a channel's values are meant to lie: [0, 1], or [-1, 1] for curl,
 // mapped through remap, smoothstep, invert, bias and clamp. The range is never empty.
-std::array<double, 2> nominal_range(const config::NoiseChannel& channel);
+std::array<double, 2> nominal_range(const NoiseChannel& channel);
 
 }  // namespace skybake::noise

@@ -8,13 +8,8 @@
 #include "bakers/noise/reference_lattice.h"
 
 namespace skybake::noise {
-
 namespace {
 
-using config::NoiseChannel;
-using config::NoiseFractal;
-using config::NoiseOctaves;
-using config::NoiseType;
 using config::WorleyFeature;
 using config::WorleyValue;
 
@@ -31,11 +26,11 @@ struct OctaveName {
 };
 
 // Frames repeat, so that any frame of the loop will do; this one is not negative.
-int frame_of(const config::Noise& noise) {
+int frame_of(const Noise& noise) {
     return (noise.time % noise.period + noise.period) % noise.period;
 }
 
-Lattice lattice_of(const config::Noise& noise, const NoiseChannel& channel, Purpose purpose,
+Lattice lattice_of(const Noise& noise, const NoiseChannel& channel, Purpose purpose,
                    const OctaveName& octave) {
     Lattice lattice;
     lattice.period = octave.frequency;
@@ -82,8 +77,7 @@ double weighted_mean(const NoiseOctaves& octaves, const Octave& octave) {
     return sum / weights;
 }
 
-double gradient_part(const config::Noise& noise, const NoiseChannel& channel,
-                     const glm::dvec3& place) {
+double gradient_part(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
     const double sum = weighted_mean(channel.octaves, [&](const OctaveName& octave) {
         const double n =
             improved_noise(lattice_of(noise, channel, Purpose::gradient, octave), place).value;
@@ -94,24 +88,23 @@ double gradient_part(const config::Noise& noise, const NoiseChannel& channel,
     return channel.fractal == NoiseFractal::rectified ? std::max(0.0, sum) : sum;
 }
 
-double cell_part(const config::Noise& noise, const NoiseChannel& channel,
-                 const NoiseOctaves& octaves, const glm::dvec3& place) {
+double cell_part(const Noise& noise, const NoiseChannel& channel, const NoiseOctaves& octaves,
+                 const glm::dvec3& place) {
     return weighted_mean(octaves, [&](const OctaveName& octave) {
         return worley(channel, lattice_of(noise, channel, Purpose::cells, octave), place);
     });
 }
 
-double alligator_part(const config::Noise& noise, const NoiseChannel& channel,
-                      const glm::dvec3& place) {
+double alligator_part(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
     return weighted_mean(channel.octaves, [&](const OctaveName& octave) {
         return alligator(lattice_of(noise, channel, Purpose::alligator, octave), place);
     });
 }
 
 // A component of the curl, per tile, over the greatest frequency of the first octave.
-double curl_part(const config::Noise& noise, const NoiseChannel& channel,
-                 const NoiseOctaves& octaves, const std::array<Purpose, 3>& potentials,
-                 std::size_t axis, const glm::dvec3& place) {
+double curl_part(const Noise& noise, const NoiseChannel& channel, const NoiseOctaves& octaves,
+                 const std::array<Purpose, 3>& potentials, std::size_t axis,
+                 const glm::dvec3& place) {
     const std::size_t next = (axis + 1) % 3;
     const std::size_t last = (axis + 2) % 3;
     const double sum = weighted_mean(octaves, [&](const OctaveName& octave) {
@@ -126,8 +119,7 @@ double curl_part(const config::Noise& noise, const NoiseChannel& channel,
 }
 
 // The place at which a channel is read instead of `place`.
-glm::dvec3 displaced(const config::Noise& noise, const NoiseChannel& channel,
-                     const glm::dvec3& place) {
+glm::dvec3 displaced(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& place) {
     constexpr std::array<Purpose, 3> kPurposes = {Purpose::warp_x, Purpose::warp_y,
                                                   Purpose::warp_z};
     glm::dvec3 result = place;
@@ -144,7 +136,7 @@ glm::dvec3 displaced(const config::Noise& noise, const NoiseChannel& channel,
     return result;
 }
 
-double value_of(const config::Noise& noise, const NoiseChannel& channel, const glm::dvec3& where) {
+double value_of(const Noise& noise, const NoiseChannel& channel, const glm::dvec3& where) {
     constexpr std::array<Purpose, 3> kPotentials = {Purpose::potential_x, Purpose::potential_y,
                                                     Purpose::potential_z};
     const glm::dvec3 place = displaced(noise, channel, where);
@@ -189,8 +181,7 @@ double shaped(const NoiseChannel& channel, double value) {
 
 }  // namespace
 
-std::vector<double> noise_reference(const config::Noise& noise,
-                                    const std::array<double, 3>& place) {
+std::vector<double> noise_reference(const Noise& noise, const std::array<double, 3>& place) {
     glm::dvec3 at = {place[0], place[1], place[2]};
     for (std::size_t i = 0; i < 3 && noise.period > 0; ++i) {
         const double loops = static_cast<double>(frame_of(noise)) / noise.period;
@@ -200,8 +191,8 @@ std::vector<double> noise_reference(const config::Noise& noise,
     for (const NoiseChannel& channel : noise.channels) {
         values.push_back(shaped(channel, value_of(noise, channel, at)));
     }
-    if (noise.pack == config::NoisePacking::none) return values;
-    if (noise.pack == config::NoisePacking::detail) {
+    if (noise.pack == NoisePacking::none) return values;
+    if (noise.pack == NoisePacking::detail) {
         return {0.625 * values[0] + 0.25 * values[1] + 0.125 * values[2]};
     }
     const double low = 0.625 * values[1] + 0.25 * values[2] + 0.125 * values[3] - 1;

@@ -12,6 +12,6 @@
 namespace skybake::noise {
 
 // Returns all output channels at a place in units of tiles; the noise repeats outside [0, 1).
-std::vector<double> noise_reference(const config::Noise& noise, const std::array<double, 3>& place);
+std::vector<double> noise_reference(const Noise& noise, const std::array<double, 3>& place);
 
 }  // namespace skybake::noise

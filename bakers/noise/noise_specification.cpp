@@ -9,12 +9,7 @@
 #include "bakers/noise/moving_gradient.h"
 
 namespace skybake::noise {
-
 namespace {
-
-using config::NoiseFractal;
-using config::NoisePacking;
-using config::NoiseType;
 
 // A sample's cell along an axis, not wrapped, and its place in it.
 struct CellPlace {

@@ -4,12 +4,7 @@
 #include <numeric>
 
 namespace skybake::noise {
-
 namespace {
-
-using config::NoiseChannel;
-using config::NoiseFractal;
-using config::NoiseOctaves;
 
 AxisBasis axis_basis(const TileAxis& axis, int frequency, bool derivative, float amplitude) {
     AxisBasis basis;

@@ -15,15 +15,14 @@ namespace skybake::noise {
 AxisCells axis_cells(const TileAxis& axis, int frequency);
 
 // The weights over their sum.
-std::vector<double> weights_of(const config::NoiseOctaves& octaves);
+std::vector<double> weights_of(const NoiseOctaves& octaves);
 
 // Keys of one channel of one noise.
 struct Keys {
     std::uint64_t noise_seed = 0;
     std::uint64_t channel_seed = 0;
     // Returns the key of octave i.
-    std::uint64_t operator()(Purpose purpose, const config::NoiseOctaves& octaves,
-                             std::size_t i) const;
+    std::uint64_t operator()(Purpose purpose, const NoiseOctaves& octaves, std::size_t i) const;
 };
 
 // Makes the octaves of one channel from what they share.
@@ -36,24 +35,24 @@ struct OctaveMaker {
     int time_cells = 1;
 
     // Returns octave i, or its derivative along an axis.
-    GradientOctave octave(const config::NoiseOctaves& octaves, std::size_t i, Purpose purpose,
+    GradientOctave octave(const NoiseOctaves& octaves, std::size_t i, Purpose purpose,
                           double amplitude, int derivative_axis = -1) const;
     // Returns the steps of the points of cells along their paths.
     std::uint32_t shift() const;
 };
 
 // Returns the sum of octaves of gradient noise for a channel.
-GradientStack gradient_stack(const config::NoiseChannel& channel, const OctaveMaker& maker);
+GradientStack gradient_stack(const NoiseChannel& channel, const OctaveMaker& maker);
 
 // Returns one component of the curl of three potentials, curl_x = d potential_z / dy - d potential_y
 // / dz and so on around, times `factor`. Derivatives are taken along the tile and divided by the
 // greatest frequency of the first octave, so that values are of the order of 1.
-GradientStack curl_stack(const config::NoiseOctaves& octaves, std::size_t component,
+GradientStack curl_stack(const NoiseOctaves& octaves, std::size_t component,
                          const std::array<Purpose, 3>& potentials, double factor,
                          const OctaveMaker& maker);
 
 // Returns the displacement of a channel, in tiles of the volume, of which a noise has `repeats`.
-WarpPlan warp_plan(const config::NoiseChannel& channel, const std::array<int, 3>& repeats,
+WarpPlan warp_plan(const NoiseChannel& channel, const std::array<int, 3>& repeats,
                    const OctaveMaker& maker);
 
 }  // namespace skybake::noise

@@ -8,7 +8,6 @@
 #include <limits>
 
 namespace skybake::noise::reference {
-
 namespace {
 
 double quintic(double t) { return t * t * t * (t * (t * 6 - 15) + 10); }

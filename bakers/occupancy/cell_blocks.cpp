@@ -9,7 +9,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 // The blocks of a grid, `rows` rows of cells by `layers` layers, the last ones smaller.

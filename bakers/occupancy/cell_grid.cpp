@@ -6,7 +6,6 @@
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 using config::OccupancyFilter;

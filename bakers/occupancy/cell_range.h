@@ -48,8 +48,8 @@ CellRanges cell_ranges(const float* voxels, const CellGrid& grid, config::Occupa
 struct ChannelSource {
     const VoxelSource& voxels;
     int channel = 0;
-    int channels = 1;                                           // number of channels of the source
-    config::PixelType pixel_type = config::PixelType::float32;  // the type in which it is stored
+    int channels = 1;                           // number of channels of the source
+    PixelType pixel_type = PixelType::float32;  // the type in which it is stored
 };
 
 // Computes the ranges of the values as stored. Apart from the result, the memory does not grow with

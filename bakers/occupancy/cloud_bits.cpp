@@ -6,7 +6,6 @@
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 // The bits of a word that stand for voxels of a row.

@@ -13,7 +13,6 @@
 #include "bakers/occupancy/envelope_kernel.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 constexpr float kNoCell = std::numeric_limits<float>::infinity();

@@ -8,7 +8,6 @@
 #include <vector>
 
 namespace skybake::occupancy {
-
 namespace {
 
 // A sum of doubles without rounding, as parts that do not overlap, from the smallest on: Shewchuk,

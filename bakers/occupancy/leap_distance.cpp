@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
 
 #include "bakers/math/memory.h"
@@ -224,42 +223,11 @@ class LeapDistance {
     Bytes least_ = Bytes(rows_.width() + 3 * PaddedRows::kRoom);
 };
 
-int wrapped_distance(int a, int b, int size) {
-    const int direct = std::abs(a - b);
-    return std::min(direct, size - direct);
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> leap_distance(const OccupiedCells& cells) {
     assert(cells.occupied.size() == count_of(cells.size));
     return LeapDistance(cells).run();
-}
-
-std::vector<std::uint8_t> leap_distance_reference(const OccupiedCells& cells) {
-    const std::array<int, 3>& size = cells.size;
-    std::vector<std::array<int, 3>> occupied;
-    const auto for_each_cell = [&](const auto& visit) {
-        for (int z = 0; z < size[2]; ++z) {
-            for (int y = 0; y < size[1]; ++y) {
-                for (int x = 0; x < size[0]; ++x) visit(x, y, z);
-            }
-        }
-    };
-    for_each_cell([&](int x, int y, int z) {
-        if (cells.occupied[index_of(size, x, y, z)] != 0) occupied.push_back({x, y, z});
-    });
-    std::vector<std::uint8_t> distances;
-    for_each_cell([&](int x, int y, int z) {
-        int nearest = kFarthest;
-        for (const auto& [other_x, other_y, other_z] : occupied) {
-            nearest = std::min(
-                nearest, std::max({wrapped_distance(x, other_x, size[0]),
-                                   wrapped_distance(y, other_y, size[1]), std::abs(z - other_z)}));
-        }
-        distances.push_back(static_cast<std::uint8_t>(nearest));
-    });
-    return distances;
 }
 
 }  // namespace skybake::occupancy

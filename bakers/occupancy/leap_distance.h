@@ -34,7 +34,4 @@ namespace skybake::occupancy {
 // not changed, nothing after it changes.
 std::vector<std::uint8_t> leap_distance(const OccupiedCells& cells);
 
-// Computes the same by comparing each cell with every occupied one. For tests.
-std::vector<std::uint8_t> leap_distance_reference(const OccupiedCells& cells);
-
 }  // namespace skybake::occupancy

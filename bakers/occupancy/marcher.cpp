@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 constexpr int kRays = 512;

@@ -8,7 +8,6 @@
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 constexpr int kFinestEdge = 4;

@@ -13,7 +13,6 @@
 #include "config/assets/occupancy.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 int count_above(const BlockRows& rows, Span x, Span y, Span z, float threshold) {
@@ -98,7 +97,6 @@ Value greater(Value a, Value b) {
 }
 
 using config::OccupancyContent;
-using config::PixelType;
 
 constexpr float kFarthestLeap = 255;
 

@@ -56,7 +56,7 @@ class CellSource : public VoxelSource {
     // The channels are `contents`. Minima are rounded down and maxima up to what the pixel type can
     // hold. Leaps are in cells, or, stored as unorm, in units of 255 cells.
     CellSource(CellRanges ranges, OccupiedCells occupied,
-               std::vector<config::OccupancyContent> contents, config::PixelType pixel_type);
+               std::vector<config::OccupancyContent> contents, PixelType pixel_type);
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
 
@@ -72,17 +72,17 @@ class CellSource : public VoxelSource {
     OccupiedCells occupied_;
     std::vector<std::uint8_t> leap_;
     std::vector<config::OccupancyContent> contents_;
-    config::PixelType pixel_type_;
+    PixelType pixel_type_;
 };
 
 // The type stores [0, 1] as integers.
-inline bool is_unorm(config::PixelType type) {
-    return type == config::PixelType::unorm8 || type == config::PixelType::unorm16;
+inline bool is_unorm(PixelType type) {
+    return type == PixelType::unorm8 || type == PixelType::unorm16;
 }
 
 // Return the least value of the pixel type that is not below `value`, and the greatest that is not
 // above it, for values that the type can hold.
-float stored_up(float value, config::PixelType type);
-float stored_down(float value, config::PixelType type);
+float stored_up(float value, PixelType type);
+float stored_down(float value, PixelType type);
 
 }  // namespace skybake::occupancy

@@ -9,7 +9,7 @@
 namespace skybake::occupancy {
 
 DistanceCode::DistanceCode(const std::array<double, 2>& range_m,
-                           const std::array<double, 3>& texel_m, config::PixelType type)
+                           const std::array<double, 3>& texel_m, PixelType type)
     : range_m_(range_m),
       ends_m_(range_m),
       type_(type),
@@ -65,7 +65,7 @@ double DistanceCode::most_lost() const {
     constexpr double kHalfStep = 0x1p-10;  // of a half, of the value itself
     double step = 0;
     if (is_unorm(type_)) step = (range_m_[1] - range_m_[0]) / steps();
-    if (type_ == config::PixelType::half) step = kHalfStep * std::max(-range_m_[0], range_m_[1]);
+    if (type_ == PixelType::half) step = kHalfStep * std::max(-range_m_[0], range_m_[1]);
     return half_diagonal_m_ * (2 + kCodePlace) + 2 * arithmetic_m_ + step +
            kCodeArithmetic * std::max(-range_m_[0], range_m_[1]);
 }

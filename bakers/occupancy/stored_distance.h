@@ -40,7 +40,7 @@ class DistanceCode {
     // Distances from range_m[0] <= 0 to range_m[1] > 0 in metres, of texels with these edges. unorm
     // types store the range as [0, 1], others store metres.
     DistanceCode(const std::array<double, 2>& range_m, const std::array<double, 3>& texel_m,
-                 config::PixelType type);
+                 PixelType type);
 
     // Return what a texel at this squared distance in m^2 from touched cells, or within touched
     // cells and at this one from holed cells, holds.
@@ -66,11 +66,11 @@ class DistanceCode {
 
   private:
     double shortened(float square) const;
-    double steps() const { return type_ == config::PixelType::unorm8 ? 255 : 65535; }
+    double steps() const { return type_ == PixelType::unorm8 ? 255 : 65535; }
 
     std::array<double, 2> range_m_;
     std::array<double, 2> ends_m_;
-    config::PixelType type_;
+    PixelType type_;
     double half_diagonal_m_;
     double curvature_m2_;
     double arithmetic_m_;

@@ -9,14 +9,9 @@
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
-#include "bakers/math/intermediates.h"
 #include "config/text/key_path.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Recipe;
-
 namespace {
 
 // The name in the recipe of the bake that makes an asset of a way.
@@ -51,13 +46,13 @@ class AssetBakery {
 
     Outcome<std::vector<BakedAsset>> bake() {
         std::vector<Need> all;
-        for (const config::Bake* bake : bakes_) {
+        for (const Bake* bake : bakes_) {
             for (Need& need : needs_of(*bake)) all.push_back(std::move(need));
         }
         const auto expected = shared_.expect(std::move(all));
         Outcome<std::vector<BakedAsset>> outcome;
         std::vector<BakedAsset> assets;
-        for (const config::Bake* bake : bakes_) {
+        for (const Bake* bake : bakes_) {
             BakeClock clock;
             Outcome<Baked> one = bake_asset(recipe_, *bake, options_);
             if (options_.cancelled()) return {};
@@ -71,13 +66,13 @@ class AssetBakery {
     }
 
   private:
-    std::vector<Need> needs_of(const config::Bake& bake) const {
+    std::vector<Need> needs_of(const Bake& bake) const {
         return baker_of(bake).needs(recipe_.parameters, bake, Certification::off);
     }
 
     // Returns what a bake shares with others. The time that it took to make some of it is booked evenly
     // to what no other bake had made.
-    std::vector<SharedWork> shared_by(const config::Bake& bake, double seconds) {
+    std::vector<SharedWork> shared_by(const Bake& bake, double seconds) {
         std::vector<SharedWork> shared;
         std::vector<std::size_t> made;
         for (const Need& need : needs_of(bake)) {
@@ -95,7 +90,7 @@ class AssetBakery {
     const Recipe& recipe_;
     BakeOptions options_;
     Intermediates shared_;
-    std::vector<const config::Bake*> bakes_;
+    std::vector<const Bake*> bakes_;
     std::vector<SharedWork> known_;
 };
 

@@ -22,7 +22,7 @@ struct SharedWork {
 
 // An asset in memory and what it took.
 struct BakedAsset {
-    const config::Bake* bake = nullptr;  // of the recipe
+    const Bake* bake = nullptr;  // of the recipe
     Baked baked;
     double seconds = 0;  // of its texels alone
     std::vector<SharedWork> shared;
@@ -70,7 +70,7 @@ struct BakedWay {
 
 // Bakes all assets, without certificates. `recipe` has the settings of `assets` and must outlive the
 // result. After an interruption there is neither a value nor a diagnostic.
-config::Outcome<std::vector<BakedAsset>> bake_ways(const config::Recipe& recipe,
-                                                   const WayAssets& assets, BakeOptions options);
+Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets& assets,
+                                           BakeOptions options);
 
 }  // namespace skybake

@@ -5,7 +5,6 @@
 #include <cmath>
 
 namespace skybake {
-
 namespace {
 
 bool beats(const WayFigures& a, const WayFigures& b) {

@@ -65,15 +65,15 @@ bool find_figures(const fs::path& cache, const std::string& key, MeasuredWays& p
     return true;
 }
 
-std::vector<config::Diagnostic> keep_figures(const fs::path& cache, const std::string& key,
-                                             const MeasuredWays& plan) {
+std::vector<Diagnostic> keep_figures(const fs::path& cache, const std::string& key,
+                                     const MeasuredWays& plan) {
     if (cache.empty()) return {};
     Json rows = Json::array();
     for (const MeasuredWay& way : plan.ways) rows.push_back(to_json(way));
     const Json kept = {
         {"key", key}, {"values", xxh3_hex(rows.dump() + plan.sheet)}, {"ways", rows}};
     const fs::path path = path_of(cache, key, ".json");
-    std::vector<config::Diagnostic> problems = make_cache_folder(cache);
+    std::vector<Diagnostic> problems = make_cache_folder(cache);
     std::error_code error;
     if (problems.empty()) fs::create_directories(path.parent_path(), error);
     if (error) problems = {file_error("E0301", path.string(), error.message())};
@@ -81,8 +81,8 @@ std::vector<config::Diagnostic> keep_figures(const fs::path& cache, const std::s
         problems = write_file_atomically(path_of(cache, key, ".png"), plan.sheet).diagnostics;
     }
     if (problems.empty()) problems = write_file_atomically(path, kept.dump()).diagnostics;
-    for (config::Diagnostic& problem : problems) {
-        problem.severity = config::Severity::warning;
+    for (Diagnostic& problem : problems) {
+        problem.severity = Severity::warning;
         problem.code = "W0301";
         problem.message = "the cache could not keep the plan's figures: " + problem.message;
     }

@@ -15,7 +15,7 @@ namespace skybake {
 bool find_figures(const std::filesystem::path& cache, const std::string& key, MeasuredWays& plan);
 
 // Keeps them. W0301 if the cache cannot be written; a plan goes on without it.
-std::vector<config::Diagnostic> keep_figures(const std::filesystem::path& cache,
-                                             const std::string& key, const MeasuredWays& plan);
+std::vector<Diagnostic> keep_figures(const std::filesystem::path& cache, const std::string& key,
+                                     const MeasuredWays& plan);
 
 }  // namespace skybake

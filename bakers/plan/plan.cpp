@@ -11,9 +11,6 @@
 
 namespace skybake {
 
-using config::Outcome;
-using config::Recipe;
-
 Outcome<Recipe> load_scene(const PlanRequest& request, const std::vector<std::string>& settings) {
     Outcome<Recipe> recipe = request.load(settings);
     if (!recipe.value || recipe.value->parameters.scene) return recipe;
@@ -22,7 +19,7 @@ Outcome<Recipe> load_scene(const PlanRequest& request, const std::vector<std::st
     return request.load(all);
 }
 
-std::vector<PlanSubject> subjects_of(const config::Parameters& parameters) {
+std::vector<PlanSubject> subjects_of(const Parameters& parameters) {
     const auto draws = [&](config::Draws what) {
         if (!parameters.scene) return true;
         const std::vector<config::Draws>& all = parameters.scene->draws;
@@ -33,7 +30,7 @@ std::vector<PlanSubject> subjects_of(const config::Parameters& parameters) {
         subjects.push_back({config::Draws::sky, {}});
     }
     if (draws(config::Draws::clouds)) {
-        for (const config::Cloud& cloud : parameters.clouds) {
+        for (const Cloud& cloud : parameters.clouds) {
             subjects.push_back({config::Draws::clouds, cloud.name});
         }
     }
@@ -70,14 +67,14 @@ std::vector<WayFigures> figures_of(const std::vector<MeasuredWay>& ways) {
 }
 
 // Says which figures the best ways reach.
-config::Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
+Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFigures>& figures) {
     WayFigures least = figures.front();
     for (const WayFigures& way : figures) {
         least.error = std::min(least.error, way.error);
         least.fetches = std::min(least.fetches, way.fetches);
         least.bytes = std::min(least.bytes, way.bytes);
     }
-    config::Diagnostic problem;
+    Diagnostic problem;
     problem.code = "E0408";
     problem.message = fmt::format(
         "no way to draw {} keeps the limits; each by itself, the least error is {:.3g} %, the "
@@ -90,7 +87,7 @@ config::Diagnostic unreached(const PlanSubject& subject, const std::vector<WayFi
 }  // namespace
 
 Outcome<Plan> without_light(const PlanSubject& subject) {
-    config::Diagnostic problem;
+    Diagnostic problem;
     problem.code = "E0409";
     problem.message = fmt::format(
         "paths of light find too little light in this scene to compare ways to draw {} with",
@@ -99,7 +96,7 @@ Outcome<Plan> without_light(const PlanSubject& subject) {
     return {{}, {std::move(problem)}};
 }
 
-Outcome<Plan> chosen(Plan plan, std::vector<config::Diagnostic> diagnostics) {
+Outcome<Plan> chosen(Plan plan, std::vector<Diagnostic> diagnostics) {
     const SkyError& of_first = plan.ways.front().error;
     if (of_first.points == 0 && of_first.left_out > 0) return without_light(plan.subject);
     plan.reference = of_first.reference;

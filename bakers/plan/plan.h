@@ -10,7 +10,7 @@
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/choose_way.h"
 #include "bakers/plan/way.h"
-#include "bakers/report/variants.h"
+#include "bakers/report/measurement.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 
@@ -59,14 +59,14 @@ struct PlanRequest {
 };
 
 // Reads the recipe with its [scene], or one that says nothing, and further settings.
-config::Outcome<config::Recipe> load_scene(const PlanRequest& request,
-                                           const std::vector<std::string>& settings = {});
+Outcome<Recipe> load_scene(const PlanRequest& request,
+                           const std::vector<std::string>& settings = {});
 
 // Returns "the sky", or "the cloud `cumulus`".
 std::string name_of(const PlanSubject& subject);
 
 // Returns what the recipe has and its scene draws.
-std::vector<PlanSubject> subjects_of(const config::Parameters& parameters);
+std::vector<PlanSubject> subjects_of(const Parameters& parameters);
 
 // Returns the version of all bakers, on which figures of ways depend.
 std::string versions_of_bakers();
@@ -76,11 +76,11 @@ WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
                     const std::optional<double>& max_error);
 
 // Returns E0409, since no light reaches the subject.
-config::Outcome<Plan> without_light(const PlanSubject& subject);
+Outcome<Plan> without_light(const PlanSubject& subject);
 
 // Finds the front of a measured plan, its knee and the way to take. Adds E0408, beside the plan, if no way
 // keeps the limits: `chosen` is then the way of least error. Returns E0409 alone where paths find no
 // light to compare with.
-config::Outcome<Plan> chosen(Plan plan, std::vector<config::Diagnostic> diagnostics);
+Outcome<Plan> chosen(Plan plan, std::vector<Diagnostic> diagnostics);
 
 }  // namespace skybake

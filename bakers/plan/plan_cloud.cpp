@@ -14,20 +14,13 @@
 #include "bakers/math/parallel.h"
 #include "bakers/plan/cloud_sheet.h"
 #include "bakers/plan/cloud_truth.h"
-#include "bakers/plan/cloud_views.h"
 #include "bakers/plan/cloud_ways.h"
-#include "bakers/plan/found_cloud.h"
 #include "bakers/plan/kept_figures.h"
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
-
-using config::CloudVolumeBake;
-using config::Outcome;
-using config::Recipe;
-
 namespace {
 
 constexpr int kViews = 768;
@@ -38,15 +31,15 @@ constexpr double kMostVoxels = 1 << 25;
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
 constexpr int kVersion = 1;
 
-const CloudVolumeBake* volume_of(const config::Parameters& parameters, const std::string& cloud) {
-    for (const config::Bake& bake : parameters.bakes) {
+const CloudVolumeBake* volume_of(const Parameters& parameters, const std::string& cloud) {
+    for (const Bake& bake : parameters.bakes) {
         const auto* volume = bake.find<CloudVolumeBake>();
         if (volume != nullptr && volume->cloud == cloud) return volume;
     }
     return nullptr;
 }
 
-std::array<int, 3> usual_size(const config::Cloud& cloud) {
+std::array<int, 3> usual_size(const Cloud& cloud) {
     const double longest_m =
         std::max({cloud.extent[0].meters, cloud.extent[1].meters, cloud.extent[2].meters});
     std::array<int, 3> size{};
@@ -66,7 +59,7 @@ struct PlannedCloud {
     std::vector<std::string> notes;
 };
 
-CloudSubject subject_of(const config::Cloud& cloud, const CloudVolumeBake* volume,
+CloudSubject subject_of(const Cloud& cloud, const CloudVolumeBake* volume,
                         std::vector<std::string>& notes) {
     CloudSubject subject;
     subject.cloud = cloud.name;
@@ -86,10 +79,10 @@ CloudSubject subject_of(const config::Cloud& cloud, const CloudVolumeBake* volum
 Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::string& name) {
     Outcome<Recipe> recipe = load_scene(request);
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     PlannedCloud planned;
     const CloudVolumeBake* volume = volume_of(parameters, name);
-    config::Cloud cloud = config::cloud_named(parameters, name);
+    Cloud cloud = config::cloud_named(parameters, name);
     if (volume != nullptr) cloud = spanned_cloud(parameters, *volume);
     planned.subject = subject_of(cloud, volume, planned.notes);
     planned.range = cloud_range(*parameters.scene, cloud);
@@ -98,10 +91,10 @@ Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::strin
             planned.subject.suns.push_back(fmt::format("\"{} deg\"", sun_deg));
     }
     if (planned.subject.suns.empty() || planned.subject.suns.size() > kMostLitSuns) {
-        planned.notes.push_back(fmt::format(
-            "depths and radiance for each sun are left out: they are compared for one to {} suns "
-            "(`suns` in [scene])",
-            kMostLitSuns));
+        planned.notes.push_back(
+            fmt::format("depths and radiance for each sun are left out: they are compared for one "
+                        "to {} suns (`suns` in [scene])",
+                        kMostLitSuns));
     }
     planned.ways = cloud_ways(planned.subject);
     planned.recipe = std::move(*recipe.value);
@@ -177,9 +170,9 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
     if (!baked.value) return {{}, baked.diagnostics};
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     const BakedAsset& finest = *assets.of(all.back(), *baked.value).front();
-    const config::Cloud cloud = spanned_cloud(parameters, finest.bake->as<CloudVolumeBake>());
+    const Cloud cloud = spanned_cloud(parameters, finest.bake->as<CloudVolumeBake>());
     const cloud_light::CloudLayer layer = cloud_light::make_layer(finest.baked, 0, cloud, options);
     CloudTruth truth(layer, planned.range, cloud_views(planned.range, kViews, first), options);
     truth.trace(paths);
@@ -199,7 +192,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     auto sheet = cloud_sheet(cloud, layer, planned.range, best, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
-    std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
+    std::vector<Diagnostic> problems = keep_figures(request.cache, key, plan);
     return {std::move(plan), std::move(problems)};
 }
 
@@ -225,7 +218,7 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     if (range.suns_deg.empty()) return without_light(plan.subject);
     Outcome<MeasuredWays> measured = measure(request, *planned.value, 1, Sheets::drawn);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    const config::Parameters& parameters = planned.value->recipe.parameters;
+    const Parameters& parameters = planned.value->recipe.parameters;
     plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, suns at {:.3g} degrees",
                              range.lowest_altitude_m / 1000, range.highest_altitude_m / 1000,
                              fmt::join(range.suns_deg, ", "));

@@ -14,11 +14,11 @@ namespace skybake {
 // cloud_volume of the recipe that bakes it, or 256 along its longest edge. Diagnostics are those of
 // bake_asset and of `chosen`; W0301 if the cache cannot be written. After an interruption there is
 // neither a value nor a diagnostic.
-config::Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name);
+Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name);
 
 // Returns the error of a way that is compared, in views that begin with number `first` of the scene,
 // against paths of their own.
-config::Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name,
-                                    const Way& way, std::uint32_t first);
+Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name, const Way& way,
+                            std::uint32_t first);
 
 }  // namespace skybake

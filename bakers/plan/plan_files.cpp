@@ -21,7 +21,6 @@
 #include "config/text/key_path.h"
 
 namespace skybake {
-
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -220,7 +219,7 @@ Figure plan_figure(const Plan& plan) {
     return chart;
 }
 
-std::string planned_recipe(std::span<const Plan> plans, const config::Recipe& recipe) {
+std::string planned_recipe(std::span<const Plan> plans, const Recipe& recipe) {
     std::string text = "# Chosen by `skybake plan`.\n";
     std::vector<config::Read> reads = {{"scene", config::Roles::all()}};
     for (const Plan& plan : plans) {

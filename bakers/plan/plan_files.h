@@ -22,7 +22,7 @@ Figure plan_figure(const Plan& plan);
 
 // Returns a recipe that bakes what the chosen ways need, from resolved values alone. Comments say what
 // they cost, and what their neighbours on the front would.
-std::string planned_recipe(std::span<const Plan> plans, const config::Recipe& recipe);
+std::string planned_recipe(std::span<const Plan> plans, const Recipe& recipe);
 
 // Returns "at most 2.3 % off in nine of ten views, 48 fetches, 160 KiB".
 std::string figures_text(const Plan& plan, const WayFigures& figures);

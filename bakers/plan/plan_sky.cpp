@@ -9,10 +9,8 @@
 #include "bakers/math/facts.h"
 #include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
-#include "bakers/plan/found_sky.h"
 #include "bakers/plan/kept_figures.h"
 #include "bakers/plan/plan_files.h"
-#include "bakers/plan/scene_views.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "bakers/plan/sky_sheet.h"
 #include "bakers/plan/sky_truth.h"
@@ -20,24 +18,20 @@
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Recipe;
-
 namespace {
 
 constexpr int kViews = 192;
 constexpr double kPaths = 3 << 19;
 
-std::optional<config::Diagnostic> obstacle(const config::Parameters& parameters) {
+std::optional<Diagnostic> obstacle(const Parameters& parameters) {
     if (!(parameters.atmosphere.top_radius.meters > 0)) {
-        config::Diagnostic problem;
+        Diagnostic problem;
         problem.code = "E0105";
         problem.message = "the recipe has no [atmosphere] and so no sky";
         return problem;
     }
     if (parameters.wavelengths.size() <= kMaxChannels) return std::nullopt;
-    config::Diagnostic problem;
+    Diagnostic problem;
     problem.code = "E0147";
     problem.message =
         fmt::format("`plan` compares skies of at most four wavelengths; the recipe has {}",
@@ -47,13 +41,12 @@ std::optional<config::Diagnostic> obstacle(const config::Parameters& parameters)
 }
 
 // Only sky views are left out, and those by their suns.
-config::Diagnostic no_ways(std::size_t suns) {
-    config::Diagnostic problem;
+Diagnostic no_ways(std::size_t suns) {
+    Diagnostic problem;
     problem.code = suns == 0 ? "E0105" : "E0110";
     problem.message = fmt::format(
         "`sky_by` allows nothing but sky views, which `plan` compares for one to {} suns; the "
-        "scene "
-        "has {}",
+        "scene has {}",
         kMostViewedSuns, suns);
     problem.label = "state `suns` in [scene], or allow \"march\" or \"fetch\" too";
     return problem;
@@ -69,7 +62,7 @@ struct PlannedScene {
 Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
     Outcome<Recipe> recipe = load_scene(request);
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     if (auto problem = obstacle(parameters)) return {{}, {std::move(*problem)}};
     PlannedScene scene;
     scene.range = range_of(*parameters.scene, shell_of(parameters.atmosphere));
@@ -84,7 +77,7 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
 }
 
 // The weights of colours, if tables of light hold colours; any asset of light states them.
-std::vector<glm::dvec3> weights_of(const config::Parameters& parameters,
+std::vector<glm::dvec3> weights_of(const Parameters& parameters,
                                    const std::vector<BakedAsset>& assets) {
     const auto stated = std::ranges::find_if(
         assets, [](const BakedAsset& asset) { return asset.baked.conventions.color.has_value(); });
@@ -128,7 +121,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     std::vector<SkySample> views =
         scene_views(scene.range, shell_of(parameters.atmosphere), kViews, first);
     MeasuredWays plan;
@@ -155,7 +148,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     auto sheet = sky_sheet(parameters, scene.range, best, weights, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
-    std::vector<config::Diagnostic> problems = keep_figures(request.cache, key, plan);
+    std::vector<Diagnostic> problems = keep_figures(request.cache, key, plan);
     return {std::move(plan), std::move(problems)};
 }
 
@@ -189,7 +182,7 @@ Outcome<Plan> plan_sky(const PlanRequest& request) {
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     Outcome<MeasuredWays> measured = measure(request, *scene.value, 1, Sheets::drawn);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    const config::Parameters& parameters = scene.value->recipe.parameters;
+    const Parameters& parameters = scene.value->recipe.parameters;
     const SceneRange& range = scene.value->range;
     Plan plan;
     plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, {}", range.lowest_altitude_km,

@@ -13,10 +13,9 @@ namespace skybake {
 // air; E0147 for one of more than four wavelengths; E0105 and E0110 if only sky views are allowed and
 // there are no suns or too many; those of `chosen`; W0301 if the cache cannot be written. After an
 // interruption there is neither a value nor a diagnostic.
-config::Outcome<Plan> plan_sky(const PlanRequest& request);
+Outcome<Plan> plan_sky(const PlanRequest& request);
 
 // Returns a way's error in views that begin with number `first` of the scene, against paths of their own.
-config::Outcome<SkyError> judge_sky(const PlanRequest& request, const Way& way,
-                                    std::uint32_t first);
+Outcome<SkyError> judge_sky(const PlanRequest& request, const Way& way, std::uint32_t first);
 
 }  // namespace skybake

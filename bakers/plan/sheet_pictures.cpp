@@ -8,7 +8,6 @@
 #include <string>
 
 namespace skybake {
-
 namespace {
 
 constexpr int kEnlarged = 3;

@@ -2,15 +2,83 @@
 
 #include <fmt/format.h>
 
+#include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/registry/registry.h"
+#include "bakers/io/manifest/metadata.h"
 #include "bakers/light/sky_colors.h"
 #include "bakers/light/sky_view_mapping.h"
-#include "bakers/plan/found_sky.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
-#include "bakers/plan/sky_truth.h"
 #include "bakers/plot/chart.h"
+#include "bakers/render/sky_view.h"
+#include "config/assets/bruneton.h"
 
 namespace skybake {
+namespace {
+
+AssetPlaces places_of(const Parameters& parameters, const BakedAsset& asset) {
+    return baker_of(*asset.bake).places(parameters, *asset.bake, stored_texels(asset.baked));
+}
+
+}  // namespace
+
+std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
+                                     const std::vector<const BakedAsset*>& assets,
+                                     double& fetches) const {
+    switch (way.how) {
+        case config::SkyBy::march:
+            return march(way, assets, fetches);
+        case config::SkyBy::fetch:
+            fetches = 2;  // of the two sub-images next to the angle to the sun
+            return fetch(*assets.front());
+        case config::SkyBy::picture:
+            fetches = 1;
+            return look_up(*assets.front());
+    }
+    return {};
+}
+
+std::vector<Spectrum> SkyOfWay::march(const SkyWay& way,
+                                      const std::vector<const BakedAsset*>& assets,
+                                      double& fetches) const {
+    std::vector<PreviewAsset> stored;
+    for (const BakedAsset* asset : assets) {
+        stored.push_back({describe(asset->baked), asset->baked.image(), {}});
+    }
+    const bool is_single = stored.size() == 1;
+    const auto tables = make_sky_tables(stored[0], is_single ? nullptr : &stored[1]);
+    fetches = way.steps * (is_single ? 1.0 : 1.0 + moment_count(tables.value->degree));
+    // The views show the air alone.
+    SkyMedium over_black_ground = truth_.medium();
+    over_black_ground.air.ground_albedo = Spectrum(0.0);
+    const Shell shell = shell_of(over_black_ground.air);
+    std::vector<SkyRay> rays;
+    for (const SkySample& view : truth_.views()) {
+        rays.push_back(camera_ray(shell, view.altitude_km, view.sun, view.direction).in_air);
+    }
+    return truth_.as_compared(
+        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_));
+}
+
+std::vector<Spectrum> SkyOfWay::fetch(const BakedAsset& asset) const {
+    const auto& bake = asset.bake->as<BrunetonBake>();
+    return sky_of_scattering({truth_.air()}, bake, places_of(parameters_, asset), truth_.views())(
+        asset.baked, threads_);
+}
+
+// The picture of the view's sun has no parallax, so that cameras at other altitudes see
+// it where the same share of their sky is.
+std::vector<Spectrum> SkyOfWay::look_up(const BakedAsset& asset) const {
+    std::vector<Place> at;
+    for (const SkySample& view : truth_.views()) {
+        at.push_back({{"azimuth_deg", view.azimuth_deg},
+                      {"above_horizon_deg", view.above_horizon_deg},
+                      {"sun_elevation_deg", view.sun_elevation_deg}});
+    }
+    const auto places = [&](const StoredTexels&) { return places_of(parameters_, asset); };
+    return light_looked_up(places, std::move(at))(asset.baked, threads_);
+}
 
 namespace {
 
@@ -50,7 +118,7 @@ std::vector<SkySample> views_of(const Shell& shell, double altitude_km,
 // Makes colours for the screen of what is compared: colours, or light of wavelengths.
 class Screen {
   public:
-    Screen(const config::Parameters& parameters, bool has_colors)
+    Screen(const Parameters& parameters, bool has_colors)
         : weights_(has_colors || parameters.wavelengths.size() < 3
                        ? std::vector<glm::dvec3>{}
                        : linear_color_weights(parameters.wavelengths, config::Color())),
@@ -88,11 +156,9 @@ LightPicture sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
 
 }  // namespace
 
-config::Outcome<std::string> sky_sheet(const config::Parameters& parameters,
-                                       const SceneRange& range,
-                                       const std::vector<BakedWay<SkyWay>>& skies,
-                                       const std::vector<glm::dvec3>& weights,
-                                       const BakeOptions& options) {
+Outcome<std::string> sky_sheet(const Parameters& parameters, const SceneRange& range,
+                               const std::vector<BakedWay<SkyWay>>& skies,
+                               const std::vector<glm::dvec3>& weights, const BakeOptions& options) {
     const std::vector<double> suns = suns_of(range);
     const double altitude_km = (range.lowest_altitude_km + range.highest_altitude_km) / 2;
     SceneTruth truth(parameters.atmosphere,

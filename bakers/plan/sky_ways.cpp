@@ -7,7 +7,7 @@
 #include <array>
 #include <string_view>
 
-#include "bakers/report/variants.h"
+#include "bakers/report/measurement.h"
 #include "config/text/key_path.h"
 
 namespace skybake {

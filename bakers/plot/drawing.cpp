@@ -58,8 +58,8 @@ std::string tooltips_of(const Drawing& drawing) {
     std::string text;
     for (const Tooltip& tooltip : drawing.tooltips) {
         text += fmt::format(
-            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill-opacity=\"0\"><title>{}</title>"
-            "</circle>\n",
+            "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" "
+            "fill-opacity=\"0\"><title>{}</title></circle>\n",
             tooltip.centre.x, tooltip.centre.y, radius, escaped(tooltip.text));
     }
     return text;
@@ -162,19 +162,19 @@ std::string svg_of(const Drawing& drawing, std::string_view comment) {
                        text.substr(closed));
 }
 
-std::optional<config::Diagnostic> chart_problem() {
+std::optional<Diagnostic> chart_problem() {
     const LoadedCodec<ChartModule>& loaded = chart_module();
     if (loaded.codec == nullptr) {
         return file_error("E0300", "", "cannot draw charts: " + loaded.reason);
     }
     if (loaded.codec->has_font()) return std::nullopt;
-    config::Diagnostic diagnostic =
+    Diagnostic diagnostic =
         file_error("W0302", "", "charts have no text: the font DejaVu Sans is not installed");
-    diagnostic.severity = config::Severity::warning;
+    diagnostic.severity = Severity::warning;
     return diagnostic;
 }
 
-config::Outcome<std::string> png_bytes(const Picture& picture) {
+Outcome<std::string> png_bytes(const Picture& picture) {
     const LoadedCodec<ImageCodec>& loaded = image_codec();
     if (loaded.codec == nullptr) {
         return {{}, {file_error("E0300", "", "cannot write pictures: " + loaded.reason)}};

@@ -35,7 +35,7 @@ struct Picture {
 // same picture gives the same bytes. E0300 if the module that makes them is missing; E0500 if it
 // refuses the picture, because its size contradicts its bytes or it has no pixels (a bug in the
 // program).
-config::Outcome<std::string> png_bytes(const Picture& picture);
+Outcome<std::string> png_bytes(const Picture& picture);
 
 // image  colours or greys that are values, not light
 // scene  what an eye would see; shown as large as the page has room for
@@ -163,7 +163,7 @@ std::string svg_of(const Drawing& drawing, std::string_view comment);
 // Returns why charts cannot be drawn properly, or nothing. Call it before drawing charts. Without
 // the module it returns the error E0300, and charts would be blank; without the font DejaVu Sans it
 // returns the warning W0302, and charts have no text.
-[[nodiscard]] std::optional<config::Diagnostic> chart_problem();
+[[nodiscard]] std::optional<Diagnostic> chart_problem();
 
 // The functions of the module. Any number of threads may call them.
 struct ChartModule {

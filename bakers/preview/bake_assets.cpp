@@ -21,8 +21,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-
 // Returns the voxels of a level as stored, channels interleaved.
 std::vector<float> stored_voxels(const Baked& volume, const Level& level,
                                  const BakeOptions& options) {
@@ -68,7 +66,7 @@ PreviewAsset table_asset(const Baked& table, const Timing& timing) {
 
 class PreviewBake {
   public:
-    PreviewBake(const config::Recipe& recipe, const BakeOptions& options, AssetMemo* memory,
+    PreviewBake(const Recipe& recipe, const BakeOptions& options, AssetMemo* memory,
                 const BakeStages& stages)
         : recipe_(recipe),
           options_(options),
@@ -78,14 +76,14 @@ class PreviewBake {
         if (options_.intermediates == nullptr) options_.intermediates = &own_intermediates_;
     }
 
-    Outcome<PreviewAssets> bake(std::span<const config::Bake> bakes, const std::string& title) {
+    Outcome<PreviewAssets> bake(std::span<const Bake> bakes, const std::string& title) {
         shown_.title = title;
         shown_.recipe = recipe_;
         diagnostics_ = unused_keys(recipe_);
         if (memory_ != nullptr) memory_->ready.clear();
         const auto expected = options_.intermediates->expect(
             needs_of(recipe_.parameters, bakes, options_.certification));
-        for (const config::Bake& bake : bakes) {
+        for (const Bake& bake : bakes) {
             if (stages_.progress != nullptr) {
                 stages_.progress->begin_stage(++stage_, stages_.count, bake.name);
             }
@@ -111,7 +109,7 @@ class PreviewBake {
         memory_->unfinished.clear();
     }
 
-    bool add(const config::Bake& bake) {
+    bool add(const Bake& bake) {
         const AssetIdentity identity = identity_of(bake, options_.certification);
         const std::string& key = identity.key;
         if (const PreviewAsset* known = remembered(key)) {
@@ -125,14 +123,14 @@ class PreviewBake {
 
     // Returns the identity of an asset. Its key is empty without a memo, or if an input cannot be
     // read; the bake reports that.
-    AssetIdentity identity_of(const config::Bake& bake, Certification certification) const {
+    AssetIdentity identity_of(const Bake& bake, Certification certification) const {
         if (memory_ == nullptr) return {};
         auto identity = asset_identity(recipe_, bake, certification);
         return identity.value ? std::move(*identity.value) : AssetIdentity();
     }
 
     // Adds an asset from files that were baked before. Returns false if there are none.
-    bool add_ready_made(const config::Bake& bake) {
+    bool add_ready_made(const Bake& bake) {
         if (memory_ == nullptr || memory_->sources.empty()) return false;
         for (const Certification certification :
              {Certification::full, Certification::quick, Certification::off}) {
@@ -160,7 +158,7 @@ class PreviewBake {
         return nullptr;
     }
 
-    bool add_baked(const config::Bake& bake, const AssetIdentity& identity) {
+    bool add_baked(const Bake& bake, const AssetIdentity& identity) {
         BakeClock clock;
         Outcome<Baked> baked = bake_asset(recipe_, bake, options_);
         const Timing timing = {clock.seconds(), 0, thread_count(options_.threads)};
@@ -179,7 +177,7 @@ class PreviewBake {
         return true;
     }
 
-    const config::Recipe& recipe_;
+    const Recipe& recipe_;
     BakeOptions options_;
     AssetMemo* memory_;
     const BakeStages& stages_;
@@ -187,15 +185,14 @@ class PreviewBake {
     int stage_ = 0;
     std::map<std::string, PreviewAsset> fresh_memory_;
     PreviewAssets shown_;
-    std::vector<config::Diagnostic> diagnostics_;
+    std::vector<Diagnostic> diagnostics_;
 };
 
 }  // namespace
 
-Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
-                                   std::span<const config::Bake> bakes, const std::string& title,
-                                   const BakeOptions& options, AssetMemo* memory,
-                                   const BakeStages& stages) {
+Outcome<PreviewAssets> bake_assets(const Recipe& recipe, std::span<const Bake> bakes,
+                                   const std::string& title, const BakeOptions& options,
+                                   AssetMemo* memory, const BakeStages& stages) {
     return PreviewBake(recipe, options, memory, stages).bake(bakes, title);
 }
 

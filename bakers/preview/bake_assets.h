@@ -22,7 +22,7 @@ namespace skybake {
 struct PreviewAssets {
     std::string title;  // "earth.toml", "out"
     std::vector<PreviewAsset> assets;
-    std::optional<config::Recipe> recipe;      // the assets' recipe; without it no sky is shown
+    std::optional<Recipe> recipe;              // the assets' recipe; without it no sky is shown
     std::map<std::string, std::string> plots;  // speed against error as SVG, by the asset's name
     std::vector<std::string> notes;            // on what is not shown, and why
 
@@ -69,10 +69,8 @@ struct BakeStages {
 // Values are rounded to the pixel type, as a file would hold them. Assets in `memory` are not baked
 // again; afterwards it keeps exactly the assets shown this time, unless it keeps all. Diagnostics are those of
 // bake_asset. If the user interrupts, there is neither a value nor a diagnostic.
-config::Outcome<PreviewAssets> bake_assets(const config::Recipe& recipe,
-                                           std::span<const config::Bake> bakes,
-                                           const std::string& title, const BakeOptions& options,
-                                           AssetMemo* memory = nullptr,
-                                           const BakeStages& stages = {});
+Outcome<PreviewAssets> bake_assets(const Recipe& recipe, std::span<const Bake> bakes,
+                                   const std::string& title, const BakeOptions& options,
+                                   AssetMemo* memory = nullptr, const BakeStages& stages = {});
 
 }  // namespace skybake

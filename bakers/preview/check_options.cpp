@@ -3,14 +3,121 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <string_view>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
+#include "bakers/render/sun_position.h"
 #include "config/recipe/preview_section.h"
 
 namespace skybake {
+namespace {
+
+double to_degrees(double radians) { return radians * 180 / std::numbers::pi; }
+
+std::optional<double> to_degrees(const std::optional<double>& radians) {
+    return radians ? std::optional(to_degrees(*radians)) : std::nullopt;
+}
+
+template <class T>
+void take(std::optional<T>& option, const std::optional<T>& of_recipe) {
+    if (!option) option = of_recipe;
+}
+
+void take_camera(const config::PreviewCamera& camera, PreviewOptions& options) {
+    if (!options.camera) options.camera.emplace();
+    CameraRequest& request = *options.camera;
+    take(request.position_m, camera.position);
+    take(request.heading_degrees, to_degrees(camera.heading));
+    take(request.pitch_degrees, to_degrees(camera.pitch));
+    take(request.field_degrees, to_degrees(camera.fov));
+}
+
+// Takes what places the sun. What the command line says about the sun, by a time or by angles,
+// replaces all that the recipe says in the other way.
+void take_sun(const config::Preview& preview, bool clouds, PreviewOptions& options) {
+    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
+    const bool by_time = options.at.has_value();
+    if (preview.latitude && preview.longitude && !options.place && !by_angles) {
+        options.place = {to_degrees(*preview.latitude), to_degrees(*preview.longitude)};
+    }
+    if (preview.at && !by_angles && !by_time) options.at = config::parse_moment(*preview.at);
+    if (options.at) return;
+    if (options.sun_elevations_deg.empty()) {
+        for (const config::Angle elevation : preview.sun_elevation) {
+            options.sun_elevations_deg.push_back(to_degrees(elevation.radians));
+        }
+    }
+    if (clouds) take(options.sun_azimuth_deg, to_degrees(preview.sun_azimuth));
+}
+
+void take_section(const config::Preview& preview, const LitPictures& lit, PreviewOptions& options) {
+    if (lit.sky) {
+        take(options.altitude_m, preview.altitude);
+        take(options.glare, std::optional(preview.glare));
+    }
+    if (lit.clouds) {
+        take_camera(preview.camera, options);
+        if (!lit.sweep) take(options.picture_size, preview.size);
+        options.single = options.single || preview.single;
+    }
+    if (!lit.sky && !lit.clouds) return;
+    take(options.exposure_stops, preview.exposure);
+    take(options.tone_curve, std::optional(preview.tone_curve));
+    take_sun(preview, lit.clouds, options);
+}
+
+std::string place_text(const EarthPlace& place) {
+    return fmt::format("{:g} degrees {}, {:g} degrees {}", std::fabs(place.latitude_degrees),
+                       place.latitude_degrees < 0 ? "south" : "north",
+                       std::fabs(place.longitude_degrees),
+                       place.longitude_degrees < 0 ? "west" : "east");
+}
+
+// Places the sun at the time. The position is as exact as its third digit.
+void place_sun(bool clouds, PreviewOptions& options) {
+    const auto hundredths = [](double angle) { return std::round(100 * angle) / 100; };
+    const double utc = config::utc_seconds(*options.at, options.place->longitude_degrees);
+    const SunPosition sun = sun_position(utc, *options.place);
+    options.sun_elevations_deg = {hundredths(sun.elevation_degrees)};
+    if (clouds) options.sun_azimuth_deg = hundredths(90 - sun.azimuth_degrees);
+    options.note = fmt::format(
+        "At {}, {}, the sun stands at an elevation of {:.2f} degrees, without refraction, and an "
+        "azimuth of {:.1f} degrees from north towards east; +y is north and +x is east.",
+        config::utc_text(utc), place_text(*options.place), sun.elevation_degrees,
+        sun.azimuth_degrees);
+    options.at.reset();
+    options.place.reset();
+}
+
+}  // namespace
+
+Outcome<PreviewOptions> completed(PreviewOptions options, const Recipe* recipe,
+                                  const LitPictures& lit) {
+    const bool by_angles = !options.sun_elevations_deg.empty() || options.sun_azimuth_deg;
+    if (options.at && by_angles) {
+        return {{},
+                {option_fault("--at excludes --sun-elevation and --sun-azimuth",
+                              "the time and the place say where the sun stands")}};
+    }
+    const bool place_is_asked = options.place.has_value();
+    const auto preview = recipe != nullptr ? config::preview_of(*recipe) : std::nullopt;
+    if (preview) take_section(*preview, lit, options);
+    if (options.at && !options.place) {
+        return {{},
+                {option_fault("--at needs a place",
+                              "give --place 47.4,8.5, or latitude and longitude in [preview]")}};
+    }
+    if (place_is_asked && !options.at) {
+        return {{}, {option_fault("--place needs a time", "give --at \"2026-06-21 18:30\"")}};
+    }
+    if (options.at) place_sun(lit.clouds, options);
+    return {std::move(options), {}};
+}
+
 namespace {
 
 struct GivenOption {
@@ -18,7 +125,7 @@ struct GivenOption {
     bool given = false;
 };
 
-config::Diagnostic unused_option(std::string name, std::string_view reason) {
+Diagnostic unused_option(std::string name, std::string_view reason) {
     std::ranges::replace(name, '_', '-');
     return option_fault(fmt::format("no picture of this preview uses --{}", name),
                         std::string(reason));
@@ -51,15 +158,15 @@ bool reaches_sides(const PreviewAsset& volume) {
 
 }  // namespace
 
-config::Diagnostic option_fault(std::string message, std::string label) {
-    config::Diagnostic diagnostic;
+Diagnostic option_fault(std::string message, std::string label) {
+    Diagnostic diagnostic;
     diagnostic.code = "E0001";
     diagnostic.message = std::move(message);
     diagnostic.label = std::move(label);
     return diagnostic;
 }
 
-LitPictures lit_pictures_of(std::span<const config::Bake> bakes) {
+LitPictures lit_pictures_of(std::span<const Bake> bakes) {
     const config::PicturesOfLight light = config::pictures_of_light(bakes);
     return {light.sky, light.clouds, false};
 }
@@ -73,8 +180,7 @@ LitPictures lit_pictures_of(const PreviewAssets& assets) {
     return lit;
 }
 
-std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
-                                               const PreviewOptions& options) {
+std::vector<Diagnostic> unused_options(const LitPictures& lit, const PreviewOptions& options) {
     if (options.live) return {};  // a live page uses all that it can be asked for
     const GivenOption all[] = {
         {"sun_elevation", !options.sun_elevations_deg.empty()},
@@ -91,7 +197,7 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
         {"turntable", options.turntable > 0},
     };
     const config::PicturesOfLight pictures = {lit.sky && !(lit.sweep && lit.clouds), lit.clouds};
-    std::vector<config::Diagnostic> problems;
+    std::vector<Diagnostic> problems;
     for (const GivenOption& option : all) {
         const std::string_view reason = config::why_unused(option.name, pictures);
         if (option.given && !reason.empty()) {
@@ -101,8 +207,8 @@ std::vector<config::Diagnostic> unused_options(const LitPictures& lit,
     return problems;
 }
 
-std::vector<config::Diagnostic> unused_keys(const config::Recipe& recipe) {
-    std::vector<config::Diagnostic> warnings;
+std::vector<Diagnostic> unused_keys(const Recipe& recipe) {
+    std::vector<Diagnostic> warnings;
     if (recipe.parameters.bakes.empty()) return warnings;
     const config::PicturesOfLight pictures = config::pictures_of_light(recipe.parameters.bakes);
     for (const config::ResolvedValue& value : recipe.values) {
@@ -111,8 +217,8 @@ std::vector<config::Diagnostic> unused_keys(const config::Recipe& recipe) {
         const std::string key = is_camera ? "camera" : value.path.substr(value.section.size() + 1);
         const std::string_view reason = config::why_unused(key, pictures);
         if (reason.empty() || value.origin.starts_with("preset ")) continue;
-        config::Diagnostic warning;
-        warning.severity = config::Severity::warning;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
         warning.code = "W0216";
         warning.message = fmt::format("no picture of this recipe uses `{}`", value.path);
         warning.label = reason;
@@ -122,8 +228,8 @@ std::vector<config::Diagnostic> unused_keys(const config::Recipe& recipe) {
     return warnings;
 }
 
-std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
-                                                   const PreviewOptions& options) {
+std::optional<Diagnostic> camera_above_air(const PreviewAssets& assets,
+                                           const PreviewOptions& options) {
     if (!options.altitude_m || !assets.recipe || assets.of_kind("transmittance") == nullptr ||
         assets.of_kind("multiple_scattering") == nullptr) {
         return std::nullopt;
@@ -131,7 +237,7 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
     const config::Atmosphere& atmosphere = assets.recipe->parameters.atmosphere;
     const double top_m = atmosphere.top_radius.meters - atmosphere.ground_radius.meters;
     if (*options.altitude_m <= top_m) return std::nullopt;
-    config::Diagnostic diagnostic;
+    Diagnostic diagnostic;
     diagnostic.code = "E0110";
     diagnostic.message = fmt::format(
         "the altitude of the camera, {:g} km, is above the top of the atmosphere, {:g} km",
@@ -139,15 +245,15 @@ std::optional<config::Diagnostic> camera_above_air(const PreviewAssets& assets,
     return diagnostic;
 }
 
-std::vector<config::Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
-                                                   const PreviewOptions& options) {
-    std::vector<config::Diagnostic> warnings;
+std::vector<Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
+                                           const PreviewOptions& options) {
+    std::vector<Diagnostic> warnings;
     if (!options.single) return warnings;
     for (const PreviewAsset& asset : assets.assets) {
         if (asset.entry.kind != "cloud_volume" || asset.voxels.empty()) continue;
         if (!reaches_sides(asset)) continue;
-        config::Diagnostic warning;
-        warning.severity = config::Severity::warning;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
         warning.code = "W0218";
         warning.message = fmt::format(
             "`{}` reaches the sides of its tile: a picture of a single one shows walls there",
@@ -158,8 +264,8 @@ std::vector<config::Diagnostic> clouds_cut_by_tile(const PreviewAssets& assets,
     return warnings;
 }
 
-config::Recipe draft_of(config::Recipe recipe, int most_voxels) {
-    for (config::Bake& bake : recipe.parameters.bakes) baker_of(bake).draft(bake, most_voxels);
+Recipe draft_of(Recipe recipe, int most_voxels) {
+    for (Bake& bake : recipe.parameters.bakes) baker_of(bake).draft(bake, most_voxels);
     return recipe;
 }
 

@@ -1,13 +1,41 @@
 // Gathers what pictures of clouds are made from.
+//
+// Sequences of cloud volumes: the lit pictures of their frames are one picture that plays.
 #pragma once
 
+#include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/make_preview.h"
+#include "bakers/preview/page.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
 
 namespace skybake {
+
+// Returns the place of a cloud volume among the frames that a preview shows, or nothing if it is no frame
+// or the only one that is shown.
+std::optional<SequenceFrame> sequence_frame(const PreviewAssets& assets, const PreviewAsset& asset);
+
+// Gathers the lit pictures of the frames of all sequences, which come in their order.
+class SequenceScenes {
+  public:
+    // Has a frame shown with the exposures of its sequence's first one.
+    void share_exposures(CloudPreviewInput& input) const;
+
+    // Takes the lit pictures of a frame out of `pictures`.
+    void take(const SequenceFrame& frame, std::vector<PagePicture>& pictures);
+
+    // Returns a scene for each sequence.
+    std::vector<PageScene> scenes() &&;
+
+  private:
+    std::vector<std::string> order_;
+    std::map<std::string, PageScene> scenes_;
+    std::map<std::string, std::vector<double>> exposures_;  // of each sun
+};
 
 // Gathers the input for the pictures of a cloud from the assets of a preview. For a cloud volume,
 // it includes the volume's first occupancy grid and the sky; for an occupancy grid, it is the grid

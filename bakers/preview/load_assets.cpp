@@ -21,8 +21,6 @@ namespace skybake {
 
 namespace {
 
-using config::Diagnostic;
-using config::Outcome;
 namespace fs = std::filesystem;
 
 // Loads a level of `entry` that the file holds.
@@ -76,14 +74,14 @@ std::optional<Diagnostic> other_bytes(const fs::path& path, const ManifestFile& 
         "W0304", path.string(),
         fmt::format("`{}` does not match {}: the figures there are those of another file",
                     path.string(), manifest_name));
-    warning.severity = config::Severity::warning;
+    warning.severity = Severity::warning;
     return warning;
 }
 
 // Whether an error is among the diagnostics, so that loading cannot go on.
 bool has_error(const std::vector<Diagnostic>& diagnostics) {
     return std::ranges::any_of(
-        diagnostics, [](const Diagnostic& one) { return one.severity == config::Severity::error; });
+        diagnostics, [](const Diagnostic& one) { return one.severity == Severity::error; });
 }
 
 // Adds one asset of a manifest to the shown ones and returns diagnostics. Warnings also become
@@ -126,7 +124,7 @@ void add_own_recipe(PreviewAssets& shown) {
     const ManifestAsset& entry = shown.assets.front().entry;
     auto recipe = config::parse_asset_parameters(entry.parameters, "the file");
     if (!recipe.value) return;
-    for (config::Bake& bake : recipe.value->parameters.bakes) {
+    for (Bake& bake : recipe.value->parameters.bakes) {
         if (baker_of(bake).asset == entry.kind) bake.name = entry.name;
     }
     shown.recipe = std::move(*recipe.value);
@@ -230,7 +228,7 @@ void find_plots(const std::filesystem::path& folder, PreviewAssets& assets) {
     for (const PreviewAsset& asset : assets.assets) {
         const std::string name = asset.entry.name + ".svg";
         for (const std::filesystem::path& place : {folder / name, folder / "report" / name}) {
-            const config::Outcome<std::string> text = read_file(place, largest_plot);
+            const Outcome<std::string> text = read_file(place, largest_plot);
             if (!text.value || !is_report_text(name, *text.value)) continue;
             assets.plots[asset.entry.name] = *text.value;
             break;

@@ -19,8 +19,8 @@ namespace skybake {
 // also becomes a note: a shown file is not the one that the manifest describes. Volumes
 // have no voxels where only tables are wanted.
 enum class LoadedTexels { all, tables };
-config::Outcome<PreviewAssets> load_folder(const std::filesystem::path& path,
-                                           LoadedTexels texels = LoadedTexels::all);
+Outcome<PreviewAssets> load_folder(const std::filesystem::path& path,
+                                   LoadedTexels texels = LoadedTexels::all);
 
 // Adds an asset that was baked before, under the given name. Returns false and adds nothing if a file
 // cannot be read, or differs from its entry.
@@ -30,7 +30,7 @@ bool add_ready(const ReadyAsset& ready, const std::string& name, PreviewAssets& 
 // manifest claims it, by its own metadata. The recipe is that of the first file's folder, or the
 // one that a single file states. E0300; E0304 also if a file does not describe itself, or describes
 // itself wrongly. Warnings are those of load_folder.
-config::Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
+Outcome<PreviewAssets> load_files(std::span<const std::filesystem::path> files);
 
 // Adds the plots of speed against error that an earlier `report` left in the folder, or in its
 // subfolder `report`. Files with these names that `report` has not drawn are ignored.

@@ -181,10 +181,10 @@ bool is_sweep_folder(const fs::path& folder) {
     return fs::is_regular_file(folder / sweep_manifest_name, error);
 }
 
-config::Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
+Outcome<PreviewSweep> load_sweep(const fs::path& folder) {
     constexpr std::uintmax_t largest = std::uintmax_t{256} << 20;
     const fs::path file = folder / sweep_manifest_name;
-    const config::Outcome<std::string> text = read_file(file, largest);
+    const Outcome<std::string> text = read_file(file, largest);
     if (!text.value) return {{}, text.diagnostics};
     std::string reason = "skybake did not write it";
     try {

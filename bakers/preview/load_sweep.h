@@ -55,6 +55,6 @@ bool is_sweep_folder(const std::filesystem::path& folder);
 
 // Loads a sweep's index. E0300 if sweep.json cannot be read; E0304 if it is damaged, is of another
 // tool or format, or names folders outside of its own. Without timing.csv there are no times.
-config::Outcome<PreviewSweep> load_sweep(const std::filesystem::path& folder);
+Outcome<PreviewSweep> load_sweep(const std::filesystem::path& folder);
 
 }  // namespace skybake

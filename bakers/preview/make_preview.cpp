@@ -9,18 +9,14 @@
 
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_inputs.h"
-#include "bakers/preview/complete_options.h"
 #include "bakers/preview/live/live_scene.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/scene_pictures.h"
 #include "bakers/preview/pictures/sky_pictures.h"
-#include "bakers/preview/sequences.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
 namespace {
-
-using config::Outcome;
 
 // Returns a key of everything that the pictures of a single asset depend on.
 std::string key_of(const PreviewAsset& asset) {
@@ -29,13 +25,13 @@ std::string key_of(const PreviewAsset& asset) {
                        entry.parameters);
 }
 
-std::string atmosphere_key(const config::Recipe& recipe) {
+std::string atmosphere_key(const Recipe& recipe) {
     return config::parameters_toml(recipe,
                                    config::reads_of_light(recipe.parameters, config::Roles::all()));
 }
 
 // Returns what the recipe says on pictures.
-std::string preview_key(const config::Recipe& recipe) {
+std::string preview_key(const Recipe& recipe) {
     const std::array<std::string, 2> patterns = {"preview.*", "preview.camera.*"};
     return config::parameters_toml(recipe, patterns);
 }
@@ -140,11 +136,11 @@ class Preview {
             return sky_pictures(assets_.recipe->parameters.atmosphere, *transmittance, *scattering,
                                 sky_options(), options_.threads);
         });
-        page_.scenes.push_back({"Sky",
-                                "The pictures show the sky as a runtime renders it: it marches "
-                                "rays, and takes sunlight and light "
-                                "scattered more than once from the baked tables.",
-                                std::move(pictures)});
+        page_.scenes.push_back(
+            {"Sky",
+             "The pictures show the sky as a runtime renders it: it marches rays, and takes "
+             "sunlight and light scattered more than once from the baked tables.",
+             std::move(pictures)});
     }
 
     PageAsset without_pictures(const PreviewAsset& asset) const {
@@ -224,9 +220,9 @@ bool has_scene(const LitPictures& lit, const PreviewOptions& options) {
     return lit.sky && lit.clouds && !lit.sweep && !options.single && options.turntable == 0;
 }
 
-std::vector<Need> needs_of_pictures(const config::Recipe& recipe) {
+std::vector<Need> needs_of_pictures(const Recipe& recipe) {
     const auto has = [&recipe](std::string_view kind) {
-        return std::ranges::any_of(recipe.parameters.bakes, [kind](const config::Bake& bake) {
+        return std::ranges::any_of(recipe.parameters.bakes, [kind](const Bake& bake) {
             return config::kind_of(bake).facts.name == kind;
         });
     };
@@ -246,7 +242,7 @@ Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOpti
     if (auto problem = camera_above_air(assets, *complete.value))
         return {{}, {std::move(*problem)}};
     Outcome<PreviewPage> page = Preview(assets, *complete.value).make();
-    for (config::Diagnostic& warning : clouds_cut_by_tile(assets, *complete.value)) {
+    for (Diagnostic& warning : clouds_cut_by_tile(assets, *complete.value)) {
         if (page.value) page.value->notes.push_back(warning.message);
         page.diagnostics.push_back(std::move(warning));
     }

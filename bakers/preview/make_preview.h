@@ -71,14 +71,13 @@ bool has_scene(const LitPictures& lit, const PreviewOptions& options);
 int picture_stages(std::size_t assets, const LitPictures& lit, const PreviewOptions& options);
 
 // Returns what pictures of a recipe's assets are made from besides the assets.
-std::vector<Need> needs_of_pictures(const config::Recipe& recipe);
+std::vector<Need> needs_of_pictures(const Recipe& recipe);
 
 // Makes all pictures of the assets. Clouds without an atmosphere of their own are lit by the sky of
 // the preset "earth". What `options` leave open is taken from the recipe's [preview]
-// (complete_options.h). Diagnostics are those of unused_options and camera_above_air
+// (check_options.h). Diagnostics are those of unused_options and camera_above_air
 // (check_options.h), of completed() and of png_bytes. If the user interrupts, there is neither a value nor a
 // diagnostic.
-config::Outcome<PreviewPage> make_preview(const PreviewAssets& assets,
-                                          const PreviewOptions& options);
+Outcome<PreviewPage> make_preview(const PreviewAssets& assets, const PreviewOptions& options);
 
 }  // namespace skybake

@@ -7,20 +7,18 @@
 #include "bakers/occupancy/leap_distance.h"
 
 namespace skybake {
-
 namespace {
 
 using config::OccupancyContent;
 
 // Returns the values of the channel `content` as they were before storing.
-std::optional<std::vector<float>> values_of(const PreviewAsset& grid,
-                                            const config::OccupancyBake& bake,
+std::optional<std::vector<float>> values_of(const PreviewAsset& grid, const OccupancyBake& bake,
                                             OccupancyContent content) {
     const auto found = std::ranges::find(bake.contents, content);
     if (found == bake.contents.end()) return std::nullopt;
     const auto channel = static_cast<std::size_t>(found - bake.contents.begin());
-    const bool unorm = bake.pixel_type == config::PixelType::unorm8 ||
-                       bake.pixel_type == config::PixelType::unorm16;
+    const bool unorm =
+        bake.pixel_type == PixelType::unorm8 || bake.pixel_type == PixelType::unorm16;
     const float scale = content == OccupancyContent::leap && unorm ? 255.0F : 1.0F;
     std::vector<float> values;
     for (std::size_t i = channel; i < grid.voxels.size(); i += bake.contents.size()) {
@@ -40,8 +38,7 @@ std::vector<float> leaps_of(const std::array<int, 3>& size, std::vector<std::uin
 
 }  // namespace
 
-std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid,
-                                                const config::OccupancyBake& bake,
+std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid, const OccupancyBake& bake,
                                                 float threshold) {
     if (!grid.entry.is_volume()) return std::nullopt;
     const std::array<int, 3> size = size_of(grid.entry);
@@ -63,7 +60,7 @@ std::optional<std::vector<float>> leaps_of_grid(const PreviewAsset& grid,
 }
 
 std::optional<LeapGrid> leap_grid_of(const PreviewAsset& volume, const PreviewAsset& grid,
-                                     const config::OccupancyBake& bake, float threshold) {
+                                     const OccupancyBake& bake, float threshold) {
     const bool sees_all = bake.rule == config::OccupancyRule::exact &&
                           bake.filter != config::OccupancyFilter::nearest &&
                           (bake.channel.empty() || bake.channel == volume.entry.channels.front());

@@ -6,7 +6,6 @@
 
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/manifest/release.h"
-#include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 #include "config/sections/cloud.h"
 
@@ -204,8 +203,8 @@ std::string page_swap_text(const PreviewPage& page) {
 
 std::string page_state_text(const PageState& state) {
     Json diagnostics = Json::array();
-    for (const config::Diagnostic& diagnostic : state.diagnostics) {
-        const bool error = diagnostic.severity == config::Severity::error;
+    for (const Diagnostic& diagnostic : state.diagnostics) {
+        const bool error = diagnostic.severity == Severity::error;
         diagnostics.push_back({{"severity", error ? "error" : "warning"},
                                {"code", diagnostic.code},
                                {"message", diagnostic.message},

@@ -101,7 +101,7 @@ struct PageState {
     double seconds = 0;  // from the change to the files
     bool full = false;   // true: full quality; false: a draft, while the full page is made
     bool ended = false;  // the program has stopped watching the recipe
-    std::vector<config::Diagnostic> diagnostics;
+    std::vector<Diagnostic> diagnostics;
 };
 inline constexpr const char* page_state_name = "preview_state.js";
 std::string page_state_text(const PageState& state);

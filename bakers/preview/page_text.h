@@ -1,4 +1,6 @@
 // Text of HTML pages: templates, and what stands in them.
+//
+// The figures of a page: its pictures as HTML, and as browsers without scripts show them.
 #pragma once
 
 #include <map>
@@ -24,5 +26,14 @@ std::string filled(std::string_view form, const std::map<std::string_view, std::
 
 // Returns the script of a page that follows a recipe; nothing for revision 0.
 std::string watch_element(int revision);
+
+// Returns "scene", "plot" or "image".
+std::string_view kind_name(PictureKind kind);
+
+// Returns the plot of an asset's report as a picture without bytes. Its file is NAME.svg.
+PagePicture report_plot(const PageAsset& asset);
+
+// Returns the HTML of all pictures of the page, in the order in which its scripts show them.
+std::string pictures_html(const PreviewPage& page);
 
 }  // namespace skybake

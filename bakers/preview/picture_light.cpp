@@ -11,9 +11,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::Recipe;
-
 // They are the tables of the preset `earth`, from light that skies share.
 constexpr const char* kTables =
     "[bake.transmittance]\nsize = [256, 64]\n[bake.multiple_scattering]\ncontent = \"moments\"\n";
@@ -47,7 +44,7 @@ Outcome<PreviewAssets> PictureLight::bake(const Recipe* air, const std::string& 
                                           BakeOptions options) {
     auto recipe = recipe_of(air, sections);
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     options.certification = Certification::off;
     options.intermediates = &intermediates_;
     expected_[air == nullptr ? 0 : 1] =

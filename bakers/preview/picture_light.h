@@ -10,7 +10,7 @@
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "bakers/preview/bake_assets.h"
-#include "bakers/render/solved_sky.h"
+#include "bakers/render/cloud_view.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -26,16 +26,16 @@ class PictureLight {
 
     // Returns a transmittance and a multiple_scattering table, with their recipe. Errors are those of
     // bake_asset.
-    config::Outcome<PreviewAssets> tables(const config::Recipe* air, const BakeOptions& options);
+    Outcome<PreviewAssets> tables(const Recipe* air, const BakeOptions& options);
 
     // Returns the sky of a camera in the air under a sun. Returns nothing for air whose light cannot
     // be solved for.
-    std::optional<SolvedSky> sky(const config::Recipe* air, const SolvedSky::Place& place,
+    std::optional<SolvedSky> sky(const Recipe* air, const SolvedSky::Place& place,
                                  const BakeOptions& options);
 
   private:
-    config::Outcome<PreviewAssets> bake(const config::Recipe* air, const std::string& sections,
-                                        BakeOptions options);
+    Outcome<PreviewAssets> bake(const Recipe* air, const std::string& sections,
+                                BakeOptions options);
 
     Intermediates own_;
     Intermediates& intermediates_;

@@ -47,13 +47,13 @@ void PictureEncoder::give_up() {
     if (memory_ != nullptr) memory_->unfinished = std::move(shown_);
 }
 
-std::vector<config::Diagnostic> PictureEncoder::finish() {
+std::vector<Diagnostic> PictureEncoder::finish() {
     if (memory_ != nullptr) *memory_ = {std::move(shown_), {}};
     return std::move(problems_);
 }
 
 std::vector<PagePicture> PictureEncoder::encoded(const std::vector<PreviewPicture>& pictures) {
-    std::vector<config::Outcome<std::string>> bytes(pictures.size());
+    std::vector<Outcome<std::string>> bytes(pictures.size());
     parallel_for(static_cast<int>(pictures.size()), threads_, [&](int i) {
         const auto at = static_cast<std::size_t>(i);
         bytes[at] = png_bytes(pictures[at].picture);
@@ -102,8 +102,8 @@ std::vector<const PagePicture*> pictures_of(const PreviewPage& page) {
     return all;
 }
 
-config::Diagnostic foreign_file(const fs::path& path) {
-    config::Diagnostic diagnostic = file_error(
+Diagnostic foreign_file(const fs::path& path) {
+    Diagnostic diagnostic = file_error(
         "E0303", path.string(),
         fmt::format("`{}` already exists and was not written by a preview", path.string()));
     diagnostic.label = "overwrite it with --force, or choose another folder with -o";
@@ -133,17 +133,17 @@ std::vector<std::string> preview_file_names(const PreviewPage& page) {
 }
 
 std::vector<std::string> earlier_preview_files(const fs::path& folder) {
-    const config::Outcome<std::string> page = read_file(folder / page_name);
+    const Outcome<std::string> page = read_file(folder / page_name);
     auto names = page.value ? files_of_page(*page.value) : std::nullopt;
     if (!names) return {};
     names->emplace_back(page_name);
     return std::move(*names);
 }
 
-std::vector<config::Diagnostic> foreign_preview_files(const fs::path& folder,
-                                                      const std::vector<std::string>& names,
-                                                      const std::vector<std::string>& earlier) {
-    std::vector<config::Diagnostic> diagnostics;
+std::vector<Diagnostic> foreign_preview_files(const fs::path& folder,
+                                              const std::vector<std::string>& names,
+                                              const std::vector<std::string>& earlier) {
+    std::vector<Diagnostic> diagnostics;
     for (const std::string& name : names) {
         std::error_code error;
         if (!fs::exists(fs::symlink_status(folder / name, error))) continue;

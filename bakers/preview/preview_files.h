@@ -44,7 +44,7 @@ class PictureEncoder {
     void give_up();
 
     // Finishes the preview and returns the diagnostics of png_bytes.
-    [[nodiscard]] std::vector<config::Diagnostic> finish();
+    [[nodiscard]] std::vector<Diagnostic> finish();
 
   private:
     const std::vector<PagePicture>* remembered(const std::string& key) const;
@@ -56,7 +56,7 @@ class PictureEncoder {
     PicturesByKey shown_;
     std::string last_key_;
     std::set<std::string> names_;
-    std::vector<config::Diagnostic> problems_;
+    std::vector<Diagnostic> problems_;
 };
 
 struct PreviewFile {
@@ -75,7 +75,7 @@ std::vector<std::string> preview_file_names(const PreviewPage& page);
 std::vector<std::string> earlier_preview_files(const std::filesystem::path& folder);
 
 // Returns E0303 for each file of `names` that is in the folder and not among `earlier`.
-[[nodiscard]] std::vector<config::Diagnostic> foreign_preview_files(
+[[nodiscard]] std::vector<Diagnostic> foreign_preview_files(
     const std::filesystem::path& folder, const std::vector<std::string>& names,
     const std::vector<std::string>& earlier);
 

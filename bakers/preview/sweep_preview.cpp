@@ -12,12 +12,10 @@
 #include "bakers/plot/chart.h"
 #include "bakers/preview/check_options.h"
 #include "bakers/preview/cloud_inputs.h"
-#include "bakers/preview/complete_options.h"
 #include "bakers/preview/load_assets.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/preview/pictures/asset_pictures.h"
 #include "bakers/preview/pictures/cloud_pictures.h"
-#include "bakers/preview/sweep_plots.h"
 #include "bakers/preview/sweep_sheet.h"
 #include "bakers/preview/sweep_table.h"
 #include "bakers/render/sky_tables.h"
@@ -149,7 +147,6 @@ std::optional<Thumbnail> telling_picture(const PreviewAssets& assets, PreviewOpt
 
 // --- All variants --------------------------------------------------------------------------------
 
-using config::Outcome;
 namespace fs = std::filesystem;
 
 class SweepPreview {
@@ -225,7 +222,7 @@ class SweepPreview {
             page_.notes.push_back(assets.diagnostics.front().message);
             return std::nullopt;
         }
-        for (const config::Diagnostic& warning : assets.diagnostics) {
+        for (const Diagnostic& warning : assets.diagnostics) {
             page_.notes.push_back(warning.message);
             warnings_.push_back(warning);
         }
@@ -280,9 +277,9 @@ class SweepPreview {
     std::size_t pictured_ = 0;
     std::optional<std::size_t> first_;  // the first variant that has a picture
     std::string light_;                 // of the first picture of light, valid for all
-    std::vector<config::Diagnostic> warnings_;
+    std::vector<Diagnostic> warnings_;
     // Options that no picture uses or that contradict each other end the preview.
-    std::vector<config::Diagnostic> unused_;
+    std::vector<Diagnostic> unused_;
     int stage_ = 0;
 };
 

@@ -13,8 +13,8 @@ namespace skybake {
 // the page in `page_folder` to their folders. A variant whose folder cannot be read has no
 // thumbnail, and a note says why. Diagnostics are those of load_sweep and png_bytes, warnings those
 // of load_folder. If the user interrupts, there is neither a value nor a diagnostic.
-config::Outcome<PreviewPage> make_sweep_preview(const std::filesystem::path& folder,
-                                                const std::filesystem::path& page_folder,
-                                                const PreviewOptions& options);
+Outcome<PreviewPage> make_sweep_preview(const std::filesystem::path& folder,
+                                        const std::filesystem::path& page_folder,
+                                        const PreviewOptions& options);
 
 }  // namespace skybake

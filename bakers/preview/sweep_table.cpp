@@ -1,10 +1,17 @@
 #include "bakers/preview/sweep_table.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <set>
+#include <string_view>
+#include <utility>
+
+#include "bakers/plot/chart.h"
+#include "bakers/report/measurement.h"
 
 namespace skybake {
 namespace {
@@ -90,6 +97,131 @@ PageVariant SweepTable::row(const SweepVariant& variant, std::optional<double> d
     row.cells.push_back({difference, ""});
     row.cells.push_back({std::nullopt, variant.status});
     return row;
+}
+
+namespace {
+
+// A figure as an axis of a plot shows it.
+struct PlottedFigure {
+    std::string_view figure;  // empty: the time of the bake
+    const char* title;
+    double factor;  // from the index's unit to the title's
+    bool has_light = true;
+};
+
+constexpr PlottedFigure sky_error_axis = {"sky_median", "sky error, median (%)", 100};
+constexpr PlottedFigure lookup_error_axis = {"lookup_rms", "lookup error, RMS", 1};
+constexpr PlottedFigure bytes_axis = {"bytes", "files (KiB)", 1.0 / 1024};
+constexpr PlottedFigure time_axis = {"", "time of the bake (s)", 1};
+constexpr PlottedFigure own_time_axis = {"", "time without shared light (s)", 1, false};
+
+// Returns the time of an asset's bake, without those of certificate and files, or nothing if it is
+// not known.
+std::optional<double> bake_seconds(const SweepVariant& variant, const std::string& asset,
+                                   bool has_light) {
+    const auto figures = variant.figures.find(asset);
+    if (figures == variant.figures.end()) return std::nullopt;
+    std::optional<double> seconds;
+    for (const auto& [name, value] : figures->second) {
+        if (!name.ends_with("_s") || name == "certificate_s" || name == "write_s") continue;
+        if (name == "light_s" && !has_light) continue;
+        seconds = seconds.value_or(0) + value;
+    }
+    return seconds;
+}
+
+// Whether some variants took the light that others made, which alone have its time.
+bool shares_light(const PreviewSweep& sweep, const std::string& asset) {
+    constexpr double nothing_s = 1e-3;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    for (const SweepVariant& variant : sweep.variants) {
+        const double seconds = figure_of(variant, asset, "light_s").value_or(0);
+        least = std::min(least, seconds);
+        most = std::max(most, seconds);
+    }
+    return least < nothing_s && most >= nothing_s;
+}
+
+bool is_measured(const PreviewSweep& sweep, const std::string& asset, std::string_view figure) {
+    return std::ranges::any_of(sweep.variants, [&](const SweepVariant& variant) {
+        return figure_of(variant, asset, figure).has_value();
+    });
+}
+
+// Returns the points of the variants that have both figures. The first axis of several gives the
+// families, and the others the labels.
+std::vector<ChartPoint> points_of(const PreviewSweep& sweep, const std::string& asset,
+                                  const PlottedFigure& cost, const PlottedFigure& error,
+                                  std::vector<std::string>& families) {
+    const bool has_families = sweep.axes.size() > 1;
+    std::vector<ChartPoint> points;
+    for (const SweepVariant& variant : sweep.variants) {
+        const auto x = cost.figure.empty() ? bake_seconds(variant, asset, cost.has_light)
+                                           : figure_of(variant, asset, cost.figure);
+        const auto y = figure_of(variant, asset, error.figure);
+        if (!x || !y) continue;
+        ChartPoint point;
+        point.x = *x * cost.factor;
+        point.y = *y * error.factor;
+        point.family = family_index(
+            families, has_families ? sweep.axes[0][sweep.place(variant, 0)] : "variants");
+        point.label = sweep.label(variant, has_families ? 1 : 0);
+        points.push_back(std::move(point));
+    }
+    return points;
+}
+
+// Marks the front. Only its points keep their labels, and of equal points only the first.
+void mark_points(std::vector<ChartPoint>& points, double noise) {
+    std::vector<CostAndError> choices;
+    for (const ChartPoint& point : points) choices.push_back({point.x, point.y});
+    const std::vector<bool> front = pareto_front(choices, noise);
+    std::set<std::pair<double, double>> labelled;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].on_front = front[i];
+        if (!front[i] || !labelled.emplace(points[i].x, points[i].y).second)
+            points[i].label.clear();
+    }
+}
+
+// Whether not all points are at one place.
+bool differ_in_place(const std::vector<ChartPoint>& points) {
+    std::set<std::pair<double, double>> places;
+    for (const ChartPoint& point : points) places.emplace(point.x, point.y);
+    return places.size() > 1;
+}
+
+std::optional<PreviewPicture> plot_of(const PreviewSweep& sweep, const std::string& asset) {
+    const PlottedFigure& error =
+        is_measured(sweep, asset, "sky_median") ? sky_error_axis : lookup_error_axis;
+    Figure figure;
+    figure.title = asset + ": what accuracy costs";
+    figure.front_name = "Pareto front";
+    const PlottedFigure& time = shares_light(sweep, asset) ? own_time_axis : time_axis;
+    for (const PlottedFigure& cost : {bytes_axis, time}) {
+        auto points = points_of(sweep, asset, cost, error, figure.families);
+        if (!differ_in_place(points)) continue;
+        mark_points(points, cost.figure.empty() ? kTimingNoise : 0);
+        figure.charts.push_back(scatter_chart(std::move(points), "", cost.title, error.title));
+    }
+    if (figure.charts.empty()) return std::nullopt;
+    figure.subtitles = {fmt::format("variants of {}", fmt::join(sweep.names, ", "))};
+    return as_plot(
+        {asset + "_variants", figure.title,
+         "A variant on the front is beaten by no other in both error and cost. Times are wall "
+         "times of the bakes. Where variants share light, it is in none of them.",
+         painted(drawing_of(figure))});
+}
+
+}  // namespace
+
+std::vector<PreviewPicture> sweep_plots(const PreviewSweep& sweep) {
+    std::vector<PreviewPicture> plots;
+    for (const std::string& asset : sweep.assets) {
+        if (auto plot = plot_of(sweep, asset)) plots.push_back(std::move(*plot));
+    }
+    return plots;
 }
 
 }  // namespace skybake

@@ -1,4 +1,6 @@
 // The table of a sweep: a row for each variant with its values, errors, bytes and times.
+//
+// Plots of a sweep: what each asset's error costs, over the user's own axes.
 #pragma once
 
 #include <filesystem>
@@ -6,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "bakers/plot/drawing.h"
 #include "bakers/preview/load_sweep.h"
 #include "bakers/preview/page.h"
 
@@ -36,5 +39,10 @@ class SweepTable {
     const PreviewSweep& sweep_;
     std::vector<Figure> figures_;
 };
+
+// Returns a plot of each asset whose error or cost varies: its error against the bytes of its files,
+// and against the time of its bake if that is known. The error is the median of the sky's if that was
+// measured, else the RMS of lookups.
+std::vector<PreviewPicture> sweep_plots(const PreviewSweep& sweep);
 
 }  // namespace skybake

@@ -8,7 +8,6 @@
 #include "bakers/render/cloud_camera.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kField = 50;

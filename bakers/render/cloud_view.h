@@ -1,7 +1,7 @@
 // Renders a lit picture of a cloud volume by marching rays, as a runtime would. Sunlight takes a
 // second march towards the sun; sky and ground light is the mean radiance of each. All light comes
-// from the baked tables, but the sky behind the layer may be the solved one (cloud_air.h), and the light within
-// the cloud that of march/light_in_cloud.h.
+// from the baked tables, but the sky behind the layer may be the solved one, and the light
+// within the cloud that of march/light_in_cloud.h.
 //
 // The layer is flat. It repeats along x and y unless the medium says otherwise, and it is marched
 // up to `reach_m` from the camera, as scene_march.h describes.
@@ -10,21 +10,62 @@
 // distance (Hillaire 2016, section 5.9). With the transmittance T up to that distance and T_end
 // along the whole ray, the air adds the share (1 - T) / (1 - T_end) of the radiance of all air in that
 // direction, without the ground behind it.
+//
+// The solved sky that a camera sees under a sun, looked up in a baked asset `sky_view`: all orders
+// of scattering, without the sun's disc, with the ground below the horizon.
+//
+// The air around a cloud layer, as the layer's picture needs it: the sky behind the cloud, and the
+// air between camera and cloud.
+//
+// The radiance along a whole ray is that of the solved sky, if the atmosphere has it for this camera and
+// this sun, and else that of the tables. The tables say which share of it the ground sends; the air
+// sends the rest.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
 #include "bakers/air/medium.h"
+#include "bakers/air/ray.h"
 #include "bakers/field/image.h"
+#include "bakers/light/sky_view_mapping.h"
+#include "bakers/march/air_depths.h"
 #include "bakers/march/cloud_medium.h"
 #include "bakers/march/cloud_rays.h"
 #include "bakers/march/layer_march.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/render/sky_tables.h"
-#include "bakers/render/solved_sky.h"
 
 namespace skybake {
+
+class SolvedSky {
+  public:
+    // The camera's altitude, and the sun's elevation.
+    struct Place {
+        double altitude_km = 0;
+        double sun_elevation_degrees = 0;
+        bool operator==(const Place&) const = default;
+    };
+    // Returns nothing if the asset is not a sky view, in this shell, of one sun.
+    static std::optional<SolvedSky> of(const PreviewAsset& sky_view, const Shell& shell,
+                                       const Place& place);
+
+    const Place& place() const { return place_; }
+    int channels() const { return table_.channels; }
+
+    // Writes the radiance (1/sr, for a solar irradiance of 1) of each channel along an elevation and an
+    // azimuth from the sun, in degrees.
+    void look_up(double elevation_degrees, double azimuth_degrees, double* radiance) const;
+
+  private:
+    SolvedSky(const Image2<float>& table, const Shell& shell, const Place& place)
+        : table_(table), camera_(shell, place.altitude_km), place_(place) {}
+
+    Image2<float> table_;
+    SkyViewCamera camera_;
+    Place place_;
+};
 
 // Azimuths are from +x towards +y.
 struct CloudCamera {
@@ -93,5 +134,40 @@ struct CloudView {
 CloudView render_cloud(const CloudMedium& medium, const Atmosphere& atmosphere,
                        const CloudViewSettings& settings, int threads,
                        Progress* progress = nullptr);
+
+// Returns the altitude from which a picture shows the sky, which is at most the top of the air.
+double camera_altitude_km(const Medium& air, const CloudCamera& camera);
+
+class CloudAir {
+  public:
+    // The range of lookups: directions at the camera from `lowest_degrees` to `highest_degrees`
+    // above the horizontal, and distances of clouds up to `reach_m`.
+    struct Range {
+        double lowest_degrees = 0;
+        double highest_degrees = 0;
+        double degrees_per_pixel = 0;
+        double reach_m = 0;
+    };
+    // The solved sky must outlive this object.
+    CloudAir(const Atmosphere& atmosphere, const CloudCamera& camera, const SunDirection& sun,
+             const Range& range, int threads);
+
+    // The air's effects along a direction, given by its elevation and azimuth in degrees.
+    struct Along {
+        Spectrum sky{};            // radiance of the sky behind the cloud, or of the ground
+        Spectrum ground{};         // the part of it that the ground sends
+        Spectrum transmittance{};  // of the air up to the given distance
+        Spectrum in_scattered{};   // radiance of the air up to that distance
+    };
+    Along along(double elevation_degrees, double azimuth_degrees, double distance_m) const;
+
+  private:
+    Range range_;
+    double sun_azimuth_degrees_;
+    const SolvedSky* solved_ = nullptr;
+    Image2<float> panorama_;   // of the tables' light
+    Image2<float> air_share_;  // of the panorama's light
+    AirDepths depths_;
+};
 
 }  // namespace skybake

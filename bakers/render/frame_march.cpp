@@ -8,7 +8,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // The places of a pixel's samples, in pixels from its middle: there, and on a triangle about it.

@@ -11,7 +11,6 @@
 #include "bakers/render/stage_progress.h"
 
 namespace skybake {
-
 namespace {
 
 // A block of rays is a square of pixels, ordered in groups of four by four, so that the rays of one

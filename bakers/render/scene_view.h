@@ -12,8 +12,15 @@
 // with E the irradiances of the ground under a clear sky, T the transmittance towards the sun from the
 // point that is seen, D the product of the layers' `through`, and T_mean the product of their mean
 // transmittances: the sunlight that passes the layers, but not directly, is spread evenly. Without
-// clouds, f is 1. The ground's albedo varies from place to place (ground_albedo.h). A tile that does not repeat covers no share of the sky, so D and T_mean are 1 for it.
+// clouds, f is 1. The ground's albedo varies from place to place. A tile that does not repeat
+// covers no share of the sky, so D and T_mean are 1 for it.
 // Beyond the reach, T is T_mean. Clouds do not shade the air.
+//
+// How the albedo of the ground varies in pictures: fields, woods and bare soil, as no map says where they are.
+//
+// The albedo at a place is its mean times 1 + m, where m is a sum of value noises of cells of 3 km down to
+// 20 m. The mean of m over a wide area is 0. A noise whose cells are not wider than a pixel's footprint is left
+// out, so that far ground has its mean albedo and does not flicker.
 #pragma once
 
 #include <memory>
@@ -21,11 +28,21 @@
 #include <tuple>
 #include <vector>
 
-#include "bakers/render/cloud_air.h"
+#include "bakers/math/vectors.h"
 #include "bakers/render/cloud_view.h"
 #include "bakers/render/scene_march.h"
 
 namespace skybake {
+
+// Returns m at a place, x and y in metres, for a pixel that covers `footprint_m` of the ground.
+double ground_mottle(double x_m, double y_m, double footprint_m);
+
+// Returns m where a ray from `eye_m` of a pixel as wide as `pixel`, at distance 1, meets the ground; 0 where it
+// meets none. x and y are in metres, z is the altitude.
+double ground_mottle_along(const glm::dvec3& eye_m, const glm::dvec3& direction, double pixel);
+
+// Returns 1 + m of each channel. White ground varies less than dark ground, so that none is whiter than white.
+Spectrum mottled(const Spectrum& albedo, double mottle);
 
 // Renders pictures of a scene under one sun. What does not depend on the camera is made once.
 class SceneRenderer {

@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // How many pixels beyond a dome's edge still look along the horizontal. A bilinear lookup within

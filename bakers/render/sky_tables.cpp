@@ -19,7 +19,6 @@
 #include "config/recipe/asset_parameters.h"
 
 namespace skybake {
-
 namespace {
 
 // The position is texture coordinate * size - 1/2, which is linear in x for either convention.
@@ -56,7 +55,7 @@ LookupTable make_lookup_table(const Image2<float>& image, TexelConvention conven
     return table;
 }
 
-config::Diagnostic not_wanted(const PreviewAsset& asset, const std::string& reason) {
+Diagnostic not_wanted(const PreviewAsset& asset, const std::string& reason) {
     return file_error("E0304", asset.entry.name,
                       fmt::format("cannot make a sky from `{}`: {}", asset.entry.name, reason));
 }
@@ -98,9 +97,9 @@ void add_multiple_scattering(const PreviewAsset& asset, int degree, SkyTables& t
 
 }  // namespace
 
-config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
-                                           const PreviewAsset* multiple_scattering) {
-    config::Outcome<SkyTables> outcome;
+Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
+                                   const PreviewAsset* multiple_scattering) {
+    Outcome<SkyTables> outcome;
     const std::string& transmittance_mapping = transmittance.entry.mapping;
     const auto refuse = [&](const PreviewAsset& asset, const std::string& reason) {
         outcome.diagnostics.push_back(not_wanted(asset, reason));

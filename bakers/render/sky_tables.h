@@ -52,8 +52,8 @@ struct SkyTables {
 // Makes the tables from two assets of the same atmosphere; without the second no light is scattered
 // again. The manifest tells what an asset's mapping and parameters are. E0304 if an asset is of another
 // kind, its mapping is unknown, its parameters are no recipe, or the numbers of channels differ.
-config::Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
-                                           const PreviewAsset* multiple_scattering);
+Outcome<SkyTables> make_sky_tables(const PreviewAsset& transmittance,
+                                   const PreviewAsset* multiple_scattering);
 
 // Returns the transmittance from an altitude towards the sun at r mu_s = `sun_s_km`, one value per
 // channel; 0 if the planet hides the sun.

@@ -11,7 +11,6 @@
 #include "bakers/render/sky_march.h"
 
 namespace skybake {
-
 namespace {
 
 std::array<float, kMaxChannels> floats(const Spectrum& values) {

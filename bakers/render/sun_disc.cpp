@@ -9,7 +9,6 @@
 #include "bakers/air/ray.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;

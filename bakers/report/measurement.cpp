@@ -7,9 +7,96 @@
 #include <time.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
+#include "bakers/assets/registry/registry.h"
+#include "config/assets/asset_kind.h"
+#include "config/fields/fields.h"
+#include "config/text/key_path.h"
+
 namespace skybake {
+namespace {
+
+// Returns the whole numbers of a value such as "[256, 64]" or "4".
+std::vector<int> numbers_of(std::string_view toml) {
+    std::vector<int> numbers;
+    const char* at = toml.data();
+    const char* const end = at + toml.size();
+    while (at < end) {
+        int number = 0;
+        const auto [after, error] = std::from_chars(at, end, number);
+        if (error == std::errc{}) numbers.push_back(number);
+        at = error == std::errc{} ? after : at + 1;
+    }
+    return numbers;
+}
+
+// Multiplies numbers above 1, which stay at 2 or above.
+std::string scaled(const std::vector<int>& numbers, double factor, bool is_list) {
+    std::vector<int> result;
+    for (const int number : numbers) {
+        result.push_back(number < 2 ? number : std::max(2, static_cast<int>(number * factor)));
+    }
+    return is_list ? fmt::format("[{}]", fmt::join(result, ", ")) : std::to_string(result.front());
+}
+
+// Returns the other values of a key, as TOML.
+std::vector<std::string> other_values(const config::Field& field, const std::string& own) {
+    std::vector<std::string> values;
+    for (const config::Choice& choice : field.choices) {
+        values.push_back(field.kind == config::Kind::choice_list
+                             ? fmt::format("[\"{}\"]", choice.name)
+                             : fmt::format("\"{}\"", choice.name));
+    }
+    const std::vector<int> numbers = numbers_of(own);
+    if (field.choices.empty() && !numbers.empty()) {
+        for (const double factor : {0.5, 2.0}) {
+            values.push_back(scaled(numbers, factor, own.starts_with('[')));
+        }
+    }
+    std::erase(values, own);
+    return values;
+}
+
+const config::ResolvedValue* find_value(const Recipe& recipe, const std::string& path) {
+    const auto found = std::ranges::find(recipe.values, path, &config::ResolvedValue::path);
+    return found == recipe.values.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+std::string plain_value(std::string_view toml) {
+    std::string text;
+    for (const char letter : toml) {
+        if (letter == ',') text += 'x';
+        if (letter != '"' && letter != '[' && letter != ']' && letter != ',' && letter != ' ') {
+            text += letter;
+        }
+    }
+    return text;
+}
+
+std::vector<Variant> variants_of(const Recipe& recipe, const Bake& bake) {
+    std::vector<Variant> variants = {{"this recipe", "", "", {}}};
+    const AnyBaker& baker = baker_of(bake);
+    const config::Section* section = config::find_section("bake.*", baker.asset);
+    for (const VariantKey& key : baker.variants) {
+        const std::string path =
+            config::join_path(config::join_path("bake", bake.name), std::string(key.name));
+        const config::ResolvedValue* own = find_value(recipe, path);
+        const config::Field* field = config::find_field(*section, key.name);
+        if (own == nullptr || field == nullptr) continue;
+        for (const std::string& value : other_values(*field, own->canonical)) {
+            const bool is_published = !key.published.empty() && plain_value(value) == key.published;
+            variants.push_back({std::string(key.name),
+                                plain_value(value),
+                                std::string(is_published ? key.baseline : ""),
+                                {fmt::format("{}={}", path, value)}});
+        }
+    }
+    return variants;
+}
 
 std::string size_text(std::span<const int> size) {
     return fmt::format("{}", fmt::join(size.begin(), size.end(), "x"));

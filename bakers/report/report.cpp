@@ -11,15 +11,9 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/manifest/asset_files.h"
 #include "bakers/math/intermediates.h"
-#include "bakers/report/measurement.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
-
-using config::Bake;
-using config::Outcome;
-using config::Recipe;
-
 namespace {
 
 constexpr int kRepetitions = 5;
@@ -130,8 +124,8 @@ void describe(const Baked& baked, const ReportOptions& options, AssetReport& rep
     report.lookup_points = certificate.lookup_points;
     report.sky = certificate.sky;
     report.timing =
-        "processor time of a bake without its certificate, one thread; light that "
-        "variants share is not in it";
+        "processor time of a bake without its certificate, one thread; light that variants share "
+        "is not in it";
     report.repetitions = options.quick ? kQuickRepetitions : kRepetitions;
 }
 
@@ -188,7 +182,7 @@ Outcome<bool> add_row(const LoadRecipe& load, const Recipe& recipe, const Bake& 
     row.write_ms = milliseconds(written.value->seconds);
     row.time_ms = milliseconds(*seconds);
     report.rows.push_back(std::move(row));
-    return {true, of_recipe ? std::move(baked.diagnostics) : std::vector<config::Diagnostic>{}};
+    return {true, of_recipe ? std::move(baked.diagnostics) : std::vector<Diagnostic>{}};
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Reports what accuracy costs. The report of an asset lists its variants (variants.h), each with the
+// Reports what accuracy costs. The report of an asset lists its variants (measurement.h), each with the
 // time, the error and the bytes that a bake of it has.
 #pragma once
 
@@ -10,7 +10,7 @@
 #include "bakers/field/conventions.h"
 #include "bakers/field/level.h"
 #include "bakers/math/bake_options.h"
-#include "bakers/report/variants.h"
+#include "bakers/report/measurement.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/recipe/recipe.h"
 #include "config/sections/file_formats.h"
@@ -26,7 +26,7 @@ struct ReportRow {
     std::string baseline;
     bool of_recipe = false;
     std::vector<int> size;  // texels along u, v; voxels along x, y, z
-    config::PixelType pixel_type = config::PixelType::float32;
+    PixelType pixel_type = PixelType::float32;
     std::uint64_t file_bytes = 0;
     double time_ms = 0;   // processor time of making the texels or voxels on one thread
     double write_ms = 0;  // processor time of encoding the files in memory on one thread
@@ -61,7 +61,7 @@ struct ReportOptions {
 // recipe's other keys do not allow are left out. Errors are pure functions of the parameters; times
 // are not. If the user interrupts, there is neither a value nor a diagnostic. Diagnostics are those of
 // bake_asset for the recipe itself.
-config::Outcome<AssetReport> report_asset(const LoadRecipe& load, const config::Recipe& recipe,
-                                          const config::Bake& bake, const ReportOptions& options);
+Outcome<AssetReport> report_asset(const LoadRecipe& load, const Recipe& recipe, const Bake& bake,
+                                  const ReportOptions& options);
 
 }  // namespace skybake

@@ -15,7 +15,6 @@
 #include "config/sections/file_formats.h"
 
 namespace skybake {
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -192,9 +191,9 @@ bool is_report_text(std::string_view name, std::string_view text) {
     return text.find(fmt::format("<!-- {} -->", report_plot_sign)) < kSignLength;
 }
 
-std::vector<config::Diagnostic> foreign_report_files(const fs::path& folder,
-                                                     const std::vector<std::string>& names) {
-    std::vector<config::Diagnostic> diagnostics;
+std::vector<Diagnostic> foreign_report_files(const fs::path& folder,
+                                             const std::vector<std::string>& names) {
+    std::vector<Diagnostic> diagnostics;
     const bool has_plan = is_report_text("plan.json", beginning_of(folder / "plan.json"));
     for (const std::string& name : names) {
         const fs::path path = folder / name;

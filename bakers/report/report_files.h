@@ -36,8 +36,8 @@ bool is_report_text(std::string_view name, std::string_view text);
 
 // Returns E0303 for each file with one of these names that is in the folder and that no report
 // wrote.
-[[nodiscard]] std::vector<config::Diagnostic> foreign_report_files(
-    const std::filesystem::path& folder, const std::vector<std::string>& names);
+[[nodiscard]] std::vector<Diagnostic> foreign_report_files(const std::filesystem::path& folder,
+                                                           const std::vector<std::string>& names);
 
 // The comment in SVG files by which reports recognise their own plots.
 inline constexpr std::string_view report_plot_sign = "skybake report";

@@ -21,8 +21,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 fs::path assets_folder(const fs::path& cache) { return cache / "assets"; }
 
@@ -216,7 +214,7 @@ void AssetCache::keep(const std::string& key, const StageAsset& stage) {
     if (problems.empty()) ++kept_;
     for (const Diagnostic& problem : problems) {
         Diagnostic warning = problem;
-        warning.severity = config::Severity::warning;
+        warning.severity = Severity::warning;
         warning.code = "W0301";
         warning.message = "the cache could not keep this asset: " + problem.message;
         if (problems_.empty()) problems_.push_back(std::move(warning));

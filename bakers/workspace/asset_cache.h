@@ -42,18 +42,18 @@ class AssetCache : public AssetSource {
     void offer(std::string_view bytes, const ManifestAsset& entry);
 
     // Returns why the first rejected offer was rejected, as the warning W0301.
-    const std::vector<config::Diagnostic>& problems() const { return problems_; }
+    const std::vector<Diagnostic>& problems() const { return problems_; }
     // Returns the number of assets that were offered and taken.
     int kept() const { return kept_; }
 
   private:
     // Stages the files of an asset into a folder and returns its entry.
-    using StageAsset = std::function<config::Outcome<ManifestAsset>(
-        const std::filesystem::path& folder, AtomicFiles& files)>;
+    using StageAsset = std::function<Outcome<ManifestAsset>(const std::filesystem::path& folder,
+                                                            AtomicFiles& files)>;
     void keep(const std::string& key, const StageAsset& stage);
 
     std::filesystem::path folder_;
-    std::vector<config::Diagnostic> problems_;
+    std::vector<Diagnostic> problems_;
     int kept_ = 0;
     bool tidied_ = false;  // the remains of killed processes have been removed from `pending`
 };
@@ -82,12 +82,12 @@ struct CacheEntry {
 
 // Returns all entries, the least recently used first. A missing folder is an empty cache. E0302 if
 // the folder is no cache (check_cache_folder), E0300 if it cannot be read.
-config::Outcome<std::vector<CacheEntry>> cache_entries(const std::filesystem::path& folder);
+Outcome<std::vector<CacheEntry>> cache_entries(const std::filesystem::path& folder);
 
 // Removes entries, the least recently used first, until at most `largest_bytes` are left, and also
 // the remains of killed processes in `pending`. Returns the removed entries. E0300, E0301, E0302.
-config::Outcome<std::vector<CacheEntry>> collect_garbage(const std::filesystem::path& folder,
-                                                         std::uint64_t largest_bytes);
+Outcome<std::vector<CacheEntry>> collect_garbage(const std::filesystem::path& folder,
+                                                 std::uint64_t largest_bytes);
 
 struct CacheVerification {
     std::size_t entries = 0;
@@ -95,6 +95,6 @@ struct CacheVerification {
 };
 
 // Reads every file and removes damaged entries, which are useless. E0300, E0301, E0302.
-config::Outcome<CacheVerification> verify_cache(const std::filesystem::path& folder);
+Outcome<CacheVerification> verify_cache(const std::filesystem::path& folder);
 
 }  // namespace skybake

@@ -25,8 +25,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 // Whether a copy failed because of its source, not because of its target.
 bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
@@ -36,7 +34,7 @@ bool is_unusable(const std::vector<Diagnostic>& diagnostics) {
 }
 
 // Whether the entry lists the files of this section and no others. The source may be wrong.
-bool has_files_of(const config::Bake& bake, const ManifestAsset& entry) {
+bool has_files_of(const Bake& bake, const ManifestAsset& entry) {
     std::vector<std::string> expected = file_names(bake);
     std::vector<std::string> found;
     for (const ManifestFile& file : entry.files) found.push_back(file.path);
@@ -45,7 +43,7 @@ bool has_files_of(const config::Bake& bake, const ManifestAsset& entry) {
     return entry.name == bake.name && found == expected;
 }
 
-bool is_frame(const FolderBake& bake, const config::Bake& asset) {
+bool is_frame(const FolderBake& bake, const Bake& asset) {
     return config::frame_of(bake.recipe->parameters, asset) > 0;
 }
 
@@ -210,10 +208,10 @@ class FolderMaker {
         const auto now = asset_identity(*bake_.recipe, *planned.bake, bake_.certification);
         if (!now.value) return now.diagnostics.front();
         if (now.value->key == planned.identity.key) return std::nullopt;
-        return file_error("E0300", "",
-                          fmt::format("a map of `bake.{}` changed while it was being baked; bake "
-                                      "again",
-                                      planned.bake->name));
+        return file_error(
+            "E0300", "",
+            fmt::format("a map of `bake.{}` changed while it was being baked; bake again",
+                        planned.bake->name));
     }
 
     bool stage_all() {
@@ -313,7 +311,7 @@ class FolderMaker {
     // Warns if assets that are not baked now have other values than the recipe's current ones,
     // which the manifest states.
     void warn_of_other_values() {
-        for (const config::Bake& section : bake_.recipe->parameters.bakes) {
+        for (const Bake& section : bake_.recipe->parameters.bakes) {
             const auto is_this = [&section](const auto& other) {
                 return other.name == section.name;
             };
@@ -328,7 +326,7 @@ class FolderMaker {
                 file_error("W0303", "",
                            fmt::format("`bake.{}` was kept, although it is out of date: {}",
                                        section.name, fmt::join(reasons, "; ")));
-            warning.severity = config::Severity::warning;
+            warning.severity = Severity::warning;
             diagnostics_.push_back(std::move(warning));
         }
     }
@@ -458,7 +456,7 @@ Outcome<LockedFolder> lock_folder(const fs::path& folder, BakeObserver& observer
 
 }  // namespace
 
-std::optional<Diagnostic> missing_module(const config::Bake& bake, const fs::path& folder) {
+std::optional<Diagnostic> missing_module(const Bake& bake, const fs::path& folder) {
     const config::AssetFiles& files = config::files_of(bake);
     for (const config::FileFormat format : files.formats) {
         const auto ask = format_of(format).obstacle;
@@ -469,7 +467,7 @@ std::optional<Diagnostic> missing_module(const config::Bake& bake, const fs::pat
 }
 
 bool has_frames(const FolderBake& bake) {
-    return bake.frame_by_frame && std::ranges::any_of(bake.bakes, [&](const config::Bake& asset) {
+    return bake.frame_by_frame && std::ranges::any_of(bake.bakes, [&](const Bake& asset) {
                return is_frame(bake, asset);
            });
 }

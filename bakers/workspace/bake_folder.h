@@ -65,11 +65,10 @@ struct BakedFolder {
 // file could not be removed; then everything else is as it should be. W0303: after a bake of a part,
 // an entry that was not baked has other values than the recipe. Warnings may accompany a value. After
 // an interruption there is neither a value nor an error.
-config::Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
+Outcome<BakedFolder> bake_folder(const FolderBake& bake, BakeObserver& observer);
 
 // Loads the modules that an asset's files need. Returns E0301 if one is missing or cannot be loaded.
-std::optional<config::Diagnostic> missing_module(const config::Bake& bake,
-                                                 const std::filesystem::path& folder);
+std::optional<Diagnostic> missing_module(const Bake& bake, const std::filesystem::path& folder);
 
 // Whether anything is baked frame by frame.
 bool has_frames(const FolderBake& bake);

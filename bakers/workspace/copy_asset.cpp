@@ -9,7 +9,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Outcome;
 
 // Copies a file and hashes the copied bytes, because the file may change between two reads.
 Outcome<bool> copy(const fs::path& from, const ManifestFile& expected, const fs::path& to,

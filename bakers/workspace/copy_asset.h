@@ -30,10 +30,9 @@ class AssetSource {
     // is making the asset.
     virtual std::optional<ReadyAsset> find(const std::string& key) = 0;
     // Stages the files of a result of `find`, as stage_copies does.
-    virtual config::Outcome<std::vector<WriteResult>> stage(const ReadyAsset& asset,
-                                                            const std::filesystem::path& folder,
-                                                            AtomicFiles& files,
-                                                            const Progress& progress);
+    virtual Outcome<std::vector<WriteResult>> stage(const ReadyAsset& asset,
+                                                    const std::filesystem::path& folder,
+                                                    AtomicFiles& files, const Progress& progress);
     // Says that the result of `find` cannot be read or does not match its entry.
     virtual void reject(const ReadyAsset& /*asset*/) {}
     // Offers an asset that has just been baked. Its files are complete and have their names.
@@ -60,18 +59,17 @@ class BakedFolders : public AssetSource {
 // Stages each file of an asset, whose bytes `write` brings into the temporary, and returns the
 // results. The last result is `interrupted` if progress.cancelled(). After an error of `write`,
 // nothing of the asset is staged.
-using AssetFileWriter = std::function<config::Outcome<bool>(
-    const ManifestFile& file, const std::filesystem::path& temporary)>;
-config::Outcome<std::vector<WriteResult>> stage_each(const ManifestAsset& entry,
-                                                     const std::filesystem::path& folder,
-                                                     AtomicFiles& files, const Progress& progress,
-                                                     const AssetFileWriter& write);
+using AssetFileWriter =
+    std::function<Outcome<bool>(const ManifestFile& file, const std::filesystem::path& temporary)>;
+Outcome<std::vector<WriteResult>> stage_each(const ManifestAsset& entry,
+                                             const std::filesystem::path& folder,
+                                             AtomicFiles& files, const Progress& progress,
+                                             const AssetFileWriter& write);
 
 // Does so with a copy of each file. E0300 or E0304 if a file cannot be read or does not hold the
 // bytes that its entry says. E0301 if a copy cannot be written.
-config::Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset,
-                                                       const std::filesystem::path& folder,
-                                                       AtomicFiles& files,
-                                                       const Progress& progress);
+Outcome<std::vector<WriteResult>> stage_copies(const ReadyAsset& asset,
+                                               const std::filesystem::path& folder,
+                                               AtomicFiles& files, const Progress& progress);
 
 }  // namespace skybake

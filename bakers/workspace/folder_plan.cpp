@@ -21,9 +21,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Bake;
-using config::Diagnostic;
-using config::Outcome;
 
 constexpr double bytes_per_mib = 1024.0 * 1024.0;
 
@@ -259,10 +256,9 @@ std::string key_of(const AssetIdentity& identity) {
     return hasher.hex();
 }
 
-config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
-                                              const config::Bake& bake,
-                                              Certification certification) {
-    config::Outcome<AssetIdentity> outcome;
+Outcome<AssetIdentity> asset_identity(const Recipe& recipe, const Bake& bake,
+                                      Certification certification) {
+    Outcome<AssetIdentity> outcome;
     const AnyBaker& baker = baker_of(bake);
     AssetIdentity identity;
     identity.kind = baker.asset;
@@ -271,7 +267,7 @@ config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
     identity.certification = certification;
     identity.parameters = asset_parameters(recipe, bake);
     for (const InputFile& file : baker.inputs(recipe.parameters, bake)) {
-        config::Outcome<FileFingerprint> print = fingerprint(file.path);
+        Outcome<FileFingerprint> print = fingerprint(file.path);
         if (!print.value) return {{}, std::move(print.diagnostics)};
         identity.inputs.push_back({file.name, print.value->xxh3});
     }

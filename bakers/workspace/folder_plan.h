@@ -38,9 +38,8 @@ std::string key_of(const AssetIdentity& identity);
 
 // Makes the identity of an asset. Reads the asset's input files to hash them; E0300 if one cannot
 // be read.
-config::Outcome<AssetIdentity> asset_identity(const config::Recipe& recipe,
-                                              const config::Bake& bake,
-                                              Certification certification);
+Outcome<AssetIdentity> asset_identity(const Recipe& recipe, const Bake& bake,
+                                      Certification certification);
 
 // Writes the identity into the asset's entry in a manifest.
 void sign(const AssetIdentity& identity, ManifestAsset& entry);
@@ -52,8 +51,8 @@ std::vector<std::string> differences(const AssetIdentity& identity, const Manife
                                      std::size_t longest = 3);
 
 struct FolderBake {
-    const config::Recipe* recipe = nullptr;
-    std::vector<config::Bake> bakes;  // all of the recipe or some; with some, other entries stay
+    const Recipe* recipe = nullptr;
+    std::vector<Bake> bakes;  // all of the recipe or some; with some, other entries stay
     std::filesystem::path folder;
     int threads = 0;  // 0: as many as the machine has
     Certification certification = Certification::quick;
@@ -69,7 +68,7 @@ struct FolderBake {
 };
 
 struct PlannedAsset {
-    const config::Bake* bake = nullptr;
+    const Bake* bake = nullptr;
     AssetIdentity identity;
     Estimate estimate;
     std::vector<Need> needs;                  // what a stale asset shares with others
@@ -111,6 +110,6 @@ std::int64_t bytes_to_keep(std::int64_t most, std::optional<double> limit_mib, d
 // Makes a plan without changing anything. A file is up to date if it holds the bytes that the
 // manifest says, whatever its time stamp. E0002 if more than memory_limit_mib would be needed;
 // E0300 for inputs; E0302 and E0303 as for inspect_output_folder.
-config::Outcome<FolderPlan> plan_folder(const FolderBake& bake);
+Outcome<FolderPlan> plan_folder(const FolderBake& bake);
 
 }  // namespace skybake

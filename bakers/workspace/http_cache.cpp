@@ -12,8 +12,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 // Manifests of one asset have up to some hundred KiB.
 constexpr std::size_t largest_manifest = std::size_t{16} << 20;
@@ -290,7 +288,7 @@ std::vector<Diagnostic> HttpCache::problems() const {
     const std::string name = without_credentials(url_);
     Diagnostic warning = file_error(
         "W0305", "", fmt::format("the cache `{}`: {}", name, fmt::join(sentences, "; ")));
-    warning.severity = config::Severity::warning;
+    warning.severity = Severity::warning;
     return {std::move(warning)};
 }
 

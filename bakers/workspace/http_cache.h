@@ -57,20 +57,19 @@ class HttpCache : public AssetSource {
         : HttpCache(std::move(url), std::move(cancelled), Limits()) {}
 
     std::optional<ReadyAsset> find(const std::string& key) override;
-    config::Outcome<std::vector<WriteResult>> stage(const ReadyAsset& asset,
-                                                    const std::filesystem::path& folder,
-                                                    AtomicFiles& files,
-                                                    const Progress& progress) override;
+    Outcome<std::vector<WriteResult>> stage(const ReadyAsset& asset,
+                                            const std::filesystem::path& folder, AtomicFiles& files,
+                                            const Progress& progress) override;
     // Puts an asset that `find` was asked for and did not get.
     void offer(const ReadyAsset& asset) override;
 
     // Returns at most one warning, W0305, which says what went wrong in all requests so far.
-    std::vector<config::Diagnostic> problems() const;
+    std::vector<Diagnostic> problems() const;
 
   private:
     HttpRequest request(const std::string& name, double bytes) const;
     HttpAnswer get(HttpRequest request);
-    config::Outcome<bool> fetch(const ManifestFile& file, const std::filesystem::path& to);
+    Outcome<bool> fetch(const ManifestFile& file, const std::filesystem::path& to);
     bool put(const std::string& name, std::uint64_t bytes,
              const std::function<std::optional<std::size_t>(char*, std::size_t)>& send);
     bool put_file(const std::filesystem::path& path, const ManifestFile& file);

@@ -37,8 +37,8 @@ constexpr Choice slices_choices[] = {
 constexpr Choice slices_begin_choices[] = {
     {SlicesBegin::camera, "camera", "distances count from the camera"},
     {SlicesBegin::air, "air",
-     "distances count from where each view ray enters the air, and end with twice its way to "
-     "the ground, or its way through the air"},
+     "distances count from where each view ray enters the air, and end with twice its way to the "
+     "ground, or its way through the air"},
 };
 
 const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
@@ -59,8 +59,8 @@ const Row<AerialPerspectiveBake> aerial_perspective_table[] = {
     {"aspect", Kind::number, &AerialPerspectiveBake::aspect, "width of the picture over its height",
      picture_aspect_range, Default{"1.7777777777777777"}},
     {"view_distance", Kind::length, &AerialPerspectiveBake::view_distance,
-     "distance at w = 1, from where the slices begin; by default that of "
-     "[scene], or its default, and in space the longest way through the air",
+     "distance at w = 1, from where the slices begin; by default that of [scene], or its default, "
+     "and in space the longest way through the air",
      view_distance_range},
     {"slices", Kind::choice, &AerialPerspectiveBake::slices, "the distance that a slice stands for",
      slices_choices, Default{R"("squared")"}, Cited{hillaire_2020}},

@@ -1,5 +1,7 @@
 // This header describes the keys that the bake sections of several assets share, and the keys of
 // the files that an asset is written to.
+//
+// This header describes the keys of the droplets of clouds, which assets of a cloud's light share.
 #pragma once
 
 #include <array>
@@ -33,17 +35,16 @@ inline constexpr Field orders_field =
         orders_choices, Default{R"("all")"});
 
 inline constexpr std::string_view single_orders[] = {"single"};
-inline constexpr Field layers_field =
-    key("layers", Kind::text_list,
-        "layers of the atmosphere that scatter; by default every "
-        "one, and all of them always attenuate",
-        Hint{"for example [\"aerosol\"]"}, When{"orders", single_orders});
+inline constexpr Field layers_field = key(
+    "layers", Kind::text_list,
+    "layers of the atmosphere that scatter; by default every one, and all of them always attenuate",
+    Hint{"for example [\"aerosol\"]"}, When{"orders", single_orders});
 
-inline constexpr Field camera_altitude_field = key(
-    "altitude", Kind::length, "altitude of the camera, which may be in space",
-    camera_altitude_range, Default{R"("0 km")"},
-    Hint{"below 0, as at the Dead Sea: a ground_radius that is smaller by the depth, from which "
-         "altitudes count"});
+inline constexpr Field camera_altitude_field =
+    key("altitude", Kind::length, "altitude of the camera, which may be in space",
+        camera_altitude_range, Default{R"("0 km")"},
+        Hint{"below 0, as at the Dead Sea: a ground_radius that is smaller by the depth, from "
+             "which altitudes count"});
 
 inline constexpr Field max_error_field =
     key("max_error", Kind::fraction,
@@ -121,14 +122,14 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
     rows.insert(rows.end(), std::begin(own), std::end(own));
     if constexpr (std::is_base_of_v<LightFiles, S>) {
         rows.push_back({"packet", Kind::integer, &LightFiles::packet,
-                        "which four of the wavelengths the channels are; without "
-                        "it, of more than four, assets NAME_1, NAME_2 ... hold all",
+                        "which four of the wavelengths the channels are; without it, of more than "
+                        "four, assets NAME_1, NAME_2 ... hold all",
                         packet_number_range});
     }
     if constexpr (std::is_base_of_v<VolumeFrames, S>) {
         rows.push_back({"frames", Kind::integer, &VolumeFrames::frames,
-                        "number of frames in time: assets NAME_0001, NAME_0002 "
-                        "... are one each, from the `time` of the noise or the cloud on",
+                        "number of frames in time: assets NAME_0001, NAME_0002 ... are one each, "
+                        "from the `time` of the noise or the cloud on",
                         frame_range, Hint{"the `period` of the noise or the cloud makes a loop"},
                         Role::files});
         rows.push_back({"frames_per_second", Kind::number, &VolumeFrames::frames_per_second,
@@ -139,23 +140,23 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
     }
     const Row<S> file_rows[] = {
         {"target", Kind::choice, &AssetFiles::target,
-         "the program that the files are for; it decides the keys below that the "
-         "section leaves out, and adds the program's own files",
+         "the program that the files are for; it decides the keys below that the section leaves "
+         "out, and adds the program's own files",
          target_choices(), Role::files},
         {"formats", Kind::choice_list, &AssetFiles::formats, "files to write, NAME.exr and so on",
          format_choices, Default{words.formats}, Role::files},
         {"pixel_type", Kind::choice, &AssetFiles::pixel_type, "type of the numbers in the files",
          pixel_type_choices, Default{words.pixel_type}},
         {"layout", Kind::choice, &AssetFiles::layout,
-         "where the slices lie in EXR, PNG and TGA images; by default an atlas where "
-         "a stack would have more than 16384 rows",
+         "where the slices lie in EXR, PNG and TGA images; by default an atlas where a stack would "
+         "have more than 16384 rows",
          layout_choices, Default{words.layout}, Role::files},
         {"columns", Kind::integer, &AssetFiles::columns,
          "slices in a row of the atlas; by default a divisor of the slices, near to a square",
          column_range, When{"layout", atlas}, Role::files},
         {"flip", Kind::flag, &AssetFiles::flip,
-         "whether EXR, PNG, TGA and HDR images are upside down, for readers that take "
-         "the lower left texel for the first",
+         "whether EXR, PNG, TGA and HDR images are upside down, for readers that take the lower "
+         "left texel for the first",
          Default{words.flip}, Role::files},
         {"mips", Kind::levels, &AssetFiles::mips, words.mips, level_range, Default{"1"},
          Hint{"\"all\" goes down to one voxel"}, Role::files},
@@ -178,5 +179,22 @@ std::vector<Row<S>> with_file_fields(const Row<S> (&own)[count], const FileWords
     }
     return rows;
 }
+
+// The lookups have the harmonics up to this degree.
+inline constexpr Range harmonics_degree_range{0, 3};
+
+// The fit of the droplets' phase function holds from 5 to 50 um.
+inline constexpr Range droplet_range{5e-6, 50e-6};
+inline constexpr Field droplet_diameter_field =
+    key("droplet_diameter", Kind::length,
+        "diameter of the droplets, which chooses their phase function", droplet_range,
+        Default{R"("12 um")"}, Hint{"clouds have 8 to 30 um"},
+        Cited{"Jendersie & d'Eon 2023, \"An Approximate Mie Scattering Function for Fog and Cloud "
+              "Rendering\""});
+
+inline constexpr Range albedo_range{1e-6, 1};
+inline constexpr Field single_scattering_albedo_field =
+    key("single_scattering_albedo", Kind::number, "share of the extinction that is scattering",
+        albedo_range, Default{"1"}, Hint{"droplets in visible light have 1"});
 
 }  // namespace skybake::config

@@ -10,7 +10,6 @@
 #include "config/text/key_path.h"
 
 namespace skybake::config {
-
 namespace {
 
 // The scattering and extinction of a layer of particles, a gas or an aerosol follow from the values

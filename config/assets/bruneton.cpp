@@ -37,8 +37,7 @@ constexpr Choice convention_choices[] = {
     {BrunetonConvention::bruneton, "bruneton",
      "the layout of the textures of the implementation of 2017"},
     {BrunetonConvention::takram, "takram",
-     "the layout that @takram/three-atmosphere loads: EXR files upside down, with its "
-     "parameters"},
+     "the layout that @takram/three-atmosphere loads: EXR files upside down, with its parameters"},
     {BrunetonConvention::calcmysky, "calcmysky", "the sun's axis of CalcMySky and Stellarium"},
 };
 
@@ -63,16 +62,15 @@ const Row<BrunetonBake> bruneton_table[] = {
     {"convention", Kind::choice, &BrunetonBake::convention, "the reader that the files are for",
      convention_choices, Default{R"("bruneton")"}},
     {"size", Kind::voxels, &BrunetonBake::size,
-     "texels along u, v, w; by default [256, 128, 32] of scattering, [256, "
-     "64, 1] of transmittance, [64, 16, 1] of irradiance",
+     "texels along u, v, w; by default [256, 128, 32] of scattering, [256, 64, 1] of "
+     "transmittance, [64, 16, 1] of irradiance",
      voxel_range, Cited{bruneton_2017}},
     {"nu_size", Kind::integer, &BrunetonBake::nu_size,
      "number of angles between view and sun, side by side along u", nu_range, Default{"8"},
      When{"table", by_nu}, Cited{bruneton_2017}},
     {"combined", Kind::flag, &BrunetonBake::combined,
-     "whether A holds the Mie layers' first order, red alone, as "
-     "takram's loader expects, for which it is true by default; "
-     "otherwise the table is R G B, and single_mie holds that order",
+     "whether A holds the Mie layers' first order, red alone, as takram's loader expects, for "
+     "which it is true by default; otherwise the table is R G B, and single_mie holds that order",
      When{"table", scattering}},
     {"orders", Kind::levels, &BrunetonBake::orders,
      "number of orders of scattering, with the first", orders_range, Default{R"("all")"},
@@ -81,13 +79,12 @@ const Row<BrunetonBake> bruneton_table[] = {
      "where the higher orders come from; for iterated, \"all\" orders are 4",
      bruneton_method_choices, Default{R"("solved")"}, When{"table", with_method}},
     {"sun_cos_zenith_min", Kind::number, &BrunetonBake::sun_cos_zenith_min,
-     "where the sun's axis begins; by default -0.5 for takram, as "
-     "its loader expects, -R / (2 R_top) for calcmysky, which takes "
-     "no other, and else cos 102 deg",
+     "where the sun's axis begins; by default -0.5 for takram, as its loader expects, -R / (2 "
+     "R_top) for calcmysky, which takes no other, and else cos 102 deg",
      sun_cosine_range, When{"table", by_nu}, Cited{bruneton_2017}},
     {"mie_layers", Kind::text_list, &BrunetonBake::mie_layers,
-     "layers whose first order is kept apart; by default those with "
-     "phase functions other than rayleigh and isotropic",
+     "layers whose first order is kept apart; by default those with phase functions other than "
+     "rayleigh and isotropic",
      Hint{"for example [\"aerosol\"]"}, When{"table", by_nu}},
     {"solar_irradiance", Kind::fractions, &BrunetonBake::solar_irradiance,
      "factor of all light; by default 1, or takram's own", solar_range, When{"table", with_light}},

@@ -41,3 +41,8 @@ inline bool has_companion(const BrunetonBake& bake) {
 const AssetKind& asset_kind(Tag<BrunetonBake>);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::BrunetonBake;
+using config::BrunetonTable;
+}  // namespace skybake

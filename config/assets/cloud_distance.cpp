@@ -40,14 +40,12 @@ const Row<CloudDistanceBake> distance_table[] = {
     {"cell", Kind::power_of_two, &CloudDistanceBake::cell, "voxels along each edge of a texel",
      cell_range, Default{"4"}, Hint{"1, 2, 4, 8 or 16"}},
     {"range", Kind::length_bounds, &CloudDistanceBake::range,
-     "least and greatest distance, which unorm types store as 0 and "
-     "1; distances beyond it are stored as its ends",
+     "least and greatest distance, which unorm types store as 0 and 1; distances beyond it are "
+     "stored as its ends",
      distance_range, Default{R"(["-256 m", "4096 m"])"},
      Hint{"a texel holds 0 exactly where the ends are as -1 to 16"}, Cited{schneider_2023}},
     {"core", Kind::length, &CloudDistanceBake::core,
-     "depth from which the profile is 1; by default the greatest "
-     "depth of the volume",
-     core_range},
+     "depth from which the profile is 1; by default the greatest depth of the volume", core_range},
     {"contents", Kind::choice_list, &CloudDistanceBake::contents,
      "what the one, three or four channels hold, in this order", distance_content_choices,
      Default{R"(["distance"])"}, Cited{schneider_2023}},

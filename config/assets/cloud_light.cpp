@@ -10,7 +10,6 @@
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"
-#include "config/assets/droplet_fields.h"
 #include "config/assets/file_decoder.h"
 #include "config/assets/source_volume.h"
 #include "config/fields/fields.h"
@@ -88,16 +87,14 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "degree of the harmonics, which have (degree + 1)^2 coefficients", harmonics_degree_range,
      Default{"1"}, When{"contents", in_harmonics}},
     {"part", Kind::integer, &CloudLightBake::part,
-     "which four of the coefficients the channels are; degree 2 "
-     "has 3 parts, degree 3 has 4",
+     "which four of the coefficients the channels are; degree 2 has 3 parts, degree 3 has 4",
      part_range, Default{"1"}, When{"contents", in_harmonics}},
     {"cell", Kind::integer, &CloudLightBake::cell,
-     "voxels along each edge of a texel: 4 gives 1/64 as many "
-     "texels as the volume has voxels",
+     "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels",
      light_cell_range, Default{"4"}, Hint{"2 to 8"}, Exclusive{"size"}},
     {"max_error", Kind::fraction, &CloudLightBake::max_error,
-     "in place of cell, asks for the fewest texels of which the "
-     "RMS error of lookups is within this share of the range",
+     "in place of cell, asks for the fewest texels of which the RMS error of lookups is within "
+     "this share of the range",
      lookup_error_range, Hint{"for example \"2 %\""}, Exclusive{"size"},
      When{"contents", of_depths}},
     {of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},

@@ -65,3 +65,8 @@ std::size_t channels_of(const CloudLightBake& bake);
 const AssetKind& asset_kind(Tag<CloudLightBake>);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::CloudLightBake;
+using config::CloudLightContents;
+}  // namespace skybake

@@ -31,13 +31,12 @@ const Row<CloudVolumeBake> cloud_volume_table[] = {
      cloud_extent_range, Hint{"voxel_size sets it where it does not divide the cloud's extent"},
      Exclusive{"size", "counted"}},
     {"voxel_size", Kind::length, nullptr,
-     "edge of a cubic voxel, in place of size; the cloud's "
-     "extent is rounded up to whole voxels",
+     "edge of a cubic voxel, in place of size; the cloud's extent is rounded up to whole voxels",
      voxel_size_range, Hint{"for example \"12 m\""}, Exclusive{"size", "measured"},
      KeyFlag::only_shown},
     {"cover", Kind::fraction, &CloudVolumeBake::cover,
-     "share of the columns of voxels that hold cloud, met exactly, "
-     "in place of the cloud's coverage; by default the cloud's",
+     "share of the columns of voxels that hold cloud, met exactly, in place of the cloud's "
+     "coverage; by default the cloud's",
      unit_range, Hint{"the bake finds the coverage that gives it"}},
 };
 
@@ -127,8 +126,7 @@ struct CloudVolumeResolver {
         decoder.diagnostics.warning(
             "W0210", size_place(),
             fmt::format(
-                "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} "
-                "x {}",
+                "`{}` does not divide the extent of cloud `{}`: {} x {} x {} becomes {} x {} x {}",
                 join_path(bake.path, "voxel_size"), cloud.name,
                 length_to_string(cloud.extent[0].meters), length_to_string(cloud.extent[1].meters),
                 length_to_string(cloud.extent[2].meters), length_to_string(extent[0]),

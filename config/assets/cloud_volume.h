@@ -63,3 +63,7 @@ inline WholeVoxels whole_voxels(Length extent, Length edge) {
 }
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::CloudVolumeBake;
+}  // namespace skybake

@@ -64,15 +64,14 @@ const Row<EnvironmentBake> environment_table[] = {
      "elevation of the sun, which stands in the middle of a row", elevation_range,
      KeyFlag::required},
     {"sun_azimuth", Kind::angle, &EnvironmentBake::sun_azimuth,
-     "azimuth of the sun, to the right of straight ahead, which "
-     "is the middle of a row and the x axis of clouds",
+     "azimuth of the sun, to the right of straight ahead, which is the middle of a row and the x "
+     "axis of clouds",
      environment_azimuth_range, Default{R"("0 deg")"}},
     {orders_field, &EnvironmentBake::orders},
     {layers_field, &EnvironmentBake::layers},
     {"clouds", Kind::text_list, &EnvironmentBake::clouds,
-     "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the "
-     "sky, or a list of them, one for each layer; without it, the sky is "
-     "clear",
+     "NAME of the [bake.NAME] with asset = \"cloud_volume\" that covers the sky, or a list of "
+     "them, one for each layer; without it, the sky is clear",
      Hint{"for example [\"cumulus\", \"cirrus\"]"}},
     {needing_clouds(key("camera_x", Kind::length,
                         "x of the camera, from the corner of the clouds' tiles", camera_place_range,
@@ -93,15 +92,14 @@ const Row<EnvironmentBake> environment_table[] = {
      "what the levels of `mips` beyond the first hold", level_choices, Default{R"("mean")"},
      Cited{karis_2013}},
     {"lights", Kind::flag, &EnvironmentBake::lights,
-     "writes NAME.json with the sun's light, the light on a "
-     "level surface, and spherical harmonics to degree 4",
+     "writes NAME.json with the sun's light, the light on a level surface, and spherical harmonics "
+     "to degree 4",
      Default{"false"}},
     {"solar_irradiance", Kind::fractions, &EnvironmentBake::solar_irradiance,
-     "factor of all light, for another unit, or for a moon or a "
-     "star in the place of the sun; without it 1",
+     "factor of all light, for another unit, or for a moon or a star in the place of the sun; "
+     "without it 1",
      sun_or_moon_range,
-     Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full "
-          "moon"}},
+     Hint{"133100 makes cd/m2 of colours under the sun, and 0.31 under a full moon"}},
 };
 
 template <class T>

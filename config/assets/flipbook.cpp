@@ -36,16 +36,13 @@ constexpr Choice mapping_choices[] = {
 
 const Row<FlipbookBake> flipbook_table[] = {
     {"of", Kind::text, &FlipbookBake::sequence,
-     "NAME of the [bake.NAME] with `frames`: a noise_volume, a "
-     "weather_map or a cloud_volume",
+     "NAME of the [bake.NAME] with `frames`: a noise_volume, a weather_map or a cloud_volume",
      KeyFlag::required},
     {"length", Kind::integer, &FlipbookBake::length,
      "number of frames; by default those of the sequence", length_range,
      Hint{"columns times rows of a sheet"}},
     {"slice", Kind::integer, &FlipbookBake::slice,
-     "which slice of volumes, counted from 0 along z; by default the "
-     "middle one",
-     slice_range},
+     "which slice of volumes, counted from 0 along z; by default the middle one", slice_range},
     {"mapping", Kind::choice, &FlipbookBake::mapping, "what DDS and KTX2 files hold the frames as",
      mapping_choices, Default{R"("frames")"}},
 };
@@ -193,12 +190,11 @@ const AssetKind& asset_kind(Tag<FlipbookBake>) {
             .of_another_bake = true,
             .of_all_frames = true,
         },
-        with_file_fields(flipbook_table,
-                         {.formats = R"(["png"])",
-                          .mips = "number of levels of detail of each frame by itself, which "
-                                  "`mapping = \"layers\"` may have",
-                          .pixel_type = R"("unorm8")",
-                          .layout = R"("atlas")"}),
+        with_file_fields(flipbook_table, {.formats = R"(["png"])",
+                                          .mips = "number of levels of detail of each frame by "
+                                                  "itself, which `mapping = \"layers\"` may have",
+                                          .pixel_type = R"("unorm8")",
+                                          .layout = R"("atlas")"}),
         reads_of, resolve_flipbook);
     return kind;
 }

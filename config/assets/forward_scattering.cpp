@@ -2,7 +2,6 @@
 
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
-#include "config/assets/droplet_fields.h"
 #include "config/fields/fields.h"
 
 namespace skybake::config {

@@ -29,8 +29,7 @@ constexpr Choice rule_choices[] = {
     {OccupancyRule::exact, "exact",
      "a cell is empty only where no filtered sample in it is above 0"},
     {OccupancyRule::thesis, "thesis",
-     "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin "
-     "wisps"},
+     "samples 8 of 64 voxels of a cell and marks a ring around occupied cells; loses thin wisps"},
 };
 
 constexpr Choice occupancy_content_choices[] = {

@@ -26,3 +26,7 @@ struct OccupancyBake : AssetFiles {
 const AssetKind& asset_kind(Tag<OccupancyBake>);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::OccupancyBake;
+}  // namespace skybake

@@ -47,8 +47,8 @@ const Row<OpticalDepthBake> optical_depth_table[] = {
     {"table", Kind::choice, &OpticalDepthBake::table, "which of the tables to bake",
      depth_table_choices, Default{R"("to_top")"}, Cited{ai_2014}},
     {"size", Kind::voxels, &OpticalDepthBake::size,
-     "texels along u, v, w; by default [256, 128, 1] of to_top, "
-     "[64, 64, 64] of between, [1024, 1, 1] of the others",
+     "texels along u, v, w; by default [256, 128, 1] of to_top, [64, 64, 64] of between, [1024, 1, "
+     "1] of the others",
      voxel_range},
     {"kinds", Kind::text_list, &OpticalDepthBake::kinds,
      "one to four layers of the atmosphere, each a channel; by default all of them",

@@ -43,9 +43,9 @@ void warn_of_large_sheet(const DecodedSection& bake, const VoxelCounts& size,
     if (std::max(width, height) <= largest_image_edge) return;
     decoder.diagnostics.warning(
         "W0212", layout_place(bake),
-        fmt::format("the image of [{}] has {} columns and {} rows of texels, and engines import "
-                    "at most {}",
-                    bake.path, width, height, largest_image_edge),
+        fmt::format(
+            "the image of [{}] has {} columns and {} rows of texels, and engines import at most {}",
+            bake.path, width, height, largest_image_edge),
         sheet.columns == 1 ? "layout = \"atlas\" lays the slices side by side"
                            : "programs other than engines may read it");
 }

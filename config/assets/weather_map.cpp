@@ -67,13 +67,11 @@ const Row<WeatherMapBake> weather_map_table[] = {
     {"edge", Kind::choice, &WeatherMapBake::edge, "how a channel rises from 0 to 1",
      cover_edge_choices, Default{R"("linear")"}, When{"content", of_amounts}},
     {"yields_to", Kind::text_list, &WeatherMapBake::yields_to,
-     "for each channel, another one whose finished values are "
-     "taken from its noise, or \"\"",
+     "for each channel, another one whose finished values are taken from its noise, or \"\"",
      Hint{"for example, [\"G\", \"\", \"\"] puts low clouds only where there are no middle clouds"},
      When{"content", of_amounts}},
     {"streaks", share_kind, &WeatherMapBake::streaks,
-     "length in tiles over which the wind draws a channel's noise "
-     "out, falling to 1/e",
+     "length in tiles over which the wind draws a channel's noise out, falling to 1/e",
      streak_range, Default{"0"}, Hint{"0.05 for cirrus"}, When{"content", of_amounts}},
     {"wind", Kind::angle, &WeatherMapBake::wind,
      "where the wind draws streaks to, from +x towards +y", wind_range, Default{R"("0 deg")"},

@@ -72,3 +72,12 @@ class DiagnosticList {
 SourceRange source_range(const Place& place);
 
 }  // namespace skybake::config
+
+namespace skybake {
+
+// Every room speaks of these.
+using config::Diagnostic;
+using config::Outcome;
+using config::Severity;
+
+}  // namespace skybake

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "config/text/key_path.h"
+
 namespace skybake::config {
 
 const Field* find_field(const Section& section, std::string_view key) {
@@ -75,6 +77,16 @@ std::string describe_field(const Field& field) {
         text += (field.kind.scale ? "; or " : "; ") + describe_choices(field);
     if (!field.hint.empty()) text += "; " + std::string(field.hint);
     return text;
+}
+
+bool is_read(const ResolvedValue& value, std::span<const Read> reads) {
+    return std::ranges::any_of(reads, [&value](const Read& read) {
+        if (!read.roles.has(value.role)) return false;
+        // The recipe's own section has no name to match.
+        if (value.section == read.section) return true;
+        return read.section.find('*') != std::string::npos &&
+               path_matches(value.section, read.section);
+    });
 }
 
 }  // namespace skybake::config

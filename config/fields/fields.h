@@ -63,7 +63,8 @@ struct Field {
 
 // This is a table of a recipe. In its path a `*` stands for a name that the user gives.
 struct Section {
-    std::string_view path;  // "", "atmosphere", "atmosphere.layers.*", "clouds.*.towers.*", "bake.*"
+    std::string_view
+        path;  // "", "atmosphere", "atmosphere.layers.*", "clouds.*.towers.*", "bake.*"
     std::string_view asset;  // bake sections: what they bake; else empty
     std::string_view documentation;
     std::vector<Field> fields;

@@ -135,7 +135,8 @@ Json seed_schema(const Field&) {
 Json density_table_schema(const Field& field) {
     const Json text = {{"type", "string"}};
     const Json file = {{"type", "array"}, {"items", text}, {"minItems", 2}, {"maxItems", 2}};
-    return {{"anyOf", {pair_table(quantity(Dimension::length), bare_number(field.range), 2), text, file}}};
+    return {{"anyOf",
+             {pair_table(quantity(Dimension::length), bare_number(field.range), 2), text, file}}};
 }
 
 Json height_table_schema(const Field& field) {

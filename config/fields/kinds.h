@@ -134,9 +134,8 @@ struct Kind {
     static constexpr ValueKind lengths =
         list_kind("three lengths, such as [\"6 km\", \"6 km\", \"1.5 km\"]", read_triple,
                   numbers_schema, &S::length, 3, 3);
-    static constexpr ValueKind two_lengths =
-        list_kind("two lengths, such as [\"120 m\", \"-50 m\"]", read_pair, numbers_schema,
-                  &S::length, 2, 2);
+    static constexpr ValueKind two_lengths = list_kind(
+        "two lengths, such as [\"120 m\", \"-50 m\"]", read_pair, numbers_schema, &S::length, 2, 2);
     static constexpr ValueKind length_bounds =
         list_kind("two lengths, the smaller one first, such as [\"0 km\", \"3 km\"]", read_bounds,
                   numbers_schema, &S::length, 2, 2);
@@ -224,12 +223,11 @@ struct Kind {
         "a list of pairs, such as [[0, 0.0], [0.2, 1.0], [1, 0.0]]", read_height_table,
         height_table_schema, &S::plain};
     static constexpr ValueKind index_table{
-        "a list of a wavelength and two numbers each, such as [[\"400 nm\", 1.5, 0.01], "
-        "[\"700 nm\", 1.5, 0.003]]",
+        "a list of a wavelength and two numbers each, such as [[\"400 nm\", 1.5, 0.01], [\"700 "
+        "nm\", 1.5, 0.003]]",
         read_index_table, index_table_schema, &S::plain};
     static constexpr ValueKind components{
-        "a list of pairs, such as [[\"water_soluble\", \"7000 /cm3\"], "
-        "[\"soot\", \"8300 /cm3\"]]",
+        "a list of pairs, such as [[\"water_soluble\", \"7000 /cm3\"], [\"soot\", \"8300 /cm3\"]]",
         read_components, components_schema, &S::number_density};
     static constexpr ValueKind path_groups{"a list of paths in quotes, or a list of such lists",
                                            read_path_groups, path_groups_schema};

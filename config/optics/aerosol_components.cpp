@@ -11,7 +11,6 @@
 #include "config/optics/interpolated_table.h"
 
 namespace skybake::config {
-
 namespace {
 
 constexpr std::size_t kHumidityCount = 8;

@@ -4,7 +4,6 @@
 #include <cassert>
 
 namespace skybake::config {
-
 namespace {
 
 struct AlbedoRow {

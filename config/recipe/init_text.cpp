@@ -25,11 +25,10 @@ std::string head(const Preset& preset, std::string_view full_name) {
     const std::string comment_lines = preset_comment(preset);
     const std::size_t end = std::min(comment_lines.find("\n\n"), comment_lines.size());
     return comment(std::string_view(comment_lines).substr(0, end)) + "#\n" +
-           comment(fmt::format(
-               "Written by `skybake init --preset {}`. Uncomment a line to change its value. "
-               "`skybake explain {}` prints more of the preset and its sources, `skybake explain "
-               "KEY` more of a key.",
-               full_name, preset.name));
+           comment(fmt::format("Written by `skybake init --preset {}`. Uncomment a line to change "
+                               "its value. `skybake explain {}` prints more of the preset and its "
+                               "sources, `skybake explain KEY` more of a key.",
+                               full_name, preset.name));
 }
 
 // Returns what the table, or else the default, chooses for a selector such as `profile`.

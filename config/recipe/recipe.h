@@ -66,3 +66,7 @@ std::vector<ParameterChange> parameter_changes(std::string_view before, std::str
 std::string change_text(const ParameterChange& change);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::Recipe;
+}  // namespace skybake

@@ -13,7 +13,6 @@
 #include "config/optics/aerosol_components.h"
 #include "config/optics/elementary.h"
 #include "config/optics/standard_profiles.h"
-#include "config/sections/aerosol_spheres.h"
 #include "config/sections/sections.h"
 #include "config/sections/spectral_air.h"
 #include "config/text/key_path.h"
@@ -373,8 +372,7 @@ void report_missing_amount(const DecodedSection& section, Decoder& decoder) {
         "E0105", phase.source ? phase.source->place : section.place,
         fmt::format("`{}` is missing: phase mie needs it",
                     join_path(section.path, "number_density")),
-        "give a number per volume, such as \"300 /cm3\", or an optical_depth or "
-        "visibility");
+        "give a number per volume, such as \"300 /cm3\", or an optical_depth or visibility");
 }
 
 void bind_particles(const DecodedSection& section, const Parameters& recipe, Decoder& decoder,

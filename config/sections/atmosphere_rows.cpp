@@ -74,8 +74,7 @@ constexpr Choice mixture_choices[] = {
 
 constexpr Choice ground_choices[] = {
     {Ground::vegetation, "vegetation",
-     "green leaves: 0.06 in blue, 0.13 in green, 0.5 beyond "
-     "720 nm (Vermote et al. 1997)"},
+     "green leaves: 0.06 in blue, 0.13 in green, 0.5 beyond 720 nm (Vermote et al. 1997)"},
     {Ground::sand, "sand", "dry sand: 0.09 in blue, 0.21 in red (Vermote et al. 1997)"},
     {Ground::snow, "snow", "clean new snow: 0.99 in blue, 0.97 in red (Kokhanovsky 2004)"},
     {Ground::sea, "sea", "the open sea: 0.09 in blue, 0.067 in red (Morel 1988)"},
@@ -101,8 +100,8 @@ const RootField root_table[] = {
     {"include", Kind::text_list, nullptr, "recipes to read before this one, relative to its folder",
      KeyFlag::only_shown},
     {"wavelengths", Kind::wavelengths, &Parameters::wavelengths,
-     "wavelengths of light: one channel for each, or with [color] any "
-     "number that are turned into colours",
+     "wavelengths of light: one channel for each, or with [color] any number that are turned into "
+     "colours",
      wavelength_range, Default{R"(["680 nm", "550 nm", "440 nm"])"},
      Hint{"visible light is 380 nm to 750 nm; \"best 4\" is enough for its colours"},
      Cited{bruneton_2008}},
@@ -119,11 +118,11 @@ const AtmosphereField atmosphere_table[] = {
      "distance from the planet's centre to where the atmosphere is cut off", radius_range,
      KeyFlag::required, Hint{"60 to 100 km above the Earth's ground"}, Role::geometry},
     {"ground_albedo", Kind::albedo, nullptr,
-     "share of the light that the ground reflects (Lambert); pairs "
-     "are linear between wavelengths and constant beyond",
+     "share of the light that the ground reflects (Lambert); pairs are linear between wavelengths "
+     "and constant beyond",
      unit_range, ground_choices, KeyFlag::required,
-     Hint{"the Earth's ground has 0.125 in the mean, the sea 0.06, forests 0.15, "
-          "deserts 0.35, new snow 0.9; 1 is all light"},
+     Hint{"the Earth's ground has 0.125 in the mean, the sea 0.06, forests 0.15, deserts 0.35, new "
+          "snow 0.9; 1 is all light"},
      Role::ground},
 };
 
@@ -151,10 +150,9 @@ const LayerField layer_table[] = {
     {"top_altitude", Kind::length, &Layer::top_altitude, "upper bound of the slab", altitude_range,
      KeyFlag::required, When{"profile", slab}, Role::geometry},
     {"table", Kind::density_table, &Layer::table,
-     "pairs [altitude, density] with altitudes that increase from at least 0; "
-     "with a gas or optical_depth only ratios of densities count, else they "
-     "are at most 1e6. A file's first line names its columns with units, as "
-     "in altitude(km), ozone(cm-3)",
+     "pairs [altitude, density] with altitudes that increase from at least 0; with a gas or "
+     "optical_depth only ratios of densities count, else they are at most 1e6. A file's first line "
+     "names its columns with units, as in altitude(km), ozone(cm-3)",
      Range{0, 1e40}, KeyFlag::required, When{"profile", tabulated}, Role::geometry},
     {"gas", Kind::choice, nullptr, "gas whose coefficients are looked up at each wavelength",
      gas_choices, Role::particles},
@@ -164,25 +162,23 @@ const LayerField layer_table[] = {
      Role::particles},
     {"column", Kind::column_density, nullptr,
      "molecules of the gas from the ground to the top of the air", column_range, KeyFlag::required,
-     Hint{"ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, "
-          "water vapour 4.7e26 /m2 (14 mm of water), carbon dioxide of Mars 2.2e27 /m2"},
+     Hint{"ozone has 250 to 450 DU, nitrogen dioxide 0.1 to 1 DU, oxygen 4.5e28 /m2, water vapour "
+          "4.7e26 /m2 (14 mm of water), carbon dioxide of Mars 2.2e27 /m2"},
      When{"gas", with_column}, Role::particles},
     {"aerosol", Kind::choice, nullptr,
-     "mixture of OPAC's spheres, whose coefficients and phase function "
-     "follow at each wavelength; without an amount it has its own",
+     "mixture of OPAC's spheres, whose coefficients and phase function follow at each wavelength; "
+     "without an amount it has its own",
      mixture_choices, Exclusive{"species"}, Cited{hess_1998}, Role::particles},
     {"components", Kind::components, nullptr,
-     "kinds of spheres, each with its particles per volume where the "
-     "density is 1; with optical_depth or visibility shares count",
+     "kinds of spheres, each with its particles per volume where the density is 1; with "
+     "optical_depth or visibility shares count",
      number_density_range,
-     Hint{"OPAC's insoluble, water_soluble, soot, sea_salt_accumulation, "
-          "sea_salt_coarse, mineral_nucleation, mineral_accumulation, "
-          "mineral_coarse, mineral_transported, sulfate_droplets, or NAME of a "
-          "[particles.NAME]"},
+     Hint{"OPAC's insoluble, water_soluble, soot, sea_salt_accumulation, sea_salt_coarse, "
+          "mineral_nucleation, mineral_accumulation, mineral_coarse, mineral_transported, "
+          "sulfate_droplets, or NAME of a [particles.NAME]"},
      Exclusive{"species"}, Cited{hess_1998}, Role::particles},
     {"relative_humidity", Kind::fraction, nullptr,
-     "humidity in which the spheres of aerosol or components swell; "
-     "without it 80 %",
+     "humidity in which the spheres of aerosol or components swell; without it 80 %",
      humidity_range, Cited{hess_1998}, Role::particles},
     {"optical_depth", Kind::number, nullptr, "optical depth of an aerosol at 550 nm, straight up",
      aerosol_depth_range, Hint{"clean air of mountains has 0.02 to 0.05, haze 0.3"},
@@ -192,8 +188,7 @@ const LayerField layer_table[] = {
      Hint{"clear air has 50 km, haze 5 km, fog less than 1 km"}, Exclusive{"amount"},
      Cited{"Koschmieder 1924"}, Role::particles},
     {"angstrom_exponent", Kind::number, nullptr,
-     "exponent by which an aerosol's extinction falls with wavelength; "
-     "without it 1.3",
+     "exponent by which an aerosol's extinction falls with wavelength; without it 1.3",
      angstrom_range, Hint{"dust and sea salt have 0 to 0.5, smoke 2"}, Cited{"Angstrom 1929"},
      Role::particles},
     {"scattering", Kind::coefficients, &Layer::scattering,
@@ -217,8 +212,8 @@ const LayerField layer_table[] = {
      asymmetry_range, KeyFlag::required, Hint{"typical haze has 0.76"},
      When{"phase", with_asymmetry}, Cited{henyey_1941}, Role::phase},
     {"depolarization", Kind::number, nullptr,
-     "how much of the light scattered by 90 degrees is depolarised; "
-     "without it that of the gas (air 0.0279), or 0",
+     "how much of the light scattered by 90 degrees is depolarised; without it that of the gas "
+     "(air 0.0279), or 0",
      depolarization_range, When{"phase", rayleigh}, Cited{"Bates 1984"}, Role::phase},
     {"particles", Kind::text, nullptr, "NAME of the [particles.NAME] that the layer is made of",
      KeyFlag::required, When{"phase", mie}, Role::particles},

@@ -49,7 +49,7 @@ struct CloudMap {
     bool operator==(const CloudMap&) const = default;
 };
 
-// How a tower lives and dies within the loop of its cloud (bakers/clouds/tower_life.h).
+// How a tower lives and dies within the loop of its cloud (bakers/clouds/tower_field.h).
 struct TowerLife {
     std::array<double, 3> life{};  // how long it grows, stays and dissolves, in loops; 0: it stands
     double grows_from = 0.4;       // its width when it is born, over its full width

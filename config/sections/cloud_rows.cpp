@@ -1,3 +1,4 @@
+#include <array>
 #include <span>
 #include <string_view>
 
@@ -5,6 +6,97 @@
 #include "config/sections/sections.h"
 
 namespace skybake::config {
+namespace {
+
+constexpr Range profile_range{-1e6, 1e6};
+constexpr Range sharpness_range{0, 1e6};
+constexpr Range map_factor_range{1e-9, 1e9};
+
+constexpr Choice height_profile_choices[] = {
+    {HeightProfileType::thesis, "thesis", "(1 - exp(-bottom_sharpness h)) exp(-top_falloff h)"},
+    {HeightProfileType::cumulus, "cumulus", "full above a flat base, thinning towards the top"},
+    {HeightProfileType::stratus, "stratus", "a thin sheet near the base"},
+    {HeightProfileType::stratocumulus, "stratocumulus", "between stratus and cumulus"},
+    {HeightProfileType::blended, "blended",
+     "stratus, stratocumulus and cumulus at cloud_type 0, 0.5 and 1"},
+    {HeightProfileType::tabulated, "tabulated",
+     "linear between the entries of table, and constant beyond them"},
+};
+constexpr Choice wrap_choices[] = {
+    {MapWrap::repeat, "repeat", "the picture tiles"},
+    {MapWrap::clamp, "clamp", "the picture's border continues outwards"},
+};
+constexpr Choice filter_choices[] = {
+    {MapFilter::nearest, "nearest", "the pixel in which a point lies"},
+    {MapFilter::linear, "linear", "bilinear between the centres of pixels"},
+};
+constexpr Choice color_space_choices[] = {
+    {MapColorSpace::linear, "linear", "numbers as they are stored"},
+    {MapColorSpace::srgb, "srgb", "numbers converted from the sRGB curve to linear light"},
+};
+
+// These are the profiles for which a key applies.
+constexpr std::string_view thesis[] = {"thesis"};
+constexpr std::string_view blended[] = {"blended"};
+constexpr std::string_view tabulated_height[] = {"tabulated"};
+
+const HeightProfileField height_profile_table[] = {
+    {"type", Kind::choice, &HeightProfile::type,
+     "how full the cloud is at height h, from 0 at the base to 1 at the top",
+     height_profile_choices, Default{R"("cumulus")"}, Cited{schneider_2015}},
+    {"bottom_sharpness", Kind::number, &HeightProfile::bottom_sharpness,
+     "how fast the cloud fills above its base", sharpness_range, Default{"50"},
+     When{"type", thesis}, Cited{olajos_2016}},
+    {"top_falloff", Kind::number, &HeightProfile::top_falloff, "how fast it thins towards its top",
+     sharpness_range, Default{"4"}, When{"type", thesis}, Cited{olajos_2016}},
+    {"cloud_type", Kind::number, &HeightProfile::cloud_type,
+     "0 is stratus, 0.5 stratocumulus and 1 cumulus", unit_range, Default{"1"},
+     When{"type", blended}, Cited{schneider_2015}},
+    {"table", Kind::height_table, &HeightProfile::table,
+     "pairs [height, value] with increasing heights within [0, 1]; values below 0 take from the "
+     "towers, which fray there",
+     profile_range, KeyFlag::required, When{"type", tabulated_height}},
+};
+
+// Both maps have the same keys. They differ in what their numbers mean.
+constexpr std::string_view coverage_file = "picture whose numbers multiply coverage";
+constexpr std::string_view type_file = "picture whose numbers replace cloud_type";
+
+std::array<CloudMapField, 7> map_table(std::string_view file_documentation) {
+    return {
+        CloudMapField{"file", Kind::text, &CloudMap::file, file_documentation, KeyFlag::required,
+                      Hint{"relative to the folder of the recipe that names it"}},
+        CloudMapField{"channel", Kind::text, &CloudMap::channel,
+                      "channel of the picture; its first by default", Hint{"for example \"R\""}},
+        CloudMapField{"wrap", Kind::choice, &CloudMap::wrap,
+                      "what lies beyond the picture's border", wrap_choices,
+                      Default{R"("repeat")"}},
+        CloudMapField{"filter", Kind::choice, &CloudMap::filter,
+                      "what lies between the picture's pixels", filter_choices,
+                      Default{R"("linear")"}},
+        CloudMapField{"color_space", Kind::choice, &CloudMap::color_space,
+                      "how the picture stores its numbers", color_space_choices,
+                      Default{R"("linear")"}},
+        CloudMapField{"factor", Kind::number, &CloudMap::factor,
+                      "factor from the picture's linear numbers to the map's", map_factor_range,
+                      Default{"1"}, Hint{"a map's numbers are from 0 to 1"}},
+        CloudMapField{"clamp", Kind::flag, &CloudMap::clamp,
+                      "whether numbers below 0 become 0 and those above 1 become 1",
+                      Default{"false"}, Hint{"without it they are an error"}},
+    };
+}
+
+const std::array coverage_map_table = map_table(coverage_file);
+const std::array type_map_table = map_table(type_file);
+
+}  // namespace
+
+std::span<const HeightProfileField> height_profile_fields() { return height_profile_table; }
+
+std::span<const CloudMapField> coverage_map_fields() { return coverage_map_table; }
+
+std::span<const CloudMapField> type_map_fields() { return type_map_table; }
+
 namespace {
 
 constexpr Range scale_range{1, 1024};
@@ -47,8 +139,8 @@ const CloudField cloud_table[] = {
     {"noise", Kind::text, &Cloud::noise, "NAME of the [noise.NAME] that the cloud is made of",
      KeyFlag::required, Exclusive{"source", "noise"}},
     {"volume", Kind::text, &Cloud::volume,
-     "NAME of the [volumes.NAME] whose density the cloud takes in place "
-     "of noise, height profile and towers",
+     "NAME of the [volumes.NAME] whose density the cloud takes in place of noise, height profile "
+     "and towers",
      Exclusive{"source", "volume"}},
     {"shape", Kind::choice, &Cloud::shape,
      "what grows the cloud, in place of noise, height profile and towers", shape_choices,
@@ -69,41 +161,41 @@ const CloudField cloud_table[] = {
      "height up to which erosion turns from wisps to billows", unit_range, Default{"0.1"},
      Needs{"detail"}, Cited{schneider_2015}},
     {"extent", Kind::lengths, &Cloud::extent,
-     "how far the cloud reaches along x, y and z, which is up; a cloud of "
-     "a volume takes that of the file",
+     "how far the cloud reaches along x, y and z, which is up; a cloud of a volume takes that of "
+     "the file",
      extent_range, Hint{"it tiles along x and y"}},
     {"corner", Kind::two_lengths, &Cloud::corner,
-     "where the tile begins along x and y in the files' space; 0 by "
-     "default, and of a volume that of the file",
+     "where the tile begins along x and y in the files' space; 0 by default, and of a volume that "
+     "of the file",
      corner_range},
     {"base_altitude", Kind::length, &Cloud::base_altitude,
-     "altitude of the cloud's base above the ground; without it, that "
-     "of a volume's lowest voxel in its file",
+     "altitude of the cloud's base above the ground; without it, that of a volume's lowest voxel "
+     "in its file",
      base_altitude_range, Default{R"("0 m")"}, Hint{"cumulus has 0.5 to 2 km"}},
     {"size", Kind::voxels, nullptr, "voxels along x, y and z of bakes of the cloud that give none",
      voxel_range, Hint{"presets give as many as show all octaves of their noises"},
      KeyFlag::only_shown},
     {"coverage", Kind::fraction, &Cloud::coverage,
-     "how much cloud the noise leaves: 1 keeps all of it, lower values "
-     "thin it out; at 0 only towers taller than 1 remain",
+     "how much cloud the noise leaves: 1 keeps all of it, lower values thin it out; at 0 only "
+     "towers taller than 1 remain",
      unit_range, Default{"1"}, Exclusive{"amount", "coverage"}, Cited{schneider_2015}},
     {"cover", Kind::fraction, nullptr,
-     "share of the columns of voxels that hold cloud; the bake finds "
-     "the coverage that gives it exactly",
+     "share of the columns of voxels that hold cloud; the bake finds the coverage that gives it "
+     "exactly",
      unit_range, Exclusive{"amount", "cover"}},
     {"threshold", Kind::number, &Cloud::threshold, "densities at or below this become empty",
      density_range, Default{"0"}, Hint{"the thesis uses 0.35"}, Cited{olajos_2016}},
     {"edge_softness", Kind::number, &Cloud::edge_softness,
      "how far above the threshold the edge reaches; 0 gives a hard edge", softness_range,
      Default{"0.05"},
-     Hint{"the density is v * smoothstep(threshold, threshold + edge_softness, v); a cloud of "
-          "a volume has 0 by default"},
+     Hint{"the density is v * smoothstep(threshold, threshold + edge_softness, v); a cloud of a "
+          "volume has 0 by default"},
      Cited{olajos_2016}},
     {"threshold_at", Kind::choice, &Cloud::threshold_at, "where the threshold is applied",
      threshold_at_choices, Default{R"("bake")"}, Cited{olajos_2016}},
     {"full_at", Kind::number, &Cloud::full_at,
-     "the value v from which the density is 1; a lower one gives denser "
-     "cores and sharper edges; without it the density is v",
+     "the value v from which the density is 1; a lower one gives denser cores and sharper edges; "
+     "without it the density is v",
      full_range, Hint{"cumulus has 0.1 to 0.3"}, When{"threshold_at", at_bake}},
     {"channels", Kind::choice, &Cloud::channels, "what the voxels hold", channels_choices,
      Default{R"("density")"}, Cited{olajos_2016}},
@@ -111,16 +203,15 @@ const CloudField cloud_table[] = {
      "extinction where the density is 1, for the files' metadata", coefficient_range,
      Default{R"("40 /km")"}, Hint{"water clouds have 10 to 100 /km"}},
     {"period", Kind::integer, &Cloud::period,
-     "frames of the loop in which towers live and drift; without it "
-     "they stand still",
-     period_range, Hint{"noises have a period of their own"}, Exclusive{"source", "noise"}},
+     "frames of the loop in which towers live and drift; without it they stand still", period_range,
+     Hint{"noises have a period of their own"}, Exclusive{"source", "noise"}},
     {"time", Kind::integer, &Cloud::time,
      "the frame; frames before 0 and from `period` on are repeats", time_range, Default{"0"},
      Needs{"period"}},
     {"drift", Kind::pair, &Cloud::drift,
      "tiles per loop that the wind carries towers along x and y", drift_range, Default{"[0, 0]"},
-     Hint{"whole numbers for towers without `life`; a noise drifts with them if its "
-          "own `drift` is noise_scale times this"},
+     Hint{"whole numbers for towers without `life`; a noise drifts with them if its own `drift` is "
+          "noise_scale times this"},
      Needs{"period"}},
 };
 

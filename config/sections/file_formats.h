@@ -74,13 +74,13 @@ inline constexpr std::array file_formats = {
                 .pixel_types = unorm_types,
                 .is_image = true,
                 .deflates = true},
-    FormatFacts{.format = FileFormat::dds,
-                .name = "dds",
-                .description =
-                    "DirectDraw Surface with all mips, a texture as GPUs load it; numbers "
-                    "or blocks",
-                .pixel_types = texture_types,
-                .has_all_levels = true},
+    FormatFacts{
+        .format = FileFormat::dds,
+        .name = "dds",
+        .description =
+            "DirectDraw Surface with all mips, a texture as GPUs load it; numbers or blocks",
+        .pixel_types = texture_types,
+        .has_all_levels = true},
     FormatFacts{
         .format = FileFormat::ktx2,
         .name = "ktx2",

@@ -24,3 +24,13 @@ enum class Target;
 enum class VdbCompression;
 
 }  // namespace skybake::config
+
+namespace skybake {
+
+// Every room speaks of these.
+using config::Bake;
+using config::Cloud;
+using config::Noise;
+using config::Parameters;
+
+}  // namespace skybake

@@ -9,6 +9,8 @@
 #include <string_view>
 #include <vector>
 
+#include "config/sections/forward.h"
+
 namespace skybake::config {
 
 struct DecodedSection;
@@ -120,3 +122,11 @@ bool is_zero_everywhere(const std::array<int, 3>& frequency, const std::array<in
                         NoiseSampling sampling);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::NoiseChannel;
+using config::NoiseFractal;
+using config::NoiseOctaves;
+using config::NoisePacking;
+using config::NoiseType;
+}  // namespace skybake

@@ -38,12 +38,11 @@ const NoiseField noise_table[] = {
     {"pack", Kind::choice, &Noise::pack, "merge the channels into one, Y", pack_choices,
      Default{R"("none")"}, Cited{takram}},
     {"aliases", Kind::flag, &Noise::aliases,
-     "octaves that are too fine for `size` are part of its look, so "
-     "that no warning names them",
+     "octaves that are too fine for `size` are part of its look, so that no warning names them",
      Default{"false"}, KeyFlag::only_shown, Role::usual},
     {"period", Kind::integer, &Noise::period,
-     "frames of a loop in time, after which the noise repeats bit for "
-     "bit; without it the noise stands still",
+     "frames of a loop in time, after which the noise repeats bit for bit; without it the noise "
+     "stands still",
      period_range, Hint{"48 is two seconds of film"}},
     {"time", Kind::integer, &Noise::time,
      "the frame; frames before 0 and from `period` on are repeats", time_range, Default{"0"},
@@ -53,10 +52,8 @@ const NoiseField noise_table[] = {
      Hint{"twice as many change the noise twice as fast; a single one hardly does"},
      Needs{"period"}},
     {"drift", Kind::frequency, &Noise::drift,
-     "whole tiles per loop that the wind carries the noise along x, y "
-     "and z",
-     drift_range, Default{"0"}, Hint{"[1, 0, 0] is a wind of a tile per loop along +x"},
-     Needs{"period"}},
+     "whole tiles per loop that the wind carries the noise along x, y and z", drift_range,
+     Default{"0"}, Hint{"[1, 0, 0] is a wind of a tile per loop along +x"}, Needs{"period"}},
 };
 
 }  // namespace

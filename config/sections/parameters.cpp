@@ -10,7 +10,6 @@
 #include "config/sections/volume.h"
 
 namespace skybake::config {
-
 namespace {
 
 template <class Section>

@@ -11,7 +11,6 @@
 #include "config/text/units.h"
 
 namespace skybake::config {
-
 namespace {
 
 // These are the ends of the tables that bakers/air/particles/water_refractive_index.h cites.
@@ -46,10 +45,10 @@ void check_material(const DecodedSection& section, const Particles& particles,
             "E0144", place_of(is_water ? "material" : "indices"),
             fmt::format("[{}]: the refractive index{} is not known at {}", section.path,
                         is_water ? " of water" : "", wavelength_to_string(wavelength.meters)),
-            fmt::format("it is known from {} to {}; give other wavelengths, or material = "
-                        "\"constant\"",
-                        wavelength_to_string(range.shortest.meters),
-                        wavelength_to_string(range.longest.meters)));
+            fmt::format(
+                "it is known from {} to {}; give other wavelengths, or material = \"constant\"",
+                wavelength_to_string(range.shortest.meters),
+                wavelength_to_string(range.longest.meters)));
         return;
     }
 }
@@ -75,8 +74,7 @@ constexpr Range exponent_range{-0.9, 100};
 constexpr Range decay_range{0.1, 10};
 
 constexpr std::string_view hansen_1974 =
-    "Hansen and Travis 1974, Light Scattering in Planetary "
-    "Atmospheres";
+    "Hansen and Travis 1974, Light Scattering in Planetary Atmospheres";
 constexpr std::string_view deirmendjian_1969 =
     "Deirmendjian 1969, Electromagnetic Scattering on Spherical Polydispersions";
 
@@ -116,17 +114,15 @@ const ParticlesField particles_table[] = {
      Default{"0"}, Hint{"mineral dust has 0.001 to 0.008, soot 0.4 to 0.8"},
      When{"material", constant_index}},
     {"indices", Kind::index_table, &Particles::indices,
-     "wavelengths, each with the real and the imaginary part of "
-     "the refractive index; a positive imaginary part absorbs",
+     "wavelengths, each with the real and the imaginary part of the refractive index; a positive "
+     "imaginary part absorbs",
      absorption_range, KeyFlag::required,
-     Hint{"dust of Mars absorbs blue light: [[\"400 nm\", 1.5, 0.01], [\"700 nm\", "
-          "1.5, 0.003]]"},
+     Hint{"dust of Mars absorbs blue light: [[\"400 nm\", 1.5, 0.01], [\"700 nm\", 1.5, 0.003]]"},
      When{"material", tabulated_index}},
     {"sizes", Kind::choice, &Particles::sizes, "distribution of the radii", sizes_choices,
      Default{R"("gamma")"}, Cited{hansen_1974}},
     {"radius", Kind::length, &Particles::radius,
-     "radius of all spheres (monodisperse), the median "
-     "(log_normal) or the scale (modified_gamma)",
+     "radius of all spheres (monodisperse), the median (log_normal) or the scale (modified_gamma)",
      sphere_radius_range, KeyFlag::required, Hint{"haze has 0.05 to 0.5 um"},
      When{"sizes", with_radius}},
     {"geometric_deviation", Kind::number, &Particles::geometric_deviation,
@@ -144,12 +140,10 @@ const ParticlesField particles_table[] = {
     {"gamma", Kind::number, &Particles::gamma, "exponent of the decay towards large radii",
      decay_range, Default{"1"}, When{"sizes", modified_gamma}, Cited{deirmendjian_1969}},
     {"smallest_radius", Kind::length, &Particles::smallest_radius,
-     "spheres below it are missing; numbers of particles count the "
-     "whole distribution",
+     "spheres below it are missing; numbers of particles count the whole distribution",
      sphere_radius_range, When{"sizes", distributed}},
     {"largest_radius", Kind::length, &Particles::largest_radius,
-     "spheres above it are missing; numbers of particles count the "
-     "whole distribution",
+     "spheres above it are missing; numbers of particles count the whole distribution",
      sphere_radius_range, Hint{"OPAC has 20 um, of coarse kinds 60 um"},
      When{"sizes", distributed}},
 };

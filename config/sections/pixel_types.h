@@ -51,3 +51,7 @@ inline constexpr PixelTypes all_types(PixelType::float32, PixelType::half, Pixel
                                       PixelType::rgbe);
 
 }  // namespace skybake::config
+
+namespace skybake {
+using config::PixelType;
+}  // namespace skybake

@@ -57,8 +57,8 @@ const PreviewField preview_table[] = {
     {"size", Kind::size, &Preview::size, "width and height of pictures of clouds, in pixels",
      picture_range, Hint{"960 x 540 without it"}},
     {"single", Kind::flag, &Preview::single,
-     "whether a single tile of a cloud is shown, framed as a whole, "
-     "and not the layer that it repeats to"},
+     "whether a single tile of a cloud is shown, framed as a whole, and not the layer that it "
+     "repeats to"},
     {"altitude", Kind::length, &Preview::altitude, "altitude of the camera that looks at the sky",
      camera_altitude_range, Hint{"without it, the camera is at 200 m"}},
     {"sun_elevation", Kind::angles, &Preview::sun_elevation,
@@ -68,8 +68,7 @@ const PreviewField preview_table[] = {
      "where the sun of clouds stands, from +x towards +y", whole_turn,
      Hint{"without it, the sun stands 112 deg to the left of the view"}, Exclusive{sun, by_angles}},
     {"at", moment_kind, &Preview::at,
-     "date and time that place the sun, at latitude and longitude; +y "
-     "is north and +x is east",
+     "date and time that place the sun, at latitude and longitude; +y is north and +x is east",
      Exclusive{sun, by_time}, Cited{"Meeus 1998, Astronomical Algorithms, chapter 25"}},
     {"latitude", Kind::angle, &Preview::latitude, "latitude of the place, positive in the north",
      elevation_range},
@@ -87,9 +86,7 @@ const PreviewField preview_table[] = {
 
 const PreviewCameraField camera_table[] = {
     {"position", Kind::lengths, &PreviewCamera::position,
-     "x and y from the tile's corner, and the altitude above "
-     "the ground",
-     position_range},
+     "x and y from the tile's corner, and the altitude above the ground", position_range},
     {"heading", Kind::angle, &PreviewCamera::heading, "where the camera looks, from +x towards +y",
      whole_turn},
     {"pitch", Kind::angle, &PreviewCamera::pitch, "how far above the horizontal it looks",

@@ -1,15 +1,28 @@
 // This header computes the coefficients of the air's layers at any wavelength. A layer of a gas or of
 // an aerosol says what it is and how much there is of it; a layer given by numbers is known at the
 // recipe's wavelengths only.
+//
+// This header makes spheres of OPAC's kinds of airborne particles, as
+// [particles.NAME] has them.
 #pragma once
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <vector>
 
+#include "config/optics/aerosol_components.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/particles.h"
 
 namespace skybake::config {
+
+// Returns the spheres of a component, with its name. The relative humidity is
+// in [0, 0.99].
+Particles spheres_of(AerosolComponent component, double relative_humidity);
+
+// Returns the kinds of spheres of a mixture with their numbers near the ground.
+std::vector<SphereKind> kinds_of(AerosolMixture mixture, double relative_humidity);
 
 // The wavelength at which optical depths and visibilities of aerosols are stated.
 inline constexpr Length aerosol_wavelength{550e-9};

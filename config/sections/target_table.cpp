@@ -157,8 +157,7 @@ std::vector<TargetFacts> make_targets() {
         {Target::unreal,
          "unreal",
          "Unreal 5.4 and later: DDS textures, VDB volumes and HDR skies, with Python scripts that "
-         "import "
-         "them",
+         "import them",
          {{.assets = all_of({tables, textures}),
            .formats = {FileFormat::dds},
            .pixel_types = volume_types,

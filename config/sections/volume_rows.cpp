@@ -59,13 +59,11 @@ constexpr std::string_view of_slices[] = {"slices"};
 const VolumeField volume_table[] = {
     {"file", Kind::text, &VolumeFile::file,
      "the volume's file, or the name of its slices with their number", KeyFlag::required,
-     Hint{"for example \"cloud.vdb\" or \"slice_%03d.exr\"; relative to the folder "
-          "of the recipe"}},
+     Hint{"for example \"cloud.vdb\" or \"slice_%03d.exr\"; relative to the folder of the recipe"}},
     {"format", Kind::choice, &VolumeFile::format, "what the file is", volume_format_choices,
      Default{R"("vdb")"}},
     {"grid", Kind::text, &VolumeFile::grid,
-     "name of the grid; density by default, or the file's only grid of "
-     "numbers",
+     "name of the grid; density by default, or the file's only grid of numbers",
      When{"format", of_grids}},
     {"channel", Kind::text, &VolumeFile::channel, "channel of the pictures; their first by default",
      Hint{"for example \"R\""}, When{"format", of_slices}},
@@ -86,8 +84,8 @@ const VolumeField volume_table[] = {
     {"slices", Kind::integer, &VolumeFile::slices, "number of slices", volume_voxels_range,
      KeyFlag::required, Hint{"row 0 of a picture is at y = 0"}, When{"format", of_slices}},
     {"voxel_size", Kind::lengths, &VolumeFile::voxel_size,
-     "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB "
-     "file says them itself, in metres, unless this key replaces them",
+     "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB file says them itself, "
+     "in metres, unless this key replaces them",
      volume_edge_range},
     {"crop_first", Kind::voxels, &VolumeFile::crop_first,
      "index of the first voxel that counts, along the file's axes", volume_index_range,

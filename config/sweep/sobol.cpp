@@ -5,7 +5,6 @@
 #include <cstddef>
 
 namespace skybake::config {
-
 namespace {
 
 // The initial direction numbers are the first rows of `new-joe-kuo-6.21201`

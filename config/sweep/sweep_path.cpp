@@ -93,8 +93,9 @@ struct PathReader {
         std::string label = did_you_mean(key, field_keys(section));
         if (label.empty()) label = path_meant(key);
         if (label.empty()) {
-            label = "write the path of a key, atmosphere.ground_albedo for example; `skybake show` "
-                    "lists those of the recipe";
+            label =
+                "write the path of a key, atmosphere.ground_albedo for example; `skybake show` "
+                "lists those of the recipe";
         }
         const std::string where =
             table.empty() ? "at the top level" : fmt::format("in [{}]", shorten(table));

@@ -15,7 +15,16 @@
 
 namespace skybake::config {
 
-enum class Dimension { number, fraction, length, inverse_length, number_density, pressure, column_density, angle };
+enum class Dimension {
+    number,
+    fraction,
+    length,
+    inverse_length,
+    number_density,
+    pressure,
+    column_density,
+    angle
+};
 
 struct Quantity {
     double value = 0;                         // finite, in base units; never -0
@@ -55,13 +64,13 @@ std::optional<std::string_view> unit_meant(std::string_view name, Dimension dime
 
 // These return canonical spellings: the shortest decimal that reads back as the same double, in one
 // unit. Equal values have equal spellings. Values must be finite.
-std::string number_to_string(double value);                    // "0.8"
-std::string length_to_string(double meters);                   // "8000 m"
-std::string wavelength_to_string(double meters);               // "680 nm"
-std::string inverse_length_to_string(double per_meter);        // "5.802e-06 /m"
-std::string number_density_to_string(double per_cubic_meter);  // "1e+08 /m3"
-std::string pressure_to_string(double pascals);                // "101325 Pa"
-std::string column_density_to_string(double per_square_meter); // "8e+22 /m2"
-std::string angle_to_string(double radians);                   // "0.925 rad"
+std::string number_to_string(double value);                     // "0.8"
+std::string length_to_string(double meters);                    // "8000 m"
+std::string wavelength_to_string(double meters);                // "680 nm"
+std::string inverse_length_to_string(double per_meter);         // "5.802e-06 /m"
+std::string number_density_to_string(double per_cubic_meter);   // "1e+08 /m3"
+std::string pressure_to_string(double pascals);                 // "101325 Pa"
+std::string column_density_to_string(double per_square_meter);  // "8e+22 /m2"
+std::string angle_to_string(double radians);                    // "0.925 rad"
 
 }  // namespace skybake::config

@@ -9,6 +9,7 @@
 
 #include "bakers/air/particles/lorenz_mie.h"
 #include "bakers/air/particles/particle_scattering.h"
+#include "tests/support/plain_mie.h"
 
 namespace skybake {
 namespace {

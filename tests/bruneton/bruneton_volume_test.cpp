@@ -6,8 +6,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "bakers/assets/bruneton/lookup_fit.h"
 #include "bakers/assets/bruneton/scattering_table.h"
+#include "bakers/assets/bruneton/table_content.h"
 #include "bakers/io/formats/exr/exr_file.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/sky_light.h"

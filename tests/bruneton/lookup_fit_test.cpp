@@ -1,4 +1,4 @@
-#include "bakers/assets/bruneton/lookup_fit.h"
+#include "bakers/assets/bruneton/table_content.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -3,8 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "config/assets/sky_view.h"
-#include "bakers/air/particles/phase_source.h"
+#include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/environment/environment_table.h"
 #include "bakers/assets/irradiance/irradiance_table.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
@@ -16,12 +15,12 @@
 #include "bakers/light/solver/solve_light.h"
 #include "bakers/math/relative_error.h"
 #include "config/assets/multiple_scattering.h"
+#include "config/assets/sky_view.h"
 #include "tests/certificates/claims.h"
 #include "tests/certificates/dense_table.h"
 #include "tests/light/sky_media.h"
 
 namespace skybake::test {
-
 namespace {
 
 // Bakes with texels within 1 % or, where no quadrature is as fine as that, within 50 %.

@@ -13,7 +13,6 @@
 #include "tests/light/sky_media.h"
 
 namespace skybake::test {
-
 namespace {
 
 // The dense points are random, one in each of equal layers along the last axis of several voxels.

@@ -1,5 +1,5 @@
 // `max_error` chooses the largest cell that is near enough, by the certificate of each cell.
-#include "bakers/assets/cloud_light/cell_search.h"
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/field/baked.h"
 
 #include <gtest/gtest.h>

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "bakers/clouds/tower_field.h"
-#include "bakers/clouds/tower_life.h"
 #include "tests/clouds/clouds.h"
 
 namespace skybake::test {
@@ -38,7 +37,7 @@ inline config::Tower living_gaussian() {
     return tower;
 }
 
-// The law of tower_life.h in other words: a fade is what is left of another one that runs backwards, time is
+// The law of tower_field.h in other words: a fade is what is left of another one that runs backwards, time is
 // counted in frames since the birth, and stages are left one after the other.
 inline cloud::TowerState reference_state(const config::TowerLife& life, double born,
                                          const config::Cloud& cloud) {

@@ -1,5 +1,5 @@
 // The course of a tower's life: it grows, stays and dissolves, and the wind carries it.
-#include "bakers/clouds/tower_life.h"
+#include "bakers/clouds/tower_field.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>

@@ -8,11 +8,15 @@
 
 #include "bakers/color/color_space.h"
 #include "bakers/color/observer.h"
-#include "bakers/color/solar_spectrum.h"
 #include "bakers/color/spectral_color.h"
 
 namespace skybake {
 namespace {
+
+// The chromaticity of XYZ, whose sum is not 0.
+glm::dvec2 chromaticity_of(glm::dvec3 xyz) {
+    return glm::dvec2(xyz.x, xyz.y) / (xyz.x + xyz.y + xyz.z);
+}
 
 // CIE standard illuminant D65 from 360 to 830 nm every 10 nm (CIE 015:2018), linear between.
 constexpr std::array kD65 = {

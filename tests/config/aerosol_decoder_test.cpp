@@ -5,7 +5,7 @@
 
 #include "config/fields/fields.h"
 #include "config/optics/aerosol_components.h"
-#include "config/sections/aerosol_spheres.h"
+#include "config/sections/spectral_air.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {

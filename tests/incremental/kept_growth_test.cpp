@@ -4,7 +4,7 @@
 
 #include "bakers/convection/convection.h"
 #include "bakers/workspace/asset_cache.h"
-#include "bakers/workspace/cached_bytes.h"
+#include "bakers/workspace/cache_folder.h"
 #include "tests/incremental/bakes.h"
 
 namespace skybake {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "bakers/assets/irradiance/irradiance_table.h"
-#include "bakers/light/lit_skins.h"
 #include "bakers/light/sky_irradiance.h"
+#include "bakers/light/sky_radiance.h"
 #include "config/assets/sky_view.h"
 #include "tests/light/single_scattering_reference.h"
 #include "tests/light/sky_media.h"

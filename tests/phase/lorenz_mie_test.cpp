@@ -10,6 +10,7 @@
 #include "bakers/math/quadrature.h"
 #include "tests/phase/lorenz_mie_reference.h"
 #include "tests/support/every_target.h"
+#include "tests/support/plain_mie.h"
 
 namespace skybake {
 namespace {

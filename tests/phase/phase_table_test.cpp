@@ -11,8 +11,8 @@
 #include <numbers>
 #include <string>
 
+#include "bakers/air/particles/layer_phase.h"
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/air/particles/phase_source.h"
 #include "bakers/assets/phase/phase_fit.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"

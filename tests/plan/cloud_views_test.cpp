@@ -1,4 +1,4 @@
-#include "bakers/plan/cloud_views.h"
+#include "bakers/plan/cloud_truth.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bakers/plan/scene_views.h"
+#include "bakers/plan/sky_truth.h"
 
 #include <gtest/gtest.h>
 

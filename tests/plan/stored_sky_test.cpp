@@ -3,12 +3,12 @@
 
 #include <cmath>
 
-#include "bakers/assets/multiple_scattering/stored_orders.h"
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/light/sky_radiance.h"
-#include "bakers/plan/scene_views.h"
+#include "bakers/plan/sky_truth.h"
 #include "bakers/render/sky_view.h"
 #include "config/assets/multiple_scattering.h"
 

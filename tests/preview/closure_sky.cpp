@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::test {
-
 namespace {
 
 constexpr double kPi = std::numbers::pi;

@@ -1,11 +1,11 @@
 #include "bakers/render/cloud_framing.h"
+#include "bakers/render/cloud_camera.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/render/cloud_camera.h"
 #include "tests/preview/clouds.h"
 
 namespace skybake {

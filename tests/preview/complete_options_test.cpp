@@ -1,4 +1,4 @@
-#include "bakers/preview/complete_options.h"
+#include "bakers/preview/check_options.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // How the ground's albedo varies: its mean, its contrast, and what is left of it far away.
-#include "bakers/render/ground_albedo.h"
+#include "bakers/render/scene_view.h"
 
 #include <gtest/gtest.h>
 

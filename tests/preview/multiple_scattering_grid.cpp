@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::test {
-
 namespace {
 
 constexpr std::size_t kLevel = 7;

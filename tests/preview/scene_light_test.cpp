@@ -9,7 +9,6 @@
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_radiance.h"
 #include "bakers/render/cloud_camera.h"
-#include "bakers/render/ground_albedo.h"
 #include "bakers/render/scene_view.h"
 #include "tests/preview/clouds.h"
 #include "tests/preview/multiple_scattering_grid.h"

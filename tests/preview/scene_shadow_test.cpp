@@ -5,7 +5,6 @@
 #include <cmath>
 #include <vector>
 
-#include "bakers/render/ground_albedo.h"
 #include "bakers/render/scene_view.h"
 #include "bakers/render/sky_view.h"
 #include "tests/preview/scenes.h"

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "bakers/preview/load_sweep.h"
-#include "bakers/preview/sweep_plots.h"
 #include "bakers/preview/sweep_sheet.h"
 #include "bakers/preview/sweep_table.h"
 #include "tests/io/files.h"

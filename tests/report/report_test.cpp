@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "bakers/report/variants.h"
+#include "bakers/report/measurement.h"
 #include "config/recipe/recipe.h"
 #include "tests/report/cancelled_at.h"
 

@@ -9,7 +9,6 @@
 #include "tests/support/light_in_cloud_reference.h"
 
 namespace skybake {
-
 namespace {
 
 using VoxelPlace = std::array<double, 3>;  // voxels

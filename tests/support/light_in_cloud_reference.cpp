@@ -9,7 +9,6 @@
 #include "bakers/math/harmonics.h"
 
 namespace skybake {
-
 namespace {
 
 double coefficient(const LightInCloud& light, const glm::dvec3& place, std::size_t number) {

@@ -12,7 +12,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kPi = std::numbers::pi;

@@ -8,7 +8,6 @@
 #include "tests/support/light_in_cloud_reference.h"
 
 namespace skybake {
-
 namespace {
 
 int wrapped_index(double index, int size) {

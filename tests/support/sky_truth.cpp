@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Truths are of red, green and blue.

@@ -1,5 +1,5 @@
 // Differences between grids of any program, by value.
-#include "bakers/io/manifest/compare_volumes.h"
+#include "bakers/io/manifest/compare.h"
 
 #include <gtest/gtest.h>
 #define NANOVDB_USE_OPENVDB

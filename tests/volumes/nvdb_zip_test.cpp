@@ -4,7 +4,7 @@
 #include <nanovdb/util/OpenToNanoVDB.h>
 
 #include "bakers/io/formats/nvdb/nvdb_source.h"
-#include "bakers/io/manifest/compare_volumes.h"
+#include "bakers/io/manifest/compare.h"
 #include "tests/support/zipped_nvdb.h"
 #include "tests/volumes/vdb_files.h"
 

@@ -3,18 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <memory>
-#include <string>
-#include <utility>
+#include <optional>
 
 #include "bakers/air/particles/particle_scattering.h"
 #include "bakers/air/particles/size_distribution.h"
 #include "bakers/air/particles/sphere_mixture.h"
+#include "config/assets/phase.h"
 #include "config/sections/layer.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
 namespace {
 
 // The accuracy of the phase function, far below the errors of the sky's tables.
@@ -28,9 +26,9 @@ std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticl
 // The upper limit of the key `extinction`.
 constexpr double kMostExtinctionPerMeter = 1e6;
 
-config::Diagnostic problem(std::string message, std::string label) {
-    config::Diagnostic found;
-    found.severity = config::Severity::error;
+Diagnostic problem(std::string message, std::string label) {
+    Diagnostic found;
+    found.severity = Severity::error;
     found.code = "E0144";
     found.message = std::move(message);
     found.label = std::move(label);
@@ -101,8 +99,8 @@ config::Layer with_coefficients(config::Layer layer) {
     return layer;
 }
 
-std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters) {
-    std::vector<config::Diagnostic> problems;
+std::vector<Diagnostic> check_particles(const Parameters& parameters) {
+    std::vector<Diagnostic> problems;
     for (const config::Particles& particles : parameters.particles) {
         double largest = 0;
         bool is_empty = false;
@@ -111,19 +109,18 @@ std::vector<config::Diagnostic> check_particles(const config::Parameters& parame
             largest = std::max(largest, largest_size_parameter(particles, wavelength));
         }
         if (is_empty) {
-            problems.push_back(problem(
-                fmt::format("[particles.{}]: no spheres that scatter light have radii within "
-                            "smallest_radius and largest_radius",
-                            particles.name),
-                "give wider bounds, or leave them out"));
+            problems.push_back(
+                problem(fmt::format("[particles.{}]: no spheres that scatter light have radii "
+                                    "within smallest_radius and largest_radius",
+                                    particles.name),
+                        "give wider bounds, or leave them out"));
             continue;
         }
         if (largest <= kLargestSizeParameter) continue;
-        problems.push_back(problem(
-            fmt::format("[particles.{}]: the largest spheres have a circumference of {:.3g} "
-                        "wavelengths, above {:g}",
-                        particles.name, largest, kLargestSizeParameter),
-            "give smaller spheres or longer wavelengths"));
+        problems.push_back(problem(fmt::format("[particles.{}]: the largest spheres have a "
+                                               "circumference of {:.3g} wavelengths, above {:g}",
+                                               particles.name, largest, kLargestSizeParameter),
+                                   "give smaller spheres or longer wavelengths"));
     }
     // Their cross-sections are not to be asked for.
     if (!problems.empty()) return problems;
@@ -134,13 +131,103 @@ std::vector<config::Diagnostic> check_particles(const config::Parameters& parame
             most = std::max(most, value.per_meter);
         }
         if (most <= kMostExtinctionPerMeter) continue;
-        problems.push_back(problem(
-            fmt::format("[atmosphere.layers.{}]: its particles have an extinction of {:.3g} "
-                        "/m, above {:g} /m",
-                        layer.name, most, kMostExtinctionPerMeter),
-            "give a smaller number_density"));
+        problems.push_back(problem(fmt::format("[atmosphere.layers.{}]: its particles have an "
+                                               "extinction of {:.3g} /m, above {:g} /m",
+                                               layer.name, most, kMostExtinctionPerMeter),
+                                   "give a smaller number_density"));
     }
     return problems;
+}
+
+namespace {
+
+// Small spheres are known to many digits in milliseconds; of large ones the error falls only as the
+// number of radii (particle_scattering.h), and a third of a per cent takes half a second.
+constexpr double kSmallSpheres = 50;  // size parameter
+constexpr double kAccuracyOfSmall = 1e-5;
+constexpr double kAccuracyOfLarge = 3e-3;
+
+// A tenth of the error that the table may have, where that is more than the usual.
+double accuracy_for(const config::LayerParticles& spheres, config::Length wavelength,
+                    const std::optional<double>& max_error) {
+    const bool small = std::ranges::all_of(spheres.kinds, [&](const config::SphereKind& kind) {
+        return largest_size_parameter(kind.particles, wavelength) < kSmallSpheres;
+    });
+    const double usual = small ? kAccuracyOfSmall : kAccuracyOfLarge;
+    return max_error ? std::clamp(*max_error / 10, 1e-5, usual) : usual;
+}
+
+constexpr double kTableAccuracy = 1e-6;
+
+template <class T>
+const T* find_named(const std::vector<T>& things, const std::string& name) {
+    const auto found = std::ranges::find(things, name, &T::name);
+    return found == things.end() ? nullptr : &*found;
+}
+
+PhaseSource source_of_spheres(const config::LayerParticles& spheres,
+                              const std::vector<config::Length>& wavelengths,
+                              const std::optional<double>& max_error, int threads) {
+    PhaseSource source;
+    // Their mean cross-section does not depend on how many there are.
+    config::LayerParticles own = spheres;
+    own.extinction.reset();
+    for (const config::Length wavelength : wavelengths) {
+        const auto scattering = sphere_scattering(
+            own, wavelength, accuracy_for(spheres, wavelength, max_error), threads);
+        PhaseFunction function;
+        function.g = scattering->mean_cosine;
+        function.table = scattering->phase;
+        source.tables.push_back(function.table);
+        source.functions.push_back(std::move(function));
+        source.error = std::max(source.error, scattering->error);
+        const std::string at = fmt::format("_{:.6g}_nm", wavelength.meters * 1e9);
+        const auto add = [&](const char* name, double value) {
+            source.facts.emplace_back(name + at, to_digits(value, 9));
+        };
+        add("extinction_cross_section_um2",
+            scattering->extinction_per_m / spheres_per_m3(own) * 1e12);
+        add("single_scattering_albedo",
+            scattering->scattering_per_m / scattering->extinction_per_m);
+    }
+    return source;
+}
+
+PhaseSource source_of_closed_form(const PhaseFunction& function, std::size_t channels) {
+    const auto values = [&](const std::vector<ScatteringAngle>& angles) {
+        std::vector<double> result;
+        for (const ScatteringAngle& angle : angles) {
+            result.push_back(phase_value(function, angle.one_minus, angle.one_plus));
+        }
+        return result;
+    };
+    PhaseSource source;
+    source.functions.assign(channels, function);
+    source.tables.assign(channels, std::make_shared<const TabulatedPhase>(
+                                       make_tabulated_phase(values, kTableAccuracy).phase));
+    return source;
+}
+
+}  // namespace
+
+PhaseSource phase_source(const Parameters& parameters, const config::PhaseBake& bake, int threads) {
+    PhaseSource source;
+    if (!bake.particles.empty()) {
+        const config::Particles& particles = *find_named(parameters.particles, bake.particles);
+        config::LayerParticles alone;
+        alone.kinds = {{particles, {1}}};
+        source = source_of_spheres(alone, parameters.wavelengths, bake.max_error, threads);
+        source.text = "particles " + bake.particles;
+        return source;
+    }
+    const config::Layer& layer = *find_named(parameters.atmosphere.layers, bake.layer);
+    source =
+        layer.phase == config::Phase::mie
+            ? source_of_spheres(layer.particles, parameters.wavelengths, bake.max_error, threads)
+            : source_of_closed_form(make_phase_function(layer.phase, layer.g),
+                                    parameters.wavelengths.size());
+    source.text = "layer " + bake.layer;
+    return source;
 }
 
 }  // namespace skybake

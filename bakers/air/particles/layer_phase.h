@@ -1,14 +1,25 @@
 // The phase functions of a layer of the atmosphere: closed forms are the same in all colour
 // channels; those of spheres depend on each channel's wavelength.
+//
+// The phase functions that an asset asks for, one per channel: the functions themselves and fine
+// tables of them.
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bakers/air/particles/phase_function.h"
+#include "bakers/math/facts.h"
 #include "bakers/math/vectors.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/forward.h"
+
+namespace skybake::config {
+struct PhaseBake;
+}  // namespace skybake::config
 
 namespace skybake {
 
@@ -41,6 +52,17 @@ config::Layer with_coefficients(config::Layer layer);
 
 // Returns E0144 for each kind of particles whose largest spheres exceed kLargestSizeParameter, and
 // for each layer whose extinction exceeds the limit of coefficients.
-[[nodiscard]] std::vector<config::Diagnostic> check_particles(const config::Parameters& parameters);
+[[nodiscard]] std::vector<Diagnostic> check_particles(const Parameters& parameters);
+
+struct PhaseSource {
+    std::vector<PhaseFunction> functions;                       // one per wavelength
+    std::vector<std::shared_ptr<const TabulatedPhase>> tables;  // to be inverted
+    Facts facts;                                                // cross-sections, for particles
+    std::string text;                                           // "particles fog", "layer mie"
+    double error = 0;  // relative, of the functions themselves: error of the averages over sizes
+};
+
+// Returns the phase functions of particles, or of a layer of the atmosphere.
+PhaseSource phase_source(const Parameters& parameters, const config::PhaseBake& bake, int threads);
 
 }  // namespace skybake

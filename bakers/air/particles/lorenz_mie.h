@@ -62,12 +62,6 @@ inline ComplexNumber inverse(ComplexNumber a) { return (1 / squared_modulus(a)) 
 
 // --- One sphere ----------------------------------------------------------------------------------
 
-struct MieCoefficients {
-    double size_parameter = 0;
-    std::vector<ComplexNumber> a, b;   // a_1 ..., b_1 ...
-    double absorption_efficiency = 0;  // Q_abs
-};
-
 // Returns the number of terms in the series of a sphere.
 int mie_term_count(double size_parameter);
 
@@ -80,10 +74,6 @@ struct MieSteps {
 };
 MieSteps mie_steps(double size_parameter, ComplexNumber refractive_index);
 
-// Computes the coefficients for 1e-8 <= x <= 3e5 and 0.01 <= |m| <= 150. Time and memory grow as
-// max(1, |m|) x.
-MieCoefficients mie_coefficients(double size_parameter, ComplexNumber refractive_index);
-
 // Cross-sections per area pi r^2 of the sphere.
 struct MieEfficiencies {
     double extinction = 0;  // scattering + absorption: never below scattering
@@ -92,8 +82,6 @@ struct MieEfficiencies {
     double backscatter = 0;  // 4 pi dC_sca/dOmega at 180 degrees, radar's
     double mean_cosine = 0;  // of the scattering angle, "g"
 };
-
-MieEfficiencies mie_efficiencies(const MieCoefficients& coefficients);
 
 // --- Many spheres and angles ---------------------------------------------------------------------
 
@@ -120,11 +108,9 @@ MieEfficiencies mie_efficiencies(const MieCoefficients& coefficients);
 // even n, of c_n (a_n - b_n), for n = 1 and on.
 using MieTerms = std::vector<std::array<double, 4>>;
 
-MieTerms mie_terms(const MieCoefficients& coefficients);
-
 // Computes the terms and the efficiencies, but for backscatter, of many spheres at once: the same
-// bits as mie_terms and mie_efficiencies of mie_coefficients, one by one. Spheres of like size
-// should be neighbours. All spans have the same length.
+// bits as plain code gives one by one (tests/support/plain_mie.h). Spheres of like size should be
+// neighbours. All spans have the same length.
 void mie_series(std::span<const double> size_parameters, ComplexNumber refractive_index,
                 std::span<MieTerms> terms, std::span<MieEfficiencies> efficiencies);
 

@@ -191,21 +191,6 @@ void mie_series(std::span<const double> size_parameters, ComplexNumber refractiv
     HWY_DYNAMIC_DISPATCH(all_series)(size_parameters, refractive_index, terms, efficiencies);
 }
 
-MieTerms mie_terms(const MieCoefficients& coefficients) {
-    MieTerms terms;
-    terms.reserve(coefficients.a.size());
-    for (std::size_t i = 0; i < coefficients.a.size(); ++i) {
-        const double n = static_cast<double>(i + 1);
-        const double c = (2 * n + 1) / (n * (n + 1));
-        const double even = i % 2 == 1 ? -1 : 1;
-        const ComplexNumber sum = c * (coefficients.a[i] + coefficients.b[i]);
-        const ComplexNumber difference = c * (coefficients.a[i] - coefficients.b[i]);
-        terms.push_back(
-            {sum.real, sum.imaginary, even * difference.real, even * difference.imaginary});
-    }
-    return terms;
-}
-
 void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const double> weights,
                          const std::vector<double>& one_minus_cosines, int threads,
                          MieIntensities& sums) {

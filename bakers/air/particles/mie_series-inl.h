@@ -40,7 +40,7 @@ HWY_INLINE Lanes squared(ComplexLanes a) { return real_product(a, a); }
 
 using PerLane = std::array<double, Lanes::kCount>;
 
-// One sphere for each lane. The steps are those of mie_coefficients, mie_efficiencies and mie_terms;
+// One sphere for each lane. The steps are those of tests/support/plain_mie.cpp;
 // each lane starts and ends where its own sphere does.
 struct LaneSpheres {
     PerLane x{}, sine{}, cosine{};

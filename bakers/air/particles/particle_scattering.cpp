@@ -18,7 +18,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Radii no longer double when their series have more terms than this, angles when terms times pairs

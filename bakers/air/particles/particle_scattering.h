@@ -36,7 +36,7 @@ namespace skybake {
 struct ParticleScattering {
     double extinction_cross_section_m2 = 0;  // mean over all particles; never below scattering
     double scattering_cross_section_m2 = 0;
-    double mean_cosine = 0;  // by the series; see also tabulated_mean_cosine
+    double mean_cosine = 0;  // by the series
     TabulatedPhase phase;    // for unpolarised light
     // The estimated relative error of the phase function where that error is largest: the largest
     // of the errors of radii, angles and table. Beside sums over 150,000 radii the largest error was

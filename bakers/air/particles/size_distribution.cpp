@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // ln Gamma(q) for q > 0, within 1e-13 of its size: Gamma(q + 1) is the integral of e^((q + 1) z -

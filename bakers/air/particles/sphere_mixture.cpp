@@ -15,7 +15,6 @@
 #include "config/sections/spectral_air.h"
 
 namespace skybake {
-
 namespace {
 
 using config::LayerParticles;

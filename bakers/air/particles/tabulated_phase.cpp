@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kFewestCells = 16;
@@ -242,10 +241,6 @@ std::vector<double> tabulated_moments(const TabulatedPhase& phase, int degree) {
         moments[l] += l % 2 == 0 ? backward[l] : -backward[l];
     }
     return moments;
-}
-
-double tabulated_mean_cosine(const TabulatedPhase& phase) {
-    return tabulated_moments(phase, 1).back();
 }
 
 ScatteringAngle sample_tabulated_phase(const TabulatedPhase& phase, double share) {

@@ -60,8 +60,6 @@ double tabulated_phase_value(const TabulatedPhase& phase, double one_minus_cosin
 // rounding.
 std::vector<double> tabulated_moments(const TabulatedPhase& phase, int degree);
 
-double tabulated_mean_cosine(const TabulatedPhase& phase);
-
 // Returns the scattering angle below which `share` in [0, 1) of the light is scattered. For a
 // uniformly distributed `share` the angle is distributed as p.
 ScatteringAngle sample_tabulated_phase(const TabulatedPhase& phase, double share);

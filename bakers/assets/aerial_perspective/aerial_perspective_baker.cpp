@@ -20,10 +20,6 @@
 #include "config/assets/aerial_perspective.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 using config::AerialPerspectiveBake;

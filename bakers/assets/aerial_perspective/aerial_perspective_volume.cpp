@@ -237,9 +237,9 @@ void describe(const AerialPerspectiveBake& bake, const AerialCamera& camera,
           fmt::format("w = {} of the distance along the view ray{} over {}{:.9g} km",
                       squared ? "square root" : "share",
                       camera.air() ? ", from where it enters the air," : "",
-                      camera.air() ? "twice its way to the ground, or its way through the air, but "
-                                     "at most "
-                                   : "",
+                      camera.air()
+                          ? "twice its way to the ground, or its way through the air, but at most "
+                          : "",
                       bake.view_distance.kilometers()),
           convention, 0, bake.view_distance.kilometers()}}};
     const auto colours = static_cast<std::size_t>(lights.channels());
@@ -296,9 +296,8 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
     return result;
 }
 
-config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
-                                               const AerialPerspectiveBake& bake,
-                                               const BakeOptions& options, Baked volume) {
+Outcome<Baked> bake_aerial_perspective(const SkyLights& lights, const AerialPerspectiveBake& bake,
+                                       const BakeOptions& options, Baked volume) {
     const AerialCamera camera(bake, lights.first().shell());
     describe(bake, camera, lights, volume);
     const FroxelChannels channels(lights, camera, bake.content);

@@ -27,8 +27,8 @@ std::vector<SkyRadiance> aerial_perspective(const SkyLight& light, const AerialC
 // `volume` comes with name, parameters and details. Where the light becomes colours, each channel
 // of a transmittance is the share of sunlight's that is left; deep red light has slightly negative
 // green and blue ones.
-config::Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
-                                               const config::AerialPerspectiveBake& bake,
-                                               const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_aerial_perspective(const SkyLights& lights,
+                                       const config::AerialPerspectiveBake& bake,
+                                       const BakeOptions& options, Baked volume);
 
 }  // namespace skybake

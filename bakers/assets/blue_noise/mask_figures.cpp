@@ -8,7 +8,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 using Wave = std::complex<double>;

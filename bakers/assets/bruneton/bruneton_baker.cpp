@@ -13,8 +13,8 @@
 #include "bakers/air/transmittance_mapping.h"
 #include "bakers/assets/bruneton/bruneton_volume.h"
 #include "bakers/assets/bruneton/scattering_content.h"
+#include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
-#include "bakers/assets/bruneton/stored_scattering.h"
 #include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/registry/baker.h"
 #include "bakers/assets/sky/sky_lights.h"
@@ -25,14 +25,7 @@
 #include "config/assets/bruneton.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
-
-using config::BrunetonBake;
-using config::BrunetonTable;
 
 constexpr auto kAtTexelCentres = TexelConvention::end_points_on_texel_centres;
 
@@ -248,7 +241,7 @@ void draft(BrunetonBake& asset, int) {
 
 }  // namespace
 
-Baker<config::BrunetonBake> baker(BakerTag<config::BrunetonBake>) {
+Baker<BrunetonBake> baker(BakerTag<BrunetonBake>) {
     return {.version = 13,
             .bake = bake,
             .estimate = estimate,

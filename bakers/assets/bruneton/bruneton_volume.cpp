@@ -25,11 +25,8 @@
 
 namespace skybake {
 
-using config::BrunetonBake;
 using config::BrunetonConvention;
-using config::BrunetonTable;
 using config::Layer;
-using config::Outcome;
 
 namespace {
 
@@ -270,7 +267,7 @@ Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
     return bake_scattering(of_table, air.weights, bake, options, std::move(volume));
 }
 
-std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake) {
+std::string takram_parameters(const PacketsOfAir& air, const BrunetonBake& bake) {
     const bool is_colored = !air.weights.empty();
     const config::Atmosphere atmosphere = is_colored ? colored_air(air) : air.packets.front();
     std::vector<double> sun = bake.solar_irradiance;

@@ -24,19 +24,18 @@ struct PacketsOfAir {
 
 // Bakes one table. `volume` comes with name, parameters and details. Returns E0405 if the light
 // cannot be solved for.
-config::Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const config::BrunetonBake& bake,
-                                     const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
+                             const BakeOptions& options, Baked volume);
 
 // Returns what the table of one packet is made from and shares with others: solved light, sunlight,
 // and light that was scattered once or more often.
-std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
-                                    const config::BrunetonBake& bake);
+std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere, const BrunetonBake& bake);
 
 // Returns the parameters of @takram/three-atmosphere that belong to its tables: a JSON object with
 // those members of its AtmosphereParameters on which tables depend, under their names and in their
 // units: radii in metres, coefficients per km, profiles over altitude in km, vectors as arrays. The
 // atmosphere must have no problem (config/assets/takram_layers.h). For colours, coefficients are those
 // of sunlight through very little air, and the irradiance is the sun's colour.
-std::string takram_parameters(const PacketsOfAir& air, const config::BrunetonBake& bake);
+std::string takram_parameters(const PacketsOfAir& air, const BrunetonBake& bake);
 
 }  // namespace skybake

@@ -5,7 +5,6 @@
 #include "bakers/light/ray_pieces.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::size_t kRayNodes = kBundleNodes;

@@ -16,7 +16,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr auto kFlatConvention = TexelConvention::end_points_on_texel_centres;
@@ -66,15 +65,14 @@ VolumeReference flat_values(const FlatTable& table, const FlatRow& row,
     };
 }
 
-config::Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place,
-                                 const config::BrunetonBake& bake, const BakeOptions& options,
-                                 Baked volume) {
+Outcome<Baked> bake_flat(const FlatTable& table, const FlatPlace& place, const BrunetonBake& bake,
+                         const BakeOptions& options, Baked volume) {
     const std::size_t channels = volume.channel_names.size();
     const auto texels =
         std::make_shared<VoxelArray>(flat_texels(table, bake.size, channels, options));
     VolumeFinish finish;
     finish.reference_name = volume.certificate.reference;
-    finish.expensive = bake.table == config::BrunetonTable::irradiance;
+    finish.expensive = bake.table == BrunetonTable::irradiance;
     finish.reference = flat_reference(table, bake.size, channels);
     if (finish.expensive) finish.estimate = flat_values(table, table.row, bake.size, channels);
     finish.probe_place = [&place, &bake](const std::array<double, 3>& uvw, int) {
@@ -172,20 +170,20 @@ FlatTable flat_colors(std::vector<FlatTable> packets, std::vector<glm::dvec3> we
             row_of_colors(shared, weights, &FlatTable::reference), 3};
 }
 
-config::Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
-                                                   const config::BrunetonBake& bake,
-                                                   const BakeOptions& options, Baked volume) {
+Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
+                                           const BrunetonBake& bake, const BakeOptions& options,
+                                           Baked volume) {
     volume.content = "transmittance from a point to the top of the atmosphere (dimensionless)";
     volume.mapping = "bruneton_transmittance";
-    volume.axes = {{{"distance_to_top_km",
-                     "x = (d - d_min) / (d_max - d_min), d_min = R_top - r, d_max = rho + H; "
-                     "0 straight up, 1 the horizon",
-                     kConventionText, 0, 1},
-                    {"altitude_km",
-                     "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at "
-                     "the top",
-                     kConventionText, 0, shell.thickness_km},
-                    {"none", "one texel", kConventionText, 0, 0}}};
+    volume.axes = {
+        {{"distance_to_top_km",
+          "x = (d - d_min) / (d_max - d_min), d_min = R_top - r, d_max = rho + H; 0 straight up, 1 "
+          "the horizon",
+          kConventionText, 0, 1},
+         {"altitude_km",
+          "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the top",
+          kConventionText, 0, shell.thickness_km},
+         {"none", "one texel", kConventionText, 0, 0}}};
     describe_flat_axes(shell, volume);
     volume.certificate.reference =
         "adaptive Gauss-Kronrod quadrature of extinction along the ray, 1e-10";
@@ -199,13 +197,13 @@ config::Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const
     return bake_flat(table, place, bake, options, std::move(volume));
 }
 
-config::Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
-                                                const config::BrunetonBake& bake,
-                                                const BakeOptions& options, Baked volume) {
+Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
+                                        const BrunetonBake& bake, const BakeOptions& options,
+                                        Baked volume) {
     const double thickness_km = shell.thickness_km;
     volume.content =
-        "irradiance of a level surface that faces up, by the sky without the sun, times the "
-        "solar irradiance";
+        "irradiance of a level surface that faces up, by the sky without the sun, times the solar "
+        "irradiance";
     volume.mapping = "bruneton_irradiance";
     volume.axes = {
         {{"sun_cos_zenith", "x = (mu_s + 1) / 2", kConventionText, -1, 1},

@@ -48,13 +48,13 @@ VolumeReference flat_reference(const FlatTable& table, const std::array<int, 3>&
 
 // Bakes the transmittance. `volume` comes with name, parameters, details and channels; takram's has
 // a channel A of 1.
-config::Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
-                                                   const config::BrunetonBake& bake,
-                                                   const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_bruneton_transmittance(const FlatTable& table, const Shell& shell,
+                                           const BrunetonBake& bake, const BakeOptions& options,
+                                           Baked volume);
 
 // Bakes the irradiance.
-config::Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
-                                                const config::BrunetonBake& bake,
-                                                const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_bruneton_irradiance(const FlatTable& table, const Shell& shell,
+                                        const BrunetonBake& bake, const BakeOptions& options,
+                                        Baked volume);
 
 }  // namespace skybake

@@ -15,7 +15,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kDirections = 16;            // zenith angles, and twice as many azimuths

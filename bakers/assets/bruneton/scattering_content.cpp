@@ -5,9 +5,6 @@
 #include "bakers/air/particles/phase_function.h"
 
 namespace skybake {
-
-using config::BrunetonTable;
-
 namespace {
 
 // Returns the factor of light that a layer scatters for the first time.
@@ -25,7 +22,7 @@ double not_negative(double value) { return value > 0 ? value : 0; }
 
 }  // namespace
 
-ScatteringContent::ScatteringContent(const SkyMedium& medium, const config::BrunetonBake& bake)
+ScatteringContent::ScatteringContent(const SkyMedium& medium, const BrunetonBake& bake)
     : medium_(medium),
       table_(bake.table),
       combined_(bake.combined && bake.table == BrunetonTable::scattering),

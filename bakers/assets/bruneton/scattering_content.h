@@ -31,10 +31,10 @@ struct ScatteringParts {
 class ScatteringContent {
   public:
     // `medium` must outlive this object.
-    ScatteringContent(const SkyMedium& medium, const config::BrunetonBake& bake);
+    ScatteringContent(const SkyMedium& medium, const BrunetonBake& bake);
 
     const SkyMedium& medium() const { return medium_; }
-    config::BrunetonTable table() const { return table_; }
+    BrunetonTable table() const { return table_; }
     bool is_combined() const { return combined_; }
     std::size_t wavelengths() const { return colours_; }
     std::size_t channels() const { return channels_; }
@@ -42,7 +42,7 @@ class ScatteringContent {
     std::size_t measured_channels() const;
     bool has_alpha() const { return channels_ > colours_; }
     // Whether A holds the Mie layers' light.
-    bool holds_mie() const { return has_alpha() && table_ == config::BrunetonTable::scattering; }
+    bool holds_mie() const { return has_alpha() && table_ == BrunetonTable::scattering; }
     bool wants_single() const;
     bool wants_higher() const;
 
@@ -77,7 +77,7 @@ class ScatteringContent {
 
   private:
     const SkyMedium& medium_;
-    config::BrunetonTable table_;
+    BrunetonTable table_;
     bool combined_;
     int orders_;
     std::size_t colours_;

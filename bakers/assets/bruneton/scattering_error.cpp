@@ -19,7 +19,6 @@
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kQuickPoints = 64;
@@ -42,8 +41,7 @@ double view_cosine(const Shell& shell, const ScatteringView& view) {
 class ScatteringErrors {
   public:
     ScatteringErrors(const VoxelArray& table, const ScatteringMapping& mapping,
-                     const ExactTexel& exact, const std::vector<double>& largest,
-                     config::PixelType type)
+                     const ExactTexel& exact, const std::vector<double>& largest, PixelType type)
         : table_(table), mapping_(mapping), exact_(exact), largest_(largest), type_(type) {}
 
     Direction direction(int index) const {
@@ -172,7 +170,7 @@ class ScatteringErrors {
     const ScatteringMapping& mapping_;
     const ExactTexel& exact_;
     const std::vector<double>& largest_;
-    config::PixelType type_;
+    PixelType type_;
 };
 
 // Rows, points in each, peak rows, climbs, and points of the reference.
@@ -224,7 +222,7 @@ int scattering_points(Certification certification) {
 
 Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
-                               config::PixelType type, int count, const BakeOptions& options) {
+                               PixelType type, int count, const BakeOptions& options) {
     const ScatteringErrors errors(table, mapping, exact, largest, type);
     std::vector<std::vector<double>> lookups(static_cast<std::size_t>(count));
     std::vector<std::vector<double>> texels(lookups.size());
@@ -277,7 +275,7 @@ TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows
 
 void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                        const ExactTexel& exact, const TexelRow& row,
-                       const std::vector<double>& largest, config::PixelType type,
+                       const std::vector<double>& largest, PixelType type,
                        const BakeOptions& options, Certificate& certificate) {
     const ScatteringErrors errors(table, mapping, exact, largest, type);
     LookupSearch search = {

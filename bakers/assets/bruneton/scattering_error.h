@@ -67,7 +67,7 @@ TexelRow texel_row(const TableContent& content, std::vector<const ScatteringRows
 // place of its lookups. `row` is the estimate that is searched.
 void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                        const ExactTexel& exact, const TexelRow& row,
-                       const std::vector<double>& largest, config::PixelType type,
+                       const std::vector<double>& largest, PixelType type,
                        const BakeOptions& options, Certificate& certificate);
 
 // Measures at points spread evenly over x_mu_s, x_mu of both halves and x_r, and over the nu that
@@ -75,6 +75,6 @@ void search_scattering(const VoxelArray& table, const ScatteringMapping& mapping
 // possible.
 Certificate measure_scattering(const VoxelArray& table, const ScatteringMapping& mapping,
                                const ExactTexel& exact, const std::vector<double>& largest,
-                               config::PixelType type, int points, const BakeOptions& options);
+                               PixelType type, int points, const BakeOptions& options);
 
 }  // namespace skybake

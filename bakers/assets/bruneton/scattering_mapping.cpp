@@ -7,7 +7,6 @@
 #include "bakers/field/image.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr auto kScatteringTexels = TexelConvention::end_points_on_texel_centres;

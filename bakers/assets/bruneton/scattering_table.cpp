@@ -6,7 +6,9 @@
 
 #include "bakers/air/particles/phase_function.h"
 #include "bakers/assets/bruneton/scattering_row.h"
+#include "bakers/assets/bruneton/table_content.h"
 #include "bakers/assets/description/estimate.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/parallel.h"
 #include "config/sections/layer.h"
@@ -63,7 +65,7 @@ VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringM
 }
 
 Texel look_up(const VoxelArray& table, const ScatteringMapping& mapping,
-              const ScatteringCoordinates& x, config::PixelType type) {
+              const ScatteringCoordinates& x, PixelType type) {
     Texel sum{};
     for_each_tap(mapping, x, [&](int u, int v, int w, double weight) {
         const std::size_t at = table.offset(u, v, w);
@@ -118,7 +120,7 @@ TableParts make_parts(const SkyMedium& medium, const SolvedLight* light,
     return result;
 }
 
-PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+PartsRequest parts_request(const config::Atmosphere& atmosphere, const BrunetonBake& bake,
                            int orders) {
     return {.atmosphere = atmosphere,
             .mie_layers = bake.mie_layers,
@@ -137,7 +139,7 @@ Need need_of(const PartsRequest& request) {
             texels * kSecondsPerTexel, (is_first ? 2 : 1) * bytes / kMebibyte};
 }
 
-TableParts shared_parts(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+TableParts shared_parts(const config::Atmosphere& atmosphere, const BrunetonBake& bake,
                         const SkyMedium& medium, const SolvedLight* light,
                         std::shared_ptr<const TransmittanceField> sunlight,
                         const ScatteringContent& content, const ScatteringMapping& mapping,
@@ -178,6 +180,37 @@ HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
         }
     }
     return parts;
+}
+
+LightAtPlaces sky_of_scattering(std::vector<std::shared_ptr<const TracedAir>> packets,
+                                const BrunetonBake& asset, AssetPlaces places,
+                                const std::vector<SkySample>& samples) {
+    std::vector<Place> at;
+    std::vector<double> cosines;
+    for (const SkySample& sample : samples) {
+        cosines.push_back(std::clamp(sample.direction.cosine_to_sun, -1.0, 1.0));
+        at.push_back({{"altitude_km", sample.altitude_km},
+                      {"cos_zenith", sample.direction.mu},
+                      {"sun_cos_zenith", sample.sun.cosine},
+                      {"nu", cosines.back()},
+                      {"ground", sample.above_horizon_deg < 0 ? 1 : 0}});
+    }
+    return [=, packets = std::move(packets), places = std::move(places), at = std::move(at),
+            cosines = std::move(cosines)](const Baked& baked, int) {
+        std::vector<ScatteringContent> of_packets;
+        for (const auto& air : packets) of_packets.emplace_back(air->medium(), asset);
+        std::vector<const ScatteringContent*> contents;
+        for (const ScatteringContent& packet : of_packets) contents.push_back(&packet);
+        const TableContent content(std::move(contents), weights_of(baked.conventions),
+                                   asset.solar_irradiance);
+        std::vector<Spectrum> light;
+        for (const auto& channels : look_up_places(baked, places, at)) {
+            Texel texel{};
+            std::ranges::copy(channels, texel.begin());
+            light.push_back(content.radiance(texel, cosines[light.size()]));
+        }
+        return light;
+    };
 }
 
 }  // namespace skybake

@@ -5,6 +5,8 @@
 // count in lookups next to the edge of the possible ones: there they hold the smooth continuation
 // of the light in nu, up to kMostBeyond beyond the edge. Texels farther away hold the value at that
 // distance.
+//
+// The sky as a runtime finds it in a stored table of scattering.
 #pragma once
 
 #include <array>
@@ -17,6 +19,9 @@
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_content.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
+#include "bakers/assets/description/probe_places.h"
+#include "bakers/assets/sky/sky_samples.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/voxel_array.h"
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/math/bake_options.h"
@@ -63,14 +68,14 @@ struct PartsRequest {
     bool operator==(const PartsRequest&) const = default;
 };
 
-PartsRequest parts_request(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+PartsRequest parts_request(const config::Atmosphere& atmosphere, const BrunetonBake& bake,
                            int orders);
 
 Need need_of(const PartsRequest& request);
 
 // Returns the same parts as make_parts for a table with this light, shared with other tables. After
 // an interruption the parts must not be used.
-TableParts shared_parts(const config::Atmosphere& atmosphere, const config::BrunetonBake& bake,
+TableParts shared_parts(const config::Atmosphere& atmosphere, const BrunetonBake& bake,
                         const SkyMedium& medium, const SolvedLight* light,
                         std::shared_ptr<const TransmittanceField> sunlight,
                         const ScatteringContent& content, const ScatteringMapping& mapping,
@@ -98,12 +103,18 @@ VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringM
 // Looks up the first `channels` channels, linearly in each of the four coordinates between texels
 // of one half.
 Texel look_up(const VoxelArray& table, const ScatteringMapping& mapping,
-              const ScatteringCoordinates& x, config::PixelType type);
+              const ScatteringCoordinates& x, PixelType type);
 
 // Converts light of all texels, u fastest, in 1/sr, into the form that tables of scattering hold:
 // divided by Rayleigh's phase function at the texel's nu or, if no directions have that nu, at the
 // nearest one that some have, as in iterated_scattering.
 HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
                                const ScatteringMapping& mapping);
+
+// Returns the radiance of the air at the samples, for a solar irradiance of 1. `packets` are the airs
+// of the packets of wavelengths, and `places` those of the asset's probes.
+LightAtPlaces sky_of_scattering(std::vector<std::shared_ptr<const TracedAir>> packets,
+                                const BrunetonBake& asset, AssetPlaces places,
+                                const std::vector<SkySample>& samples);
 
 }  // namespace skybake

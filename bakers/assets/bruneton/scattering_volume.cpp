@@ -20,10 +20,6 @@
 #include "bakers/light/shared_light.h"
 
 namespace skybake {
-
-using config::BrunetonBake;
-using config::BrunetonTable;
-
 namespace {
 
 constexpr const char* kScatteringConvention = "end points on texel centres; clamps";
@@ -34,16 +30,16 @@ std::string content_text(const BrunetonBake& bake, const TableContent& content) 
                                                 : fmt::format("orders 2 to {}", bake.orders);
     const std::string over = "over Rayleigh's phase function, times the solar irradiance";
     if (bake.table == BrunetonTable::single_mie) {
-        return "single scattering by the Mie layers over their phase function, times the "
-               "solar irradiance";
+        return "single scattering by the Mie layers over their phase function, times the solar "
+               "irradiance";
     }
     if (bake.table == BrunetonTable::higher_orders) return fmt::format("{} {}", higher, over);
     const std::string light =
         bake.orders == 1 ? single + " " + over : fmt::format("{} and {} {}", single, higher, over);
     if (!content.first().has_alpha()) return light;
     return fmt::format(
-        "colours: {}; A: single scattering by the Mie layers over their phase "
-        "function, of the first colour",
+        "colours: {}; A: single scattering by the Mie layers over their phase function, of the "
+        "first colour",
         light);
 }
 
@@ -70,9 +66,9 @@ void describe(const BrunetonBake& bake, const TableContent& content,
                       bake.nu_size, bake.sun_cos_zenith_min),
           kScatteringConvention, bake.sun_cos_zenith_min, 1},
          {"view_distance_km",
-          "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = h, "
-          "d_max = rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), "
-          "d_min = R_top - r, d_max = rho + H",
+          "lower half: rays to the ground, x = 1 - (d - d_min) / (d_max - d_min), d_min = h, d_max "
+          "= rho; upper half: rays to the top, x = (d - d_min) / (d_max - d_min), d_min = R_top - "
+          "r, d_max = rho + H",
           kScatteringConvention, 0, 1},
          {"altitude_km",
           "x = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the top",
@@ -163,10 +159,9 @@ ScatteringView off_the_horizon(const Shell& shell, ScatteringView view) {
 
 }  // namespace
 
-config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
-                                       const std::vector<glm::dvec3>& weights,
-                                       const BrunetonBake& bake, const BakeOptions& options,
-                                       Baked volume) {
+Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
+                               const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
+                               const BakeOptions& options, Baked volume) {
     std::vector<std::unique_ptr<PacketTable>> tables;
     for (const ScatteringPacket& packet : packets) {
         tables.push_back(std::make_unique<PacketTable>(packet, bake));

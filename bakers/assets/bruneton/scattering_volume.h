@@ -28,10 +28,9 @@ struct ScatteringPacket {
 
 // Bakes the volume: of the wavelengths of one packet, or of the colours that `weights` make of those
 // of all packets. `volume` comes with name, parameters, details and channels.
-config::Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
-                                       const std::vector<glm::dvec3>& weights,
-                                       const config::BrunetonBake& bake, const BakeOptions& options,
-                                       Baked volume);
+Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
+                               const std::vector<glm::dvec3>& weights, const BrunetonBake& bake,
+                               const BakeOptions& options, Baked volume);
 
 // A ray, a sun and the cosine between them: the arguments of a runtime's lookup in a table of
 // scattering.

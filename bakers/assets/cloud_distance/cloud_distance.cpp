@@ -14,7 +14,7 @@
 
 #include "bakers/assets/cloud_distance/distance_check.h"
 #include "bakers/assets/description/asset_label.h"
-#include "bakers/assets/sources/voxel_blocks.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
@@ -22,22 +22,20 @@
 #include "bakers/occupancy/distance_volume.h"
 #include "bakers/occupancy/marcher.h"
 #include "bakers/occupancy/nearest_voxel.h"
+#include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 #include "config/fields/fields.h"
 
 namespace skybake {
-
 namespace {
 
 using config::CloudDistanceBake;
 using config::DistanceContent;
-using config::Outcome;
 using occupancy::CellGrid;
 using occupancy::ChannelSource;
 using occupancy::DistanceCheckResult;
 using occupancy::DistanceCode;
 using occupancy::DistanceSource;
-using occupancy::Place;
 
 std::vector<std::string> grid_names(const std::vector<DistanceContent>& contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_distance");
@@ -109,8 +107,8 @@ Certificate certificate_of(const Baked& volume, const DistanceCheckResult& found
     return certificate;
 }
 
-config::Diagnostic failed_check(const Baked& volume, const DistanceCheckResult& found) {
-    config::Diagnostic diagnostic;
+Diagnostic failed_check(const Baked& volume, const DistanceCheckResult& found) {
+    Diagnostic diagnostic;
     diagnostic.code = "E0405";
     diagnostic.message = fmt::format(
         "`{}`: {} of {} distances are too far and {} too near, by up to {:.3g} m, and {} of {} "
@@ -146,7 +144,7 @@ class DistanceBake {
         if (options_.cancelled()) return {};
         if (has(DistanceContent::profile)) volume.details.emplace_back("core_m", texels->core_m());
         volume.levels.push_back(level_of(volume, texels));
-        std::optional<config::Diagnostic> warning;
+        std::optional<Diagnostic> warning;
         if (options_.certification != Certification::off) {
             warning = add_skipping_gain(gain_of(*texels, bits), volume);
         }
@@ -192,7 +190,8 @@ class DistanceBake {
                                     const occupancy::VoxelBits& bits) const {
         const BakeTime time(BakePart::certificate);
         const double step_m = *std::ranges::min_element(grid_.voxel_m);
-        const auto stay = [&, texture = texture_of(texels)](const Place& from, const Place&) {
+        const auto stay = [&, texture = texture_of(texels)](const occupancy::Place& from,
+                                                            const occupancy::Place&) {
             return occupancy::stay_of_distance(looked_up_m(texture, code_, from) / step_m);
         };
         return skipping_gain(bits, grid_.voxel_m, config::OccupancyFilter::trilinear, stay,

@@ -22,9 +22,7 @@ occupancy::DistanceCode distance_code(const config::CloudDistanceBake& bake,
 // Fills all of `volume` except its name and parameters. A voxel of it is a texel of bake.cell voxels
 // of `of`, and its channels are bake.contents. Returns E0401 and E0402 as for volumes, E0405 if a
 // distance failed its check, and neither value nor diagnostics after an interruption.
-config::Outcome<Baked> bake_cloud_distance(const OccupiedVolume& of,
-                                           const config::CloudDistanceBake& bake,
-                                           double wisp_height, const BakeOptions& options,
-                                           Baked volume);
+Outcome<Baked> bake_cloud_distance(const OccupiedVolume& of, const config::CloudDistanceBake& bake,
+                                   double wisp_height, const BakeOptions& options, Baked volume);
 
 }  // namespace skybake

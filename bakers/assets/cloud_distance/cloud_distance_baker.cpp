@@ -17,15 +17,9 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
-using config::Cloud;
 using config::CloudDistanceBake;
-using config::CloudVolumeBake;
 using occupancy::CellGrid;
 
 Outcome<Baked> bake(const Parameters& parameters, const CloudDistanceBake& asset,
@@ -75,15 +69,14 @@ AssetPlaces places(const Parameters& parameters, const CloudDistanceBake& asset,
 }
 
 GlslFunction distance_function(const std::string& ends, const std::string& box) {
-    return {
-        .comment =
-            "Returns how far it is from p, which lies within the layer, to the cloud, in metres, "
-            "negative within it: never farther from 0 than it is.",
-        .result = "float",
-        .arguments = "sampler3D distances, vec3 p",
-        .value = fmt::format("cloud_distance(distances, {}, p - corner, box)", ends),
-        .before = box,
-        .suffix = "_distance"};
+    return {.comment =
+                "Returns how far it is from p, which lies within the layer, to the cloud, in "
+                "metres, negative within it: never farther from 0 than it is.",
+            .result = "float",
+            .arguments = "sampler3D distances, vec3 p",
+            .value = fmt::format("cloud_distance(distances, {}, p - corner, box)", ends),
+            .before = box,
+            .suffix = "_distance"};
 }
 
 GlslFunction trace_function(const std::string& ends, const std::string& box) {

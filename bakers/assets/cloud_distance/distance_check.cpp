@@ -13,7 +13,6 @@
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 using Point = std::array<double, 3>;

@@ -21,11 +21,9 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
 namespace {
 
 using config::CloudDistanceBake;
-using config::CloudVolumeBake;
 using occupancy::VoxelBits;
 
 constexpr int kPoints = 65536;
@@ -44,10 +42,10 @@ std::optional<Distances> distances_of(const ManifestAsset& asset) {
     const auto recipe = recorded_recipe(asset);
     const auto* bake = recipe ? recorded_bake<CloudDistanceBake>(*recipe, asset) : nullptr;
     if (bake == nullptr) return std::nullopt;
-    const config::Parameters& parameters = recipe->parameters;
+    const Parameters& parameters = recipe->parameters;
     // A recipe that was read names a cloud volume of a cloud that is there.
     const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
-    const config::Cloud& cloud = cloud_named(parameters, of.cloud);
+    const Cloud& cloud = cloud_named(parameters, of.cloud);
     return Distances{*bake, of.size, config::voxel_edges(cloud, of), filtered_threshold(cloud)};
 }
 
@@ -112,8 +110,7 @@ std::string fault_of(const std::filesystem::path& folder, const ManifestAsset& a
     if (!found.failed()) return "";
     return fmt::format(
         "of {} distances to {}, {} are too far and {} are nearer than they need be, by up to "
-        "{:.3g} "
-        "m at voxel ({:.1f}, {:.1f}, {:.1f}); {} of {} steps of rays are lost",
+        "{:.3g} m at voxel ({:.1f}, {:.1f}, {:.1f}); {} of {} steps of rays are lost",
         found.points, volume.name, found.too_far, found.too_near, found.worst_m,
         found.worst_place[0], found.worst_place[1], found.worst_place[2], found.lost_steps,
         found.steps);

@@ -11,7 +11,7 @@ namespace skybake::cloud_light {
 
 using config::OccupancyFilter;
 
-CloudLayer make_layer(const Baked& volume, std::size_t channel, const config::Cloud& cloud,
+CloudLayer make_layer(const Baked& volume, std::size_t channel, const Cloud& cloud,
                       const BakeOptions& options) {
     const Level& level = volume.levels.front();
     CloudLayer layer;

@@ -53,7 +53,7 @@ struct CloudLayer {
 
 // Reads a channel of the volume's level 0, rounded to its pixel type. `cloud` has the extent of the
 // volume. The layer is incomplete once options.progress is cancelled.
-CloudLayer make_layer(const Baked& volume, std::size_t channel, const config::Cloud& cloud,
+CloudLayer make_layer(const Baked& volume, std::size_t channel, const Cloud& cloud,
                       const BakeOptions& options);
 
 // Returns the extinction in 1/m at a place of the repeated layer, filtered in double; 0 above the

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "bakers/assets/cloud_light/cell_search.h"
 #include "bakers/assets/cloud_light/cloud_layer.h"
+#include "bakers/assets/cloud_light/cloud_light_truth.h"
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_light/layer_sky.h"
@@ -23,16 +23,7 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
-
-using config::Cloud;
-using config::CloudLightBake;
-using config::CloudLightContents;
-using config::CloudVolumeBake;
 
 bool is_map(const CloudLightBake& asset) { return asset.contents == CloudLightContents::shadow; }
 
@@ -130,10 +121,10 @@ AssetPlaces places(const Parameters& parameters, const CloudLightBake& asset, co
 GlslFunction texels_function(const CloudLightBake& asset, const std::string& box) {
     GlslFunction function;
     function.comment =
-        is_map(asset) ? "Returns the optical depth of the layer to each sun, seen from x and y "
-                        "in metres at the layer's base."
-                      : "Returns the channels at x and y in metres and at the altitude z in "
-                        "metres.";
+        is_map(asset)
+            ? "Returns the optical depth of the layer to each sun, seen from x and y in metres at "
+              "the layer's base."
+            : "Returns the channels at x and y in metres and at the altitude z in metres.";
     function.arguments = "sampler3D light, vec3 p";
     function.before = box;
     function.value = is_map(asset) ? "cloud_shadow(light, p - corner, tile)"
@@ -179,7 +170,7 @@ void draft(CloudLightBake& asset, int) {
 
 }  // namespace
 
-Baker<config::CloudLightBake> baker(BakerTag<config::CloudLightBake>) {
+Baker<CloudLightBake> baker(BakerTag<CloudLightBake>) {
     return {.version = 7,
             .bake = bake,
             .estimate = estimate,

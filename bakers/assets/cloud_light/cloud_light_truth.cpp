@@ -5,24 +5,33 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <limits>
+#include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
+#include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
+#include "bakers/assets/description/asset_label.h"
+#include "bakers/field/baked.h"
+#include "bakers/field/block_voxels.h"
+#include "bakers/field/finish_volume.h"
+#include "bakers/field/survey_volume.h"
+#include "bakers/math/parallel.h"
+#include "bakers/math/quadrature.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "bakers/occupancy/cell_range.h"
 #include "bakers/occupancy/occupied_cells.h"
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake {
-
 namespace {
 
 using cloud_light::CloudLayer;
 using cloud_light::LightChannels;
-using config::CloudLightBake;
-using config::CloudLightContents;
 
 // The cells of the volume in which errors count: all that have cloud, or all if none has.
 struct OccupiedPlaces {
@@ -108,6 +117,135 @@ CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake&
             return occupied_place(places, uvw);
         };
     return truth;
+}
+
+namespace {
+
+using Uvw = std::array<double, 3>;
+
+// The true values at the places of all lookups, which do not depend on the cell.
+class KnownTruth {
+  public:
+    KnownTruth(CloudLightTruth truth, int points, const BakeOptions& options)
+        : truth_(std::move(truth)) {
+        std::vector<std::pair<Uvw, std::vector<double>>> found(static_cast<std::size_t>(points));
+        for_each_tile(points, options, "certify", [&](int i) {
+            const Uvw point = low_discrepancy_point(i);
+            const auto& move = truth_.comparison.lookup_place;
+            const Uvw place = move ? move(point) : point;
+            found[static_cast<std::size_t>(i)] = {place, truth_.reference(place)};
+        });
+        known_.insert(found.begin(), found.end());
+    }
+
+    // A texture of one texel along an axis is looked up at other places.
+    std::vector<double> operator()(const Uvw& place) const {
+        const auto known = known_.find(place);
+        return known != known_.end() ? known->second : truth_.reference(place);
+    }
+    const VolumeComparison& comparison() const { return truth_.comparison; }
+
+  private:
+    CloudLightTruth truth_;
+    std::map<Uvw, std::vector<double>> known_;
+};
+
+class CellSearch {
+  public:
+    CellSearch(const CloudLayer& layer, const CloudLightBake& bake, const BakeOptions& options)
+        : layer_(layer),
+          bake_(bake),
+          options_(options),
+          quick_points_(quick_lookup_points(is_expensive())),
+          points_(std::max(quick_points_, kFewestPoints)),
+          truth_(cloud_light_truth(layer, bake, options.threads), points_, options) {}
+
+    Outcome<int> run(const std::string& name) {
+        int best = 0;
+        double least = std::numeric_limits<double>::infinity();
+        for (int cell = most_cell(); cell > 0; --cell) {
+            const Outcome<double> error = error_of(cell);
+            if (!error.value || options_.cancelled()) return {{}, error.diagnostics};
+            if (*error.value <= *bake_.max_error) return {cell, {}};
+            if (*error.value < least) best = cell;
+            least = std::min(least, *error.value);
+        }
+        Diagnostic diagnostic;
+        diagnostic.code = "E0403";
+        diagnostic.message = fmt::format(
+            "`{}`: no cell meets max_error = {:.3g}; the best, {}, has an RMS error of {:.3g}",
+            name, *bake_.max_error, best, least);
+        diagnostic.label = "use a larger max_error or pixel_type = \"float\"";
+        return {{}, {std::move(diagnostic)}};
+    }
+
+  private:
+    static constexpr int kFewestPoints = 256;
+
+    // One texel along an axis is looked up at its centre alone, which says nothing of other places. So
+    // cells leave two texels along each axis that has as many voxels.
+    int most_cell() const {
+        const bool is_map = bake_.contents == CloudLightContents::shadow;
+        int most = config::most_cloud_light_cell;
+        for (std::size_t a = 0; a < (is_map ? 2 : 3); ++a) {
+            if (layer_.size[a] > 1) most = std::min(most, layer_.size[a] - 1);
+        }
+        return most;
+    }
+
+    bool is_expensive() const { return !config::is_per_sun(bake_.contents); }
+
+    // Returns the texels of a cell, as files hold them, and no levels after an interruption.
+    Baked texels_of(int cell) {
+        CloudLightBake bake = bake_;
+        bake.cell = cell;
+        Baked volume;
+        volume.channel_names = names_of_channels(config::channels_of(bake));
+        volume.pixel_type = bake.pixel_type;
+        const int spacing = cloud_light_spacing(bake);
+        if (spacing != spacing_) {
+            values_ = cloud_light_values(layer_, bake, spacing, options_, volume.details);
+        }
+        spacing_ = spacing;
+        if (options_.cancelled()) return volume;
+        Level level;
+        level.size = cloud_light_size(layer_.size, bake);
+        level.repeats = {true, true, false};
+        level.voxels = fitted_texels(values_, level.size, bake, options_.threads);
+        volume.levels.push_back(std::move(level));
+        code_levels(volume);
+        return volume;
+    }
+
+    Outcome<double> error_of(int cell) {
+        Baked volume = texels_of(cell);
+        if (volume.levels.empty()) return {};
+        const std::vector<std::array<double, 2>> ranges(volume.channel_names.size(), {0, 1});
+        std::vector<Diagnostic> problems = survey_level(volume, 0, ranges, options_);
+        if (!problems.empty() || options_.cancelled()) return {{}, std::move(problems)};
+        const auto measured = [&](int points) {
+            return measure_lookups(volume.levels[0], volume.pixel_type, std::cref(truth_), points,
+                                   options_, truth_.comparison())
+                .figures.rms;
+        };
+        return {std::max(measured(quick_points_), measured(points_)), {}};
+    }
+
+    const CloudLayer& layer_;
+    const CloudLightBake& bake_;
+    const BakeOptions& options_;
+    const int quick_points_;
+    const int points_;
+    const KnownTruth truth_;
+    int spacing_ = 0;
+    SpacedValues values_;
+};
+
+}  // namespace
+
+Outcome<int> largest_cell(const CloudLayer& layer, const CloudLightBake& bake,
+                          const std::string& name, const BakeOptions& options) {
+    return CellSearch(layer, bake, options).run(name);
 }
 
 }  // namespace skybake

@@ -19,14 +19,10 @@
 #include "config/fields/fields.h"
 
 namespace skybake {
-
 namespace {
 
 using cloud_light::CloudLayer;
 using cloud_light::LightChannels;
-using config::CloudLightBake;
-using config::CloudLightContents;
-using config::Outcome;
 
 std::string_view word_of(CloudLightContents contents) {
     const config::Section& section = *config::find_section("bake.*", "cloud_light");

@@ -21,16 +21,15 @@ struct Baked;
 // Fills all of `volume` except its name and parameters. `of` is the cloud's volume, of which `layer` is
 // a channel. Returns E0401 and E0402 as for volumes, and neither value nor diagnostics after an
 // interruption.
-config::Outcome<Baked> bake_cloud_light(const Baked& of, const cloud_light::CloudLayer& layer,
-                                        const config::CloudLightBake& bake,
-                                        const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_cloud_light(const Baked& of, const cloud_light::CloudLayer& layer,
+                                const CloudLightBake& bake, const BakeOptions& options,
+                                Baked volume);
 
 // Returns the number of texels along each axis.
-std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels,
-                                    const config::CloudLightBake& bake);
+std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const CloudLightBake& bake);
 
 // Returns how many voxels apart the places are, at most, from which texels are fitted.
-int cloud_light_spacing(const config::CloudLightBake& bake);
+int cloud_light_spacing(const CloudLightBake& bake);
 
 // The channels' values at places that are evenly spaced.
 struct SpacedValues {
@@ -41,21 +40,19 @@ struct SpacedValues {
 // Returns the values at places that are at most `spacing` voxels apart. They do not depend on the
 // cell; they are incomplete after an interruption. `details` receives what the solver of radiance
 // states.
-SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer,
-                                const config::CloudLightBake& bake, int spacing,
-                                const BakeOptions& options, Facts& details);
+SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer, const CloudLightBake& bake,
+                                int spacing, const BakeOptions& options, Facts& details);
 
 // Returns the texels whose lookups are nearest to the values.
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
-                                                 const config::CloudLightBake& bake, int threads);
+                                                 const CloudLightBake& bake, int threads);
 
 // Returns the texels, fitted to places that are at most `spacing` voxels apart; the cell is a multiple
 // of it or more than it. With the cell itself each texel is the value at its centre. Null after an
 // interruption.
 std::shared_ptr<const VoxelSource> cloud_light_texels(const cloud_light::CloudLayer& layer,
-                                                      const config::CloudLightBake& bake,
-                                                      int spacing, const BakeOptions& options,
-                                                      Facts& details);
+                                                      const CloudLightBake& bake, int spacing,
+                                                      const BakeOptions& options, Facts& details);
 
 }  // namespace skybake

@@ -14,7 +14,6 @@
 #include "config/sections/layer.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 constexpr int kMajorantCell = 4;  // voxels along each edge of a majorant's cell

@@ -9,7 +9,6 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 // The distance from `at` to the next plane through voxel centres of one axis.

@@ -7,7 +7,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 using Matrix = std::vector<std::vector<double>>;

@@ -20,12 +20,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake::cloud_light {
-
-using config::CloudLightBake;
-using config::CloudLightContents;
-using config::Diagnostic;
-using config::Parameters;
-
 namespace {
 
 bool has_sky(const CloudLightBake& bake) {
@@ -180,10 +174,9 @@ struct SkyOfCamera {
 Diagnostic black_sky(const std::string& name, double altitude_km) {
     Diagnostic fault;
     fault.code = "E0189";
-    fault.message = fmt::format(
-        "`{}`: the sky is black at the top of the layer, {:.6g} km above "
-        "the ground",
-        name, altitude_km);
+    fault.message =
+        fmt::format("`{}`: the sky is black at the top of the layer, {:.6g} km above the ground",
+                    name, altitude_km);
     fault.label = "give the atmosphere layers that scatter light above the cloud";
     return fault;
 }
@@ -202,7 +195,7 @@ std::vector<Need> sky_needs(const Parameters& parameters, const CloudLightBake& 
 }
 
 std::optional<Diagnostic> add_sky(const Parameters& parameters, const CloudLightBake& bake,
-                                  const config::Cloud& cloud, const std::string& name,
+                                  const Cloud& cloud, const std::string& name,
                                   const BakeOptions& options, CloudLayer& layer) {
     if (!has_sky(bake)) return std::nullopt;
     const double altitude_km = cloud.base_altitude.kilometers() + cloud.extent[2].kilometers();

@@ -20,15 +20,13 @@
 namespace skybake::cloud_light {
 
 // Returns the needs of an asset's sky: nothing, unless its contents are clear_sky_radiance.
-std::vector<Need> sky_needs(const config::Parameters& parameters,
-                            const config::CloudLightBake& bake);
+std::vector<Need> sky_needs(const Parameters& parameters, const CloudLightBake& bake);
 
 // Gives a cloud's layer the sky of the asset of that name, if its contents are clear_sky_radiance. Returns
 // E0405 if the light of the sky could not be solved for, and E0189 if the sky is black. The layer
 // has no sky after an interruption.
-std::optional<config::Diagnostic> add_sky(const config::Parameters& parameters,
-                                          const config::CloudLightBake& bake,
-                                          const config::Cloud& cloud, const std::string& name,
-                                          const BakeOptions& options, CloudLayer& layer);
+std::optional<Diagnostic> add_sky(const Parameters& parameters, const CloudLightBake& bake,
+                                  const Cloud& cloud, const std::string& name,
+                                  const BakeOptions& options, CloudLayer& layer);
 
 }  // namespace skybake::cloud_light

@@ -9,10 +9,6 @@
 #include "config/assets/cloud_light.h"
 
 namespace skybake::cloud_light {
-
-using config::CloudLightBake;
-using config::CloudLightContents;
-
 namespace {
 
 constexpr int kRowsPerTile = 8;

@@ -4,13 +4,11 @@
 #include <cstddef>
 
 #include "bakers/assets/cloud_light/cloud_scattering.h"
-#include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/forward_scattering/forward_table.h"
 #include "bakers/math/wrapped.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 // The cloud is scaled alike for all light. Of the sky's and the ground's, which is smooth, degree 1 is kept.

@@ -4,7 +4,6 @@
 #include <deque>
 #include <numeric>
 #include <utility>
-#include <vector>
 
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/math/parallel.h"
@@ -13,7 +12,6 @@
 #include "config/assets/occupancy_filter.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 constexpr std::size_t kRemembered = 2;

@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 constexpr int kZenithNodes = 4;

@@ -19,16 +19,12 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::cloud_light {
-
-using config::CloudLightBake;
-using config::CloudLightContents;
-
 namespace {
 
 // All that a solution depends on, but for what light of the sky does.
 struct SolutionKey {
     NeedKey voxels;
-    config::PixelType pixel_type{};  // to which the layer's voxels are rounded
+    PixelType pixel_type{};  // to which the layer's voxels are rounded
     std::string channel;
     CloudLightContents contents{};
     std::array<double, 2> sun{};  // elevation and azimuth in radians

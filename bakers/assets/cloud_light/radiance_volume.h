@@ -17,29 +17,29 @@
 namespace skybake::cloud_light {
 
 // How the cloud of a recipe scatters light, and without its forward peak.
-CloudScattering scattering_of(const config::CloudLightBake& bake);
-ScaledScattering scaled_scattering_of(const config::CloudLightBake& bake);
+CloudScattering scattering_of(const CloudLightBake& bake);
+ScaledScattering scaled_scattering_of(const CloudLightBake& bake);
 
 // Returns coefficient 0 of the source's own light at a point that no cloud shades: F / (2 sqrt(pi)) of
 // light of the fluence F, which is 1 of the sun and 2 pi of the sky and of the ground.
-double unshaded_coefficient(const config::CloudLightBake& bake);
+double unshaded_coefficient(const CloudLightBake& bake);
 
 // The voxels of a cloud volume: what they need, and to what they are rounded.
 struct SourceOfLayer {
     NeedKey voxels;
     std::array<int, 3> size{};
-    config::PixelType pixel_type{};
+    PixelType pixel_type{};
 };
 
 // Returns the solution that the parts of one set of harmonics share. There is none of the light of a
 // clear sky, which each part solves for by itself.
-std::optional<Need> solution_need(const SourceOfLayer& of, const config::CloudLightBake& bake);
+std::optional<Need> solution_need(const SourceOfLayer& of, const CloudLightBake& bake);
 
 // Returns the channels at all places, x fastest: one vector for each channel. Adds how far the solution
 // has converged to `details`. The result does not depend on the number of threads; it is incomplete once
 // options.progress is cancelled.
 std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const PlaceGrid& places,
-                                                const config::CloudLightBake& bake,
+                                                const CloudLightBake& bake,
                                                 const BakeOptions& options, Facts& details);
 
 // Paths of light from each place.
@@ -52,7 +52,7 @@ inline constexpr int kReferencePaths = 2048;
 //
 // The scaled cloud and the cloud itself have the same a (cloud_scattering.h), of which the second
 // term is the scaled cloud's own sunlight, whose scattering is not J's. `layer` must outlive it.
-VolumeReference radiance_reference(const CloudLayer& layer, const config::CloudLightBake& bake,
+VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
                                    int threads);
 
 }  // namespace skybake::cloud_light

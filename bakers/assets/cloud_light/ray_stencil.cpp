@@ -8,7 +8,6 @@
 #include "bakers/math/quadrature.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 // The distances at which the ray meets the planes through voxel centres, with both its ends,

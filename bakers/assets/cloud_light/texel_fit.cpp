@@ -8,7 +8,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake::cloud_light {
-
 namespace {
 
 std::size_t index(int i) { return static_cast<std::size_t>(i); }

@@ -6,13 +6,11 @@
 namespace skybake {
 
 using config::CloudMap;
-using config::Diagnostic;
-using config::Outcome;
 using config::VolumeFile;
 
-std::vector<Diagnostic> check_cloud_files(const config::Parameters& parameters) {
+std::vector<Diagnostic> check_cloud_files(const Parameters& parameters) {
     std::vector<Diagnostic> problems;
-    for (const config::Cloud& cloud : parameters.clouds) {
+    for (const Cloud& cloud : parameters.clouds) {
         for (const CloudMap* map : {&cloud.coverage_map, &cloud.type_map}) {
             if (map->file.empty()) continue;
             const Outcome<MapImage> image = read_map_image(*map);

@@ -10,7 +10,6 @@ namespace skybake {
 
 // Reads every map and volume that the recipe names, even if no bake needs it. Returns E0300
 // and E0304 at the recipe's line.
-[[nodiscard]] std::vector<config::Diagnostic> check_cloud_files(
-    const config::Parameters& parameters);
+[[nodiscard]] std::vector<Diagnostic> check_cloud_files(const Parameters& parameters);
 
 }  // namespace skybake

@@ -14,17 +14,14 @@
 #include "bakers/io/volumes/volume_reader.h"
 
 namespace skybake {
-
 namespace {
 
 using config::CloudMap;
-using config::Diagnostic;
-using config::Outcome;
 using config::VolumeFile;
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
     return std::ranges::any_of(diagnostics, [](const Diagnostic& diagnostic) {
-        return diagnostic.severity == config::Severity::error;
+        return diagnostic.severity == Severity::error;
     });
 }
 
@@ -65,9 +62,8 @@ std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& det
 }
 
 // Adds what has grown. None after an interruption.
-std::optional<cloud::CloudVolume> grown_volume(const config::Cloud& cloud,
-                                               const std::array<int, 3>& size, Facts& details,
-                                               const BakeOptions& options) {
+std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const std::array<int, 3>& size,
+                                               Facts& details, const BakeOptions& options) {
     const convection::Specification wanted = convection::specification_of(cloud);
     Intermediates* shared = options.intermediates;
     const auto grown = shared_or_made<convection::GrownCloud>(shared, NeedKey(wanted), [&] {
@@ -79,11 +75,11 @@ std::optional<cloud::CloudVolume> grown_volume(const config::Cloud& cloud,
 }
 
 // Returns null after an interruption.
-std::shared_ptr<const cloud::FoundCover> found_cover(const config::Parameters& parameters,
-                                                     const config::CloudVolumeBake& bake,
+std::shared_ptr<const cloud::FoundCover> found_cover(const Parameters& parameters,
+                                                     const CloudVolumeBake& bake,
                                                      const CloudInputs& inputs,
                                                      const BakeOptions& options) {
-    const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
+    const Cloud& cloud = cloud_named(parameters, bake.cloud);
     return shared_or_made<cloud::FoundCover>(
         options.intermediates, key_of_coverage(parameters, bake),
         [&]() -> std::shared_ptr<const cloud::FoundCover> {
@@ -96,7 +92,7 @@ std::shared_ptr<const cloud::FoundCover> found_cover(const config::Parameters& p
 
 // Returns E0412 if the share of columns differs from the wanted one by more than a column's, and by
 // more than what ties of columns excuse.
-std::optional<Diagnostic> missed_cover(const config::CloudVolumeBake& bake,
+std::optional<Diagnostic> missed_cover(const CloudVolumeBake& bake,
                                        const cloud::FoundCover& found) {
     const double columns = double{1} * bake.size[0] * bake.size[1];
     const double most = std::max(1 / columns, 1.0 / cloud::kMostTiedColumns);
@@ -108,8 +104,8 @@ std::optional<Diagnostic> missed_cover(const config::CloudVolumeBake& bake,
         bake.cloud, 100 * *bake.cover, found.coverage, 100 * found.share);
     if (found.share == found.reach[0] || found.share == found.reach[1]) {
         problem.message = fmt::format(
-            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and "
-            "{:.4g} % at coverage 1",
+            "cloud `{}` cannot cover {:.4g} %: it covers {:.4g} % at coverage 0, and {:.4g} % at "
+            "coverage 1",
             bake.cloud, 100 * *bake.cover, 100 * found.reach[0], 100 * found.reach[1]);
     }
     problem.label = "`cover` cannot be reached; change it, the height profile or the towers";
@@ -118,11 +114,10 @@ std::optional<Diagnostic> missed_cover(const config::CloudVolumeBake& bake,
 
 }  // namespace
 
-Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
-                                  const config::CloudVolumeBake& bake, Facts& details,
-                                  const BakeOptions& options) {
+Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
+                                  Facts& details, const BakeOptions& options) {
     Outcome<CloudInputs> outcome;
-    const config::Cloud& cloud = cloud_named(parameters, bake.cloud);
+    const Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
     inputs.base = noise_of(parameters, cloud);
     if (cloud.shape == config::CloudShape::convection) {

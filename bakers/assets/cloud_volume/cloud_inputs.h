@@ -14,8 +14,7 @@ namespace skybake {
 // E0304 if a file cannot be read. The volume is opened once for all assets that share intermediates.
 // So is the coverage searched that gives a cloud with `cover` its cover, at the size of `bake`; E0412
 // if there is none. After an interruption there may be neither inputs nor diagnostics.
-config::Outcome<CloudInputs> cloud_inputs(const config::Parameters& parameters,
-                                          const config::CloudVolumeBake& bake, Facts& details,
-                                          const BakeOptions& options = {});
+Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolumeBake& bake,
+                                  Facts& details, const BakeOptions& options = {});
 
 }  // namespace skybake

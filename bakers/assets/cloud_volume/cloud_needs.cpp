@@ -7,21 +7,17 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
 namespace {
-
-using config::Cloud;
-using config::CloudVolumeBake;
 
 // All that voxels depend on.
 struct VoxelRequest {
     Cloud cloud;  // with the paths of its maps
-    std::optional<config::Noise> base;
+    std::optional<Noise> base;
     std::optional<config::VolumeFile> volume;
-    std::optional<config::Noise> detail;
+    std::optional<Noise> detail;
     std::array<int, 3> size{};
     std::optional<double> cover;
-    std::optional<config::PixelType> stored_as;  // decides which columns `cover` counts
+    std::optional<PixelType> stored_as;  // decides which columns `cover` counts
     bool operator==(const VoxelRequest&) const = default;
 };
 
@@ -35,21 +31,20 @@ std::optional<Section> copied(const Section* section) {
     return section != nullptr ? std::optional<Section>(*section) : std::nullopt;
 }
 
-VoxelRequest request_of(const Cloud& cloud, const CloudVolumeBake& bake, const config::Noise* base,
-                        const config::VolumeFile* volume, const config::Noise* detail) {
+VoxelRequest request_of(const Cloud& cloud, const CloudVolumeBake& bake, const Noise* base,
+                        const config::VolumeFile* volume, const Noise* detail) {
     VoxelRequest request{cloud, copied(base), copied(volume), copied(detail), bake.size, bake.cover,
                          {}};
     if (bake.cover) request.stored_as = bake.pixel_type;
     return request;
 }
 
-VoxelRequest request_of(const config::Parameters& parameters, const CloudVolumeBake& asset) {
+VoxelRequest request_of(const Parameters& parameters, const CloudVolumeBake& asset) {
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
-    const config::Noise* base = noise_of(parameters, cloud);
+    const Noise* base = noise_of(parameters, cloud);
     const config::VolumeFile* volume =
         cloud.volume.empty() ? nullptr : &volume_named(parameters, cloud.volume);
-    const config::Noise* detail =
-        cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
+    const Noise* detail = cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
     return request_of(cloud, asset, base, volume, detail);
 }
 
@@ -59,16 +54,15 @@ NeedKey key_of_voxels(const Cloud& cloud, const CloudVolumeBake& bake, const Clo
     return NeedKey(request_of(cloud, bake, inputs.base, inputs.file, inputs.detail));
 }
 
-NeedKey key_of_coverage(const config::Parameters& parameters, const CloudVolumeBake& bake) {
+NeedKey key_of_coverage(const Parameters& parameters, const CloudVolumeBake& bake) {
     return NeedKey(CoverageRequest{request_of(parameters, bake)});
 }
 
-std::vector<Need> needs_of_voxels(const config::Parameters& parameters,
-                                  const CloudVolumeBake& asset) {
+std::vector<Need> needs_of_voxels(const Parameters& parameters, const CloudVolumeBake& asset) {
     const VoxelRequest request = request_of(parameters, asset);
     const Cloud& cloud = request.cloud;
     const auto& volume = request.volume;
-    const config::Noise* base = noise_of(parameters, cloud);
+    const Noise* base = noise_of(parameters, cloud);
     const auto channels = config::cloud_channel_names(base, cloud.channels).size();
     const double seconds = estimate_cloud_volume(parameters, asset).seconds;
     std::vector<Need> needs = {

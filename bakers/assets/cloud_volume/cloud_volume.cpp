@@ -15,14 +15,10 @@
 #include "bakers/noise/noise_plan.h"
 
 namespace skybake {
-
 namespace {
 
 using cloud::CloudField;
 using cloud::CloudReference;
-using config::Cloud;
-using config::CloudVolumeBake;
-using config::Outcome;
 
 std::vector<AxisMapping> axes_of(const Cloud& cloud) {
     const auto [corner_x, corner_y, base] = corner_m_of(cloud);
@@ -155,10 +151,10 @@ Baked describe(const Cloud& recipe_cloud, const CloudVolumeBake& bake, const Clo
 }
 
 // Warns (W0215) of a volume in which no column holds cloud.
-std::optional<config::Diagnostic> empty_volume(const Baked& volume) {
+std::optional<Diagnostic> empty_volume(const Baked& volume) {
     if (number_named(volume.details, covered_columns).value_or(1) > 0) return std::nullopt;
-    config::Diagnostic warning;
-    warning.severity = config::Severity::warning;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
     warning.code = "W0215";
     warning.message = fmt::format("`{}` is empty: no voxel holds cloud", volume.name);
     warning.label = "raise the coverage, or ask for a share of the sky: cover = \"40 %\"";

@@ -6,19 +6,12 @@
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
 #include "bakers/assets/cloud_volume/cloud_volume.h"
-#include "bakers/assets/registry/draft_size.h"
 #include "bakers/convection/convection.h"
 #include "bakers/field/baked.h"
 #include "config/sections/cloud.h"
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Cloud;
-using config::CloudVolumeBake;
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 Outcome<Baked> bake(const Parameters& parameters, const CloudVolumeBake& asset,
@@ -86,7 +79,7 @@ void draft(CloudVolumeBake& asset, int most_voxels) {
 Estimate estimate_cloud_volume(const Parameters& parameters, const CloudVolumeBake& asset) {
     constexpr double kSecondsPerShape = 3e-9;  // profile, threshold, statistics of a voxel
     const Cloud& cloud = cloud_named(parameters, asset.cloud);
-    const config::Noise* base = noise_of(parameters, cloud);
+    const Noise* base = noise_of(parameters, cloud);
     constexpr double kOctavesOfVolume = 4;  // what reading and resampling take
     double octaves = base != nullptr ? octaves_of(*base) : kOctavesOfVolume;
     if (!cloud.detail.empty()) octaves += octaves_of(noise_named(parameters, cloud.detail));

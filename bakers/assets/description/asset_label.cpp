@@ -7,9 +7,6 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Parameters;
-
 namespace {
 
 // Returns the conventions of all assets of an atmosphere; their bakers add what the values are.

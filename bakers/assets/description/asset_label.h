@@ -22,11 +22,11 @@ struct AssetLabel {
 std::vector<std::string> names_of_channels(std::size_t count);
 
 // Returns the names of channels that are the recipe's wavelengths.
-std::vector<std::string> colour_names(const config::Parameters& parameters);
+std::vector<std::string> colour_names(const Parameters& parameters);
 
 // Return a labelled asset of the sky, whose bakers add what the values mean.
-Baked labelled_table(const config::Parameters& parameters, AssetLabel label);
-Baked labelled_sky_volume(const config::Parameters& parameters, AssetLabel label);
+Baked labelled_table(const Parameters& parameters, AssetLabel label);
+Baked labelled_sky_volume(const Parameters& parameters, AssetLabel label);
 
 // Returns a labelled volume of any other asset.
 Baked labelled_volume(AssetLabel label);

@@ -11,9 +11,6 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Diagnostic;
-
 namespace {
 
 // Root mean squares, of what the errors are relative to. The maximum says less: next to an edge of the
@@ -34,8 +31,8 @@ std::string at_place(const std::string& place) { return place.empty() ? "" : "; 
 
 // Says how few values a pixel type of equal steps leaves of dim light; nothing of other types.
 std::string steps_text(const Baked& baked) {
-    const config::PixelType type = baked.pixel_type;
-    if (type != config::PixelType::unorm8 && type != config::PixelType::unorm16) return "";
+    const PixelType type = baked.pixel_type;
+    if (type != PixelType::unorm8 && type != PixelType::unorm16) return "";
     double largest = 0;
     for (const ValueStatistics& channel : baked.levels.front().statistics) {
         largest = std::max(largest, channel.max);
@@ -43,8 +40,7 @@ std::string steps_text(const Baked& baked) {
     const double step = 2 * rounding_error(type);
     return fmt::format(
         "use pixel_type = \"half\": the steps of the file are equal, and its largest value, "
-        "{:.2g}, "
-        "is step {:.0f} of {:.0f}",
+        "{:.2g}, is step {:.0f} of {:.0f}",
         largest, std::floor(largest / step + 0.5), 1 / step);
 }
 
@@ -54,8 +50,7 @@ std::string advice_on_texels(const Baked& baked) {
         return "ask for a smaller max_texel_error";
     }
     return "a larger size does not help, since the texels themselves are off; give layers with "
-           "hard "
-           "edges a profile that fades out";
+           "hard edges a profile that fades out";
 }
 
 std::string advice_on_sky(const Baked& baked) {
@@ -75,15 +70,14 @@ std::string advice_on_sky(const Baked& baked) {
                  "with --certify=full";
 }
 
-std::string advice_on_colors(const config::Parameters& parameters) {
+std::string advice_on_colors(const Parameters& parameters) {
     const std::size_t count = parameters.wavelengths.size();
     if (count < 8) return "wavelengths = \"best 8\" come nearer";
     if (count < 16) return "wavelengths = \"best 16\" come nearer";
     return "bake the wavelengths themselves (space = \"none\"), and make colours of their spectra";
 }
 
-std::string advice_on(const std::string& code, const config::Parameters& parameters,
-                      const Baked& baked) {
+std::string advice_on(const std::string& code, const Parameters& parameters, const Baked& baked) {
     if (code == "W0220") return advice_on_texels(baked);
     if (code == "W0221") return advice_on_sky(baked);
     if (code == "W0222") return advice_on_colors(parameters);
@@ -99,23 +93,25 @@ std::vector<LargeError> large_errors(const Certificate& certificate) {
     const ErrorFigures& texel = certificate.texel;
     const ErrorFigures& lookup = certificate.lookup;
     if (!(texel.rms <= kLargeTexels)) {
-        large.push_back({"W0220", fmt::format("texels are off by up to {:.3g}, root mean square "
-                                              "{:.3g} (scale: {})",
-                                              texel.max, texel.rms, certificate.scale)});
+        large.push_back(
+            {"W0220",
+             fmt::format("texels are off by up to {:.3g}, root mean square {:.3g} (scale: {})",
+                         texel.max, texel.rms, certificate.scale)});
     }
     // Where texels are as far off as lookups between them, more of them do not help.
     if (!(lookup.rms < kLargeLookups) && !(texel.rms > 0.5 * lookup.rms)) {
-        large.push_back({"W0214", fmt::format("lookups are off by up to {:.3g}, root mean square "
-                                              "{:.3g} (scale: {}){}",
-                                              lookup.max, lookup.rms, certificate.scale,
-                                              at_place(certificate.worst))});
+        large.push_back(
+            {"W0214",
+             fmt::format("lookups are off by up to {:.3g}, root mean square {:.3g} (scale: {}){}",
+                         lookup.max, lookup.rms, certificate.scale, at_place(certificate.worst))});
     }
     const auto& sky = certificate.sky;
     if (sky && sky->points > 0 && !(sky->median <= kLargeSky)) {
-        large.push_back({"W0221", fmt::format("its sky is off by {} % in the median and up to "
-                                              "{} %, beside paths of light{}",
-                                              to_percent(sky->median), to_percent(sky->max),
-                                              at_place(sky->worst))});
+        large.push_back(
+            {"W0221",
+             fmt::format(
+                 "its sky is off by {} % in the median and up to {} %, beside paths of light{}",
+                 to_percent(sky->median), to_percent(sky->max), at_place(sky->worst))});
     }
     const auto& color = certificate.color;
     if (color && is_far_off(*color)) {
@@ -128,13 +124,13 @@ std::vector<LargeError> large_errors(const Certificate& certificate) {
     return large;
 }
 
-std::vector<Diagnostic> warn_of_large_errors(const config::Parameters& parameters, Baked& baked) {
+std::vector<Diagnostic> warn_of_large_errors(const Parameters& parameters, Baked& baked) {
     std::vector<Diagnostic> warnings;
     if (!baked.certified) return warnings;
     Certificate& certificate = baked.certificate;
     for (LargeError& error : large_errors(certificate)) {
         Diagnostic warning;
-        warning.severity = config::Severity::warning;
+        warning.severity = Severity::warning;
         // All assets of a recipe have the same colours, and one warning of them suffices.
         warning.message = error.code == "W0222" ? std::move(error.text)
                                                 : fmt::format("`{}`: {}", baked.name, error.text);

@@ -24,7 +24,6 @@ std::vector<LargeError> large_errors(const Certificate& certificate);
 
 // Returns a warning for each large error, with what would help. That is the certificate's `advice`, too,
 // if it has none; so is why paths of light found nothing to compare with.
-std::vector<config::Diagnostic> warn_of_large_errors(const config::Parameters& parameters,
-                                                     Baked& baked);
+std::vector<Diagnostic> warn_of_large_errors(const Parameters& parameters, Baked& baked);
 
 }  // namespace skybake

@@ -37,21 +37,21 @@ double seconds_to_solve(config::SkyOrders orders) {
     return orders == config::SkyOrders::single ? 0 : kSecondsToSolve;
 }
 
-double octaves_of(const config::Noise& noise) {
+double octaves_of(const Noise& noise) {
     // Octaves whose voxels share no lattice points cost as much as this many that do: ratios of
     // median times of noise_benchmark.
     constexpr double kScatteredGradients = 32;
     constexpr double kScatteredCells = 120;
     constexpr double kAlligator = 4;  // where cells are several voxels wide
     constexpr double kWarpComponents = 3;
-    const auto count = [](const config::NoiseOctaves& octaves) {
+    const auto count = [](const NoiseOctaves& octaves) {
         return static_cast<double>(octaves.gains.size());
     };
     double octaves = 0;
-    for (const config::NoiseChannel& channel : noise.channels) {
+    for (const NoiseChannel& channel : noise.channels) {
         const bool warped = channel.warp_strength != 0;
         const bool alligator = config::is_alligator(channel.type);
-        const bool of_cells = alligator || channel.type == config::NoiseType::worley;
+        const bool of_cells = alligator || channel.type == NoiseType::worley;
         const double gradients = warped ? kScatteredGradients : 1;
         const double cells = warped ? kScatteredCells : alligator ? kAlligator : 1;
         octaves += 1 + count(channel.octaves) * (of_cells ? cells : gradients) +

@@ -25,7 +25,7 @@ inline constexpr double kSecondsToSolve = 1;
 double seconds_to_solve(config::SkyOrders orders);
 
 inline constexpr double kSecondsPerOctave = 1e-9;  // and per voxel
-double octaves_of(const config::Noise& noise);
+double octaves_of(const Noise& noise);
 
 // Returns the number of voxels of all levels.
 double voxels_of(const std::array<int, 3>& size, int levels);

@@ -9,7 +9,6 @@
 #include <utility>
 
 namespace skybake {
-
 namespace {
 
 constexpr std::size_t kLineWidth = 100;

@@ -26,8 +26,6 @@ namespace skybake {
 
 using config::FlipbookBake;
 using config::FlipbookMapping;
-using config::Outcome;
-using config::Parameters;
 
 namespace {
 
@@ -169,7 +167,7 @@ Certificate certificate_of(const FlipbookSequence& sequence, const Baked& volume
 Outcome<Baked> bake_flipbook(const Parameters& parameters, const FlipbookBake& bake,
                              const BakeOptions& options, Baked volume) {
     FlipbookSequence sequence{parameters, config::first_frame(parameters, bake), bake, options};
-    std::vector<config::Diagnostic> problems = sequence.read();
+    std::vector<Diagnostic> problems = sequence.read();
     if (!problems.empty()) return {{}, std::move(problems)};
     if (options.cancelled()) return {};
     const Baked& frame = sequence.kind;
@@ -206,7 +204,7 @@ Outcome<Baked> bake(const Parameters& parameters, const FlipbookBake& asset,
 
 Estimate estimate(const Parameters& parameters, const FlipbookBake& asset) {
     constexpr std::size_t kMostChannels = 4;
-    const config::Bake& first = config::first_frame(parameters, asset);
+    const Bake& first = config::first_frame(parameters, asset);
     const auto [width, height, depth] = config::frame_size(first);
     Estimate result = estimate_volume(asset, {width, height, asset.length}, kMostChannels, 1e-9);
     result.seconds += asset.length * baker_of(first).estimate(parameters, first).seconds;
@@ -233,7 +231,7 @@ AssetLookup lookup(const Parameters&, const FlipbookBake& asset, const StoredTex
 }
 
 std::vector<InputFile> inputs(const Parameters& parameters, const FlipbookBake& asset) {
-    const config::Bake& first = config::first_frame(parameters, asset);
+    const Bake& first = config::first_frame(parameters, asset);
     return baker_of(first).inputs(parameters, first);
 }
 

@@ -13,11 +13,7 @@
 
 namespace skybake {
 
-using config::Bake;
-using config::CloudVolumeBake;
 using config::NoiseVolumeBake;
-using config::Outcome;
-using config::Parameters;
 using config::WeatherMapBake;
 
 namespace {
@@ -57,7 +53,7 @@ Outcome<Baked> make_frame(const Parameters& at_its_time, const Bake& first,
     return frame;
 }
 
-std::vector<config::Diagnostic> FlipbookSequence::read() {
+std::vector<Diagnostic> FlipbookSequence::read() {
     for (int frame = 1; frame <= asset.length + 1; ++frame) {
         Outcome<Baked> made = make_frame(config::at_frame(parameters, frame), first, options);
         if (!made.value) return std::move(made.diagnostics);

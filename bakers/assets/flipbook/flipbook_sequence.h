@@ -19,13 +19,13 @@ Layer layer_of(const VoxelSource& source, const VoxelBox& box, std::size_t chann
 
 // Makes one frame of a sequence, whose recipe has been set to its time. It has one level, whose voxels
 // are made on demand, and is neither surveyed nor measured.
-config::Outcome<Baked> make_frame(const config::Parameters& at_its_time, const config::Bake& first,
-                                  const BakeOptions& options);
+Outcome<Baked> make_frame(const Parameters& at_its_time, const Bake& first,
+                          const BakeOptions& options);
 
 // All that it is made of must outlive it.
 struct FlipbookSequence {
-    const config::Parameters& parameters;
-    const config::Bake& first;
+    const Parameters& parameters;
+    const Bake& first;
     const config::FlipbookBake& asset;
     const BakeOptions& options;
     std::vector<std::shared_ptr<const VoxelSource>> voxels = {};
@@ -33,7 +33,7 @@ struct FlipbookSequence {
     bool loops = false;  // the frame after the last one is the first
 
     // Makes all frames, and the one after the last. Returns what the makers report.
-    [[nodiscard]] std::vector<config::Diagnostic> read();
+    [[nodiscard]] std::vector<Diagnostic> read();
 
     std::array<int, 3> size() const;  // of the flipbook
 

@@ -10,8 +10,6 @@
 namespace skybake {
 
 using config::ForwardScatteringBake;
-using config::Outcome;
-using config::Parameters;
 
 namespace {
 

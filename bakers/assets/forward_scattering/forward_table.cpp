@@ -79,8 +79,8 @@ TableModel forward_model(const SmallAngles& light) {
     return model;
 }
 
-config::Outcome<Baked> bake_forward_scattering(const ForwardScatteringBake& bake,
-                                               const BakeOptions& options, Baked table) {
+Outcome<Baked> bake_forward_scattering(const ForwardScatteringBake& bake,
+                                       const BakeOptions& options, Baked table) {
     const SmallAngles light = small_angles_of(bake);
     describe(bake, light, table);
     AccuracyRequest request;

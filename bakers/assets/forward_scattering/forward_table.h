@@ -27,7 +27,7 @@ SmallAngles small_angles_of(const config::ForwardScatteringBake& bake);
 TableModel forward_model(const SmallAngles& light);
 
 // `table` comes labelled. Errors are those of finish_table.
-config::Outcome<Baked> bake_forward_scattering(const config::ForwardScatteringBake& bake,
-                                               const BakeOptions& options, Baked table);
+Outcome<Baked> bake_forward_scattering(const config::ForwardScatteringBake& bake,
+                                       const BakeOptions& options, Baked table);
 
 }  // namespace skybake::forward_scattering

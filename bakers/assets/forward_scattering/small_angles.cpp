@@ -7,7 +7,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake::forward_scattering {
-
 namespace {
 
 constexpr double kSphere = 4 * std::numbers::pi;

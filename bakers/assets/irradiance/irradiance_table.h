@@ -28,7 +28,7 @@ TableModel irradiance_model(const SkyLight& light, const config::IrradianceBake&
 config::SkyOrders orders_of(const config::IrradianceBake& bake);
 
 // Bakes the table. `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_irradiance(const SkyLights& lights, const config::IrradianceBake& bake,
-                                       const BakeOptions& options, Baked table);
+Outcome<Baked> bake_irradiance(const SkyLights& lights, const config::IrradianceBake& bake,
+                               const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -14,7 +14,6 @@
 #include "bakers/math/transcendental-inl.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kPi = std::numbers::pi;

@@ -13,9 +13,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_table.h"
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
-#include "bakers/assets/multiple_scattering/stored_orders.h"
 #include "bakers/assets/registry/baker.h"
-#include "bakers/assets/registry/draft_size.h"
 #include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/baked.h"
 #include "bakers/light/higher_orders.h"
@@ -26,10 +24,6 @@
 #include "config/assets/multiple_scattering.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 using config::MultipleScatteringBake;
@@ -181,8 +175,7 @@ std::vector<Spectrum> sky_of_table(const SkyMedium& medium, const HigherOrders& 
 std::string better_than(const MultipleScatteringBake& asset, const SkyMedium& medium) {
     if (has_peaks_of_spheres(medium)) {
         return "moments do not hold the forward peaks of this air's spheres: asset = \"bruneton\" "
-               "and "
-               "asset = \"sky_view\" keep them apart, with half of this error";
+               "and asset = \"sky_view\" keep them apart, with half of this error";
     }
     if (!is_solved(asset)) return "method = \"solved\" has a smaller error, with the same lookup";
     if (tables_of(asset) > 1) return "";

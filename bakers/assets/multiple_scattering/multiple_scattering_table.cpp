@@ -134,9 +134,8 @@ TableModel multiple_scattering_model(const Medium& medium, const MultipleScatter
     return model;
 }
 
-config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
-                                                const MultipleScatteringBake& bake,
-                                                const BakeOptions& options, Baked table) {
+Outcome<Baked> bake_multiple_scattering(const Medium& medium, const MultipleScatteringBake& bake,
+                                        const BakeOptions& options, Baked table) {
     const double thickness_km = medium.thickness_km;
     const MultipleScatteringMapping mapping = bake.mapping;
     const bool twilight = mapping == MultipleScatteringMapping::twilight;
@@ -144,8 +143,7 @@ config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
     table.kind = "multiple_scattering";
     table.content =
         "Psi (1/sr): radiance of light scattered twice or more, per unit of solar irradiance and "
-        "of "
-        "scattering coefficient; multiply by sigma_s alone";
+        "of scattering coefficient; multiply by sigma_s alone";
     table.mapping = twilight ? "twilight" : "hillaire";
     table.axes.resize(2);
     table.axes[0] = {"sun_cos_zenith",
@@ -178,8 +176,7 @@ config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
                      {"sun_cos_zenith", sun_cos_zenith_at(mapping, x)}};
     };
     const TableModel model = multiple_scattering_model(medium, bake, options.threads);
-    config::Outcome<Baked> outcome =
-        finish_table(model, request, options, place_of, std::move(table));
+    Outcome<Baked> outcome = finish_table(model, request, options, place_of, std::move(table));
     // Where the terminator falls between texels no count of nodes helps, another mapping does.
     if (outcome.value && !twilight && outcome.value->image().width >= 8 &&
         outcome.value->certificate.lookup.max > 0.1) {

@@ -19,8 +19,8 @@ TableModel multiple_scattering_model(const Medium& medium,
 
 // Bakes Hillaire's multiple scattering (multiple_scattering_kernel.h,
 // multiple_scattering_mapping.h). `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_multiple_scattering(const Medium& medium,
-                                                const config::MultipleScatteringBake& bake,
-                                                const BakeOptions& options, Baked table);
+Outcome<Baked> bake_multiple_scattering(const Medium& medium,
+                                        const config::MultipleScatteringBake& bake,
+                                        const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -6,15 +6,16 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <memory>
 #include <utility>
 
 #include "bakers/air/ray.h"
+#include "bakers/assets/description/probe_places.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/light/multiple_scattering_mapping.h"
 #include "bakers/light/shared_light.h"
 #include "bakers/light/solver/energy_balance.h"
 #include "bakers/light/solver/solve_light.h"
+#include "bakers/light/solver/solved_light.h"
 #include "bakers/math/relative_error.h"
 
 namespace skybake {
@@ -106,13 +107,14 @@ void describe(const MultipleScatteringBake& bake, const SunColumns& columns, int
                                            columns.last - columns.first)
                              : "x = " + formula,
                      "end points on texel centres", columns.cosine(0), columns.cosine(1)};
-    table.axes[1] = {"altitude_km",
-                     parts > 1 ? fmt::format("x = altitude / (R_top - R_ground) in each of {} "
-                                             "tables one below the other, (l, m) the {}-th: "
-                                             "v = (l (l + 1) / 2 + m + v of its table) / {}",
-                                             parts, "(l (l + 1) / 2 + m)", parts)
-                               : "x = altitude / (R_top - R_ground)",
-                     "end points on texel centres", 0, shell.thickness_km};
+    table.axes[1] = {
+        "altitude_km",
+        parts > 1
+            ? fmt::format("x = altitude / (R_top - R_ground) in each of {} tables one below the "
+                          "other, (l, m) the {}-th: v = (l (l + 1) / 2 + m + v of its table) / {}",
+                          parts, "(l (l + 1) / 2 + m)", parts)
+            : "x = altitude / (R_top - R_ground)",
+        "end points on texel centres", 0, shell.thickness_km};
     table.axes[0].constants = {{"first", columns.first}, {"share", columns.last - columns.first}};
     table.axes[1].constants = shell_constants(shell);
     table.axes[1].constants.emplace_back("tables", static_cast<double>(parts));
@@ -167,10 +169,10 @@ std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmospher
     return needs;
 }
 
-config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
-                                              const std::optional<config::Scene>& scene,
-                                              const MultipleScatteringBake& bake,
-                                              const BakeOptions& options, Baked table) {
+Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                      const std::optional<config::Scene>& scene,
+                                      const MultipleScatteringBake& bake,
+                                      const BakeOptions& options, Baked table) {
     const SkyMedium medium = make_sky_medium(atmosphere);
     const double thickness_km = medium.air.thickness_km;
     const bool moments = bake.content == MultipleScatteringContent::moments;
@@ -178,9 +180,9 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
     const SunColumns columns = sun_columns(bake.mapping, scene, shell_of(medium.air));
     describe(bake, columns, degree, shell_of(medium.air), table);
 
-    config::Outcome<Baked> outcome;
+    Outcome<Baked> outcome;
     if (moments && bake.max_error) {
-        config::Diagnostic failure;
+        Diagnostic failure;
         failure.code = "E0403";
         failure.message =
             fmt::format("`{}`: max_error does not work with this `content`", table.name);
@@ -234,6 +236,29 @@ config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphe
         }
     }
     return stack_tables(std::move(parts), options);
+}
+
+bool is_solved(const MultipleScatteringBake& asset) {
+    return asset.method == config::MultipleScatteringMethod::solved;
+}
+
+int tables_of(const MultipleScatteringBake& asset) {
+    const bool moments = asset.content == config::MultipleScatteringContent::moments;
+    return is_solved(asset) && moments ? moment_count(asset.degree) : 1;
+}
+
+std::unique_ptr<const HigherOrders> stored_orders(const Parameters& parameters,
+                                                  const MultipleScatteringBake& asset,
+                                                  const SkyMedium& medium,
+                                                  const Image2<float>& table) {
+    const Shell shell = shell_of(parameters.atmosphere);
+    const auto scene = is_solved(asset) ? parameters.scene : std::nullopt;
+    const PlaceInTable place = [columns = sun_columns(asset.mapping, scene, shell), shell](
+                                   double altitude_km, double sun_cos_zenith) {
+        return TablePlace{columns.coordinate(sun_cos_zenith), altitude_km / shell.thickness_km};
+    };
+    const int degree = tables_of(asset) > 1 ? asset.degree : 0;
+    return std::make_unique<const TableOrders>(medium, table, degree, place);
 }
 
 }  // namespace skybake

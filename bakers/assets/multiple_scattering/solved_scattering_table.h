@@ -12,16 +12,23 @@
 //
 //              with the layer's Legendre moments chi_l (phase_function.h) and associated
 //              Legendre functions without the sign (-1)^m: P_1^1 = sqrt(1 - mu^2).
+//
+// The light scattered twice or more, as a runtime reads it from a stored table.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "bakers/air/medium.h"
+#include "bakers/field/image.h"
+#include "bakers/light/higher_orders.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/intermediates.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/diagnostics/diagnostic.h"
 #include "config/sections/atmosphere.h"
+#include "config/sections/parameters.h"
 #include "config/sections/scene.h"
 
 namespace skybake {
@@ -36,9 +43,21 @@ std::vector<Need> needs_of_solved_scattering(const config::Atmosphere& atmospher
 // Bakes the table. `scene` restricts it to the suns that its cameras can see at points of the air.
 // `table` comes labelled. Errors are those of finish_table, and E0405 if the solution is invalid:
 // negative, or without balance of energy.
-config::Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
-                                              const std::optional<config::Scene>& scene,
-                                              const config::MultipleScatteringBake& bake,
-                                              const BakeOptions& options, Baked table);
+Outcome<Baked> bake_solved_scattering(const config::Atmosphere& atmosphere,
+                                      const std::optional<config::Scene>& scene,
+                                      const config::MultipleScatteringBake& bake,
+                                      const BakeOptions& options, Baked table);
+
+// Whether the table has all orders solved; else only Hillaire's closure of the second.
+bool is_solved(const config::MultipleScatteringBake& asset);
+
+// Returns the number of tables below each other: that of the moments, or 1.
+int tables_of(const config::MultipleScatteringBake& asset);
+
+// Returns the orders of a table as it is stored. `medium` and `table` must outlive the result.
+std::unique_ptr<const HigherOrders> stored_orders(const Parameters& parameters,
+                                                  const config::MultipleScatteringBake& asset,
+                                                  const SkyMedium& medium,
+                                                  const Image2<float>& table);
 
 }  // namespace skybake

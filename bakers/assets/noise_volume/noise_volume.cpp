@@ -1,30 +1,30 @@
+// The baker of asset = "noise_volume".
 #include "bakers/assets/noise_volume/noise_volume.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <set>
 #include <string>
 #include <utility>
 
+#include "bakers/assets/registry/baker.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/quadrature.h"
 #include "bakers/noise/noise_field.h"
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/noise_specification.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
-
 namespace {
 
-using config::Noise;
-using config::NoisePacking;
 using config::NoiseSampling;
 using config::NoiseVolumeBake;
-using config::Outcome;
 using noise::NoiseField;
 using noise::NoisePlan;
 
@@ -59,7 +59,7 @@ std::vector<AxisMapping> axes_of(const std::array<int, 3>& size, NoiseSampling s
 std::vector<std::string> channel_names(const Noise& noise) {
     if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
     std::vector<std::string> names;
-    for (const config::NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
     return names;
 }
 
@@ -132,7 +132,7 @@ std::size_t distinct_octaves(const NoisePlan& plan) {
 std::vector<std::array<double, 2>> usual_ranges(const Noise& noise) {
     if (noise.pack != NoisePacking::none) return {{0, 1}};
     std::vector<std::array<double, 2>> ranges;
-    for (const config::NoiseChannel& channel : noise.channels) {
+    for (const NoiseChannel& channel : noise.channels) {
         ranges.push_back(noise::nominal_range(channel));
     }
     return ranges;
@@ -175,6 +175,73 @@ Outcome<Baked> bake_noise_volume(const Noise& noise, const NoiseVolumeBake& bake
          .probe_place = [&noise, &bake](const std::array<double, 3>& uvw,
                                         int) { return place_of(bake.size, noise.sampling, uvw); }},
         options);
+}
+
+namespace {
+
+Outcome<Baked> bake(const Parameters& parameters, const NoiseVolumeBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_noise_volume(noise_named(parameters, asset.noise), asset, options,
+                             labelled_volume(std::move(label)));
+}
+
+Estimate estimate(const Parameters& parameters, const NoiseVolumeBake& asset) {
+    const Noise& noise = noise_named(parameters, asset.noise);
+    const std::size_t channels = noise.pack == NoisePacking::none ? noise.channels.size() : 1;
+    return estimate_volume(asset, asset.size, channels, octaves_of(noise) * kSecondsPerOctave);
+}
+
+// Along which axes voxel i is at (i + 1/2) / size and not at i / size.
+std::array<bool, 3> centered_axes(const Noise& noise) {
+    const bool across = noise.sampling != config::NoiseSampling::corners;
+    return {across, across, noise.sampling == config::NoiseSampling::centers};
+}
+
+AssetPlaces places(const Parameters& parameters, const NoiseVolumeBake& asset,
+                   const StoredTexels&) {
+    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
+    return single_lookup({"x_tile", "y_tile", "z_tile"},
+                         [centered, size = asset.size](const Place& at) {
+                             Uvw uvw;
+                             for (std::size_t i = 0; i < 3; ++i) {
+                                 uvw[i] = at[i].second + (centered[i] ? 0.0 : 0.5 / size[i]);
+                             }
+                             return uvw;
+                         });
+}
+
+// Along z a noise may have its voxels elsewhere than along x and y.
+AssetLookup lookup(const Parameters& parameters, const NoiseVolumeBake& asset,
+                   const StoredTexels& stored) {
+    const std::array<bool, 3> centered = centered_axes(noise_named(parameters, asset.noise));
+    std::array<double, 3> shift{};
+    for (std::size_t i = 0; i < 3; ++i) shift[i] = centered[i] ? 0.0 : 0.5 / asset.size[i];
+    GlslFunction function;
+    function.comment =
+        "Returns the noise. p is a point and `tile` the edges of a tile, in one unit.";
+    function.arguments = "sampler3D table, vec3 p, vec3 tile";
+    function.value =
+        centered == std::array{true, true, true}
+            ? "noise_volume(table, p, tile)"
+            : fmt::format("noise_volume(table, p + tile * {}, tile)", glsl_vector(shift));
+    return {"noise", {with_channels(stored.channels, 4, std::move(function))}};
+}
+
+void draft(NoiseVolumeBake& asset, int most_voxels) {
+    asset.size = reduced(asset.size, most_voxels);
+    asset.mips = 1;
+}
+
+}  // namespace
+
+Baker<config::NoiseVolumeBake> baker(BakerTag<config::NoiseVolumeBake>) {
+    return {.version = 3,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"formats"}}};
 }
 
 }  // namespace skybake

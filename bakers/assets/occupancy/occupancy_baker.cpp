@@ -20,15 +20,7 @@
 #include "config/sections/parameters.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
-
-using config::Cloud;
-using config::CloudVolumeBake;
-using config::OccupancyBake;
 
 Outcome<Baked> bake(const Parameters& parameters, const OccupancyBake& asset,
                     const BakeOptions& options, AssetLabel label) {
@@ -153,7 +145,7 @@ void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 
 }  // namespace
 
-Baker<config::OccupancyBake> baker(BakerTag<config::OccupancyBake>) {
+Baker<OccupancyBake> baker(BakerTag<OccupancyBake>) {
     return {.version = 5,
             .bake = bake,
             .estimate = estimate,

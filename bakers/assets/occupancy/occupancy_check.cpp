@@ -19,7 +19,6 @@
 #include "config/sections/parameters.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 // The widest filter uses as many planes.
@@ -117,12 +116,9 @@ void OccupancyCheck::look_at(int point) {
 }  // namespace skybake::occupancy
 
 namespace skybake {
-
 namespace {
 
-using config::OccupancyBake;
 using config::OccupancyContent;
-using config::Outcome;
 using occupancy::CellGrid;
 using occupancy::OccupancyCheck;
 
@@ -137,9 +133,9 @@ std::optional<Grid> grid_of(const ManifestAsset& asset) {
     const auto recipe = recorded_recipe(asset);
     const auto* bake = recipe ? recorded_bake<OccupancyBake>(*recipe, asset) : nullptr;
     if (bake == nullptr) return std::nullopt;
-    const config::Parameters& parameters = recipe->parameters;
+    const Parameters& parameters = recipe->parameters;
     // A recipe that was read names a cloud volume of a cloud that is there.
-    const auto& of = bake_named(parameters, bake->of).as<config::CloudVolumeBake>();
+    const auto& of = bake_named(parameters, bake->of).as<CloudVolumeBake>();
     return Grid{*bake, filtered_threshold(cloud_named(parameters, of.cloud))};
 }
 

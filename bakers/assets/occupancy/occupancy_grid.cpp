@@ -11,7 +11,7 @@
 
 #include "bakers/assets/description/asset_label.h"
 #include "bakers/assets/occupancy/occupancy_proof.h"
-#include "bakers/assets/sources/voxel_blocks.h"
+#include "bakers/assets/sources/source_volume.h"
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/math/bake_clock.h"
@@ -20,13 +20,10 @@
 #include "config/fields/fields.h"
 
 namespace skybake {
-
 namespace {
 
-using config::OccupancyBake;
 using config::OccupancyContent;
 using config::OccupancyRule;
-using config::Outcome;
 using occupancy::CellGrid;
 using occupancy::CellRanges;
 using occupancy::CellSource;
@@ -86,8 +83,8 @@ std::size_t unsafe_cells(const OccupiedCells& rule, const OccupiedCells& exact) 
     return count;
 }
 
-config::Diagnostic lost_cell(const Baked& volume, const occupancy::LostCell& lost) {
-    config::Diagnostic diagnostic;
+Diagnostic lost_cell(const Baked& volume, const occupancy::LostCell& lost) {
+    Diagnostic diagnostic;
     diagnostic.code = "E0405";
     diagnostic.message =
         fmt::format("`{}`: cell ({}, {}, {}) is marked empty, but a lookup in it reaches {}",
@@ -152,7 +149,7 @@ void add_levels(std::shared_ptr<const CellSource> cells, const OccupancyBake& ba
 
 std::vector<std::array<double, 2>> histogram_ranges(const OccupancyBake& bake) {
     const bool half_or_float =
-        bake.pixel_type == config::PixelType::half || bake.pixel_type == config::PixelType::float32;
+        bake.pixel_type == PixelType::half || bake.pixel_type == PixelType::float32;
     std::vector<std::array<double, 2>> ranges;
     for (const OccupancyContent content : bake.contents) {
         const bool in_cells = content == OccupancyContent::leap && half_or_float;
@@ -173,12 +170,12 @@ ChannelSource channel_of(const OccupiedVolume& of, const std::string& name) {
             static_cast<int>(of.volume.channel_names.size()), of.volume.pixel_type};
 }
 
-std::optional<config::Diagnostic> add_skipping_gain(const SkippingGain& gain, Baked& volume) {
+std::optional<Diagnostic> add_skipping_gain(const SkippingGain& gain, Baked& volume) {
     volume.details.emplace_back(fetches_without, to_digits(gain.without, 3));
     volume.details.emplace_back(fetches_with, to_digits(gain.with, 3));
     if (gain.with <= most_fetches * gain.without) return std::nullopt;
-    config::Diagnostic warning;
-    warning.severity = config::Severity::warning;
+    Diagnostic warning;
+    warning.severity = Severity::warning;
     warning.code = "W0227";
     warning.message =
         fmt::format("`{}` is not worth its fetches: a ray takes {:.3g} with it, and {:.3g} without",
@@ -216,7 +213,7 @@ Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bak
 
     auto cells = make_cells(of, bake, grid, options, volume);
     if (!cells.value) return {{}, std::move(cells.diagnostics)};
-    std::optional<config::Diagnostic> warning;
+    std::optional<Diagnostic> warning;
     if (const auto gain = gain_of(of, **cells.value, bake, options)) {
         warning = add_skipping_gain(*gain, volume);
     }

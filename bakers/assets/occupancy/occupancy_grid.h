@@ -35,13 +35,12 @@ inline constexpr const char* fetches_with = "fetches_with";
 inline constexpr double most_fetches = 0.98;
 
 // Adds these facts to an asset's details. Returns a warning (W0227) where skipping saves next to nothing.
-std::optional<config::Diagnostic> add_skipping_gain(const occupancy::SkippingGain& gain,
-                                                    Baked& volume);
+std::optional<Diagnostic> add_skipping_gain(const occupancy::SkippingGain& gain, Baked& volume);
 
 // Fills all of `volume` except its name and parameters. A voxel of it is a cell of `of`, and its
 // channels are bake.contents. Returns E0401 and E0402 as for volumes, E0403 if the grid failed its
 // own check, and neither value nor diagnostics after an interruption.
-config::Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const config::OccupancyBake& bake,
-                                      const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_occupancy(const OccupiedVolume& of, const OccupancyBake& bake,
+                              const BakeOptions& options, Baked volume);
 
 }  // namespace skybake

@@ -11,7 +11,6 @@
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::occupancy {
-
 namespace {
 
 using config::OccupancyFilter;

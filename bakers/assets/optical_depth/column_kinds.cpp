@@ -13,7 +13,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 double mean_height_km(const Medium& unit) {
@@ -178,7 +177,7 @@ std::vector<double> transmittances(const std::vector<ColumnKind>& kinds, int cha
 }
 
 StoredColumns::StoredColumns(const std::vector<ColumnKind>& kinds, int channels,
-                             const ColumnTable& table, const Level& level, config::PixelType type)
+                             const ColumnTable& table, const Level& level, PixelType type)
     : kinds_(kinds), channels_(channels), table_(table), level_(level), type_(type) {}
 
 std::vector<double> StoredColumns::transmittances_of(const ColumnPath& path) const {
@@ -195,7 +194,7 @@ std::vector<double> StoredColumns::exact_transmittances_of(const ColumnPath& pat
 
 ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
                              const ColumnTable& table, bool to_top, const Level& level,
-                             config::PixelType type, int points) {
+                             PixelType type, int points) {
     const Shell& shell = table.geometry().shell;
     const StoredColumns stored(kinds, channels, table, level, type);
     const auto colours = static_cast<std::ptrdiff_t>(channels);

@@ -84,7 +84,7 @@ class StoredColumns {
   public:
     // The arguments must outlive this object. `channels` is the number of colours.
     StoredColumns(const std::vector<ColumnKind>& kinds, int channels, const ColumnTable& table,
-                  const Level& level, config::PixelType type);
+                  const Level& level, PixelType type);
 
     // Return values in the order of transmittances().
     std::vector<double> transmittances_of(const ColumnPath& path) const;
@@ -95,7 +95,7 @@ class StoredColumns {
     int channels_;
     const ColumnTable& table_;
     const Level& level_;
-    config::PixelType type_;
+    PixelType type_;
 };
 
 struct ColumnErrors {
@@ -112,6 +112,6 @@ struct ColumnErrors {
 // also kinds.
 ColumnErrors measure_columns(const std::vector<ColumnKind>& kinds, int channels,
                              const ColumnTable& table, bool to_top, const Level& level,
-                             config::PixelType type, int points);
+                             PixelType type, int points);
 
 }  // namespace skybake

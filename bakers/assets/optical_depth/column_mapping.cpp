@@ -6,7 +6,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // A share of a range that may have no width.

@@ -227,16 +227,13 @@ std::string angle_formula(const OpticalDepthBake& bake, const ColumnTable& table
     const char* start = to_top || by_distance ? "h" : "low";
     std::string text = fmt::format(
         "path rises all along: x = 1 - sqrt(1 - (d - d0) / (dh - d0)), d the distance to the {}, "
-        "d0 "
-        "of a vertical path, dh of one that is level at {}; passes its lowest point at hp: x = "
-        "sqrt(1 "
-        "- g(hp) / g({}))",
+        "d0 of a vertical path, dh of one that is level at {}; passes its lowest point at hp: x = "
+        "sqrt(1 - g(hp) / g({}))",
         to_top || by_distance ? "top" : "other point", start, start);
     if (by_distance) {
         text +=
             "; falls to the ground: x = (rho - d) / (rho - h), d the distance to the ground, rho "
-            "to "
-            "the horizon";
+            "to the horizon";
     }
     text += "; u = (first + 1/2 + x (count - 1)) / size with (first, count)";
     for (const RayTexels& texels : table.kinds()) {
@@ -257,10 +254,8 @@ void describe_columns(const OpticalDepthBake& bake, const ColumnTable& table, Ba
     const bool to_top = bake.table == OpticalDepthTable::to_top;
     volume.content = fmt::format(
         "t = (column / length)^(1/8) of a path of `length` km {}: column = t^8 length in km, "
-        "optical "
-        "depth = extinction at density 1 (1/km) times column; a path without length has the "
-        "density "
-        "itself",
+        "optical depth = extinction at density 1 (1/km) times column; a path without length has "
+        "the density itself",
         to_top ? "to the top of the atmosphere" : "between two points");
     volume.axes[0] = {"path_angle", angle_formula(bake, table), kCentres, 0, 1};
     if (to_top) {
@@ -274,13 +269,11 @@ void describe_columns(const OpticalDepthBake& bake, const ColumnTable& table, Ba
     } else {
         volume.mapping = "columns_along_distance";
         volume.axes[1] = {"altitude_km", "v from g(h); " + g, kCentres, 0, top};
-        volume.axes[2] = {
-            "end_altitude_km",
-            "path rises: w from sqrt((g(h') - g(h)) / (1 - g(h))), h' where it ends; passes: from "
-            "(b(h') - b(h)) / (b(top) - b(h)), b = sqrt(g - g(hp)), negative before hp; falls: "
-            "from "
-            "1 - sqrt(g(h') / g(h))",
-            kCentres, 0, top};
+        volume.axes[2] = {"end_altitude_km",
+                          "path rises: w from sqrt((g(h') - g(h)) / (1 - g(h))), h' where it ends; "
+                          "passes: from (b(h') - b(h)) / (b(top) - b(h)), b = sqrt(g - g(hp)), "
+                          "negative before hp; falls: from 1 - sqrt(g(h') / g(h))",
+                          kCentres, 0, top};
     }
 }
 
@@ -414,9 +407,8 @@ ColumnVoxels column_voxels(const config::Atmosphere& atmosphere, const OpticalDe
             std::move(contents.finish.reference), std::move(contents.finish.comparison)};
 }
 
-config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
-                                    const OpticalDepthBake& bake, const BakeOptions& options,
-                                    Baked volume) {
+Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere, const OpticalDepthBake& bake,
+                            const BakeOptions& options, Baked volume) {
     const Kinds kinds = kinds_of(atmosphere, bake);
     const int channels = channels_of(atmosphere);
     const ColumnTable table(bake, column_geometry(*kinds));
@@ -429,7 +421,7 @@ config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
                       bake.size, static_cast<int>(volume.channel_names.size()), options),
         volume);
     add_mip_levels(bake.mips, options, volume);
-    config::Outcome<Baked> outcome = finish_volume(std::move(volume), contents.finish, options);
+    Outcome<Baked> outcome = finish_volume(std::move(volume), contents.finish, options);
     if (outcome.value && has_paths(bake) && options.certification != Certification::off) {
         const BakeTime time(BakePart::certificate);
         add_measured_details(*kinds, channels, table, bake.table == OpticalDepthTable::to_top,

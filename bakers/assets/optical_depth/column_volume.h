@@ -23,9 +23,9 @@ struct Baked;
 // functions to their value.
 //
 // `volume` comes with name, parameters and details.
-config::Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
-                                    const config::OpticalDepthBake& bake,
-                                    const BakeOptions& options, Baked volume);
+Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere,
+                            const config::OpticalDepthBake& bake, const BakeOptions& options,
+                            Baked volume);
 
 // The texels and the way in which they are measured, without the rest of a bake, for reports.
 struct ColumnVoxels {

@@ -16,10 +16,6 @@
 #include "config/assets/optical_depth.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 using config::OpticalDepthBake;

@@ -11,7 +11,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 using config::PhaseSpacing;

@@ -2,7 +2,7 @@
 // "phase").
 #pragma once
 
-#include "bakers/air/particles/phase_source.h"
+#include "bakers/air/particles/layer_phase.h"
 #include "bakers/field/table_model.h"
 #include "bakers/math/bake_options.h"
 #include "config/assets/phase.h"
@@ -14,9 +14,8 @@ namespace skybake {
 struct Baked;
 
 // Bakes the table. `table` comes with name, channels, parameters and details.
-config::Outcome<Baked> bake_phase(const config::Parameters& parameters,
-                                  const config::PhaseBake& bake, const BakeOptions& options,
-                                  Baked table);
+Outcome<Baked> bake_phase(const Parameters& parameters, const config::PhaseBake& bake,
+                          const BakeOptions& options, Baked table);
 
 // The model of p by angle, for any spacing but `best`. Errors are relative to p itself, which spans
 // decades. `source` must outlive both models.

@@ -14,7 +14,6 @@
 #include "config/recipe/asset_parameters.h"
 
 namespace skybake {
-
 namespace {
 
 // Failures of an asset's probes, and how many probes were looked at.
@@ -65,9 +64,9 @@ void check_places(const ManifestAsset& asset, const AssetPlaces& places, Checked
 }
 
 // Null where there is none of this name.
-const config::Bake* bake_of(const config::Parameters& parameters, std::string_view name) {
-    const std::vector<config::Bake>& bakes = parameters.bakes;
-    const auto own = std::ranges::find(bakes, name, &config::Bake::name);
+const Bake* bake_of(const Parameters& parameters, std::string_view name) {
+    const std::vector<Bake>& bakes = parameters.bakes;
+    const auto own = std::ranges::find(bakes, name, &Bake::name);
     return own != bakes.end() ? &*own : nullptr;
 }
 
@@ -75,8 +74,7 @@ std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     // The parameters that an asset carries are themselves a recipe; a grid of occupancy has its
     // volume's too.
     const auto recipe = config::parse_asset_parameters(asset.parameters, asset.name);
-    const config::Bake* own =
-        recipe.value ? bake_of(recipe.value->parameters, asset.name) : nullptr;
+    const Bake* own = recipe.value ? bake_of(recipe.value->parameters, asset.name) : nullptr;
     if (own == nullptr) {
         ++checks;
         return {"its parameters cannot be read as a recipe"};

@@ -9,9 +9,9 @@
 
 #include "bakers/air/particles/layer_phase.h"
 #include "bakers/assets/description/certificate_warnings.h"
+#include "bakers/assets/sky/sky_asset.h"
 #include "bakers/assets/sky/sky_comparison.h"
 #include "bakers/assets/sky/sky_lights.h"
-#include "bakers/assets/sky/solvable_air.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_clock.h"
 #include "config/assets/asset_kind.h"
@@ -22,11 +22,6 @@
 #include "config/text/key_path.h"
 
 namespace skybake {
-
-using config::Bake;
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 // Calls make(parameters) with those that a bake is made from: a packet has its own wavelengths only,
@@ -114,8 +109,7 @@ AnyBaker any_baker(std::string_view asset, const Baker<Asset>& baker) {
 
 // Gives a diagnostic of a baker its place in the recipe: the line of a key of the section that it
 // speaks of, else the section's first line.
-void add_recipe_place(const config::Recipe& recipe, const Bake& bake,
-                      config::Diagnostic& diagnostic) {
+void add_recipe_place(const Recipe& recipe, const Bake& bake, Diagnostic& diagnostic) {
     if (!diagnostic.where.source.empty()) return;
     const std::string section = config::join_path("bake", bake.name);
     for (const config::ResolvedValue& value : recipe.values) {
@@ -147,8 +141,8 @@ void add_colors(const Parameters& parameters, const Bake& bake, const BakeOption
 }
 
 // Adds error.sky. An interrupted bake has no value.
-void compare_with_paths(const AnyBaker& baker, const config::Parameters& parameters,
-                        const Bake& bake, const BakeOptions& options, std::optional<Baked>& baked) {
+void compare_with_paths(const AnyBaker& baker, const Parameters& parameters, const Bake& bake,
+                        const BakeOptions& options, std::optional<Baked>& baked) {
     if (!baked || !baked->certified) return;
     const std::optional<TracedLight> light = baker.traced(parameters, bake);
     if (!light) return;
@@ -204,14 +198,14 @@ std::vector<Need> needs_of(const Parameters& parameters, std::span<const Bake> b
     return needs;
 }
 
-std::string asset_parameters(const config::Recipe& recipe, const Bake& bake) {
+std::string asset_parameters(const Recipe& recipe, const Bake& bake) {
     std::vector<config::Read> reads = config::kind_of(bake).reads(recipe.parameters, bake);
     reads.push_back({config::join_path("bake", bake.name), config::Roles::all()});
     return config::parameters_toml(recipe, reads);
 }
 
-std::vector<config::Diagnostic> check_air(const config::Recipe& recipe) {
-    std::vector<config::Diagnostic> faults;
+std::vector<Diagnostic> check_air(const Recipe& recipe) {
+    std::vector<Diagnostic> faults;
     for (const Bake& bake : recipe.parameters.bakes) {
         auto fault = check_solvable(recipe.parameters.atmosphere, bake);
         if (!fault) continue;
@@ -221,9 +215,8 @@ std::vector<config::Diagnostic> check_air(const config::Recipe& recipe) {
     return faults;
 }
 
-Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
-                          const BakeOptions& options) {
-    std::vector<config::Diagnostic> problems = check_particles(recipe.parameters);
+Outcome<Baked> bake_asset(const Recipe& recipe, const Bake& bake, const BakeOptions& options) {
+    std::vector<Diagnostic> problems = check_particles(recipe.parameters);
     if (!problems.empty()) return {{}, std::move(problems)};
     if (auto fault = check_solvable(recipe.parameters.atmosphere, bake)) {
         add_recipe_place(recipe, bake, *fault);
@@ -238,12 +231,11 @@ Outcome<Baked> bake_asset(const config::Recipe& recipe, const Bake& bake,
     add_colors(recipe.parameters, bake, options, outcome.value);
     compare_with_paths(baker, recipe.parameters, bake, options, outcome.value);
     if (outcome.value) {
-        for (config::Diagnostic& warning :
-             warn_of_large_errors(recipe.parameters, *outcome.value)) {
+        for (Diagnostic& warning : warn_of_large_errors(recipe.parameters, *outcome.value)) {
             outcome.diagnostics.push_back(std::move(warning));
         }
     }
-    for (config::Diagnostic& found : outcome.diagnostics) add_recipe_place(recipe, bake, found);
+    for (Diagnostic& found : outcome.diagnostics) add_recipe_place(recipe, bake, found);
     return outcome;
 }
 

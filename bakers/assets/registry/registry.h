@@ -19,19 +19,14 @@ struct AnyBaker {
     std::string_view asset;  // "transmittance"
     int version = 0;
     std::vector<VariantKey> variants;
-    std::function<std::vector<InputFile>(const config::Parameters&, const config::Bake&)> inputs;
-    std::function<Estimate(const config::Parameters&, const config::Bake&)> estimate;
-    std::function<std::vector<Need>(const config::Parameters&, const config::Bake&, Certification)>
-        needs;
-    std::function<AssetPlaces(const config::Parameters&, const config::Bake&, const StoredTexels&)>
-        places;
-    std::function<AssetLookup(const config::Parameters&, const config::Bake&, const StoredTexels&)>
-        lookup;
-    std::function<std::optional<TracedLight>(const config::Parameters&, const config::Bake&)>
-        traced;
-    std::function<void(config::Bake&, int most_voxels)> draft;
-    std::function<config::Outcome<Baked>(const config::Parameters&, const config::Bake&,
-                                         const BakeOptions&, AssetLabel)>
+    std::function<std::vector<InputFile>(const Parameters&, const Bake&)> inputs;
+    std::function<Estimate(const Parameters&, const Bake&)> estimate;
+    std::function<std::vector<Need>(const Parameters&, const Bake&, Certification)> needs;
+    std::function<AssetPlaces(const Parameters&, const Bake&, const StoredTexels&)> places;
+    std::function<AssetLookup(const Parameters&, const Bake&, const StoredTexels&)> lookup;
+    std::function<std::optional<TracedLight>(const Parameters&, const Bake&)> traced;
+    std::function<void(Bake&, int most_voxels)> draft;
+    std::function<Outcome<Baked>(const Parameters&, const Bake&, const BakeOptions&, AssetLabel)>
         bake;
 };
 
@@ -39,26 +34,25 @@ struct AnyBaker {
 std::span<const AnyBaker> bakers();
 
 // Returns the baker of a [bake.NAME] section.
-const AnyBaker& baker_of(const config::Bake& bake);
+const AnyBaker& baker_of(const Bake& bake);
 
 // Returns what the bakes are made from and share.
-std::vector<Need> needs_of(const config::Parameters& parameters,
-                           std::span<const config::Bake> bakes, Certification certification);
+std::vector<Need> needs_of(const Parameters& parameters, std::span<const Bake> bakes,
+                           Certification certification);
 
 // Returns the resolved parameters on which an asset depends, as TOML. Its files carry them.
-std::string asset_parameters(const config::Recipe& recipe, const config::Bake& bake);
+std::string asset_parameters(const Recipe& recipe, const Bake& bake);
 
 // Returns where a value stands in the recipe's files, or no place for a default or a preset's value.
 config::SourceRange recipe_place(const config::ResolvedValue& value);
 
 // Returns E0405 for each asset that check_solvable refuses, with its place in the recipe.
-std::vector<config::Diagnostic> check_air(const config::Recipe& recipe);
+std::vector<Diagnostic> check_air(const Recipe& recipe);
 
 // Bakes one section of a recipe. Unless certification is off, light that is scattered more than once
 // is compared with paths of light. E0405 if it needs light that cannot be solved for
-// (solvable_air.h). W0214 and W0220 to W0222 if it is measured and far off (certificate_warnings.h).
+// (sky_asset.h). W0214 and W0220 to W0222 if it is measured and far off (certificate_warnings.h).
 // Diagnostics name the line of the section, or of its key that they speak of.
-config::Outcome<Baked> bake_asset(const config::Recipe& recipe, const config::Bake& bake,
-                                  const BakeOptions& options);
+Outcome<Baked> bake_asset(const Recipe& recipe, const Bake& bake, const BakeOptions& options);
 
 }  // namespace skybake

@@ -1,8 +1,11 @@
 // The parts that assets of a sky's light share: how the light is checked before use, and what their
 // tables state.
+//
+// Whether light of all orders in an asset's air can be made in reasonable time and memory.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,14 +15,16 @@
 #include "bakers/field/finish_table.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/math/intermediates.h"
+#include "config/diagnostics/diagnostic.h"
+#include "config/sections/parameters.h"
 
 namespace skybake {
 
 // Returns make(light), of a SkyLight or of SkyLights. If the bake was interrupted while the light was solved for, returns nothing;
 // if the solution is invalid, returns E0405 for the asset of that name.
 template <class Light, class Make>
-config::Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
-                                     const BakeOptions& options, const Make& make) {
+Outcome<Baked> bake_of_light(const Light& light, const std::string& name,
+                             const BakeOptions& options, const Make& make) {
     if (options.cancelled()) return {};
     if (const auto problem = light.problem(name)) return {{}, {*problem}};
     return make(light);
@@ -27,7 +32,7 @@ config::Outcome<Baked> bake_of_light(const Light& light, const std::string& name
 
 // Return the solved light of an asset, of all packets of wavelengths or of one, which it needs unless it shows light that was scattered
 // once, and the table of sunlight if it integrates rows of rays (sky_row.h).
-std::vector<Need> light_needs(const config::Parameters& parameters, config::SkyOrders orders,
+std::vector<Need> light_needs(const Parameters& parameters, config::SkyOrders orders,
                               bool reads_sunlight);
 std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyOrders orders,
                               bool reads_sunlight);
@@ -36,5 +41,10 @@ std::vector<Need> light_needs(const config::Atmosphere& atmosphere, config::SkyO
 // conventions, reference and scale of errors. The table already has its channels' names.
 AccuracyRequest sky_table_request(const std::array<int, 2>& size);
 void describe_sky_table(Baked& table);
+
+// Returns E0405 if the asset is made of light of all orders, which would take many minutes: the air
+// scatters light very often on its way up, or it is very high above a small planet. The numbers of
+// altitudes, of directions and of places along them grow with both.
+std::optional<Diagnostic> check_solvable(const config::Atmosphere& atmosphere, const Bake& bake);
 
 }  // namespace skybake

@@ -4,18 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
-#include <vector>
 
 #include "bakers/field/finish_table.h"
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 // Paths in all places together. The first number takes about as long as Earth's solution. In air

@@ -5,12 +5,11 @@
 #include "bakers/field/baked.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kColorChannels = 3;
 
-ColorRequest request_of(const config::Parameters& parameters) {
+ColorRequest request_of(const Parameters& parameters) {
     return {parameters.wavelengths, *parameters.color, parameters.atmosphere};
 }
 
@@ -39,7 +38,7 @@ class RowColors {
 };
 
 // Phase functions have no sky without an atmosphere, and so no colours.
-bool has_colors(const config::Parameters& parameters) {
+bool has_colors(const Parameters& parameters) {
     return parameters.color && parameters.wavelengths.size() > 1 &&
            parameters.atmosphere.top_radius.meters > 0;
 }
@@ -89,16 +88,16 @@ void write_colors(const std::vector<glm::dvec3>& weights, const std::vector<std:
     }
 }
 
-std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters) {
+std::vector<config::Atmosphere> light_packets(const Parameters& parameters) {
     if (holds_colors(parameters)) return packets_of(parameters.atmosphere);
     return {parameters.atmosphere};
 }
 
-int light_channels(const config::Parameters& parameters) {
+int light_channels(const Parameters& parameters) {
     return static_cast<int>(config::channels_of_light(parameters));
 }
 
-std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
+std::shared_ptr<const SkyColors> colors_of(const Parameters& parameters,
                                            const BakeOptions& options) {
     if (!has_colors(parameters)) return nullptr;
     return colors_of(request_of(parameters), options);
@@ -115,13 +114,12 @@ ColorConvention color_convention(const config::Color& color, std::span<const glm
     return convention;
 }
 
-std::vector<Need> color_needs(const config::Parameters& parameters) {
+std::vector<Need> color_needs(const Parameters& parameters) {
     if (!has_colors(parameters)) return {};
     return {need_of(request_of(parameters))};
 }
 
-SkyLights::SkyLights(const config::Parameters& parameters, const BakeOptions& options,
-                     const Make& make) {
+SkyLights::SkyLights(const Parameters& parameters, const BakeOptions& options, const Make& make) {
     if (holds_colors(parameters)) colors_ = colors_of(parameters, options);
     for (const config::Atmosphere& packet : light_packets(parameters)) {
         if (!owned_.empty() && options.cancelled()) break;
@@ -130,7 +128,7 @@ SkyLights::SkyLights(const config::Parameters& parameters, const BakeOptions& op
     for (const auto& light : owned_) packets_.push_back(light.get());
 }
 
-std::optional<config::Diagnostic> SkyLights::problem(const std::string& name) const {
+std::optional<Diagnostic> SkyLights::problem(const std::string& name) const {
     for (const SkyLight* light : packets_) {
         if (auto found = light->problem(name)) return found;
     }
@@ -185,7 +183,7 @@ TableModel SkyLights::model(
     return scaled(std::move(model), factors_);
 }
 
-Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label) {
+Baked labelled_light_table(const Parameters& parameters, AssetLabel label) {
     Baked table = labelled_table(parameters, std::move(label));
     table.channel_names = names_of_channels(static_cast<std::size_t>(light_channels(parameters)));
     return table;

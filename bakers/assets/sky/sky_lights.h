@@ -23,14 +23,14 @@ struct Baked;
 
 // Returns the air at the wavelengths that are computed together: all of them, unless tables of light
 // hold colours.
-std::vector<config::Atmosphere> light_packets(const config::Parameters& parameters);
+std::vector<config::Atmosphere> light_packets(const Parameters& parameters);
 
 // Returns the number of channels of tables of light.
-int light_channels(const config::Parameters& parameters);
+int light_channels(const Parameters& parameters);
 
 // Returns the colours of a recipe that has [color] and an atmosphere; null if it lacks one of them, or
 // after an interruption.
-std::shared_ptr<const SkyColors> colors_of(const config::Parameters& parameters,
+std::shared_ptr<const SkyColors> colors_of(const Parameters& parameters,
                                            const BakeOptions& options);
 
 // Returns what files say of the colours that have a weight for each of their wavelengths; `is_applied`
@@ -39,7 +39,7 @@ ColorConvention color_convention(const config::Color& color, std::span<const glm
                                  bool is_applied);
 
 // Returns what fitting the colours needs, if the recipe has any.
-std::vector<Need> color_needs(const config::Parameters& parameters);
+std::vector<Need> color_needs(const Parameters& parameters);
 
 // Writes the colours of light at some places, place after place. `write_packet(i, light)` writes the
 // light of packet i, which has channels[i] wavelengths.
@@ -56,7 +56,7 @@ class SkyLights {
     // Makes the light of each packet of the recipe's wavelengths.
     using Make =
         std::function<std::unique_ptr<const SkyLight>(const config::Atmosphere& atmosphere)>;
-    SkyLights(const config::Parameters& parameters, const BakeOptions& options, const Make& make);
+    SkyLights(const Parameters& parameters, const BakeOptions& options, const Make& make);
 
     // Multiplies all channels that files hold by these factors, one for each; by 1 if there are none.
     void multiply(std::vector<double> factors) { factors_ = std::move(factors); }
@@ -65,7 +65,7 @@ class SkyLights {
     const SkyLight& first() const { return *packets_.front(); }
 
     // Returns what is wrong with the light of any packet (SkyLight::problem).
-    [[nodiscard]] std::optional<config::Diagnostic> problem(const std::string& name) const;
+    [[nodiscard]] std::optional<Diagnostic> problem(const std::string& name) const;
 
     // Whether channels are colours; else they are wavelengths.
     bool makes_colors() const { return colors_ != nullptr; }
@@ -95,6 +95,6 @@ class SkyLights {
 };
 
 // Returns a labelled table of light: its channels are colours, if the recipe has them.
-Baked labelled_light_table(const config::Parameters& parameters, AssetLabel label);
+Baked labelled_light_table(const Parameters& parameters, AssetLabel label);
 
 }  // namespace skybake

@@ -7,7 +7,6 @@
 #include "bakers/light/sky_view_mapping.h"
 
 namespace skybake {
-
 namespace {
 
 // Shares of the angle between the horizon and the zenith, or the edge of the air seen from space.

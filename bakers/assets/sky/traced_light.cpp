@@ -10,7 +10,6 @@
 #include "bakers/light/sky_radiance.h"
 
 namespace skybake {
-
 namespace {
 
 // The light scattered once into a view from the air.
@@ -106,7 +105,7 @@ std::vector<glm::dvec3> weights_of(const Conventions& conventions) {
 }
 
 std::vector<TraceOfPlace> traces_of_packets(
-    const config::Parameters& parameters,
+    const Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of) {
     std::vector<TraceOfPlace> traces;
     for (const config::Atmosphere& packet : light_packets(parameters)) {
@@ -115,7 +114,7 @@ std::vector<TraceOfPlace> traces_of_packets(
     return traces;
 }
 
-TracedLight traced_sky(const config::Parameters& parameters, const std::vector<SkySample>& samples,
+TracedLight traced_sky(const Parameters& parameters, const std::vector<SkySample>& samples,
                        config::SkyOrders orders, LightAtPlaces found) {
     const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
         return trace_of_sky(std::move(air), samples, orders, true);

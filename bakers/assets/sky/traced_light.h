@@ -69,7 +69,7 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
 // Returns the traces of each packet of the recipe's wavelengths: one packet, unless its tables of
 // light hold colours.
 std::vector<TraceOfPlace> traces_of_packets(
-    const config::Parameters& parameters,
+    const Parameters& parameters,
     const std::function<TraceOfPlace(std::shared_ptr<const TracedAir> air)>& trace_of);
 
 // Returns the weight of each wavelength in colours.
@@ -89,7 +89,7 @@ struct TracedLight {
 };
 
 // Returns the radiance of the samples, with the ground that views see, and what the files have of it.
-TracedLight traced_sky(const config::Parameters& parameters, const std::vector<SkySample>& samples,
+TracedLight traced_sky(const Parameters& parameters, const std::vector<SkySample>& samples,
                        config::SkyOrders orders, LightAtPlaces found);
 
 }  // namespace skybake

@@ -23,10 +23,6 @@
 #include "config/assets/sky_view.h"
 
 namespace skybake {
-
-using config::Outcome;
-using config::Parameters;
-
 namespace {
 
 using config::SkyViewBake;

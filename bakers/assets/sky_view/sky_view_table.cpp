@@ -55,26 +55,25 @@ void describe(const SkyViewBake& bake, const SkyViewCamera& camera, const Shell&
         "radiance of the sky and, below the horizon, of the ground (1/sr) for a solar irradiance "
         "of 1, without the sun's disc: {}{}",
         light_text(bake.orders, bake.layers),
-        from_strips ? "; of the orders from the second on the second alone, lit by eight strips of "
-                      "sky"
-                    : "");
+        from_strips
+            ? "; of the orders from the second on the second alone, lit by eight strips of sky"
+            : "");
     table.mapping = "hillaire";
     table.axes.resize(2);
     table.axes[0] = {"azimuth_deg", "x = azimuth from the sun / 180 degrees",
                      "end points on texel centres", 0, 180};
-    const std::string stacked =
-        suns == 1 ? ""
-                  : fmt::format(
-                        "; {} tables one below the other, sun k from 0 on at v = (k + v of "
-                        "its table) / {}",
-                        suns, suns);
+    const std::string stacked = suns == 1 ? ""
+                                          : fmt::format(
+                                                "; {} tables one below the other, sun k from 0 on "
+                                                "at v = (k + v of its table) / {}",
+                                                suns, suns);
     table.axes[1] = {
         "above_horizon_deg",
-        fmt::format("y = 1/2 + 1/2 sign(l) sqrt(|l| / range), l the angle above the horizon, which "
-                    "is {:.9g} degrees below the horizontal, range {:.9g} degrees below and {:.9g} "
-                    "above it{}",
-                    camera.dip() * kDegreesPerRadian, camera.range_below() * kDegreesPerRadian,
-                    camera.range_above() * kDegreesPerRadian, stacked),
+        fmt::format(
+            "y = 1/2 + 1/2 sign(l) sqrt(|l| / range), l the angle above the horizon, which is "
+            "{:.9g} degrees below the horizontal, range {:.9g} degrees below and {:.9g} above it{}",
+            camera.dip() * kDegreesPerRadian, camera.range_below() * kDegreesPerRadian,
+            camera.range_above() * kDegreesPerRadian, stacked),
         "end points on texel centres", -camera.range_below() * kDegreesPerRadian,
         camera.range_above() * kDegreesPerRadian};
     set_files(bake, table);
@@ -135,8 +134,8 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
     return model;
 }
 
-config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const SkyViewBake& bake,
-                                     const BakeOptions& options, Baked table) {
+Outcome<Baked> bake_sky_view(const SkyLights& lights, const SkyViewBake& bake,
+                             const BakeOptions& options, Baked table) {
     const Shell& shell = lights.first().shell();
     const SkyViewCamera camera(shell, bake.altitude.kilometers());
     describe(bake, camera, shell, table);

@@ -24,7 +24,7 @@ TableModel sky_view_model(const SkyLight& light, const SkyViewCamera& camera, co
 
 // Bakes the sky from one altitude under one sun or several (sky_view_mapping.h), without the sun's
 // disc. `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_sky_view(const SkyLights& lights, const config::SkyViewBake& bake,
-                                     const BakeOptions& options, Baked table);
+Outcome<Baked> bake_sky_view(const SkyLights& lights, const config::SkyViewBake& bake,
+                             const BakeOptions& options, Baked table);
 
 }  // namespace skybake

@@ -27,7 +27,7 @@ std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::st
     return static_cast<std::size_t>(found - volume.channels.begin());
 }
 
-std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset) {
+std::optional<Recipe> recorded_recipe(const ManifestAsset& asset) {
     return config::parse_asset_parameters(asset.parameters, asset.name).value;
 }
 

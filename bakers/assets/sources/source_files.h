@@ -24,12 +24,12 @@ const ManifestFile* first_file(const ManifestAsset& asset);
 std::optional<std::size_t> channel_in(const ManifestAsset& volume, const std::string& name);
 
 // Returns the recipe in an asset's entry. None: it cannot be read.
-std::optional<config::Recipe> recorded_recipe(const ManifestAsset& asset);
+std::optional<Recipe> recorded_recipe(const ManifestAsset& asset);
 
 // Returns the asset's own section of the recipe in its entry, or null where the entry is not what a
 // bake writes.
 template <class Bake>
-const Bake* recorded_bake(const config::Recipe& recipe, const ManifestAsset& asset) {
+const Bake* recorded_bake(const Recipe& recipe, const ManifestAsset& asset) {
     for (const config::Bake& bake : recipe.parameters.bakes) {
         if (bake.name != asset.name) continue;
         const Bake* own = bake.template find<Bake>();

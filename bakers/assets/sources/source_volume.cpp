@@ -1,5 +1,9 @@
 #include "bakers/assets/sources/source_volume.h"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cstddef>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_inputs.h"
@@ -8,17 +12,14 @@
 
 namespace skybake {
 
-const config::CloudVolumeBake& source_volume(const config::Parameters& parameters,
-                                             const std::string& of) {
-    return bake_named(parameters, of).as<config::CloudVolumeBake>();
+const CloudVolumeBake& source_volume(const Parameters& parameters, const std::string& of) {
+    return bake_named(parameters, of).as<CloudVolumeBake>();
 }
 
-config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
-                                          const std::string& of, const BakeOptions& options,
-                                          Baked& made) {
-    const config::CloudVolumeBake& bake = source_volume(parameters, of);
-    const config::Outcome<CloudInputs> inputs =
-        cloud_inputs(parameters, bake, made.details, options);
+Outcome<Baked> hold_source_volume(const Parameters& parameters, const std::string& of,
+                                  const BakeOptions& options, Baked& made) {
+    const CloudVolumeBake& bake = source_volume(parameters, of);
+    const Outcome<CloudInputs> inputs = cloud_inputs(parameters, bake, made.details, options);
     if (!inputs.value) return {{}, inputs.diagnostics};
     Baked voxels =
         hold_cloud_volume(cloud_named(parameters, bake.cloud), bake, *inputs.value, options, {});
@@ -27,9 +28,34 @@ config::Outcome<Baked> hold_source_volume(const config::Parameters& parameters,
     return {std::move(voxels), {}};
 }
 
-bool is_marched_as_stored(const config::Cloud& cloud) {
+bool is_marched_as_stored(const Cloud& cloud) {
     return cloud.channels == config::CloudChannels::density &&
            cloud.threshold_at == config::ThresholdAt::bake;
+}
+
+void place_blocks(const Baked& of, const occupancy::CellGrid& grid, const BlockWords& words,
+                  Baked& volume) {
+    const std::array<int, 3> blocks = grid.size();
+    volume.mapping = of.mapping;
+    volume.axes = of.axes;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double edge = of.voxel_size_m[i] * grid.cell;
+        AxisMapping& axis = volume.axes[i];
+        axis.last = axis.first + edge * blocks[i];
+        const double extent = axis.last - axis.first;
+        axis.formula =
+            fmt::format("{} = ({} - {}) / {}", "uvw"[i], axis.quantity, axis.first, extent);
+        axis.convention = fmt::format("{}; {}", i < 2 ? "repeats" : "clamped", words.place);
+        axis.filter = words.filter;
+        axis.constants = {{"first_m", axis.first},
+                          {"extent_m", extent},
+                          {fmt::format("{}_m", words.block), edge},
+                          {fmt::format("{}_voxels", words.block), static_cast<double>(grid.cell)}};
+        volume.voxel_size_m[i] = edge;
+    }
+    volume.minimum_m = of.minimum_m;
+    volume.up_axis = of.up_axis;
+    volume.conventions = of.conventions;
 }
 
 }  // namespace skybake

@@ -1,12 +1,17 @@
 #include "bakers/assets/transmittance/transmittance_table.h"
 
+#include <fmt/format.h>
+
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/ray.h"
 #include "bakers/air/transmittance_mapping.h"
+#include "bakers/assets/registry/baker.h"
+#include "bakers/field/baked.h"
 #include "bakers/field/finish_table.h"
 #include "bakers/math/transcendental.h"
 
@@ -79,31 +84,28 @@ TableModel transmittance_model(const Medium& medium, const TransmittanceBake& ba
     return model;
 }
 
-config::Outcome<Baked> bake_transmittance(const Medium& medium, const TransmittanceBake& bake,
-                                          const BakeOptions& options, Baked table) {
+Outcome<Baked> bake_transmittance(const Medium& medium, const TransmittanceBake& bake,
+                                  const BakeOptions& options, Baked table) {
     const Shell shell = shell_of(medium);
     const bool ue = bake.mapping == TransmittanceMapping::ue;
     table.kind = "transmittance";
-    table.content =
-        bake.content == TransmittanceContent::optical_depth
-            ? "optical depth from a point to the top of the atmosphere (dimensionless); "
-              "transmittance is exp(-x)"
-            : "transmittance from a point to the top of the atmosphere (dimensionless)";
+    table.content = bake.content == TransmittanceContent::optical_depth
+                        ? "optical depth from a point to the top of the atmosphere "
+                          "(dimensionless); transmittance is exp(-x)"
+                        : "transmittance from a point to the top of the atmosphere (dimensionless)";
     table.mapping = ue ? "ue" : "bruneton";
     const std::string convention =
         ue ? "end points on texture edges" : "end points on texel centres";
     table.axes.resize(2);
-    table.axes[0] = {
-        "distance_to_top_km",
-        "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(s^2 + q) - s, for s > 0 as q / (sqrt(s^2 + "
-        "q) + s), s = r mu, q = d_min (R_top + r), d_min = R_top - r, d_max = rho + H; x_mu = 0 "
-        "straight up, 1 the horizon",
-        convention, 0, 1};
-    table.axes[1] = {
-        "altitude_km",
-        "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at the "
-        "top; x_r = 0 the ground, 1 the top",
-        convention, 0, shell.thickness_km};
+    table.axes[0] = {"distance_to_top_km",
+                     "x_mu = (d - d_min) / (d_max - d_min), d = sqrt(s^2 + q) - s, for s > 0 as q "
+                     "/ (sqrt(s^2 + q) + s), s = r mu, q = d_min (R_top + r), d_min = R_top - r, "
+                     "d_max = rho + H; x_mu = 0 straight up, 1 the horizon",
+                     convention, 0, 1};
+    table.axes[1] = {"altitude_km",
+                     "x_r = rho / H, rho = sqrt(h (2 R_ground + h)), h the altitude, H = rho at "
+                     "the top; x_r = 0 the ground, 1 the top",
+                     convention, 0, shell.thickness_km};
     for (AxisMapping& axis : table.axes) {
         axis.end_points = ue ? TexelConvention::end_points_on_edges
                              : TexelConvention::end_points_on_texel_centres;
@@ -130,6 +132,61 @@ config::Outcome<Baked> bake_transmittance(const Medium& medium, const Transmitta
     };
     return finish_table(transmittance_model(medium, bake), request, options, place_of,
                         std::move(table));
+}
+
+namespace {
+
+Outcome<Baked> bake(const Parameters& parameters, const config::TransmittanceBake& asset,
+                    const BakeOptions& options, AssetLabel label) {
+    return bake_transmittance(make_medium(parameters.atmosphere), asset, options,
+                              labelled_table(parameters, std::move(label)));
+}
+
+Estimate estimate(const Parameters&, const config::TransmittanceBake& asset) {
+    return estimate_table(asset, 2e-7, 0.05);
+}
+
+AssetPlaces places(const Parameters& parameters, const config::TransmittanceBake& asset,
+                   const StoredTexels& stored) {
+    const auto convention = asset.mapping == config::TransmittanceMapping::ue
+                                ? TexelConvention::end_points_on_edges
+                                : TexelConvention::end_points_on_texel_centres;
+    const Shell shell = shell_of(parameters.atmosphere);
+    return single_lookup({"altitude_km", "cos_zenith"}, [=](const Place& at) {
+        const UnitCoordinates x = transmittance_coordinates(shell, at[0].second, at[1].second);
+        return Uvw{texture_coordinate(convention, x.x_mu, stored.size[0]),
+                   texture_coordinate(convention, x.x_r, stored.size[1]), 0.5};
+    });
+}
+
+AssetLookup lookup(const Parameters& parameters, const config::TransmittanceBake& asset,
+                   const StoredTexels& stored) {
+    const bool is_depth = asset.content == config::TransmittanceContent::optical_depth;
+    const Shell shell = shell_of(parameters.atmosphere);
+    GlslFunction function;
+    function.comment = fmt::format(
+        "Returns the {} from an altitude of 0 to {} km to the top of the air, along a ray of this "
+        "zenith angle that does not meet the ground.",
+        is_depth ? "optical depth" : "transmittance", glsl_number(shell.thickness_km));
+    function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
+    function.value = fmt::format("transmittance_to_top{}{}(table, {}, altitude_km, cos_zenith)",
+                                 asset.mapping == config::TransmittanceMapping::ue ? "_ue" : "",
+                                 of_4(stored.channels), glsl_shell(shell));
+    return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
+}
+
+void draft(config::TransmittanceBake& asset, int) { reduce_table(asset, {256, 64}); }
+
+}  // namespace
+
+Baker<config::TransmittanceBake> baker(BakerTag<config::TransmittanceBake>) {
+    return {.version = 8,
+            .bake = bake,
+            .estimate = estimate,
+            .places = places,
+            .lookup = lookup,
+            .draft = draft,
+            .variants = {{"size"}, {"pixel_type"}, {"content"}, {"mapping"}}};
 }
 
 }  // namespace skybake

@@ -19,8 +19,7 @@ TableModel transmittance_model(const Medium& medium, const config::Transmittance
 
 // Bakes the transmittance from a point to the top of the atmosphere (transmittance_mapping.h).
 // `table` comes with name, parameters and channel names.
-config::Outcome<Baked> bake_transmittance(const Medium& medium,
-                                          const config::TransmittanceBake& bake,
-                                          const BakeOptions& options, Baked table);
+Outcome<Baked> bake_transmittance(const Medium& medium, const config::TransmittanceBake& bake,
+                                  const BakeOptions& options, Baked table);
 
 }  // namespace skybake

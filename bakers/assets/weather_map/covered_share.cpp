@@ -5,7 +5,6 @@
 #include <functional>
 
 namespace skybake {
-
 namespace {
 
 std::size_t count_of(double share, std::size_t texels) {

@@ -13,9 +13,6 @@
 
 namespace skybake {
 
-using config::Noise;
-using config::Outcome;
-using config::Parameters;
 using config::WeatherMapBake;
 
 namespace {
@@ -63,8 +60,7 @@ AssetLookup lookup(const Parameters& parameters, const WeatherMapBake& asset,
             ? "Returns the map's channels. p is a point in the plane and `tile` the edges of a "
               "tile, in one unit."
             : "Returns (1 + vector) / 2 of a unit vector; weather_map_direction takes it back. p "
-              "is "
-              "a point in the plane and `tile` the edges of a tile, in one unit.";
+              "is a point in the plane and `tile` the edges of a tile, in one unit.";
     function.arguments = "sampler2D table, vec2 p, vec2 tile";
     const std::string place =
         shift == std::array<double, 2>{}

@@ -18,13 +18,8 @@
 #include "bakers/noise/noise_reference.h"
 
 namespace skybake {
-
 namespace {
 
-using config::Diagnostic;
-using config::Noise;
-using config::NoisePacking;
-using config::Outcome;
 using config::WeatherContent;
 using config::WeatherMapBake;
 using ChannelPlane = Image2<float>;  // of one channel
@@ -32,7 +27,7 @@ using ChannelPlane = Image2<float>;  // of one channel
 std::vector<std::string> channel_names(const Noise& noise) {
     if (noise.pack != NoisePacking::none || noise.channels.size() == 1) return {"Y"};
     std::vector<std::string> names;
-    for (const config::NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
     return names;
 }
 

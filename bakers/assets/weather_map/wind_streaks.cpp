@@ -10,7 +10,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // The way behind a place ends after so many lengths, where less than 1/2980 is left.

@@ -21,13 +21,13 @@ namespace {
 namespace fs = std::filesystem;
 using FileStatus = std::optional<struct stat>;
 
-config::Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
+Outcome<WriteResult> failure(const fs::path& path, const std::string& reason) {
     return {{},
             {file_error("E0301", path.string(),
                         fmt::format("cannot write `{}`: {}", path.string(), reason))}};
 }
 
-config::Outcome<WriteResult> failure(const fs::path& path, int error) {
+Outcome<WriteResult> failure(const fs::path& path, int error) {
     return failure(path, system_reason(error));
 }
 
@@ -113,8 +113,8 @@ bool belongs_to_system(const fs::path& link) {
 
 // Returns the status of the regular file that a file of this name would replace. Returns an empty
 // status if there is no file, or only a symbolic link, whose target does not matter.
-config::Outcome<FileStatus> find_old(const fs::path& path) {
-    const auto refuse = [&path](const std::string& reason) -> config::Outcome<FileStatus> {
+Outcome<FileStatus> find_old(const fs::path& path) {
+    const auto refuse = [&path](const std::string& reason) -> Outcome<FileStatus> {
         return {{}, failure(path, reason).diagnostics};
     };
     if (!path.has_filename()) return refuse("it is a folder");
@@ -184,9 +184,9 @@ struct AtomicFiles::Staged {
 AtomicFiles::AtomicFiles(LeftOvers left_overs) : left_overs_(left_overs) {}
 AtomicFiles::~AtomicFiles() = default;
 
-config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
-                                                const Progress* progress) {
-    const config::Outcome<FileStatus> found = find_old(path);
+Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::string_view bytes,
+                                        const Progress* progress) {
+    const Outcome<FileStatus> found = find_old(path);
     if (!found.value) return {{}, found.diagnostics};
     const FileStatus& old = *found.value;
     if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
@@ -202,9 +202,9 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, std::strin
     return {WriteResult::written, {}};
 }
 
-config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
-                                                const Progress* progress) {
-    const config::Outcome<FileStatus> found = find_old(path);
+Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const FileWriter& write,
+                                        const Progress* progress) {
+    const Outcome<FileStatus> found = find_old(path);
     if (!found.value) return {{}, found.diagnostics};
     const FileStatus& old = *found.value;
     if (left_overs_ == LeftOvers::to_be_removed) remove_stale_temporaries(path);
@@ -212,8 +212,8 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
     auto staged = begin(path);
     if (!staged.value) return {{}, std::move(staged.diagnostics)};
     const TemporaryFile& temporary = (*staged.value)->temporary;
-    config::Outcome<bool> written = write(temporary.path());
-    for (config::Diagnostic& diagnostic : written.diagnostics) {
+    Outcome<bool> written = write(temporary.path());
+    for (Diagnostic& diagnostic : written.diagnostics) {
         rename_in_text(diagnostic.message, temporary.path().string(), path.string());
         rename_in_text(diagnostic.where.source, temporary.path().string(), path.string());
     }
@@ -230,7 +230,7 @@ config::Outcome<WriteResult> AtomicFiles::stage(const fs::path& path, const File
 }
 
 // Creates an empty temporary beside the file.
-config::Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
+Outcome<std::unique_ptr<AtomicFiles::Staged>> AtomicFiles::begin(const fs::path& path) {
     auto staged = std::make_unique<Staged>(path);
     if (!staged->temporary.valid()) return {{}, failure(path, errno).diagnostics};
     return {std::move(staged), {}};
@@ -254,7 +254,7 @@ int flush_folder(const fs::path& folder) {
 
 bool is_renaming_files() noexcept { return commits_in_progress > 0; }
 
-std::vector<config::Diagnostic> AtomicFiles::commit() {
+std::vector<Diagnostic> AtomicFiles::commit() {
     const CommitInProgress in_progress;
     std::size_t named = 0;
     int error = 0;
@@ -265,7 +265,7 @@ std::vector<config::Diagnostic> AtomicFiles::commit() {
         if (error == 0 && !next.temporary.rename_to(next.path)) error = errno;
     }
     if (error == 0 && named > 0) error = flush_folder(staged_.back()->path.parent_path());
-    std::vector<config::Diagnostic> failures;
+    std::vector<Diagnostic> failures;
     if (error != 0) {
         failures = failure(staged_[std::min(named, staged_.size() - 1)]->path, error).diagnostics;
     }
@@ -273,12 +273,12 @@ std::vector<config::Diagnostic> AtomicFiles::commit() {
     return failures;
 }
 
-config::Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,
-                                                   const Progress* progress) {
+Outcome<WriteResult> write_file_atomically(const fs::path& path, std::string_view bytes,
+                                           const Progress* progress) {
     AtomicFiles files;
-    config::Outcome<WriteResult> result = files.stage(path, bytes, progress);
+    Outcome<WriteResult> result = files.stage(path, bytes, progress);
     if (!result.value) return result;
-    std::vector<config::Diagnostic> diagnostics = files.commit();
+    std::vector<Diagnostic> diagnostics = files.commit();
     if (!diagnostics.empty()) return {{}, std::move(diagnostics)};
     return result;
 }

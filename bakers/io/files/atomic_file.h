@@ -33,7 +33,7 @@ enum class WriteResult {
 // Writes a whole file over the empty temporary. Returns true when everything is written, false if
 // it stopped for an interruption. A diagnostic may name the temporary; `stage` replaces that name
 // by the file's own.
-using FileWriter = std::function<config::Outcome<bool>(const std::filesystem::path& temporary)>;
+using FileWriter = std::function<Outcome<bool>(const std::filesystem::path& temporary)>;
 
 enum class LeftOvers {
     to_be_removed,      // of killed processes, when the same file is written
@@ -54,13 +54,13 @@ class AtomicFiles {
     // new file, or one that replaces a symbolic link, gets those of the umask. E0301, with the
     // system's reason, if the file cannot be written: no such folder, not permitted, read-only,
     // disk full, or the name belongs to a folder or a device.
-    config::Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
-                                       const Progress* progress = nullptr);
+    Outcome<WriteResult> stage(const std::filesystem::path& path, std::string_view bytes,
+                               const Progress* progress = nullptr);
 
     // Does the same for a file that is too large for memory or that a library writes itself. It is
     // always written completely, even if the old file turns out to hold the same bytes.
-    config::Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
-                                       const Progress* progress = nullptr);
+    Outcome<WriteResult> stage(const std::filesystem::path& path, const FileWriter& write,
+                               const Progress* progress = nullptr);
 
     std::size_t size() const { return staged_.size(); }
     // Removes all staged files but the first `count`.
@@ -69,11 +69,11 @@ class AtomicFiles {
     // Renames the staged files to their targets, in order. The folder is flushed before the last one
     // and after it: whoever sees the last file, such as a manifest, sees the others, also after a
     // power cut. E0301 if a file cannot be renamed; it and those after it stay staged.
-    [[nodiscard]] std::vector<config::Diagnostic> commit();
+    [[nodiscard]] std::vector<Diagnostic> commit();
 
   private:
     struct Staged;
-    static config::Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path);
+    static Outcome<std::unique_ptr<Staged>> begin(const std::filesystem::path& path);
 
     void keep(std::unique_ptr<Staged> staged);
 
@@ -82,9 +82,9 @@ class AtomicFiles {
 };
 
 // Stages and commits a single file.
-config::Outcome<WriteResult> write_file_atomically(const std::filesystem::path& path,
-                                                   std::string_view bytes,
-                                                   const Progress* progress = nullptr);
+Outcome<WriteResult> write_file_atomically(const std::filesystem::path& path,
+                                           std::string_view bytes,
+                                           const Progress* progress = nullptr);
 
 // Unlinks the temporaries that this process is writing now, and removes the folders that it made and
 // that are still empty. The function is async-signal-safe; call _exit after it.

@@ -13,7 +13,7 @@
 namespace skybake {
 namespace {
 
-config::Diagnostic unreadable(const std::filesystem::path& path, const std::string& reason) {
+Diagnostic unreadable(const std::filesystem::path& path, const std::string& reason) {
     return file_error("E0300", path.string(),
                       fmt::format("cannot read `{}`: {}", path.string(), reason));
 }
@@ -28,8 +28,7 @@ int open_emptied(const std::filesystem::path& path) {
     });
 }
 
-config::Outcome<std::string> read_failure(const std::filesystem::path& path,
-                                          const std::string& reason) {
+Outcome<std::string> read_failure(const std::filesystem::path& path, const std::string& reason) {
     return {{},
             {file_error("E0300", path.string(),
                         fmt::format("cannot read `{}`: {}", path.string(), reason))}};
@@ -52,7 +51,7 @@ int read_all(int descriptor, std::string& bytes) {
 
 }  // namespace
 
-config::Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
+Outcome<FileInput> FileInput::open(const std::filesystem::path& path) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
     FileDescriptor file(
         uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
@@ -82,12 +81,10 @@ std::optional<std::size_t> FileInput::read(std::uint64_t position, char* bytes, 
     return done;
 }
 
-config::Diagnostic FileInput::diagnostic() const {
-    return unreadable(path_, system_reason(error_));
-}
+Diagnostic FileInput::diagnostic() const { return unreadable(path_, system_reason(error_)); }
 
-config::Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) {
-    config::Outcome<FileInput> file = FileInput::open(path);
+Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path) {
+    Outcome<FileInput> file = FileInput::open(path);
     if (!file.value) return {{}, std::move(file.diagnostics)};
     std::string piece(std::size_t{1} << 20, '\0');
     FileFingerprint result;
@@ -141,12 +138,12 @@ void FileOutput::write_through(std::string_view bytes) {
     }
 }
 
-config::Diagnostic FileOutput::diagnostic() const {
+Diagnostic FileOutput::diagnostic() const {
     return file_error("E0301", path_.string(),
                       fmt::format("cannot write `{}`: {}", path_.string(), system_reason(error_)));
 }
 
-config::Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
+Outcome<std::string> read_file(const std::filesystem::path& path, std::uintmax_t limit) {
     // O_NONBLOCK: opening a pipe that nobody writes to would wait for ever.
     const FileDescriptor file(
         uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK); }));
@@ -160,7 +157,7 @@ config::Outcome<std::string> read_file(const std::filesystem::path& path, std::u
         return read_failure(
             path, fmt::format("it has {} bytes, but at most {} may be read", size, limit));
     }
-    config::Outcome<std::string> outcome;
+    Outcome<std::string> outcome;
     try {
         outcome.value.emplace(static_cast<std::size_t>(size), '\0');
     } catch (const std::bad_alloc&) {

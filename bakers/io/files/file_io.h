@@ -37,9 +37,8 @@ class FileDescriptor {
 };
 
 // Makes a diagnostic about a file.
-inline config::Diagnostic file_error(std::string code, const std::string& file,
-                                     std::string message) {
-    config::Diagnostic diagnostic;
+inline Diagnostic file_error(std::string code, const std::string& file, std::string message) {
+    Diagnostic diagnostic;
     diagnostic.code = std::move(code);
     diagnostic.message = std::move(message);
     diagnostic.where.source = file;
@@ -54,14 +53,14 @@ class FileInput {
   public:
     // E0300 if the file is missing, a folder, a device or a pipe, or if reading is not permitted;
     // the message says which.
-    static config::Outcome<FileInput> open(const std::filesystem::path& path);
+    static Outcome<FileInput> open(const std::filesystem::path& path);
 
     std::uint64_t size() const { return size_; }
     // Reads up to `count` bytes at `position` and returns how many were read; fewer than `count`
     // only at the end of the file. After an error it returns nothing; see diagnostic().
     std::optional<std::size_t> read(std::uint64_t position, char* bytes, std::size_t count);
     // Returns E0300 with the reason of the failed read.
-    config::Diagnostic diagnostic() const;
+    Diagnostic diagnostic() const;
 
   private:
     FileInput(const std::filesystem::path& path, FileDescriptor file, std::uint64_t size)
@@ -79,7 +78,7 @@ struct FileFingerprint {
 };
 
 // Reads the whole file, piece by piece. E0300 if that fails.
-config::Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path);
+Outcome<FileFingerprint> fingerprint(const std::filesystem::path& path);
 
 // A file that is written from its beginning on, in large pieces. After an error nothing more is
 // written; `error` keeps the system's reason of the first one.
@@ -98,7 +97,7 @@ class FileOutput {
     // Returns the errno of the first failure, or 0.
     int error() const { return error_; }
     // Returns E0301 with the reason.
-    config::Diagnostic diagnostic() const;
+    Diagnostic diagnostic() const;
 
   private:
     void write_through(std::string_view bytes);
@@ -113,7 +112,7 @@ class FileOutput {
 // Reads a whole file into memory. E0300 if the file is missing, a folder, a device or a pipe, if
 // reading is not permitted or fails, or if the file is larger than `limit` bytes; the message says
 // which.
-config::Outcome<std::string> read_file(const std::filesystem::path& path,
-                                       std::uintmax_t limit = std::uintmax_t{4} << 30);
+Outcome<std::string> read_file(const std::filesystem::path& path,
+                               std::uintmax_t limit = std::uintmax_t{4} << 30);
 
 }  // namespace skybake

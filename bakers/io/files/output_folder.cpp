@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-config::Diagnostic unwritable(const fs::path& folder, const std::string& reason) {
+Diagnostic unwritable(const fs::path& folder, const std::string& reason) {
     return file_error(
         "E0302", folder.string(),
         fmt::format("cannot write into the folder `{}`: {}", folder.string(), reason));
@@ -39,7 +39,7 @@ fs::path existing_ancestor(const fs::path& folder) {
 
 // Returns what prevents files from being made in the folder, as far as that is visible without
 // trying.
-std::optional<config::Diagnostic> obstacle(const fs::path& folder, bool to_be_written) {
+std::optional<Diagnostic> obstacle(const fs::path& folder, bool to_be_written) {
     const fs::path ancestor = existing_ancestor(folder);
     std::error_code error;
     const fs::file_status status = fs::status(ancestor, error);
@@ -67,8 +67,8 @@ void take_previous(std::optional<Manifest> manifest, OutputFolder& folder) {
     }
 }
 
-config::Diagnostic foreign(const fs::path& file, const std::string& why) {
-    config::Diagnostic diagnostic = file_error(
+Diagnostic foreign(const fs::path& file, const std::string& why) {
+    Diagnostic diagnostic = file_error(
         "E0303", file.string(), fmt::format("`{}` already exists and {}", file.string(), why));
     diagnostic.label = "overwrite it with --force, or choose another folder with -o";
     return diagnostic;
@@ -104,9 +104,9 @@ FileDescriptor closed_last(FileDescriptor descriptor) {
 
 }  // namespace
 
-config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
-                                                    std::span<const std::string> files, bool force,
-                                                    bool to_be_written) {
+Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
+                                            std::span<const std::string> files, bool force,
+                                            bool to_be_written) {
     if (auto diagnostic = obstacle(folder, to_be_written)) return {{}, {std::move(*diagnostic)}};
 
     OutputFolder result{folder, std::nullopt, {}};
@@ -114,14 +114,14 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
     std::string manifest_fault = "is not a manifest of skybake";
     const bool has_manifest = fs::exists(fs::symlink_status(folder / manifest_name, error));
     if (has_manifest) {
-        config::Outcome<Manifest> manifest = read_manifest(folder);
+        Outcome<Manifest> manifest = read_manifest(folder);
         if (!manifest.diagnostics.empty()) manifest_fault += ": " + manifest.diagnostics[0].message;
         take_previous(std::move(manifest.value), result);
     }
     result.is_unfinished = add_journals(folder, result.previous);
     if (force) return {std::move(result), {}};
 
-    std::vector<config::Diagnostic> diagnostics;
+    std::vector<Diagnostic> diagnostics;
     const ClaimedFiles claimed(result.previous.value_or(Manifest()));
     for (const std::string& file : files) {
         const fs::path path = folder / file;
@@ -134,7 +134,7 @@ config::Outcome<OutputFolder> inspect_output_folder(const fs::path& folder,
     return {std::move(result), {}};
 }
 
-config::Outcome<std::vector<fs::path>> create_output_folder(const fs::path& folder) {
+Outcome<std::vector<fs::path>> create_output_folder(const fs::path& folder) {
     std::vector<fs::path> made;
     std::error_code error;
     fs::path missing = fs::absolute(folder).lexically_normal();
@@ -159,9 +159,8 @@ void remove_empty_folders(std::span<const fs::path> folders) {
     }
 }
 
-config::Outcome<FolderLock> FolderLock::acquire(const fs::path& folder,
-                                                const std::function<void()>& waits,
-                                                const std::function<bool()>& cancelled) {
+Outcome<FolderLock> FolderLock::acquire(const fs::path& folder, const std::function<void()>& waits,
+                                        const std::function<bool()>& cancelled) {
     constexpr auto pause = std::chrono::milliseconds(20);
     FileDescriptor open;
     for (bool waited = false;;) {

@@ -31,13 +31,13 @@ struct OutputFolder {
 // will be written, relative to the folder, including manifest.json. E0302 if the folder cannot be
 // written to or cannot be made. E0303 for each existing file that no manifest of skybake claims,
 // unless `force` is set. If nothing is `to_be_written`, the folder may be read-only.
-config::Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
-                                                    std::span<const std::string> files, bool force,
-                                                    bool to_be_written = true);
+Outcome<OutputFolder> inspect_output_folder(const std::filesystem::path& folder,
+                                            std::span<const std::string> files, bool force,
+                                            bool to_be_written = true);
 
 // Makes the folder and those above it if they are missing. Returns the folders made, the deepest
 // first. E0302 if that fails.
-config::Outcome<std::vector<std::filesystem::path>> create_output_folder(
+Outcome<std::vector<std::filesystem::path>> create_output_folder(
     const std::filesystem::path& folder);
 
 // Removes the folders that create_output_folder made, as far as they are empty.
@@ -57,9 +57,9 @@ class FolderLock {
     // Waits while another process holds the lock; in that case it calls `waits` once. If
     // `cancelled` becomes true, it gives up and returns neither a value nor a diagnostic. E0302 if
     // there is no such folder.
-    static config::Outcome<FolderLock> acquire(const std::filesystem::path& folder,
-                                               const std::function<void()>& waits,
-                                               const std::function<bool()>& cancelled);
+    static Outcome<FolderLock> acquire(const std::filesystem::path& folder,
+                                       const std::function<void()>& waits,
+                                       const std::function<bool()>& cancelled);
 
   private:
     explicit FolderLock(FileDescriptor folder) : folder_(std::move(folder)) {}

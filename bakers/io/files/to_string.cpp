@@ -44,7 +44,7 @@ std::optional<Enum> value_among(std::span<const std::string_view> words, std::st
 
 }  // namespace
 
-std::string_view to_string(config::PixelType type) { return word_of("pixel_type", type); }
+std::string_view to_string(PixelType type) { return word_of("pixel_type", type); }
 
 std::string_view to_string(config::Compression compression) {
     return word_of("compression", compression);
@@ -84,8 +84,8 @@ std::optional<AxisFilter> axis_filter_of(std::string_view word) {
     return value_among<AxisFilter>(filter_words, word);
 }
 
-std::optional<config::PixelType> pixel_type_of(std::string_view word) {
-    return value_of<config::PixelType>("pixel_type", word);
+std::optional<PixelType> pixel_type_of(std::string_view word) {
+    return value_of<PixelType>("pixel_type", word);
 }
 
 std::optional<config::SheetLayout> sheet_layout_of(std::string_view word) {

@@ -12,7 +12,7 @@
 
 namespace skybake {
 
-std::string_view to_string(config::PixelType type);  // "float", "half", "unorm8", "unorm16"
+std::string_view to_string(PixelType type);  // "float", "half", "unorm8", "unorm16"
 std::string_view to_string(config::Compression compression);      // "none", "zip", "zips", "piz"
 std::string_view to_string(config::VdbCompression compression);   // "none", "zip", "blosc"
 std::string_view to_string(config::Ktx2Compression compression);  // "none", "zstd"
@@ -26,7 +26,7 @@ std::string_view to_string(AxisFilter filter);           // "linear", "nearest"
 std::optional<TexelConvention> end_points_of(std::string_view word);
 std::optional<AxisWrap> axis_wrap_of(std::string_view word);
 std::optional<AxisFilter> axis_filter_of(std::string_view word);
-std::optional<config::PixelType> pixel_type_of(std::string_view word);
+std::optional<PixelType> pixel_type_of(std::string_view word);
 std::optional<config::SheetLayout> sheet_layout_of(std::string_view word);
 
 // Writes an amount of memory or disk space for people: "12 B", "190 KiB", "1.5 GiB".

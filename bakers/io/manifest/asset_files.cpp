@@ -45,7 +45,7 @@ ManifestFile make_text_file(const Baked& baked, std::string path, std::string_vi
     return file;
 }
 
-config::Outcome<bool> write_text(std::string_view text, const std::filesystem::path& path) {
+Outcome<bool> write_text(std::string_view text, const std::filesystem::path& path) {
     FileOutput output(path);
     output.write(text);
     if (!output.finish()) return {{}, {output.diagnostic()}};
@@ -53,15 +53,14 @@ config::Outcome<bool> write_text(std::string_view text, const std::filesystem::p
 }
 
 // Stages one file and records its length and hash.
-config::Outcome<WriteResult> stage_file(const Baked& baked, const ManifestAsset& asset,
-                                        ManifestFile& file, const std::filesystem::path& folder,
-                                        AtomicFiles& files, int threads, Progress* progress) {
+Outcome<WriteResult> stage_file(const Baked& baked, const ManifestAsset& asset, ManifestFile& file,
+                                const std::filesystem::path& folder, AtomicFiles& files,
+                                int threads, Progress* progress) {
     const auto write = [&](const std::filesystem::path& temporary) {
-        config::Outcome<bool> written =
-            write_asset_file(baked, asset, file, threads, progress, temporary);
+        Outcome<bool> written = write_asset_file(baked, asset, file, threads, progress, temporary);
         if (!written.value || !*written.value) return written;
-        config::Outcome<FileFingerprint> found = fingerprint(temporary);
-        if (!found.value) return config::Outcome<bool>{{}, std::move(found.diagnostics)};
+        Outcome<FileFingerprint> found = fingerprint(temporary);
+        if (!found.value) return Outcome<bool>{{}, std::move(found.diagnostics)};
         file.bytes = found.value->bytes;
         file.xxh3 = found.value->xxh3;
         return written;
@@ -71,9 +70,9 @@ config::Outcome<WriteResult> stage_file(const Baked& baked, const ManifestAsset&
 
 }  // namespace
 
-config::Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& asset,
-                                       const ManifestFile& file, int threads, Progress* progress,
-                                       const std::filesystem::path& path) {
+Outcome<bool> write_asset_file(const Baked& baked, const ManifestAsset& asset,
+                               const ManifestFile& file, int threads, Progress* progress,
+                               const std::filesystem::path& path) {
     if (baked.companion && file.format == baked.companion->format) {
         return write_text(baked.companion->text, path);
     }
@@ -105,11 +104,11 @@ ManifestAsset describe_with_files(const Baked& baked) {
     return asset;
 }
 
-config::Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
-                                         const std::filesystem::path& folder, AtomicFiles& files,
-                                         int threads, Progress* progress) {
+Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asset,
+                                 const std::filesystem::path& folder, AtomicFiles& files,
+                                 int threads, Progress* progress) {
     const Stopwatch stopwatch;
-    config::Outcome<StagedFiles> outcome;
+    Outcome<StagedFiles> outcome;
     StagedFiles staged;
     for (const Level& level : baked.levels) {
         if (!level.content_hash.empty()) continue;
@@ -119,7 +118,7 @@ config::Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asse
     }
     for (ManifestFile& file : asset.files) {
         auto result = stage_file(baked, asset, file, folder, files, threads, progress);
-        for (config::Diagnostic& diagnostic : result.diagnostics) {
+        for (Diagnostic& diagnostic : result.diagnostics) {
             outcome.diagnostics.push_back(std::move(diagnostic));
         }
         if (!result.value) return outcome;
@@ -131,9 +130,8 @@ config::Outcome<StagedFiles> stage_files(const Baked& baked, ManifestAsset& asse
     return outcome;
 }
 
-config::Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestAsset& asset,
-                                      const ManifestFile& file, int level,
-                                      const VoxelVisitor& visit) {
+Outcome<bool> read_asset_file(const std::filesystem::path& path, const ManifestAsset& asset,
+                              const ManifestFile& file, int level, const VoxelVisitor& visit) {
     const FileShape shape = {asset.levels[static_cast<std::size_t>(file.level)].size,
                              asset.channels.size(),
                              file.pixel_type,

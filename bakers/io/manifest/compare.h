@@ -1,4 +1,6 @@
 // Compares two images: the values of their channels and their attributes.
+//
+// Compares the grids of OpenVDB and NanoVDB files, of any program, by value.
 #pragma once
 
 #include <algorithm>
@@ -78,7 +80,7 @@ struct ImageDifference {
 struct ComparedImage {
     RowSource rows;
     std::vector<std::string> channel_names;
-    config::PixelType pixel_type = config::PixelType::float32;
+    PixelType pixel_type = PixelType::float32;
     std::string compression = "zip";
     Attributes attributes;
     std::string window = {};  // where it lies in a larger image
@@ -91,8 +93,7 @@ ComparedImage compared(ExrRows& file);
 config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path);
 
 // Reads both images once, row by row. Diagnostics come from the row sources.
-config::Outcome<ImageDifference> compare_images(const ComparedImage& first,
-                                                const ComparedImage& second);
+Outcome<ImageDifference> compare_images(const ComparedImage& first, const ComparedImage& second);
 
 // Returns the differences between facts and texts by name. Those of entries are compared by member, except
 // for members that follow from the texels.
@@ -101,5 +102,11 @@ std::vector<AttributeDifference> attribute_differences(const Attributes& first,
 
 // Whether the images have the same layout and no value differs by more than `tolerance`.
 bool equal_within(const ImageDifference& difference, double tolerance);
+
+// Compares two files, of the same format or not, grid after grid over the boxes of both, along the
+// axes of the files' space. Numbers are as stored, whether active or not. `layout` says which grids hold
+// no numbers, lie elsewhere or span more than 16384 voxels along an axis. E0300, E0304.
+Outcome<ImageDifference> compare_volumes(const std::filesystem::path& first,
+                                         const std::filesystem::path& second);
 
 }  // namespace skybake

@@ -35,7 +35,7 @@ class Examination {
     }
     // Expects that a file could be read. If not, `check` names what failed.
     template <class T>
-    bool expect_read(const config::Outcome<T>& outcome, const char* check) {
+    bool expect_read(const Outcome<T>& outcome, const char* check) {
         return expect(outcome.value.has_value(), check,
                       outcome.value ? "" : outcome.diagnostics[0].message);
     }

@@ -16,7 +16,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
 
 constexpr std::uintmax_t kLargestJournal = std::uintmax_t{1} << 30;
 

@@ -24,7 +24,7 @@ class BakeJournal {
     explicit BakeJournal(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     // Adds entries, which are on the disk when it returns. E0301.
-    [[nodiscard]] std::vector<config::Diagnostic> add(std::span<const ManifestAsset> entries);
+    [[nodiscard]] std::vector<Diagnostic> add(std::span<const ManifestAsset> entries);
     // Removes this journal, as if the bake had not begun.
     void discard();
     // Removes it and those of killed bakes, because manifest.json says it all.

@@ -13,7 +13,7 @@
 
 namespace skybake {
 
-Manifest new_manifest(const config::Recipe& recipe) {
+Manifest new_manifest(const Recipe& recipe) {
     Manifest manifest;
     manifest.tool_name = tool_name();
     manifest.tool_version = release();
@@ -31,7 +31,7 @@ namespace {
 constexpr std::uintmax_t largest_manifest = std::uintmax_t{64} << 20;
 
 // Returns a diagnostic if the folder exists but has no manifest.
-std::optional<config::Diagnostic> holds_no_bake(const std::filesystem::path& file) {
+std::optional<Diagnostic> holds_no_bake(const std::filesystem::path& file) {
     const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
     std::error_code error;
     const bool looks_like_none = file.filename() == manifest_name &&
@@ -51,19 +51,19 @@ std::string hash_of_text(const Json& json) {
 
 }  // namespace
 
-config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
+Outcome<Manifest> read_manifest_file(const std::filesystem::path& file) {
     if (auto diagnostic = holds_no_bake(file)) return {{}, {std::move(*diagnostic)}};
-    config::Outcome<std::string> text = read_file(file, largest_manifest);
+    Outcome<std::string> text = read_file(file, largest_manifest);
     if (!text.value) return {{}, std::move(text.diagnostics)};
     return parse_manifest(*text.value, file.string());
 }
 
-config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
+Outcome<Manifest> read_manifest(const std::filesystem::path& folder) {
     return read_manifest_file(folder / manifest_name);
 }
 
 std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder) {
-    const config::Outcome<std::string> text = read_file(folder / manifest_name, largest_manifest);
+    const Outcome<std::string> text = read_file(folder / manifest_name, largest_manifest);
     return text.value ? parse_earlier_claims(*text.value) : std::nullopt;
 }
 
@@ -151,19 +151,19 @@ std::vector<std::string> manifest_alterations(const Json& manifest) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
         const std::string found = entry_hash(entries[i]);
         if (found == entries[i].at("hash")) continue;
-        alterations.push_back(fmt::format(
-            "`assets[{}]`, the entry of `{}`, has been changed since the bake wrote it: its hash "
-            "is {}, and `hash` says {}; bake again to get a true entry",
-            i, entries[i].at("name").get<std::string>(), found,
-            entries[i].at("hash").get<std::string>()));
+        alterations.push_back(
+            fmt::format("`assets[{}]`, the entry of `{}`, has been changed since the bake wrote "
+                        "it: its hash is {}, and `hash` says {}; bake again to get a true entry",
+                        i, entries[i].at("name").get<std::string>(), found,
+                        entries[i].at("hash").get<std::string>()));
     }
     const std::string found = manifest_hash(manifest);
     if (found != manifest.at("hash")) {
-        alterations.push_back(fmt::format(
-            "the manifest has been changed since the bake wrote it, outside of the entries of its "
-            "assets or in their number: its hash is {}, and `hash` says {}; bake again to get a "
-            "true manifest",
-            found, manifest.at("hash").get<std::string>()));
+        alterations.push_back(
+            fmt::format("the manifest has been changed since the bake wrote it, outside of the "
+                        "entries of its assets or in their number: its hash is {}, and `hash` says "
+                        "{}; bake again to get a true manifest",
+                        found, manifest.at("hash").get<std::string>()));
     }
     return alterations;
 }

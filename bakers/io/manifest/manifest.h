@@ -28,7 +28,7 @@ inline constexpr std::string_view manifest_name = "manifest.json";
 struct ManifestFile {
     std::string path;    // relative to the manifest's folder, never leaving it
     std::string format;  // "exr", "vdb", "bin", "png", "dds"; "json" or "sidecar" for texts
-    config::PixelType pixel_type = config::PixelType::float32;
+    PixelType pixel_type = PixelType::float32;
     std::uint64_t bytes = 0;
     std::string xxh3;                           // xxh3_hex of the file
     int level = 0;                              // level of detail; 0 is the asset itself
@@ -116,7 +116,7 @@ struct Manifest {
 };
 
 // Returns an empty manifest of this release for a recipe.
-Manifest new_manifest(const config::Recipe& recipe);
+Manifest new_manifest(const Recipe& recipe);
 
 // Returns error.sky of an asset's entry.
 nlohmann::ordered_json sky_error_json(const SkyError& error);
@@ -131,22 +131,22 @@ std::string file_entry_json(const ManifestAsset& asset, const ManifestFile& file
 
 // Parses the entry that a file carries. The file's level becomes the asset's level 0. E0304 if the
 // text is not an entry.
-config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name);
+Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name);
 
 // Parses a manifest's text; diagnostics call it `name`. E0304, with the field's place, if it is
 // damaged, is of another tool or format, or names a file outside of its folder. If it can be read
 // but has been changed since it was written, `alterations` say so.
-config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
+Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name);
 
 // Returns the files that a manifest of an earlier format claims, as retired files, and nothing
 // else. Returns nothing if the text is not a manifest of this tool or not of an earlier format.
 std::optional<Manifest> parse_earlier_claims(std::string_view text);
 
 // Reads a manifest. E0300 if there is none, E0304 if it is damaged.
-config::Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
+Outcome<Manifest> read_manifest_file(const std::filesystem::path& file);
 
 // Reads `folder`/manifest.json.
-config::Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
+Outcome<Manifest> read_manifest(const std::filesystem::path& folder);
 
 // Applies parse_earlier_claims to `folder`/manifest.json. Returns nothing if it cannot be read.
 std::optional<Manifest> read_earlier_claims(const std::filesystem::path& folder);

@@ -209,7 +209,7 @@ class MemberReader {
         if (!found) node.fail(otherwise);
         value = *found;
     }
-    void read(const Node& node, config::PixelType& type) const {
+    void read(const Node& node, PixelType& type) const {
         read_word(node, pixel_type_of, "there is no such pixel type", type);
     }
     void read(const Node& node, config::SheetLayout& layout) const {
@@ -391,8 +391,8 @@ Json parse_json(std::string_view text) {
 
 }  // namespace
 
-config::Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
-    const auto damaged = [&name](const std::string& reason) -> config::Outcome<Manifest> {
+Outcome<Manifest> parse_manifest(std::string_view text, const std::string& name) {
+    const auto damaged = [&name](const std::string& reason) -> Outcome<Manifest> {
         return {{},
                 {file_error("E0304", name,
                             fmt::format("cannot read `{}` as a manifest: {}", name, reason))}};
@@ -409,7 +409,7 @@ config::Outcome<Manifest> parse_manifest(std::string_view text, const std::strin
     }
 }
 
-config::Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name) {
+Outcome<ManifestAsset> parse_file_entry(std::string_view text, const std::string& name) {
     try {
         // The entry in a file does not contain times, hashes or the file's own name, length and
         // level, so these are filled in.

@@ -218,7 +218,7 @@ FactLines entry_lines(const ManifestAsset& asset, const ManifestFile& file) {
     return lines;
 }
 
-config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
+Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) {
     const std::string extension = path.extension().string();
     const Format* format = find_format(extension.empty() ? "exr" : extension.substr(1));
     if (format == nullptr) format = &format_of(config::FileFormat::exr);
@@ -230,13 +230,13 @@ config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) 
     } else if (const auto file = FileInput::open(path); !file.value) {
         return {{}, file.diagnostics};
     }
-    config::Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
+    Outcome<ManifestAsset> entry = parse_file_entry(text, path.string());
     if (!entry.value) {
-        config::Diagnostic diagnostic =
-            file_error("E0304", path.string(),
-                       fmt::format("`{}` does not say what it holds: skybake did not write it, or "
-                                   "it is incomplete",
-                                   path.string()));
+        Diagnostic diagnostic = file_error(
+            "E0304", path.string(),
+            fmt::format(
+                "`{}` does not say what it holds: skybake did not write it, or it is incomplete",
+                path.string()));
         diagnostic.label = "a manifest.json in its folder may describe it";
         return {{}, {std::move(diagnostic)}};
     }
@@ -246,8 +246,8 @@ config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path) 
     return entry;
 }
 
-config::Outcome<config::Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
-                                                const std::filesystem::path& folder) {
+Outcome<Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
+                                const std::filesystem::path& folder) {
     const Json json = Json::parse(manifest.parameters, nullptr, false);
     std::string text;
     if (json.is_object()) append_toml(json, "", text);

@@ -25,7 +25,7 @@ ManifestAsset describe(const Baked& baked);
 
 // Returns the entry that a file carries (file_entry_json), under the file's name. Its time, key and
 // hash are unknown. E0300 if the file cannot be read, E0304 if it carries no entry.
-config::Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path);
+Outcome<ManifestAsset> entry_of_file(const std::filesystem::path& path);
 
 // An entry's facts about a file, for people: names and texts. The last texts have several lines.
 using FactLines = std::vector<std::pair<std::string, std::string>>;
@@ -45,7 +45,7 @@ std::string axis_line(const AxisMapping& axis);
 // a bake of a part (`--only`), it is the recipe of that last bake; and maps, unlike includes, are
 // looked for in `folder`. Diagnostics call the manifest `name`. E0304 if this release would not
 // record such values.
-config::Outcome<config::Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
-                                                const std::filesystem::path& folder);
+Outcome<Recipe> recorded_recipe(const Manifest& manifest, const std::string& name,
+                                const std::filesystem::path& folder);
 
 }  // namespace skybake

@@ -35,7 +35,7 @@ std::vector<ProbeLookup> lookups_of(const Probe& probe) {
 class VoxelCheck {
   public:
     VoxelCheck(const ManifestLevel& level, const TextureUse& use, int dimensions,
-               std::size_t channels, config::PixelType type)
+               std::size_t channels, PixelType type)
         : level_(level),
           use_(use),
           dimensions_(dimensions),
@@ -135,7 +135,7 @@ class VoxelCheck {
     const TextureUse use_;
     const int dimensions_;
     const std::size_t channels_;
-    const config::PixelType type_;
+    const PixelType type_;
     std::vector<double> min_;
     std::vector<double> max_;
     long not_finite_ = 0;
@@ -208,7 +208,7 @@ void check_content(Examination& examination, const std::filesystem::path& path,
     const Format* format = find_format(file.format);
     if (format == nullptr) return;  // a text, checked by its hash
     if (format->inspect) {
-        const config::Outcome<FileFacts> facts = format->inspect(path);
+        const Outcome<FileFacts> facts = format->inspect(path);
         if (!examination.expect_read(facts, "format")) return;
         check_facts(examination, *facts.value, asset, file);
         if (format->has_metadata) {
@@ -235,7 +235,7 @@ void check_file(VerifyReport& report, const std::filesystem::path& folder,
     ++report.files;
     Examination examination(report, file.path);
     const std::filesystem::path path = folder / file.path;
-    const config::Outcome<FileFingerprint> found = fingerprint(path);
+    const Outcome<FileFingerprint> found = fingerprint(path);
     if (!examination.expect_read(found, "file")) return;
     examination.expect_equal(found.value->bytes, file.bytes, "bytes", "the number of bytes");
     examination.expect_equal(found.value->xxh3, file.xxh3, "xxh3", "the hash of the file");
@@ -261,12 +261,11 @@ double bytes_of(const ManifestAsset& asset) {
 
 }  // namespace
 
-config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
-                                          std::span<const AssetCheck> further,
-                                          std::span<const FolderCheck> of_folder,
-                                          Progress* progress) {
+Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
+                                  std::span<const AssetCheck> further,
+                                  std::span<const FolderCheck> of_folder, Progress* progress) {
     const ManifestPlace place = manifest_place(path);
-    config::Outcome<Manifest> manifest = read_manifest_file(place.file);
+    Outcome<Manifest> manifest = read_manifest_file(place.file);
     if (!manifest.value) return {{}, std::move(manifest.diagnostics)};
     VerifyReport report;
     check_manifest(report, place.file.filename().string(), *manifest.value);

@@ -52,9 +52,9 @@ struct FolderCheck {
 // each asset, `of_folder` checks for all assets together. `progress` hears of the share of all bytes
 // after each file; once it is cancelled, the rest is left out, and the report must not be used.
 // E0300 if there is no manifest, E0304 if it is damaged.
-config::Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
-                                          std::span<const AssetCheck> further = {},
-                                          std::span<const FolderCheck> of_folder = {},
-                                          Progress* progress = nullptr);
+Outcome<VerifyReport> verify_bake(const std::filesystem::path& path,
+                                  std::span<const AssetCheck> further = {},
+                                  std::span<const FolderCheck> of_folder = {},
+                                  Progress* progress = nullptr);
 
 }  // namespace skybake

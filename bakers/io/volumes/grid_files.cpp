@@ -16,8 +16,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 bool is_nanovdb(const fs::path& path) {

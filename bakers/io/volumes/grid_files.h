@@ -15,18 +15,17 @@ namespace skybake {
 bool has_grids(const std::filesystem::path& path);
 
 // Reads what a file of any program says of itself. E0300, E0304.
-config::Outcome<VdbFile> read_grids(const std::filesystem::path& path);
+Outcome<VdbFile> read_grids(const std::filesystem::path& path);
 
 // Opens a grid for its numbers. E0300, E0304.
-config::Outcome<FileVoxels> open_numbers(const std::filesystem::path& path,
-                                         const std::string& grid);
+Outcome<FileVoxels> open_numbers(const std::filesystem::path& path, const std::string& grid);
 
 // Like Format::inspect. NanoVDB files of float grids do not say whether their values were halves.
-config::Outcome<FileFacts> inspect_grids(const std::filesystem::path& path);
+Outcome<FileFacts> inspect_grids(const std::filesystem::path& path);
 
 // Like Format::read, of grids of one size at the origin. NanoVDB files do not state it, so that a file of
 // a smaller volume is told by its content alone. Memory use is that of the grids and eight slices.
-config::Outcome<bool> read_grid_voxels(const std::filesystem::path& path, const FileShape& shape,
-                                       int level, const VoxelVisitor& visit);
+Outcome<bool> read_grid_voxels(const std::filesystem::path& path, const FileShape& shape, int level,
+                               const VoxelVisitor& visit);
 
 }  // namespace skybake

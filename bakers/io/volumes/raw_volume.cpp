@@ -20,8 +20,6 @@ namespace {
 
 using config::AxisOrder;
 using config::ByteOrder;
-using config::Outcome;
-using config::PixelType;
 
 std::size_t bytes_of(PixelType type) {
     if (type == PixelType::float32) return 4;

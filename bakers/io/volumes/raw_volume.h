@@ -13,7 +13,7 @@ namespace skybake {
 
 struct RawLayout {
     std::array<int, 3> size{};
-    config::PixelType type = config::PixelType::float32;  // of number_types
+    PixelType type = PixelType::float32;  // of number_types
     config::ByteOrder byte_order = config::ByteOrder::little;
     config::AxisOrder axis_order = config::AxisOrder::xyz;
     std::uint64_t offset = 0;  // bytes before the first voxel
@@ -22,8 +22,8 @@ struct RawLayout {
 // Opens a file of this layout. Integers of n bits become v / (2^n - 1). Before voxels are returned,
 // all of them have been read once. E0300 if the file cannot be read; E0304 if its size is not that of
 // the layout, or if a voxel is not finite, unless such voxels are the background, 0.
-config::Outcome<FileVoxels> open_raw_volume(
-    const std::filesystem::path& path, const RawLayout& layout, VolumePart part,
-    config::NotFinite not_finite = config::NotFinite::refuse);
+Outcome<FileVoxels> open_raw_volume(const std::filesystem::path& path, const RawLayout& layout,
+                                    VolumePart part,
+                                    config::NotFinite not_finite = config::NotFinite::refuse);
 
 }  // namespace skybake

@@ -20,8 +20,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using config::Diagnostic;
-using config::Outcome;
 
 Diagnostic not_a_slice(const fs::path& path, const std::string& reason) {
     return file_error(

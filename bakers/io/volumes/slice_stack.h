@@ -18,8 +18,8 @@ namespace skybake {
 // E0300 if a file cannot be read, E0301 if the temporary file cannot be written, E0304 if a picture
 // is damaged, lacks the channel, has another size than the first one or a value that is not finite,
 // unless such values are 0.
-config::Outcome<FileVoxels> open_slice_stack(std::span<const std::filesystem::path> paths,
-                                             const std::string& channel, VolumePart part,
-                                             config::NotFinite not_finite);
+Outcome<FileVoxels> open_slice_stack(std::span<const std::filesystem::path> paths,
+                                     const std::string& channel, VolumePart part,
+                                     config::NotFinite not_finite);
 
 }  // namespace skybake

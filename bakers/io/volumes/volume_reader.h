@@ -13,9 +13,9 @@ namespace skybake {
 // E0300 if a file cannot be read, E0304 if it is not what the recipe says (vdb_source.h,
 // nvdb_source.h, raw_volume.h, slice_stack.h), E0110 if a crop or border leaves no voxel of the
 // file or makes more than 16384 along an axis. All of them point to `file` in the recipe.
-config::Outcome<SourceVoxels> open_volume(const config::VolumeFile& volume);
+Outcome<SourceVoxels> open_volume(const config::VolumeFile& volume);
 
 // Returns only the shape, from the head of the file. Programs give it to set_volume_probe.
-config::Outcome<config::VolumeShape> read_volume_shape(const config::VolumeFile& volume);
+Outcome<config::VolumeShape> read_volume_shape(const config::VolumeFile& volume);
 
 }  // namespace skybake

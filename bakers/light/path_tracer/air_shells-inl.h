@@ -13,7 +13,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bakers/light/path_tracer/air_tables.h"
+#include "bakers/light/path_tracer/air_shells.h"
 #include "bakers/math/channels-inl.h"
 #include "bakers/math/transcendental-inl.h"
 

@@ -15,7 +15,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 // Replicates of an estimate, each by points of its own scrambling: how far their means scatter is

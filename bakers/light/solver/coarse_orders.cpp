@@ -6,7 +6,6 @@
 #include "bakers/math/parallel.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kCoarseDegree = 2;

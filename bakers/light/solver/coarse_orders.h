@@ -3,7 +3,7 @@
 //
 // Light that was scattered often is smooth, so the coarse grid tells most of what a residual of the
 // fine grid still adds. Its own errors do not matter: the fine grid's iteration takes them away
-// (accelerated_orders.h). All suns are kept: at night, light falls too fast for fewer.
+// (solve_light.h). All suns are kept: at night, light falls too fast for fewer.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -89,8 +88,8 @@ void add_top(const Medium& air, const SolvedLight& light, EnergyBalance& balance
 constexpr double kEnergyTolerance = 0.03;
 constexpr double kMostLeftOut = 0.01;
 
-config::Diagnostic failure(std::string message) {
-    config::Diagnostic diagnostic;
+Diagnostic failure(std::string message) {
+    Diagnostic diagnostic;
     diagnostic.code = "E0405";
     diagnostic.message = std::move(message);
     return diagnostic;
@@ -121,8 +120,8 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light) 
     return balance;
 }
 
-std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
-                                              const SolvedLight& light, const std::string& name) {
+std::optional<Diagnostic> check_light(const EnergyBalance& balance, const SolvedLight& light,
+                                      const std::string& name) {
     if (!(light.left_out <= kMostLeftOut)) {
         return failure(fmt::format(
             "`{}`: after {} orders of scattering {:.2g} of the light is still missing, more than "

@@ -34,8 +34,8 @@ EnergyBalance energy_balance(const SkyMedium& medium, const SolvedLight& light);
 
 // Returns E0405 if orders are left out, energy is lost or light is negative. `name` is the asset's.
 // No asset is made of a solution that fails.
-[[nodiscard]] std::optional<config::Diagnostic> check_light(const EnergyBalance& balance,
-                                                            const SolvedLight& light,
-                                                            const std::string& name);
+[[nodiscard]] std::optional<Diagnostic> check_light(const EnergyBalance& balance,
+                                                    const SolvedLight& light,
+                                                    const std::string& name);
 
 }  // namespace skybake

@@ -12,7 +12,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 SplitPhase split(const SkyLayer& layer, int degree) {

@@ -18,7 +18,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kLastOrders = 2;

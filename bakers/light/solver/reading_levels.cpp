@@ -6,7 +6,6 @@
 #include "bakers/light/solver/solution_levels.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr int kPerGap = 4;  // of the altitudes, in abrupt layers

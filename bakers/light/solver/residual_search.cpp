@@ -7,7 +7,6 @@
 #include <utility>
 
 namespace skybake {
-
 namespace {
 
 using PerChannel = std::array<double, kChannelSlots>;

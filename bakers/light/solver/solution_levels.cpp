@@ -8,7 +8,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Levels per scale height at the ground, and the scale heights over which they thin out by e.

@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace skybake {
-
 namespace {
 
 // Factors of the associated Legendre functions' recursions: by moment_index(l, m), of the function

@@ -9,7 +9,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // The axis's width as a share of the sine of the top's dip: about 6 degrees on Earth.

@@ -16,7 +16,6 @@
 #include "bakers/math/transcendental.h"
 
 namespace skybake {
-
 namespace {
 
 // Returns 1 - e^-x. Where the difference would cancel it is summed as a series, whose truncation

@@ -229,7 +229,7 @@ float sunlight_on_ground(vec3 camera, vec3 ray, float jitter, float mean_sunligh
     return exp(-depth_to_sun(-1, vec3(camera.xy + way * ray.xy, 0.0), 0.0, jitter));
 }
 
-// The ground's albedo varies as bakers/render/ground_albedo.h says.
+// The ground's albedo varies as bakers/render/scene_view.h says.
 float corner_value(ivec2 corner, int noise) {
     uint bits = uint(corner.x) * 0x9e3779b1u ^ uint(corner.y) * 0x85ebca77u ^ uint(noise) * 0xc2b2ae3du;
     bits = (bits ^ bits >> 15) * 0x2c1b3c6du;

@@ -6,7 +6,7 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
-#include "bakers/preview/live/live_clouds.h"
+#include "bakers/preview/live/live_scene.h"
 #include "bakers/preview/runtime/runtime_air.h"
 
 namespace skybake {

@@ -7,7 +7,6 @@
 
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/preview/embedded_text.h"
-#include "bakers/preview/page_figures.h"
 #include "bakers/preview/page_text.h"
 
 namespace skybake {

@@ -10,7 +10,6 @@
 #include "bakers/preview/page.h"
 
 namespace skybake {
-
 namespace {
 
 std::string bytes_of(const void* data, std::size_t size) {

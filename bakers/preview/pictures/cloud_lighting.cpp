@@ -15,7 +15,6 @@
 #include "config/recipe/recipe.h"
 
 namespace skybake {
-
 namespace {
 
 std::optional<Lighting> lighting_of(const config::Atmosphere& atmosphere,
@@ -98,14 +97,14 @@ bool holds_voxels(const PreviewAsset& asset) {
                entry.channels.size();
 }
 
-std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input) {
+std::optional<Cloud> cloud_as_baked(const CloudPreviewInput& input) {
     if (input.cloud == nullptr) return std::nullopt;
     if (input.volume_bake == nullptr) return *input.cloud;
     return config::stretched(*input.cloud, *input.volume_bake);
 }
 
-LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud& cloud,
-                             bool repeats, int threads) {
+LeapingMedium leaping_medium(const CloudPreviewInput& input, const Cloud& cloud, bool repeats,
+                             int threads) {
     const ManifestAsset& entry = input.volume->entry;
     LeapingMedium result = {cloud_medium(cloud, input.volume->voxels.data(),
                                          {entry.size[0], entry.size[1], entry.size[2]},

@@ -16,8 +16,8 @@ namespace skybake {
 struct Lighting {
     SkyMedium medium;
     SkyTables tables;
-    std::string name;                     // as captions say it
-    const config::Recipe* air = nullptr;  // null: the preset "earth"
+    std::string name;             // as captions say it
+    const Recipe* air = nullptr;  // null: the preset "earth"
     std::shared_ptr<PictureLight> light;
 };
 
@@ -46,21 +46,20 @@ std::string sky_text(const std::optional<SolvedSky>& solved);
 bool holds_voxels(const PreviewAsset& asset);
 
 // Returns the cloud with the extent of its volume.
-std::optional<config::Cloud> cloud_as_baked(const CloudPreviewInput& input);
+std::optional<Cloud> cloud_as_baked(const CloudPreviewInput& input);
 
 // The words of captions about copies of tiles that vary.
 inline constexpr const char* kCopiesText =
     "Each copy of a tile but the first begins at another voxel, and neighbours overlap by an "
-    "eighth of "
-    "their edge, so that no pattern repeats.";
+    "eighth of their edge, so that no pattern repeats.";
 
 // A medium with its leaps, and where they come from. The copies of a medium that repeats vary.
 struct LeapingMedium {
     CloudMedium medium;
     std::string leaps_name;  // as captions say it
 };
-LeapingMedium leaping_medium(const CloudPreviewInput& input, const config::Cloud& cloud,
-                             bool repeats, int threads);
+LeapingMedium leaping_medium(const CloudPreviewInput& input, const Cloud& cloud, bool repeats,
+                             int threads);
 
 // Returns which pixels of a picture get more samples.
 Refinement refinement_of(int width, int height);

@@ -16,7 +16,6 @@
 #include "config/assets/occupancy.h"
 
 namespace skybake {
-
 namespace {
 
 // Returns the views under a sun: one, or those of a turntable.
@@ -178,7 +177,7 @@ void add_lit_pictures(const CloudPreviewInput& input, const LeapingMedium& cloud
 void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
                const std::array<int, 3>& slices, std::vector<PreviewPicture>& pictures) {
     if (input.occupancy == nullptr || input.occupancy_bake == nullptr) return;
-    const config::OccupancyBake& bake = *input.occupancy_bake;
+    const OccupancyBake& bake = *input.occupancy_bake;
     const auto leaps = leaps_of_grid(*input.occupancy, bake, filtered_threshold(*input.cloud));
     const std::array<int, 3> cells = occupancy::CellGrid{medium.volume.size, bake.cell}.size();
     if (!leaps || leaps->size() != occupancy::count_of(cells)) return;
@@ -194,7 +193,7 @@ void add_cells(const CloudPreviewInput& input, const CloudMedium& medium,
 
 std::vector<PreviewPicture> cloud_pictures(const CloudPreviewInput& input, int threads) {
     const bool has_grid = input.occupancy != nullptr && holds_voxels(*input.occupancy);
-    const std::optional<config::Cloud> cloud = cloud_as_baked(input);
+    const std::optional<Cloud> cloud = cloud_as_baked(input);
     if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) {
         if (!has_grid) return {};
         return grid_pictures(*input.occupancy, input.occupancy_bake, cloud ? &*cloud : nullptr,

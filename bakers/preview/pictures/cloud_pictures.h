@@ -46,14 +46,14 @@ struct SequenceFrame {
 
 // The input for the pictures. All pointers except `cloud` may be null.
 struct CloudPreviewInput {
-    const config::Cloud* cloud = nullptr;                  // the cloud that the volume shows
+    const Cloud* cloud = nullptr;                          // the cloud that the volume shows
     const config::CloudVolumeBake* volume_bake = nullptr;  // the section that made it
     const PreviewAsset* volume = nullptr;
     const PreviewAsset* occupancy = nullptr;  // of that volume
     const config::OccupancyBake* occupancy_bake = nullptr;
     // The recipe of the atmosphere, and its two tables. If one of the three is missing, those of the
     // preset "earth" are used.
-    const config::Recipe* air = nullptr;
+    const Recipe* air = nullptr;
     const PreviewAsset* transmittance = nullptr;
     const PreviewAsset* multiple_scattering = nullptr;
     std::vector<SunDirection> suns = {{20, kHeading + kSunBesideView}};  // one lit picture for each
@@ -113,7 +113,7 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
 // seen from above, where the sum of the first channel is greatest (for leaps, least). `bake` says
 // what the channels hold and may be null. If the cloud is not known, axes are in cells.
 std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid,
-                                          const config::OccupancyBake* bake,
-                                          const config::Cloud* cloud, bool draft);
+                                          const config::OccupancyBake* bake, const Cloud* cloud,
+                                          bool draft);
 
 }  // namespace skybake

@@ -13,7 +13,6 @@
 #include "config/fields/fields.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr std::array<const char*, 3> kAxisNames = {"x", "y", "z"};
@@ -123,8 +122,7 @@ struct GridChannel {
     bool is_leap = false;
 };
 
-GridChannel grid_channel(const PreviewAsset& grid, const config::OccupancyBake* bake,
-                         std::size_t channel) {
+GridChannel grid_channel(const PreviewAsset& grid, const OccupancyBake* bake, std::size_t channel) {
     if (bake == nullptr || channel >= bake->contents.size()) {
         return {grid.entry.channels[channel]};
     }
@@ -132,8 +130,8 @@ GridChannel grid_channel(const PreviewAsset& grid, const config::OccupancyBake* 
     const config::Section& section = *config::find_section("bake.*", "occupancy");
     const auto words = config::choice_names(*config::find_field(section, "contents"));
     const bool is_leap = content == config::OccupancyContent::leap;
-    const bool unorm = bake->pixel_type == config::PixelType::unorm8 ||
-                       bake->pixel_type == config::PixelType::unorm16;
+    const bool unorm =
+        bake->pixel_type == PixelType::unorm8 || bake->pixel_type == PixelType::unorm16;
     return {std::string(words[static_cast<std::size_t>(content)]), is_leap && unorm ? 255.0F : 1.0F,
             is_leap};
 }
@@ -304,9 +302,8 @@ PreviewPicture cells_picture(const CloudMedium& medium, const PreviewAsset& volu
     return picture;
 }
 
-std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid,
-                                          const config::OccupancyBake* bake,
-                                          const config::Cloud* cloud, bool draft) {
+std::vector<PreviewPicture> grid_pictures(const PreviewAsset& grid, const OccupancyBake* bake,
+                                          const Cloud* cloud, bool draft) {
     std::vector<PreviewPicture> pictures;
     const VoxelView view = view_of(grid);
     const auto chart_axis = [&](std::size_t a) {

@@ -48,9 +48,8 @@ struct DistancePictures {
         picture.title = fmt::format("{}: distance, texels {} = {}", asset.entry.name, name, at);
         picture.caption =
             "The picture shows how far a ray may go on, in metres, red; within the cloud, blue, "
-            "how "
-            "far it is at least to its surface; and white where neither is known to be more than "
-            "0.";
+            "how far it is at least to its surface; and white where neither is known to be more "
+            "than 0.";
         picture.kind = PictureKind::plot;
         picture.picture = false_colour_chart(field, {-end, end, false, true, "distance (m)"},
                                              picture.title, axis_of(0), axis_of(axis == 1 ? 2 : 1));

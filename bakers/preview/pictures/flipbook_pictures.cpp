@@ -101,12 +101,12 @@ class FlipbookPictures {
             }
             lines.push_back(std::move(line));
         }
-        pictures_.push_back(as_plot(
-            {entry_.name + "_changes", entry_.name + ": changes",
-             "The curves show the root mean square of the change from each frame to the next one, "
-             "and from the last one to the first. A jump is a peak.",
-             line_chart(lines, entry_.name + ": changes", "frame", "change to the next frame",
-                        false, false)}));
+        pictures_.push_back(
+            as_plot({entry_.name + "_changes", entry_.name + ": changes",
+                     "The curves show the root mean square of the change from each frame to the "
+                     "next one, and from the last one to the first. A jump is a peak.",
+                     line_chart(lines, entry_.name + ": changes", "frame",
+                                "change to the next frame", false, false)}));
     }
 
     const ManifestAsset& entry_;

@@ -27,7 +27,7 @@ std::vector<NamedLayer> layers_in_memory(const std::vector<CloudPreviewInput>& i
                                          int threads) {
     std::vector<NamedLayer> layers;
     for (const CloudPreviewInput& input : inputs) {
-        const std::optional<config::Cloud> cloud = cloud_as_baked(input);
+        const std::optional<Cloud> cloud = cloud_as_baked(input);
         if (input.volume == nullptr || !cloud || !holds_voxels(*input.volume)) continue;
         LeapingMedium medium = leaping_medium(input, *cloud, true, threads);
         ProgressPart solving(input.progress, "light within the clouds", 0, 0);
@@ -73,8 +73,7 @@ std::string scene_caption(const CloudPreviewInput& input, const Lighting& lighti
     return fmt::format(
         "The picture shows {} in one sky. Its light is that of {}, with the {}, {}; {}; {}.\n"
         "The camera is `{}`. There is {}. {} Far layers fade out about 1.5 degrees above the "
-        "horizon. "
-        "Layers are flat, and clouds do not shade the air.",
+        "horizon. Layers are flat, and clouds do not shade the air.",
         layers_text(layers), lighting.name, sun_text(sun.elevation_degrees),
         beside_view(sun, frame.camera), sky_text(sky), tone_text(exposure, input.tone_curve),
         camera_text(frame.camera), samples_text(frame, view.refined_pixels), kCopiesText);

@@ -21,7 +21,6 @@
 #include "bakers/render/white_balance.h"
 
 namespace skybake {
-
 namespace {
 
 constexpr double kLowestDegrees = -20;
@@ -218,9 +217,8 @@ std::string compare_with_solved(const SkyScene& scene, const Picture& dome,
         difference);
     return fmt::format(
         " The right shows the mean of the channels' differences, each relative to the reference or "
-        "to "
-        "1e-3 of the channel's largest value, whichever is larger; the colour scale is clipped at "
-        "+-{:g} %. The error of marching in {} steps alone, with the same tables, is {}.",
+        "to 1e-3 of the channel's largest value, whichever is larger; the colour scale is clipped "
+        "at +-{:g} %. The error of marching in {} steps alone, with the same tables, is {}.",
         percent_shown(cost.difference.relative), kSkySteps, marching);
 }
 
@@ -318,7 +316,7 @@ std::vector<PreviewPicture> sky_pictures(const config::Atmosphere& atmosphere,
                                          const PreviewAsset& transmittance,
                                          const PreviewAsset& multiple_scattering,
                                          const SkyPreviewOptions& options, int threads) {
-    config::Outcome<SkyTables> tables = make_sky_tables(transmittance, &multiple_scattering);
+    Outcome<SkyTables> tables = make_sky_tables(transmittance, &multiple_scattering);
     std::vector<PreviewPicture> pictures;
     if (!tables.value) return pictures;
     SkyMedium medium = make_sky_medium(atmosphere);

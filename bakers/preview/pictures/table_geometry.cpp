@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "bakers/air/transmittance_mapping.h"
-#include "bakers/assets/multiple_scattering/stored_orders.h"
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "config/assets/multiple_scattering.h"
 #include "config/assets/transmittance.h"
 #include "config/recipe/asset_parameters.h"
@@ -40,14 +40,14 @@ std::optional<TableGeometry> TableGeometry::of(const ManifestAsset& asset) {
     if (!recipe.value || recipe.value->parameters.bakes.size() != 1 || asset.size.size() != 2) {
         return std::nullopt;
     }
-    const config::Parameters& parameters = recipe.value->parameters;
+    const Parameters& parameters = recipe.value->parameters;
     TableGeometry geometry;
     geometry.shell_ = shell_of(make_medium(parameters.atmosphere));
     geometry.size_ = {asset.size[0], asset.size[1]};
     for (const config::Length& wavelength : parameters.wavelengths) {
         geometry.wavelengths_nm_.push_back(wavelength.meters * 1e9);
     }
-    const config::Bake& bake = parameters.bakes.front();
+    const Bake& bake = parameters.bakes.front();
     if (const auto* transmittance = bake.find<config::TransmittanceBake>()) {
         geometry.is_transmittance_ = true;
         geometry.holds_optical_depth_ =

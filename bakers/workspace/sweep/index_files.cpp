@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;  // keys stay in the order of the schema
-using config::Diagnostic;
 
 Json to_json(const config::Value& value);
 
@@ -70,7 +69,7 @@ Json to_json(const VariantAsset& asset, const std::string& folder) {
 Json errors_json(const VariantResult& variant) {
     Json errors = Json::array();
     for (const Diagnostic& diagnostic : variant.diagnostics) {
-        if (diagnostic.severity != config::Severity::error) continue;
+        if (diagnostic.severity != Severity::error) continue;
         errors.push_back({{"code", diagnostic.code}, {"message", diagnostic.message}});
     }
     return errors;
@@ -185,7 +184,7 @@ void add_asset(const VariantResult& variant, const std::string& name,
 std::string first_error(const VariantResult& variant) {
     if (variant.status != VariantStatus::failed) return "";
     for (const Diagnostic& diagnostic : variant.diagnostics) {
-        if (diagnostic.severity != config::Severity::error) continue;
+        if (diagnostic.severity != Severity::error) continue;
         return fmt::format("{}: {}", diagnostic.code, diagnostic.message);
     }
     return "";

@@ -45,12 +45,12 @@ std::string_view sweep_schema();
 // Checks whether a sweep may be written into the folder. E0302 and E0303 as for
 // inspect_output_folder; E0303 also if the folder holds a bake. If the folder has a sweep.json of
 // skybake, all four files are skybake's.
-[[nodiscard]] std::vector<config::Diagnostic> inspect_index(const std::filesystem::path& folder,
-                                                            bool force);
+[[nodiscard]] std::vector<Diagnostic> inspect_index(const std::filesystem::path& folder,
+                                                    bool force);
 
 // Writes all four files, or none of them. E0301, E0302.
-[[nodiscard]] std::vector<config::Diagnostic> write_index(const std::filesystem::path& folder,
-                                                          const config::Sweep& sweep,
-                                                          std::span<const VariantResult> variants);
+[[nodiscard]] std::vector<Diagnostic> write_index(const std::filesystem::path& folder,
+                                                  const config::Sweep& sweep,
+                                                  std::span<const VariantResult> variants);
 
 }  // namespace skybake

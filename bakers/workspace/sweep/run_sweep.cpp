@@ -18,14 +18,12 @@
 #include "bakers/math/startable_threads.h"
 #include "bakers/workspace/asset_cache.h"
 #include "bakers/workspace/bake_folder.h"
-#include "bakers/workspace/cached_bytes.h"
+#include "bakers/workspace/cache_folder.h"
 #include "bakers/workspace/folder_plan.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
 namespace {
-
-using config::Diagnostic;
 
 Diagnostic internal_error(const std::exception& exception) {
     Diagnostic diagnostic;
@@ -39,13 +37,13 @@ Diagnostic internal_error(const std::exception& exception) {
 std::vector<Diagnostic> check_against_plan(const FolderBake& bake,
                                            const std::vector<std::string>& planned_keys) {
     std::vector<std::string> keys;
-    for (const config::Bake& section : bake.bakes) {
+    for (const Bake& section : bake.bakes) {
         auto identity = asset_identity(*bake.recipe, section, bake.certification);
         if (!identity.value) return std::move(identity.diagnostics);
         keys.push_back(std::move(identity.value->key));
     }
     if (keys == planned_keys) return {};
-    return {{config::Severity::error,
+    return {{Severity::error,
              "E0406",
              "the recipe changed while the sweep was running",
              {},
@@ -297,7 +295,7 @@ class SweepRunner {
                            VariantObserver& observer) {
         if (task.made.empty() || task.made.size() == variant.stale.size()) return true;
         FolderBake bake = whole;
-        std::erase_if(bake.bakes, [&](const config::Bake& section) {
+        std::erase_if(bake.bakes, [&](const Bake& section) {
             const auto asset = std::ranges::find(variant.stale, section.name, &StaleAsset::name);
             return asset == variant.stale.end() ||
                    std::ranges::find(task.made, asset->key) == task.made.end();
@@ -311,7 +309,7 @@ class SweepRunner {
 
     // If there is neither a value nor an error, the bake was interrupted and the variant stays
     // missing.
-    static void finish(config::Outcome<BakedFolder> baked, VariantResult& result) {
+    static void finish(Outcome<BakedFolder> baked, VariantResult& result) {
         if (!baked.value || has_errors(baked.diagnostics)) {
             if (!baked.diagnostics.empty()) fail(std::move(baked.diagnostics), result);
             return;
@@ -331,9 +329,8 @@ class SweepRunner {
     }
 
     static bool has_errors(const std::vector<Diagnostic>& diagnostics) {
-        return std::ranges::any_of(diagnostics, [](const Diagnostic& found) {
-            return found.severity == config::Severity::error;
-        });
+        return std::ranges::any_of(
+            diagnostics, [](const Diagnostic& found) { return found.severity == Severity::error; });
     }
 
     static void append(std::vector<Diagnostic> diagnostics, VariantResult& result) {

@@ -14,11 +14,9 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-
 // Whether the folder's manifest says what it would say if it were written now. It also contains the
 // recipe's parameters that no asset depends on.
-bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
+bool is_settled(const FolderPlan& plan, const Recipe& recipe) {
     if (plan.stale_count() > 0 || !plan.folder.previous || plan.folder.is_unfinished) return false;
     const Manifest& previous = *plan.folder.previous;
     const Manifest fresh = new_manifest(recipe);
@@ -34,7 +32,7 @@ bool is_settled(const FolderPlan& plan, const config::Recipe& recipe) {
            parse(previous.parameters) == parse(fresh.parameters);
 }
 
-void take_plan(const FolderPlan& plan, const config::Recipe& recipe, PlannedVariant& variant) {
+void take_plan(const FolderPlan& plan, const Recipe& recipe, PlannedVariant& variant) {
     for (const PlannedAsset& asset : plan.assets) {
         variant.keys.push_back(asset.identity.key);
         if (asset.up_to_date) {
@@ -50,8 +48,8 @@ void take_plan(const FolderPlan& plan, const config::Recipe& recipe, PlannedVari
     if (is_settled(plan, recipe)) variant.result.status = VariantStatus::done;
 }
 
-config::Diagnostic nothing_to_bake() {
-    return {config::Severity::error,
+Diagnostic nothing_to_bake() {
+    return {Severity::error,
             "E0124",
             "the variant bakes nothing: it has no [bake.*]",
             {},
@@ -59,7 +57,7 @@ config::Diagnostic nothing_to_bake() {
 }
 
 std::string last_failure(const std::filesystem::path& folder) {
-    const std::vector<config::Diagnostic> errors = read_failure(folder);
+    const std::vector<Diagnostic> errors = read_failure(folder);
     return errors.empty() ? "" : errors[0].code + ": " + errors[0].message;
 }
 
@@ -103,15 +101,14 @@ PlannedVariant plan_variant(const SweepJob& job, const VariantNames& names, int 
 void load_modules(const SweepJob& job) {
     const auto recipe = config::load_variant(job.recipe, job.settings, job.sweep, 0);
     if (!recipe.value) return;
-    for (const config::Bake& bake : recipe.value->parameters.bakes) {
+    for (const Bake& bake : recipe.value->parameters.bakes) {
         static_cast<void>(missing_module(bake, job.folder));  // its variant will say so
     }
 }
 
 }  // namespace
 
-FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe,
-                        const std::string& name) {
+FolderBake variant_bake(const SweepJob& job, const Recipe& recipe, const std::string& name) {
     FolderBake bake;
     bake.recipe = &recipe;
     bake.bakes = recipe.parameters.bakes;

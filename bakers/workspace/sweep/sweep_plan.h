@@ -63,7 +63,7 @@ std::vector<PlannedVariant> plan_sweep(const SweepJob& job, const std::function<
 std::vector<std::string> folders_of_earlier_sweeps(const SweepJob& job);
 
 // Returns the bake of one variant's folder. The recipe must outlive it.
-FolderBake variant_bake(const SweepJob& job, const config::Recipe& recipe, const std::string& name);
+FolderBake variant_bake(const SweepJob& job, const Recipe& recipe, const std::string& name);
 
 // An asset, by name, that several of the variants to be made need in the same form.
 struct SharedAsset {

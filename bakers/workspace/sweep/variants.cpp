@@ -53,7 +53,6 @@ std::string safe(std::string_view text) {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using config::Diagnostic;
 
 constexpr std::uintmax_t largest_failure = 1 << 20;
 
@@ -112,7 +111,7 @@ std::string VariantNames::name(int index) const {
 std::string failure_json(const std::vector<Diagnostic>& diagnostics) {
     Json errors = Json::array();
     for (const Diagnostic& diagnostic : diagnostics) {
-        if (diagnostic.severity == config::Severity::error) errors.push_back(to_json(diagnostic));
+        if (diagnostic.severity == Severity::error) errors.push_back(to_json(diagnostic));
     }
     const Json json = {{"format", 1}, {"errors", std::move(errors)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

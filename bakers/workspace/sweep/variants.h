@@ -39,14 +39,14 @@ class VariantNames {
 inline constexpr std::string_view failure_name = "error.json";
 
 // Returns the text of error.json: the errors among the diagnostics.
-std::string failure_json(const std::vector<config::Diagnostic>& diagnostics);
+std::string failure_json(const std::vector<Diagnostic>& diagnostics);
 
 // Returns the errors in a folder's error.json, or none if it is missing or damaged.
-[[nodiscard]] std::vector<config::Diagnostic> read_failure(const std::filesystem::path& folder);
+[[nodiscard]] std::vector<Diagnostic> read_failure(const std::filesystem::path& folder);
 
 // Writes the errors into the variant's folder and makes the folder if it is missing. E0301, E0302.
-[[nodiscard]] std::vector<config::Diagnostic> write_failure(
-    const std::filesystem::path& folder, const std::vector<config::Diagnostic>& diagnostics);
+[[nodiscard]] std::vector<Diagnostic> write_failure(const std::filesystem::path& folder,
+                                                    const std::vector<Diagnostic>& diagnostics);
 
 // Removes error.json if it exists.
 void remove_failure(const std::filesystem::path& folder);
@@ -81,8 +81,8 @@ struct VariantResult {
     int index = 0;
     std::string name;  // name of its folder
     VariantStatus status = VariantStatus::missing;
-    std::vector<VariantAsset> assets;             // if it is done
-    std::vector<config::Diagnostic> diagnostics;  // errors if it failed, else warnings
+    std::vector<VariantAsset> assets;     // if it is done
+    std::vector<Diagnostic> diagnostics;  // errors if it failed, else warnings
 };
 
 }  // namespace skybake
