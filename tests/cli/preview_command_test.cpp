@@ -497,7 +497,7 @@ TEST(PreviewCommand, ASweepOfSkiesHasOneExposure) {
             .code,
         0);
     ASSERT_EQ(scene.preview({sweep, "--sun-elevation", "25"}).code, 0);
-    const std::string caption = data_of(scene.page())["sweep"]["pictures"][0]["caption"];
+    const std::string caption = data_of(scene.page())["tables"][0]["pictures"][0]["caption"];
     expect_has(caption, {"They all have exposure ", "the sun 25 degrees above the horizon"});
 }
 
@@ -511,7 +511,7 @@ TEST(PreviewCommand, ASweepGetsAContactSheetAndATable) {
     const Result result = scene.preview({sweep});
     ASSERT_EQ(result.code, 0) << result.error;
     EXPECT_TRUE(fs::exists(scene.out + "/contact_sheet.png"));
-    const json table = data_of(scene.page())["sweep"];
+    const json table = data_of(scene.page())["tables"][0];
     ASSERT_EQ(table["rows"].size(), 4u);
     EXPECT_EQ(table["columns"][0]["title"], "seed");
     EXPECT_EQ(table["rows"][2]["cells"][0]["value"], 10);

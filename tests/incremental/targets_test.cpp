@@ -77,8 +77,10 @@ config::Recipe loaded_by(const config::TargetFacts& target) {
         const std::size_t begin = skies.find("[bake." + bake.name);
         std::string section = skies.substr(begin, skies.find("[bake.", begin + 1) - begin);
         const std::string size = "size = [8, 4]";
-        if (use->mappings == std::vector<std::string_view>{"cube"}) {
-            section.replace(section.find(size), size.size(), "size = [4, 24]");
+        for (const auto& [mapping, its_size] :
+             {std::pair{"cube", "size = [4, 24]"}, {"equal_area", "size = [8, 8]"}}) {
+            if (use->mappings != std::vector<std::string_view>{mapping}) continue;
+            section.replace(section.find(size), size.size(), its_size);
         }
         text += section;
     }
@@ -125,7 +127,7 @@ TEST(TargetFiles, AreMadeAgainWhenTheyWereChangedAndFailVerification) {
     const std::string whole = read_bytes(folder / "out/cloud.pbrt");
     write_bytes(folder / "out/cloud.pbrt", whole + "#");
     EXPECT_EQ(verify_bake(folder / "out", {}, {}).value->failures.size(), 2U);  // length and hash
-    EXPECT_EQ(bake.states(), (States{up_to_date, baked}));
+    EXPECT_EQ(bake.states(), (States{up_to_date, up_to_date, baked}));
     EXPECT_EQ(read_bytes(folder / "out/cloud.pbrt"), whole);
 }
 
