@@ -136,7 +136,10 @@ ComparedImage compared(ExrRows& file) {
 config::Outcome<ComparedImage> compared_radiance(const std::filesystem::path& path) {
     config::Outcome<HdrPicture> picture = read_hdr_picture(path);
     if (!picture.value) return {{}, std::move(picture.diagnostics)};
-    ComparedImage image{std::move(picture.value->rows), {"R", "G", "B"}, config::PixelType::rgbe};
+    ComparedImage image;
+    image.rows = std::move(picture.value->rows);
+    image.channel_names = {"R", "G", "B"};
+    image.pixel_type = PixelType::rgbe;
     if (const std::string& entry = picture.value->entry; !entry.empty()) {
         image.attributes.emplace_back(metadata_name, entry);
     }
