@@ -189,7 +189,7 @@ const tests = {
 
     async 'keeps an enlarged picture open while it is made anew'(browser) {
         const watched = write('enlarged.toml', recipe), out = path.join(work, 'enlarged');
-        const child = spawn(program, ['preview', watched, '--watch', '-o', out, '--only', 'shape', '--size', '160x90'], {stdio: 'ignore'});
+        const child = spawn(program, ['preview', watched, '--watch', '-o', out, '--only', 'shape'], {stdio: 'ignore'});
         try {
             await until(() => fs.existsSync(path.join(out, 'preview_state.js')));
             const page = await open(browser, path.join(out, 'index.html'));
