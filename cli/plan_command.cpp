@@ -141,11 +141,6 @@ std::string table_text(const Plan& plan) {
                               plan.ways.size());
 }
 
-// The name of a subject's files, without their extension.
-std::string file_name_of(const PlanSubject& subject) {
-    return subject.draws == config::Draws::sky ? "plan" : "plan_" + subject.cloud;
-}
-
 // A plan's files carry the sign of a report, which guards what others have written.
 Outcome<std::vector<ReportFile>> files_of(const std::vector<Plan>& plans,
                                           const std::string& title) {

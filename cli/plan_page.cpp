@@ -68,7 +68,7 @@ Outcome<PageTable> table_of(const Plan& plan) {
     table.title = name_of(plan.subject);
     table.title.front() = 'T';  // "the sky", "the cloud `cumulus`"
     table.content = content_of(plan);
-    table.pictures.push_back({.name = "chart",
+    table.pictures.push_back({.name = file_name_of(plan.subject) + "_chart",
                               .title = "Error against size and fetches",
                               .caption = "The line joins the ways that no other way beats.",
                               .width = chart.width,
@@ -77,7 +77,7 @@ Outcome<PageTable> table_of(const Plan& plan) {
                               .kind = PictureKind::plot,
                               .titled = true});
     const auto [width, height] = png_size(plan.sheet);
-    table.pictures.push_back({.name = "pictures",
+    table.pictures.push_back({.name = file_name_of(plan.subject),
                               .title = "Pictures",
                               .caption =
                                   "By paths of light and by the best way of each family, with "
@@ -101,6 +101,10 @@ Outcome<PageTable> table_of(const Plan& plan) {
 }
 
 }  // namespace
+
+std::string file_name_of(const PlanSubject& subject) {
+    return subject.draws == config::Draws::sky ? "plan" : "plan_" + subject.cloud;
+}
 
 std::string remark_of(const Plan& plan, std::size_t index) {
     const MeasuredWay& way = plan.ways[index];

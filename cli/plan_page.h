@@ -14,6 +14,9 @@ namespace skybake::cli {
 // module that draws charts is missing.
 config::Outcome<std::string> plan_page(const std::vector<Plan>& plans, const std::string& title);
 
+// Returns the name of a subject's chart and pictures, without the files' extensions.
+std::string file_name_of(const PlanSubject& subject);
+
 // Returns what a table says of a way: "chosen", "knee", "front", and of which baseline it is.
 std::string remark_of(const Plan& plan, std::size_t index);
 
