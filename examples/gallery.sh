@@ -97,15 +97,15 @@ assets() {
 reports() {
     local recipe name file
     mkdir -p "$folder/reports"
-    for recipe in earth phase bruneton volume; do reported "$recipe" "$recipe"; done
+    for recipe in earth phase bruneton volume; do reported "$recipe"; done
     for file in $(pictures 'reports/*/*.svg'); do rsvg-convert "$file" -o "${file%.svg}.png"; done
     mapfile -t shown < <(pictures 'reports/*/*.png')
     sheets reports "${shown[@]}"
 }
 
-# reported NAME RECIPE OPTION...
+# reported RECIPE
 reported() {
-    [[ ! $1 =~ ${ONLY:-} ]] || run report "$examples/$2.toml" --quick -o "$folder/reports/$1" --force "${@:3}"
+    [[ ! $1 =~ ${ONLY:-} ]] || run report "$examples/$1.toml" --quick -o "$folder/reports/$1" --force
 }
 
 # Sweeps along one, two and three axes.

@@ -16,6 +16,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/io/formats/texture.h"
+#include "bakers/io/formats/usda/usda.h"
 #include "bakers/io/formats/vdb/vdb_file.h"
 #include "bakers/io/formats/volume_camera.h"
 #include "bakers/math/hash.h"
@@ -157,10 +158,7 @@ void add_lamp(const Baked& baked, Values& values) {
         fmt::format("x=\"{:.7g}\" y=\"{:.7g}\" z=\"{:.7g}\"", -sun[2], sun[0], -sun[1]);
     values["SUN_BASIS"] = rows_text(lamp_axes({sun[0], sun[1], -sun[2]}));
     // Domes of USD have the middle of the map at +z and what is right of it at -x.
-    const glm::dmat3 dome = lamp_axes({-sun[0], sun[1], sun[2]});
-    values["SUN_MATRIX"] =
-        fmt::format("({}, 0), ({}, 0), ({}, 0), (0, 0, 0, 1)", vector_text(dome[0]),
-                    vector_text(dome[1]), vector_text(dome[2]));
+    values["SUN_MATRIX"] = usd_matrix(lamp_axes({-sun[0], sun[1], sun[2]}), glm::dvec3(0));
 }
 
 // "over +x", or "40 degrees to the right of +x": where an environment has the sun. Its parameters say

@@ -31,10 +31,9 @@ inline void expect_nvdb(bool condition, const char* reason) {
 struct NvdbGrid {
     std::string name;
     NvdbGridHead head;
-    std::uint64_t begin = 0;  // where its bytes are read from
-    std::uint64_t zipped =
-        0;  // where it is in the file, of a grid that is compressed by zip; else 0
-    std::string unread = {};  // why its voxels are not read: "it is compressed"; empty: they are
+    std::uint64_t begin = 0;   // where its bytes are read from
+    std::uint64_t zipped = 0;  // where a grid that is compressed by zip is in the file; else 0
+    std::string unread = {};   // why its voxels are not read: "it is compressed"; empty: they are
 };
 
 // "float", "vec3f", "mask", as the library calls them; "type 27" of one that it does not know.

@@ -66,23 +66,16 @@ std::string file_path(const std::vector<std::string>& files, bool plays) {
     return text + "        }\n";
 }
 
-// A camera of its own beside the volume, which is what refers to the scene takes.
+// A camera beside the volume. A scene that refers to this one takes the volume alone.
 std::string camera_text(const Baked& volume) {
     const VolumeCamera camera = volume_camera(volume);
-    std::string matrix;
-    for (glm::length_t i = 0; i < 3; ++i) {
-        const glm::dvec3& axis = camera.axes[i];
-        matrix += fmt::format("({:.7g}, {:.7g}, {:.7g}, 0), ", axis.x, axis.y, axis.z);
-    }
-    const glm::dvec3& at = camera.position_m;
     return fmt::format(
         "\ndef Camera \"camera\"\n{{\n    float2 clippingRange = (1, {:.7g})\n"
         "    float focalLength = {}\n    float horizontalAperture = {}\n"
-        "    float verticalAperture = {}\n"
-        "    matrix4d xformOp:transform = ({}({:.7g}, {:.7g}, {:.7g}, 1))\n"
+        "    float verticalAperture = {}\n    matrix4d xformOp:transform = {}\n"
         "    uniform token[] xformOpOrder = [\"xformOp:transform\"]\n}}\n",
-        camera.reach_m, camera_focal_length_mm, camera_width_mm, camera_height_mm, matrix, at.x,
-        at.y, at.z);
+        camera.reach_m, camera_focal_length_mm, camera_width_mm, camera_height_mm,
+        usd_matrix(camera.axes, camera.position_m));
 }
 
 std::string usd_scene(const Baked& volume) {
@@ -121,6 +114,14 @@ config::Outcome<bool> write_usda_file(const FileContent& content,
 }
 
 }  // namespace
+
+std::string usd_matrix(const glm::dmat3& axes, const glm::dvec3& place) {
+    const auto row = [](const glm::dvec3& v, int last) {
+        return fmt::format("({:.7g}, {:.7g}, {:.7g}, {})", v.x, v.y, v.z, last);
+    };
+    return fmt::format("({}, {}, {}, {})", row(axes[0], 0), row(axes[1], 0), row(axes[2], 0),
+                       row(place, 1));
+}
 
 Format usda_format() {
     return {.format = config::FileFormat::usda,
