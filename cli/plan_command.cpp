@@ -1,4 +1,5 @@
-// skybake plan: measures the ways to draw the sky of a recipe, and writes the recipe of the best one.
+// skybake plan: measures the ways to draw the light and the clouds of a recipe, and writes the recipe of
+// the best ones.
 #include "bakers/plan/plan.h"
 
 #include <fmt/format.h>
@@ -20,7 +21,7 @@
 #include "bakers/io/files/to_string.h"
 #include "bakers/plan/plan_cloud.h"
 #include "bakers/plan/plan_files.h"
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/plan_light.h"
 #include "bakers/plot/drawing.h"
 #include "bakers/preview/page.h"
 #include "cli/command.h"
@@ -79,8 +80,7 @@ namespace {
 
 WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
     WayLimits limits;
-    const auto& error =
-        subject.draws == config::Draws::sky ? options::max_sky_error : options::max_cloud_error;
+    const auto& error = subject.is_cloud() ? options::max_cloud_error : options::max_sky_error;
     if (invocation.has(error)) limits.error = invocation[error];
     if (invocation.has(options::max_fetches)) {
         limits.fetches = static_cast<double>(invocation[options::max_fetches]);
@@ -151,6 +151,7 @@ Outcome<std::vector<ReportFile>> files_of(const std::vector<Plan>& plans,
                                      {page_name, std::move(*page.value)}};
     for (const Plan& plan : plans) {
         files.push_back({file_name_of(plan.subject) + ".svg", report_svg(plan_figure(plan))});
+        if (plan.sheet.empty()) continue;
         files.push_back({file_name_of(plan.subject) + ".png", plan.sheet});
     }
     return {std::move(files), {}};
@@ -197,7 +198,7 @@ Diagnostic nothing_to_draw(const Invocation& invocation) {
 
 Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::path& cache,
                            const PlanSubject& subject, Console& console) {
-    BakeProgress progress(subject.draws == config::Draws::sky ? "sky" : subject.cloud, console);
+    BakeProgress progress(word_of(subject), console);
     PlanRequest request;
     request.load = [&](std::span<const std::string> settings) {
         return recipe_of(invocation, settings);
@@ -206,8 +207,8 @@ Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::
     request.limits = limits_of(invocation, subject);
     request.threads = invocation[options::jobs];
     request.progress = &progress;
-    Outcome<Plan> plan = subject.draws == config::Draws::sky ? plan_sky(request)
-                                                             : plan_cloud(request, subject.cloud);
+    Outcome<Plan> plan = subject.is_cloud() ? plan_cloud(request, subject.cloud)
+                                            : plan_light(request, subject.draws);
     for (Diagnostic& found : plan.diagnostics) {
         if (found.where.source.empty()) {
             found.where.source = recipe_name(invocation.arguments()[0]);
@@ -282,8 +283,9 @@ Command plan_command() {
         .options = {options::output(
                         "write index.html, plan.csv, .json and pictures into this folder", "plan"),
                     set_row(),
-                    options::max_sky_error("choose among ways with at most this error in nine of "
-                                           "ten views of the sky"),
+                    options::max_sky_error(
+                        "choose among ways with at most this error in nine of "
+                        "ten views of the sky, or of what else the air's light is"),
                     options::max_cloud_error("choose among ways with at most this RMS error of a "
                                              "cloud's picture, in shares of white"),
                     options::max_fetches("choose among ways with at most N fetches per pixel"),

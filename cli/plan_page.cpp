@@ -76,16 +76,18 @@ Outcome<PageTable> table_of(const Plan& plan) {
                               .png = std::move(*chart_bytes.value),
                               .kind = PictureKind::plot,
                               .titled = true});
-    const auto [width, height] = png_size(plan.sheet);
-    table.pictures.push_back({.name = file_name_of(plan.subject),
-                              .title = "Pictures",
-                              .caption =
-                                  "By paths of light and by the best way of each family, with "
-                                  "the differences: red is brighter, blue darker.",
-                              .width = width,
-                              .height = height,
-                              .png = plan.sheet,
-                              .kind = PictureKind::scene});
+    if (!plan.sheet.empty()) {
+        const auto [width, height] = png_size(plan.sheet);
+        table.pictures.push_back({.name = file_name_of(plan.subject),
+                                  .title = "Pictures",
+                                  .caption =
+                                      "By paths of light and by the best way of each family, with "
+                                      "the differences: red is brighter, blue darker.",
+                                  .width = width,
+                                  .height = height,
+                                  .png = plan.sheet,
+                                  .kind = PictureKind::scene});
+    }
     table.columns = {{"error, median", "percent"},
                      {error_title(plan), "percent"},
                      {"error, max", "percent"},
@@ -103,7 +105,8 @@ Outcome<PageTable> table_of(const Plan& plan) {
 }  // namespace
 
 std::string file_name_of(const PlanSubject& subject) {
-    return subject.draws == config::Draws::sky ? "plan" : "plan_" + subject.cloud;
+    if (subject.is_cloud()) return "plan_" + subject.cloud;
+    return subject.draws == config::Draws::sky ? "plan" : word_of(subject) + "_plan";
 }
 
 std::string remark_of(const Plan& plan, std::size_t index) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "bakers/assets/registry/registry.h"
@@ -19,15 +20,38 @@ Outcome<Recipe> load_scene(const PlanRequest& request, const std::vector<std::st
     return request.load(all);
 }
 
+namespace {
+
+// A part of the light of clear air.
+struct Light {
+    config::Draws draws;
+    std::string_view word;
+    std::string_view name;
+};
+constexpr Light kLights[] = {
+    {config::Draws::sky, "sky", "the sky"},
+    {config::Draws::distance, "distance", "the air before things"},
+    {config::Draws::ground_light, "ground_light", "the light on the ground"},
+    {config::Draws::surroundings, "surroundings", "the surroundings"},
+};
+
+const Light& light_of(const PlanSubject& subject) {
+    return *std::ranges::find(kLights, subject.draws, &Light::draws);
+}
+
+}  // namespace
+
 std::vector<PlanSubject> subjects_of(const Parameters& parameters) {
     const auto draws = [&](config::Draws what) {
-        if (!parameters.scene) return true;
+        using enum config::Draws;
+        if (!parameters.scene) return what == sky || what == clouds;
         const std::vector<config::Draws>& all = parameters.scene->draws;
         return std::ranges::find(all, what) != all.end();
     };
     std::vector<PlanSubject> subjects;
-    if (draws(config::Draws::sky) && parameters.atmosphere.top_radius.meters > 0) {
-        subjects.push_back({config::Draws::sky, {}});
+    for (const Light& light : kLights) {
+        if (!draws(light.draws) || !(parameters.atmosphere.top_radius.meters > 0)) continue;
+        subjects.push_back({light.draws, {}});
     }
     if (draws(config::Draws::clouds)) {
         for (const Cloud& cloud : parameters.clouds) {
@@ -38,8 +62,13 @@ std::vector<PlanSubject> subjects_of(const Parameters& parameters) {
 }
 
 std::string name_of(const PlanSubject& subject) {
-    return subject.draws == config::Draws::sky ? "the sky"
-                                               : fmt::format("the cloud `{}`", subject.cloud);
+    if (subject.is_cloud()) return fmt::format("the cloud `{}`", subject.cloud);
+    return std::string(light_of(subject).name);
+}
+
+std::string word_of(const PlanSubject& subject) {
+    if (subject.is_cloud()) return "clouds." + subject.cloud;
+    return std::string(light_of(subject).word);
 }
 
 std::string versions_of_bakers() {

@@ -25,10 +25,11 @@ struct ErrorWords {
     std::string remark;    // a comment of the written recipe; or empty
 };
 
-// The sky, or a cloud of a recipe.
+// A part of the light of a recipe's air, or a cloud.
 struct PlanSubject {
     config::Draws draws = config::Draws::sky;
     std::string cloud;  // NAME of a [clouds.NAME]
+    bool is_cloud() const { return draws == config::Draws::clouds; }
 };
 
 struct Plan {
@@ -64,6 +65,9 @@ Outcome<Recipe> load_scene(const PlanRequest& request,
 
 // Returns "the sky", or "the cloud `cumulus`".
 std::string name_of(const PlanSubject& subject);
+
+// Returns "sky", or "clouds.cumulus".
+std::string word_of(const PlanSubject& subject);
 
 // Returns what the recipe has and its scene draws.
 std::vector<PlanSubject> subjects_of(const Parameters& parameters);

@@ -116,10 +116,6 @@ std::string neighbour_text(const Plan& plan, std::string_view what, std::size_t 
                        figures_text(plan, way.figures));
 }
 
-std::string subject_word(const Plan& plan) {
-    return plan.subject.draws == config::Draws::sky ? "sky" : "clouds." + plan.subject.cloud;
-}
-
 Json to_json(const Plan& plan) {
     Json ways = Json::array();
     for (const MeasuredWay& way : plan.ways) {
@@ -133,7 +129,7 @@ Json to_json(const Plan& plan) {
         entry["assets"] = std::move(assets);
         ways.push_back(std::move(entry));
     }
-    return {{"subject", subject_word(plan)},
+    return {{"subject", word_of(plan.subject)},
             {"views", plan.scene},
             {"reference", plan.reference},
             {"compared", plan.words.compared},
@@ -190,7 +186,7 @@ std::string plan_csv(std::span<const Plan> plans) {
     text += ",chosen\n";
     for (const Plan& plan : plans) {
         for (std::size_t i = 0; i < plan.ways.size(); ++i) {
-            text += subject_word(plan);
+            text += word_of(plan.subject);
             for (const Column& column : columns())
                 text += "," + dump(column.value(plan.ways[i]), -1);
             text += i == plan.chosen && plan.keeps_limits ? ",true\n" : ",false\n";
@@ -227,8 +223,14 @@ std::string planned_recipe(std::span<const Plan> plans, const Recipe& recipe) {
         reads.insert(reads.end(), plan.reads.begin(), plan.reads.end());
     }
     text += "\n" + config::parameters_toml(recipe, reads);
+    std::vector<WayAsset> written;
     for (const Plan& plan : plans) {
-        for (const WayAsset& asset : plan.ways[plan.chosen].way.assets) text += asset_text(asset);
+        for (const WayAsset& asset : plan.ways[plan.chosen].way.assets) {
+            // What two of them read is baked once.
+            if (std::ranges::find(written, asset.keys, &WayAsset::keys) != written.end()) continue;
+            text += asset_text(asset);
+            written.push_back(asset);
+        }
     }
     return text;
 }

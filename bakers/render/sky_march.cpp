@@ -60,6 +60,7 @@ struct MarchRay {
     Real s_km;      // r mu
     Real sun_s_km;  // r mu_s
     Real cosine_to_sun;
+    Real reach_km;
 };
 
 // A point on a ray and the sun's position there.
@@ -183,8 +184,10 @@ HWY_INLINE MarchPath<Real> path_of(const SkyMarch& sky, const MarchRay<Real>& ra
     const Real root_to_top = square_root(s * s + rise);
     const Real to_top = select(Real(0.0f) < s, rise / (root_to_top + s), root_to_top - s);
     const Real to_ground = drop / (square_root(maximum(s * s - drop, Real(0.0f))) - s);
-    return {select(hits_ground, to_ground, to_top),
-            select(hits_ground, to_ground, maximum(-s, Real(0.0f))), hits_ground};
+    const Real to_end = select(hits_ground, to_ground, to_top);
+    const Real densest = select(hits_ground, to_ground, maximum(-s, Real(0.0f)));
+    const decltype(hits_ground) ends_there = hits_ground & (to_end < ray.reach_km);
+    return {minimum(to_end, ray.reach_km), minimum(densest, ray.reach_km), ends_there};
 }
 
 template <class Real>
@@ -333,7 +336,8 @@ HWY_INLINE void march_all(const SkyMarch& sky, const MarchRays& rays, float* rad
         const auto at = static_cast<std::size_t>(i);
         const MarchRay<Real> ray = {
             Access::load(rays.altitude_km.data() + at), Access::load(rays.s_km.data() + at),
-            Access::load(rays.sun_s_km.data() + at), Access::load(rays.cosine_to_sun.data() + at)};
+            Access::load(rays.sun_s_km.data() + at), Access::load(rays.cosine_to_sun.data() + at),
+            Access::load(rays.reach_km.data() + at)};
         Real value[kChannels];
         march<Real, kChannels>(sky, ray, rays.phases.data() + at, rays.count, value);
         for (int c = 0; c < kChannels; ++c) Access::store(value[c], radiance + c * rays.count + i);

@@ -40,6 +40,7 @@ struct MarchRays {
     std::vector<float> s_km;         // r mu
     std::vector<float> sun_s_km;     // r mu_s
     std::vector<float> cosine_to_sun;
+    std::vector<float> reach_km;  // the march ends there, if the air does not before
     // The phase function of each layer in each channel, for the angle between ray and sun: that of ray
     // i stands at (layer * channels + channel) * count + i.
     std::vector<float> phases;

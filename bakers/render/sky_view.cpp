@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "bakers/air/ray.h"
 #include "bakers/math/parallel.h"
@@ -52,11 +54,12 @@ SkyMarch make_march(const SkyMedium& medium, const SkyTables& tables, int steps)
     return sky;
 }
 
-void add_ray(const SkyRay& ray, MarchRays& rays) {
+void add_ray(const SkyRay& ray, double reach_km, MarchRays& rays) {
     rays.altitude_km.push_back(static_cast<float>(ray.altitude_km));
     rays.s_km.push_back(static_cast<float>(ray.s_km));
     rays.sun_s_km.push_back(static_cast<float>(ray.sun_s_km));
     rays.cosine_to_sun.push_back(static_cast<float>(ray.cosine_to_sun));
+    rays.reach_km.push_back(static_cast<float>(reach_km));
     ++rays.count;
 }
 
@@ -76,14 +79,18 @@ void add_phases(const SkyMedium& medium, const std::vector<SkyRay>& from, MarchR
     }
 }
 
-// Returns the radiance along rays, of which there is at least one.
+// Returns the radiance along rays, of which there is at least one, up to these distances: none are as
+// far as the air.
 template <class March>
 std::vector<Spectrum> marched(const SkyMedium& medium, const SkyMarch& sky,
-                              std::vector<SkyRay> rays, const March& march) {
+                              std::vector<SkyRay> rays, std::span<const double> reaches_km,
+                              const March& march) {
     std::vector<Spectrum> light(rays.size());
     while (rays.size() % kMarchPadding != 0) rays.push_back(rays.back());
     MarchRays together;
-    for (const SkyRay& ray : rays) add_ray(ray, together);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        add_ray(rays[i], i < reaches_km.size() ? reaches_km[i] : HUGE_VAL, together);
+    }
     add_phases(medium, rays, together);
     const auto channels = static_cast<std::size_t>(sky.channels);
     std::vector<float> radiance(rays.size() * channels);
@@ -108,7 +115,7 @@ void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& vie
         rays.push_back(sky_ray(shell_of(medium.air), view.camera_altitude_km, sun, *direction));
     }
     if (columns.empty()) return;
-    const std::vector<Spectrum> light = marched(medium, sky, std::move(rays), march);
+    const std::vector<Spectrum> light = marched(medium, sky, std::move(rays), {}, march);
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (int c = 0; c < sky.channels; ++c) {
             const auto value = static_cast<float>(light[i][static_cast<std::size_t>(c)]);
@@ -150,7 +157,8 @@ Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables
 }
 
 std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,
-                                const std::vector<SkyRay>& rays, int steps, int threads) {
+                                const std::vector<SkyRay>& rays, int steps, int threads,
+                                std::span<const double> reaches_km) {
     constexpr std::ptrdiff_t kTogether = 8 * kMarchPadding;
     const SkyMarch sky = make_march(medium, tables, steps);
     std::vector<Spectrum> light(rays.size());
@@ -158,8 +166,10 @@ std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables
     parallel_for(static_cast<int>((count + kTogether - 1) / kTogether), threads, [&](int part) {
         const std::ptrdiff_t begin = part * kTogether;
         const std::ptrdiff_t end = std::min(begin + kTogether, count);
+        const auto from = static_cast<std::size_t>(begin);
+        const auto reaches = reaches_km.empty() ? reaches_km : reaches_km.subspan(from);
         std::ranges::copy(
-            marched(medium, sky, {rays.begin() + begin, rays.begin() + end}, march_rays),
+            marched(medium, sky, {rays.begin() + begin, rays.begin() + end}, reaches, march_rays),
             light.begin() + begin);
     });
     return light;

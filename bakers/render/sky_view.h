@@ -22,6 +22,9 @@
 // no air at all, one channel, albedo 0 and 1.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/render/sky_rays.h"
@@ -46,8 +49,10 @@ Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables
 // Returns the coefficients of a layer where its density is 1.
 Coefficients full_coefficients(const SkyLayer& layer);
 
-// Returns the radiance along rays of any cameras and suns, in as many segments.
+// Returns the radiance along rays of any cameras and suns, in as many segments; with `reaches_km`, that
+// of the air up to a distance along each, as the published `skybake_air` has it.
 std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,
-                                const std::vector<SkyRay>& rays, int steps, int threads);
+                                const std::vector<SkyRay>& rays, int steps, int threads,
+                                std::span<const double> reaches_km = {});
 
 }  // namespace skybake

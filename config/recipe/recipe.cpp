@@ -33,9 +33,7 @@ void append_maps(const Parameters& parameters, std::vector<std::filesystem::path
             if (!map->path.empty()) inputs.push_back(map->path);
         }
         if (cloud.volume.empty()) continue;
-        for (const auto& path : volume_named(parameters, cloud.volume).paths) {
-            inputs.push_back(path);
-        }
+        inputs.push_back(volume_named(parameters, cloud.volume).path);
     }
 }
 

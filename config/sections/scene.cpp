@@ -14,6 +14,9 @@ constexpr Choice sky_by_choices[] = {
 
 constexpr Choice draws_choices[] = {
     {Draws::sky, "sky", "the clear sky of [atmosphere]"},
+    {Draws::distance, "distance", "the air between the camera and things"},
+    {Draws::ground_light, "ground_light", "the light of sun and sky on level ground"},
+    {Draws::surroundings, "surroundings", "image-based light: sky and ground in all directions"},
     {Draws::clouds, "clouds", "each of [clouds] in sunlight"},
 };
 

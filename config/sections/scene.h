@@ -14,8 +14,9 @@ namespace skybake::config {
 // a picture of the whole sky for each sun.
 enum class SkyBy { march, fetch, picture };
 
-// The parts of the recipe that a scene draws.
-enum class Draws { sky, clouds };
+// The parts of the recipe that a scene draws: the sky, the air between the camera and things, the light
+// that falls on the ground, images that light and are mirrored, and clouds.
+enum class Draws { sky, distance, ground_light, surroundings, clouds };
 
 // A scene gives the ranges of cameras and suns that a runtime will show, so that tables need not
 // hold more. The other members are for `skybake plan`.
@@ -23,7 +24,7 @@ struct Scene {
     std::array<Length, 2> altitude;      // of cameras
     std::array<Angle, 2> sun_elevation;  // at the camera
     Length view_distance;
-    std::vector<Draws> draws;               // all of it
+    std::vector<Draws> draws;               // sky and clouds, unless it says so
     std::vector<SkyBy> sky_by;              // empty: any
     std::vector<Angle> suns;                // the only ones; empty: any in sun_elevation
     std::optional<double> max_sky_error;    // ninth decile, relative

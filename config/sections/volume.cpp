@@ -14,30 +14,6 @@ namespace {
 
 VolumeProbe the_probe = nullptr;
 
-// This is the number in the names of slices: "%d" or "%03d".
-struct NumberPlace {
-    std::size_t begin = 0;  // of the `%`
-    std::size_t end = 0;    // behind the `d`
-    int digits = 0;
-};
-
-// Returns none if the name does not have exactly one number.
-std::optional<NumberPlace> number_place(std::string_view name) {
-    NumberPlace place;
-    place.begin = name.find('%');
-    if (place.begin == std::string_view::npos) return std::nullopt;
-    std::size_t at = place.begin + 1;
-    if (at < name.size() && name[at] == '0') {
-        ++at;
-        if (at >= name.size() || name[at] < '1' || name[at] > '9') return std::nullopt;
-        place.digits = name[at++] - '0';
-    }
-    if (at >= name.size() || name[at] != 'd') return std::nullopt;
-    place.end = at + 1;
-    if (name.find('%', place.end) != std::string_view::npos) return std::nullopt;
-    return place;
-}
-
 // This is one volume while its keys are checked.
 struct VolumeDecoder {
     const DecodedSection& section;
@@ -58,22 +34,8 @@ struct VolumeDecoder {
                                   std::move(label));
     }
 
-    void append_slices(const std::filesystem::path& folder) const {
-        const std::optional<NumberPlace> number = number_place(volume.file);
-        if (!number) {
-            return report("E0110", "file", "does not say where the numbers of its slices stand",
-                          "write the number once, as in \"slice_%03d.exr\"");
-        }
-        for (int i = 0; i < volume.slices; ++i) {
-            const std::string name = volume.file.substr(0, number->begin) +
-                                     fmt::format("{:0{}}", volume.first_slice + i, number->digits) +
-                                     volume.file.substr(number->end);
-            volume.paths.push_back((folder / name).lexically_normal());
-        }
-    }
-
     // Files are looked for where includes are: in the folder of the recipe that names them.
-    void resolve_paths() const {
+    void resolve_path() const {
         const DecodedField& file = section.at("file");
         if (!file.source || !file.value) return;
         if (volume.file.empty()) {
@@ -82,8 +44,7 @@ struct VolumeDecoder {
         const Source* source = file.source->place.source;
         const std::filesystem::path folder = source ? source->folder : std::filesystem::path();
         volume.file_place = source_range(file.source->place);
-        if (volume.format == VolumeFormat::slices) return append_slices(folder);
-        volume.paths.push_back((folder / volume.file).lexically_normal());
+        volume.path = (folder / volume.file).lexically_normal();
     }
 
     void check_pair(std::string_view first, std::string_view second) const {
@@ -134,7 +95,7 @@ VolumeFile decode_volume(const std::string& name, const Place& place, const Tabl
     append_values(section, decoder);
     bind_section(section, volume_fields(), volume);
     const VolumeDecoder reader{section, volume, decoder};
-    reader.resolve_paths();
+    reader.resolve_path();
     reader.check_keys();
     file_place = reader.place_of("file");
     return volume;

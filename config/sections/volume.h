@@ -12,7 +12,7 @@
 
 namespace skybake::config {
 
-enum class VolumeFormat { vdb, nvdb, raw, slices };
+enum class VolumeFormat { vdb, nvdb, raw };
 enum class ByteOrder { little, big };
 enum class VolumeUp { z, y };
 enum class VolumeWrap { empty, repeat };
@@ -34,18 +34,15 @@ struct VolumeShape {
 // This is one [volumes.NAME]. Sizes and crops are along the file's own axes.
 struct VolumeFile {
     std::string name;
-    std::string file;                          // as the recipe spells it
-    std::vector<std::filesystem::path> paths;  // the file, or the slices in their order
+    std::string file;            // as the recipe spells it
+    std::filesystem::path path;  // of the file
     VolumeFormat format = VolumeFormat::vdb;
     std::string grid;           // vdb and nvdb; empty: density, or the only one of numbers
-    std::string channel;        // slices; empty: the first channel
     std::array<int, 3> size{};  // raw
     PixelType type = PixelType::float32;  // raw
     ByteOrder byte_order = ByteOrder::little;
     AxisOrder axis_order = AxisOrder::xyz;
     int offset = 0;  // raw: bytes before the voxels
-    int first_slice = 0;
-    int slices = 0;
     std::array<Length, 3> voxel_size;  // 0: what the file says
     std::array<int, 3> crop_first{};   // index of the first voxel that counts
     std::array<int, 3> crop_size{};    // 0: all voxels, or those of the crop in metres

@@ -7,7 +7,6 @@ namespace {
 constexpr Range volume_voxels_range{1, 16384};
 constexpr Range volume_index_range{-1e6, 1e6};
 constexpr Range volume_byte_range{0, 2147483647};
-constexpr Range volume_slice_range{0, 1e6};
 constexpr Range volume_edge_range{1e-6, 1e8};
 constexpr Range volume_place_range{-1e9, 1e9};
 constexpr Range volume_crop_range{1e-6, 1e9};
@@ -18,7 +17,6 @@ constexpr Choice volume_format_choices[] = {
     {VolumeFormat::vdb, "vdb", "an OpenVDB file with a grid of float, double, int32 or int64"},
     {VolumeFormat::nvdb, "nvdb", "a NanoVDB file with a grid of type Float, Fp8 or Fp16"},
     {VolumeFormat::raw, "raw", "numbers alone, whose layout the section gives"},
-    {VolumeFormat::slices, "slices", "numbered EXR, PNG or TIFF pictures, one per slice"},
 };
 constexpr Choice volume_type_choices[] = {
     {PixelType::float32, "float32", "32-bit floats"},
@@ -44,29 +42,25 @@ constexpr Choice volume_up_choices[] = {
      "the file's y is up, as in Houdini: the cloud's x, y and z are its x, -z and y"},
 };
 constexpr Choice volume_wrap_choices[] = {
-    {VolumeWrap::empty, "empty", "the file's background, which is 0 for raw and slices"},
+    {VolumeWrap::empty, "empty", "the file's background, which is 0 for raw"},
     {VolumeWrap::repeat, "repeat", "along x and y the volume again; above and below, empty"},
 };
 constexpr Choice volume_not_finite_choices[] = {
     {NotFinite::refuse, "refuse", "an error that says how many they are and where the first is"},
-    {NotFinite::background, "background", "the file's background, 0 for raw and slices"},
+    {NotFinite::background, "background", "the file's background, 0 for raw"},
 };
 
 constexpr std::string_view of_grids[] = {"vdb", "nvdb"};
 constexpr std::string_view of_raw[] = {"raw"};
-constexpr std::string_view of_slices[] = {"slices"};
 
 const VolumeField volume_table[] = {
-    {"file", Kind::text, &VolumeFile::file,
-     "the volume's file, or the name of its slices with their number", KeyFlag::required,
-     Hint{"for example \"cloud.vdb\" or \"slice_%03d.exr\"; relative to the folder of the recipe"}},
+    {"file", Kind::text, &VolumeFile::file, "the volume's file", KeyFlag::required,
+     Hint{"for example \"cloud.vdb\"; relative to the folder of the recipe"}},
     {"format", Kind::choice, &VolumeFile::format, "what the file is", volume_format_choices,
      Default{R"("vdb")"}},
     {"grid", Kind::text, &VolumeFile::grid,
      "name of the grid; density by default, or the file's only grid of numbers",
      When{"format", of_grids}},
-    {"channel", Kind::text, &VolumeFile::channel, "channel of the pictures; their first by default",
-     Hint{"for example \"R\""}, When{"format", of_slices}},
     {"size", Kind::voxels, &VolumeFile::size, "voxels along the file's x, y and z",
      volume_voxels_range, KeyFlag::required, When{"format", of_raw}},
     {"type", Kind::choice, &VolumeFile::type, "how a number is stored", volume_type_choices,
@@ -78,11 +72,6 @@ const VolumeField volume_table[] = {
      When{"format", of_raw}},
     {"offset", Kind::integer, &VolumeFile::offset, "bytes before the first voxel",
      volume_byte_range, Default{"0"}, When{"format", of_raw}},
-    {"first_slice", Kind::integer, &VolumeFile::first_slice,
-     "number of the first slice, which is at the file's z = 0", volume_slice_range, Default{"0"},
-     When{"format", of_slices}},
-    {"slices", Kind::integer, &VolumeFile::slices, "number of slices", volume_voxels_range,
-     KeyFlag::required, Hint{"row 0 of a picture is at y = 0"}, When{"format", of_slices}},
     {"voxel_size", Kind::lengths, &VolumeFile::voxel_size,
      "edges of a voxel along the file's x, y and z; an OpenVDB or NanoVDB file says them itself, "
      "in metres, unless this key replaces them",

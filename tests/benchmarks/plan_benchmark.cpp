@@ -15,7 +15,7 @@
 
 #include "bakers/plan/plan_cloud.h"
 #include "bakers/plan/plan_files.h"
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/plan_light.h"
 #include "config/recipe/recipe.h"
 
 namespace skybake {
@@ -81,7 +81,8 @@ int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
             return config::parse_recipe(scene.text, "scene", {}, settings);
         };
         if (scene.max_error > 0) request.limits.error = scene.max_error;
-        const auto plan = clouds ? plan_cloud(request, "c") : plan_sky(request);
+        const auto plan =
+            clouds ? plan_cloud(request, "c") : plan_light(request, config::Draws::sky);
         if (!plan.value) {
             fmt::print("{}: {}\n", i, plan.diagnostics.front().message);
             continue;
@@ -90,7 +91,9 @@ int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
         constexpr std::uint32_t kOtherViews = 4096;
         const double judged =
             clouds ? judge_cloud(request, "c", chosen.way, kOtherViews).value.value()
-                   : judge_sky(request, chosen.way, kOtherViews).value.value().ninth_decile;
+                   : judge_light(request, config::Draws::sky, chosen.way, kOtherViews)
+                         .value.value()
+                         .ninth_decile;
         ratios.push_back(judged / chosen.figures.error);
         fmt::print("{}: limit {:.2g}, {}: claimed {:.2g}, judged {:.2g}, ratio {:.2f}\n", i,
                    scene.max_error, full_name(chosen.way), chosen.figures.error, judged,

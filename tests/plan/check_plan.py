@@ -129,6 +129,24 @@ def main():
         kinds = {asset["kind"] for asset in json.loads((folder / "both_baked/manifest.json").read_text())["assets"]}
         assert {"sky_view", "cloud_volume"} <= kinds, kinds
 
+        # All that a scene may draw is planned, and one recipe bakes it.
+        (folder / "all.toml").write_text(SCENE + 'draws = ["surroundings", "ground_light", "distance", "sky"]\n')
+        every = plan("all.toml", "-o", "all", "--write", "all_planned.toml")
+        assert every.returncode == 0, every.stderr
+        result = json.loads((folder / "all/plan.json").read_text())
+        words = ["sky", "distance", "ground_light", "surroundings"]
+        assert [plan["subject"] for plan in result["subjects"]] == words, result
+        if jsonschema:
+            jsonschema.validate(result, schema)
+        for word in words[1:]:
+            assert (folder / f"all/{word}_plan.svg").exists(), word
+            assert (folder / f"all/{word}_plan.png").exists() == (word != "ground_light"), word
+        bake = subprocess.run([program, "bake", "all_planned.toml", "-o", "all_baked", "--certify=off"],
+                              capture_output=True, text=True, cwd=folder)
+        assert bake.returncode == 0, bake.stderr
+        kinds = {asset["kind"] for asset in json.loads((folder / "all_baked/manifest.json").read_text())["assets"]}
+        assert kinds == {"sky_view", "aerial_perspective", "irradiance", "environment"}, kinds
+
         # Nobody's file is touched.
         assert plan("scene.toml", "--write", "planned.toml").returncode == 3
         (out / "plan.csv").write_text("mine")

@@ -8,7 +8,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/io/manifest/metadata.h"
 #include "bakers/light/sky_radiance.h"
-#include "bakers/plan/sky_truth.h"
+#include "bakers/plan/light_truth.h"
 #include "bakers/render/sky_view.h"
 #include "config/assets/multiple_scattering.h"
 
@@ -28,7 +28,7 @@ class StoredSky : public ::testing::Test {
           medium_(make_sky_medium(recipe_.parameters.atmosphere)),
           transmittance_(baked("t")),
           moments_(baked("m")),
-          views_(scene_views({0, 3, 5, 80, {}}, shell(), 48, 1)) {}
+          views_(scene_views(config::Draws::sky, {0, 3, 5, 80, {}, 64}, shell(), 48, 1)) {}
 
     Shell shell() const { return shell_of(recipe_.parameters.atmosphere); }
 
@@ -37,15 +37,16 @@ class StoredSky : public ::testing::Test {
         return *bake_asset(recipe_, bake, {.certification = Certification::off}).value;
     }
 
-    std::vector<Spectrum> march(const Baked& moments, int steps, int threads = 1) const {
+    std::vector<Spectrum> march(const Baked& moments, int steps, int threads = 1,
+                                const std::vector<double>& reaches_km = {}) const {
         const PreviewAsset transmittance = {describe(transmittance_), transmittance_.image(), {}};
         const PreviewAsset scattering = {describe(moments), moments.image(), {}};
         std::vector<SkyRay> rays;
-        for (const SkySample& view : views_) {
-            rays.push_back(camera_ray(shell(), view.altitude_km, view.sun, view.direction).in_air);
+        for (const auto& [view, distance_km] : views_) {
+            rays.push_back(sky_ray(shell(), view.altitude_km, view.sun, view.direction));
         }
         return march_sky(medium_, *make_sky_tables(transmittance, &scattering).value, rays, steps,
-                         threads);
+                         threads, reaches_km);
     }
 
     // The largest relative difference from quadrature with the same moments and exact sunlight.
@@ -58,8 +59,9 @@ class StoredSky : public ::testing::Test {
         const std::vector<Spectrum> found = march(moments, steps);
         double largest = 0;
         for (std::size_t i = 0; i < views_.size(); ++i) {
+            const SkySample& view = views_[i].sky;
             const SkyRadiance exact =
-                integrator.radiance(views_[i].altitude_km, views_[i].sun, views_[i].direction);
+                integrator.radiance(view.altitude_km, view.sun, view.direction);
             for (std::size_t c = 0; c < 3; ++c) {
                 const double wanted = exact.single[c] + exact.multiple[c];
                 largest = std::max(largest, std::fabs(found[i][c] / wanted - 1));
@@ -72,7 +74,7 @@ class StoredSky : public ::testing::Test {
     SkyMedium medium_;
     Baked transmittance_;
     Baked moments_;
-    std::vector<SkySample> views_;
+    std::vector<LightView> views_;
 };
 
 // A step's error falls with its square.
@@ -95,6 +97,24 @@ TEST_F(StoredSky, WrongTablesShow) {
         Baked table = moments_;
         set_image(wrong, table);
         EXPECT_GT(error(table, 512), 0.05);
+    }
+}
+
+// A ray that ends beyond the air is the whole ray, to the bit; a short one holds the light of its
+// beginning; and light only adds up with the distance.
+TEST_F(StoredSky, MarchesUpToADistance) {
+    const std::vector<Spectrum> whole = march(moments_, 64);
+    EXPECT_EQ(march(moments_, 64, 1, std::vector<double>(views_.size(), 1e5)), whole);
+    const double short_km = 0.01;
+    const auto near = march(moments_, 64, 1, std::vector<double>(views_.size(), short_km));
+    const auto twice = march(moments_, 64, 1, std::vector<double>(views_.size(), 2 * short_km));
+    const auto far = march(moments_, 64, 1, std::vector<double>(views_.size(), 20.0));
+    for (std::size_t i = 0; i < views_.size(); ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(twice[i][c] / near[i][c], 2, 0.02) << i;
+            EXPECT_GT(far[i][c], twice[i][c]) << i;
+            EXPECT_LT(far[i][c], whole[i][c] * 1.001) << i;
+        }
     }
 }
 

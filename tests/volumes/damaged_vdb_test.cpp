@@ -113,14 +113,14 @@ void read_as_own(const Original& original, const std::filesystem::path& path) {
 Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& files,
                    std::uint64_t first_seed, int count) {
     config::VolumeFile volume;
-    volume.paths = {folder / "damaged.vdb"};
+    volume.path = folder / "damaged.vdb";
     const long before = peak_kib();
     Tally tally;
     for (int i = 0; i < count; ++i) {
         const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
         const Original& original = files[seed % files.size()];
         volume.format = original.format;
-        testing::write_bytes(volume.paths[0], damaged(original.bytes, seed));
+        testing::write_bytes(volume.path, damaged(original.bytes, seed));
         const double begin = processor_seconds();
         const auto source = open_volume(volume);
         if (source.value) {
@@ -131,7 +131,7 @@ Tally read_damaged(const TemporaryFolder& folder, const std::vector<Original>& f
             const std::string& code = source.diagnostics.at(0).code;
             EXPECT_TRUE(code == "E0304" || code == "E0110") << code << ", seed " << seed;
         }
-        read_as_own(original, volume.paths[0]);
+        read_as_own(original, volume.path);
         tally.longest = std::max(tally.longest, processor_seconds() - begin);
     }
     tally.grown_kib = peak_kib() - before;
@@ -182,11 +182,11 @@ TEST(DamagedVdb, DiffersFromTheFile) {
 TEST(DamagedVdb, IsRefusedWhereverItEnds) {
     const TemporaryFolder folder;
     config::VolumeFile volume;
-    volume.paths = {folder / "cut.vdb"};
+    volume.path = folder / "cut.vdb";
     for (const Original& original : vdb_originals(folder)) {
         const std::string& bytes = original.bytes;
         for (std::size_t size = 0; size < bytes.size(); size += 1 + bytes.size() / 40) {
-            testing::write_bytes(volume.paths[0], bytes.substr(0, size));
+            testing::write_bytes(volume.path, bytes.substr(0, size));
             const auto source = open_volume(volume);
             EXPECT_FALSE(source.value) << size << " of " << bytes.size();
         }

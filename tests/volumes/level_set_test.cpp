@@ -132,7 +132,7 @@ TEST(LevelSet, HasTheSameDensitiesInOtherUnits) {
     const FloatGrid::Ptr grid = ball(2, 0.1F);
     write_grid(grid, folder / "v.vdb");
     config::VolumeFile volume;
-    volume.paths = {folder / "v.vdb"};
+    volume.path = folder / "v.vdb";
     for (auto& edge : volume.voxel_size) edge = config::Length{25};
     const auto source = open_volume(volume);
     ASSERT_TRUE(source.value);

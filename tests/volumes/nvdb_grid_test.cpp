@@ -209,7 +209,7 @@ TEST(NvdbGrid, IsWhatABakeWrites) {
                         .value);
         config::VolumeFile asked;
         asked.format = config::VolumeFormat::nvdb;
-        asked.paths = {folder / "v.nvdb"};
+        asked.path = folder / "v.nvdb";
         const auto source = open_volume(asked);
         ASSERT_TRUE(source.value);
         EXPECT_EQ(source.value->size, volume.levels[0].size);

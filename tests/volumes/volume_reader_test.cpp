@@ -1,4 +1,4 @@
-// Volumes as a recipe places them: layouts of raw files, slices, crops, axes and borders.
+// Volumes as a recipe places them: layouts of raw files, crops, axes and borders.
 #include "bakers/io/volumes/volume_reader.h"
 
 #include <fmt/format.h>
@@ -62,7 +62,7 @@ constexpr Size raw_size = {4, 3, 2};
 VolumeFile raw_volume(const std::filesystem::path& path) {
     VolumeFile volume;
     volume.file = "v.raw";
-    volume.paths = {path};
+    volume.path = path;
     volume.format = VolumeFormat::raw;
     volume.size = raw_size;
     volume.voxel_size = {Length{1}, Length{2}, Length{3}};
@@ -80,7 +80,7 @@ void write_raw(const VolumeFile& volume, const std::array<std::size_t, 3>& axes)
             }
         }
     }
-    testing::write_bytes(volume.paths[0], bytes);
+    testing::write_bytes(volume.path, bytes);
 }
 
 SourceVoxels opened(const VolumeFile& volume) {
@@ -221,7 +221,7 @@ TEST(VolumeCrop, TakesMetresOfAVdbFilesSpace) {
     grid->setTransform(transform);
     testing::write_grid(grid, folder / "v.vdb");
     VolumeFile volume;
-    volume.paths = {folder / "v.vdb"};
+    volume.path = folder / "v.vdb";
     // Voxel 0 is centred at 100 m and reaches from 99 m to 101 m.
     volume.crop_corner = {Length{99}, Length{-1}, Length{-1}};
     volume.crop_extent = {Length{8}, Length{6}, Length{4}};
@@ -251,7 +251,7 @@ TEST(VolumeBackground, IsTheFilesTimesTheScale) {
     const TemporaryFolder folder;
     testing::write_grid(testing::any_grid(0.25F), folder / "v.vdb");
     VolumeFile volume;
-    volume.paths = {folder / "v.vdb"};
+    volume.path = folder / "v.vdb";
     volume.scale = 3;
     volume.border = 1;
     const SourceVoxels source = opened(volume);
@@ -260,38 +260,6 @@ TEST(VolumeBackground, IsTheFilesTimesTheScale) {
     EXPECT_EQ(voxel_of(source, {-5, 0, 0}), 0.75F);
     EXPECT_FALSE(source.voxels->is_empty({{-5, 0, 0}, {1, 1, 1}}));
     EXPECT_EQ(source.largest, 3.0F * (96.0F / 97));
-}
-
-TEST(SliceStack, IsReadPictureByPicture) {
-    const TemporaryFolder folder;
-    VolumeFile volume = raw_volume(folder / "0");
-    volume.format = VolumeFormat::slices;
-    volume.paths.clear();
-    for (int z = 0; z < 2; ++z) {
-        const auto path = folder / fmt::format("s{}.exr", z);
-        ExrImage image;
-        image.pixels = Image2<float>(raw_size[0], raw_size[1], 1);
-        image.channel_names = {"Y"};
-        for (int y = 0; y < raw_size[1]; ++y) {
-            for (int x = 0; x < raw_size[0]; ++x) {
-                *image.pixels.texel(x, y) = static_cast<float>(number_at({x, y, z}));
-            }
-        }
-        testing::write_bytes(path, encode_exr(image).value.value());
-        volume.paths.push_back(path);
-    }
-    expect_voxels(opened(volume), as_it_is);
-    EXPECT_EQ(read_volume_shape(volume).value->size, raw_size);
-    volume.channel = "R";
-    EXPECT_EQ(first_message(volume),
-              fmt::format("E0304: cannot read `{}` as a slice of a volume: it has no channel `R`, "
-                          "only `Y`",
-                          (folder / "s0.exr").string()));
-    volume.channel = "";
-    volume.paths.push_back(folder / "s2.exr");
-    EXPECT_EQ(first_message(volume),
-              fmt::format("E0300: cannot read `{}`: No such file or directory",
-                          (folder / "s2.exr").string()));
 }
 
 TEST(VolumeFails, WhereTheFileIsNotWhatTheRecipeSays) {
@@ -341,7 +309,7 @@ TEST(Volume, LiesWhereItsFileSays) {
     grid->tree().setValue(testing::Coord(20000, 0, 0), 1);
     testing::write_grid(grid, folder / "v.vdb");
     VolumeFile volume;
-    volume.paths = {folder / "v.vdb"};
+    volume.path = folder / "v.vdb";
     EXPECT_NE(
         first_message_anywhere(volume).find("it has 20033 voxels along x, and at most 16384 are "
                                             "read; crop_first and crop_size choose a part"),
@@ -364,7 +332,7 @@ TEST(Volume, WarnsOfValuesBelowZero) {
     grid->tree().setValue(testing::Coord(30, 4, 5), -7);
     testing::write_grid(grid, folder / "v.vdb");
     VolumeFile volume;
-    volume.paths = {folder / "v.vdb"};
+    volume.path = folder / "v.vdb";
     const auto source = open_volume(volume);
     ASSERT_TRUE(source.value);
     ASSERT_EQ(source.diagnostics.size(), 1U);

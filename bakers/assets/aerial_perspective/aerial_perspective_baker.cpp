@@ -123,12 +123,11 @@ AssetLookup lookup(const Parameters& parameters, const AerialPerspectiveBake& as
              std::move(picture)}};
 }
 
-// A place in the camera's picture and the distance of a point in the air.
+// A place in the camera's picture, and a point in the air that is seen there.
 struct FroxelSample {
     double u = 0;
     double v = 0;
-    double distance_km = 0;
-    SkyDirection direction;
+    AirSample view;
 };
 
 // Points all over the volume, down to the first slice's distance. Points below the ground are left
@@ -143,11 +142,13 @@ std::vector<FroxelSample> froxel_samples(const Shell& shell, const AerialPerspec
         FroxelSample sample;
         sample.u = u;
         sample.v = v;
-        sample.distance_km = camera.distance_km(u, v, first + (1 - first) * w);
         const ViewDirection view = camera.direction(sample.u, sample.v);
-        sample.direction = sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine);
-        const SkyRay ray = sky_ray(shell, camera.altitude_km(), camera.sun(), sample.direction);
-        if (ray.meets_ground && sample.distance_km > ray.length_km) continue;
+        sample.view = {camera.altitude_km(), camera.sun(),
+                       sky_direction(camera.sun(), view.mu, view.sine, view.azimuth_cosine),
+                       camera.distance_km(u, v, first + (1 - first) * w)};
+        const SkyRay ray =
+            sky_ray(shell, camera.altitude_km(), camera.sun(), sample.view.direction);
+        if (ray.meets_ground && sample.view.distance_km > ray.length_km) continue;
         samples.push_back(sample);
     }
     return samples;
@@ -159,22 +160,15 @@ std::optional<TracedLight> traced(const Parameters& parameters,
     if (!has_light || asset.orders == config::SkyOrders::single) return std::nullopt;
     const auto samples = froxel_samples(shell_of(parameters.atmosphere), asset);
     std::vector<Place> at;
+    std::vector<AirSample> views;
     for (const FroxelSample& sample : samples) {
         at.push_back({{"picture_x", sample.u},
                       {"picture_y", sample.v},
-                      {"distance_km", sample.distance_km}});
+                      {"distance_km", sample.view.distance_km}});
+        views.push_back(sample.view);
     }
-    const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) -> TraceOfPlace {
-        return [air, samples, camera = AerialCamera(asset, shell_of(parameters.atmosphere)),
-                orders = asset.orders](std::size_t place, PathTracerSettings settings) {
-            settings.include_seen_ground = false;
-            settings.length_km = samples[place].distance_km;
-            PathTracedRadiance light =
-                trace_paths(air->tracer(), camera.altitude_km(), camera.sun(),
-                            samples[place].direction, settings, 1);
-            if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
-            return light;
-        };
+    const auto trace_of = [&](std::shared_ptr<const TracedAir> air) {
+        return trace_of_air(std::move(air), views, asset.orders);
     };
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);

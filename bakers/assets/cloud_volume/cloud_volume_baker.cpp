@@ -101,10 +101,7 @@ std::vector<InputFile> cloud_volume_inputs(const Parameters& parameters,
     }
     if (cloud.volume.empty()) return files;
     const config::VolumeFile& volume = volume_named(parameters, cloud.volume);
-    for (const std::filesystem::path& path : volume.paths) {
-        const bool is_slice = volume.format == config::VolumeFormat::slices;
-        files.push_back({is_slice ? path.filename().string() : volume.file, path});
-    }
+    files.push_back({volume.file, volume.path});
     return files;
 }
 

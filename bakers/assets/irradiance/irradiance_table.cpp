@@ -194,30 +194,16 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
     return {"irradiance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
-// Returns the light that comes straight from the sun onto a level surface.
-Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
-    if (!(at.sun.cosine > 0)) return {};
-    const AirShells& shells = air.tracer().walker().air();
-    const double r = shells.planet().ground_radius_km + at.altitude_km;
-    return at.sun.cosine *
-           shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
-}
-
 std::optional<TracedLight> traced(const Parameters& parameters, const IrradianceBake& asset) {
     if (orders_of(asset) == config::SkyOrders::single) return std::nullopt;
     const std::vector<LevelSample> samples = level_samples(shell_of(parameters.atmosphere));
     const auto places_in = [&](const StoredTexels& stored) {
         return places(parameters, asset, stored);
     };
-    const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) -> TraceOfPlace {
-        TraceOfPlace trace = trace_of_irradiance(air, samples, orders_of(asset));
-        if (asset.content != config::IrradianceContent::total) return trace;
-        return
-            [=, of_sky = std::move(trace)](std::size_t place, const PathTracerSettings& settings) {
-                PathTracedRadiance light = of_sky(place, settings);
-                light.radiance += sunlight_on(*air, samples[place]);
-                return light;
-            };
+    const auto trace_of = [&](const std::shared_ptr<const TracedAir>& air) {
+        return asset.content == config::IrradianceContent::total
+                   ? trace_of_daylight(air, samples)
+                   : trace_of_irradiance(air, samples, orders_of(asset));
     };
     return TracedLight{light_channels(parameters), places_of(samples),
                        light_looked_up(places_in, irradiance_probes_at(samples)),

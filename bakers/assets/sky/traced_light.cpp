@@ -19,6 +19,15 @@ Spectrum first_order(const SkyMedium& medium, const SkySample& sample) {
     return SkyIntegrator(medium, nullptr).radiance(ray.in_air).single;
 }
 
+// Returns the light that comes straight from the sun onto a level surface.
+Spectrum sunlight_on(const TracedAir& air, const LevelSample& at) {
+    if (!(at.sun.cosine > 0)) return {};
+    const AirShells& shells = air.tracer().walker().air();
+    const double r = shells.planet().ground_radius_km + at.altitude_km;
+    return at.sun.cosine *
+           shells.sunlight(at.altitude_km, r * at.sun.cosine, shells.shell_at(at.altitude_km));
+}
+
 }  // namespace
 
 TracedAir::TracedAir(const config::Atmosphere& atmosphere)
@@ -39,6 +48,20 @@ TraceOfPlace trace_of_sky(std::shared_ptr<const TracedAir> air, std::vector<SkyS
     };
 }
 
+TraceOfPlace trace_of_air(std::shared_ptr<const TracedAir> air, std::vector<AirSample> samples,
+                          config::SkyOrders orders) {
+    return [=, air = std::move(air), samples = std::move(samples)](std::size_t place,
+                                                                   PathTracerSettings settings) {
+        settings.include_seen_ground = false;
+        const AirSample& at = samples[place];
+        settings.length_km = at.distance_km;
+        PathTracedRadiance light =
+            trace_paths(air->tracer(), at.altitude_km, at.sun, at.direction, settings, 1);
+        if (orders == config::SkyOrders::multiple) light.radiance -= light.orders[0];
+        return light;
+    };
+}
+
 TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
                                  std::vector<LevelSample> samples, config::SkyOrders orders) {
     return [=, air = std::move(air), samples = std::move(samples)](
@@ -50,6 +73,16 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
             light.radiance -= light.orders[0];
             light.walked = light.radiance;
         }
+        return light;
+    };
+}
+
+TraceOfPlace trace_of_daylight(const std::shared_ptr<const TracedAir>& air,
+                               const std::vector<LevelSample>& samples) {
+    return [=, of_sky = trace_of_irradiance(air, samples, config::SkyOrders::all)](
+               std::size_t place, const PathTracerSettings& settings) {
+        PathTracedRadiance light = of_sky(place, settings);
+        light.radiance += sunlight_on(*air, samples[place]);
         return light;
     };
 }

@@ -61,10 +61,25 @@ std::vector<std::vector<double>> look_up_places(const Baked& baked, const AssetP
 LightAtPlaces light_looked_up(std::function<AssetPlaces(const StoredTexels&)> places,
                               std::vector<Place> at);
 
-// Returns the irradiance of the samples by paths: of all orders, or without light that the air
-// scattered once.
+// A view up to a thing in the air, or to the ground before it.
+struct AirSample {
+    double altitude_km = 0;  // of the camera
+    SunZenith sun;
+    SkyDirection direction;
+    double distance_km = 0;
+};
+
+// Returns the light that the air scatters into the views by paths: of all orders, or without light that
+// it scattered once.
+TraceOfPlace trace_of_air(std::shared_ptr<const TracedAir> air, std::vector<AirSample> samples,
+                          config::SkyOrders orders);
+
+// Returns the irradiance of the samples by the sky, by paths: of all orders, or without light that the
+// air scattered once; and that by the sky and the sun.
 TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
                                  std::vector<LevelSample> samples, config::SkyOrders orders);
+TraceOfPlace trace_of_daylight(const std::shared_ptr<const TracedAir>& air,
+                               const std::vector<LevelSample>& samples);
 
 // Returns the traces of each packet of the recipe's wavelengths: one packet, unless its tables of
 // light hold colours.

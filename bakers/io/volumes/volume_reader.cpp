@@ -14,7 +14,6 @@
 #include "bakers/io/formats/vdb/vdb_source.h"
 #include "bakers/io/volumes/file_voxels.h"
 #include "bakers/io/volumes/raw_volume.h"
-#include "bakers/io/volumes/slice_stack.h"
 
 namespace skybake {
 namespace {
@@ -26,10 +25,7 @@ using config::VolumeUp;
 constexpr std::int64_t most_voxels = 16384;  // along an axis
 
 Outcome<FileVoxels> open_file(const VolumeFile& volume, VolumePart part) {
-    if (volume.format == VolumeFormat::slices) {
-        return open_slice_stack(volume.paths, volume.channel, part, volume.not_finite);
-    }
-    const std::filesystem::path& path = volume.paths.at(0);
+    const std::filesystem::path& path = volume.path;
     if (volume.format == VolumeFormat::vdb) {
         return open_vdb_grid(path, volume.grid, part, volume.not_finite);
     }
@@ -233,7 +229,7 @@ Outcome<T> located(const VolumeFile& volume, std::vector<Diagnostic> diagnostics
 std::vector<Diagnostic> warnings_of(const VolumeFile& volume, const ValueFaults& faults) {
     const ValueFaults::Kind& found = faults.negative;
     if (found.count == 0) return {};
-    const std::string path = volume.paths[0].string();
+    const std::string path = volume.path.string();
     Diagnostic warning = file_error(
         "W0226", path,
         fmt::format("`{}`: {}{}; they count as 0", path, words_of_fault(found, "below 0"),
@@ -251,7 +247,7 @@ Outcome<T> with_cut(const VolumeFile& volume, VolumePart part, const Make& make)
     set_voxel_size(volume, *file.value);
     Cut cut;
     if (const auto problem = find_cut(volume, *file.value, cut)) {
-        const std::string path = volume.paths[0].string();
+        const std::string path = volume.path.string();
         const std::string message =
             fmt::format("cannot take a volume from `{}`: {}", path, problem->reason);
         return located<T>(volume, {file_error(problem->code, path, message)});

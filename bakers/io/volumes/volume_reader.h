@@ -11,7 +11,7 @@ namespace skybake {
 // with values times `scale`. Voxels are read from the file as they are asked for.
 //
 // E0300 if a file cannot be read, E0304 if it is not what the recipe says (vdb_source.h,
-// nvdb_source.h, raw_volume.h, slice_stack.h), E0110 if a crop or border leaves no voxel of the
+// nvdb_source.h, raw_volume.h), E0110 if a crop or border leaves no voxel of the
 // file or makes more than 16384 along an axis. All of them point to `file` in the recipe.
 Outcome<SourceVoxels> open_volume(const config::VolumeFile& volume);
 

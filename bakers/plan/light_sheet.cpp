@@ -1,4 +1,4 @@
-#include "bakers/plan/sky_sheet.h"
+#include "bakers/plan/light_sheet.h"
 
 #include <fmt/format.h>
 
@@ -23,9 +23,9 @@ AssetPlaces places_of(const Parameters& parameters, const BakedAsset& asset) {
 
 }  // namespace
 
-std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
-                                     const std::vector<const BakedAsset*>& assets,
-                                     double& fetches) const {
+std::vector<Spectrum> LightOfWay::find(const LightWay& way,
+                                       const std::vector<const BakedAsset*>& assets,
+                                       double& fetches) const {
     switch (way.how) {
         case config::SkyBy::march:
             return march(way, assets, fetches);
@@ -34,14 +34,14 @@ std::vector<Spectrum> SkyOfWay::find(const SkyWay& way,
             return fetch(*assets.front());
         case config::SkyBy::picture:
             fetches = 1;
-            return look_up(*assets.front());
+            return look_up(way, assets);
     }
     return {};
 }
 
-std::vector<Spectrum> SkyOfWay::march(const SkyWay& way,
-                                      const std::vector<const BakedAsset*>& assets,
-                                      double& fetches) const {
+std::vector<Spectrum> LightOfWay::march(const LightWay& way,
+                                        const std::vector<const BakedAsset*>& assets,
+                                        double& fetches) const {
     std::vector<PreviewAsset> stored;
     for (const BakedAsset* asset : assets) {
         stored.push_back({describe(asset->baked), asset->baked.image(), {}});
@@ -50,42 +50,64 @@ std::vector<Spectrum> SkyOfWay::march(const SkyWay& way,
     const auto tables = make_sky_tables(stored[0], is_single ? nullptr : &stored[1]);
     fetches = way.steps * (is_single ? 1.0 : 1.0 + moment_count(tables.value->degree));
     // The views show the air alone.
-    SkyMedium over_black_ground = truth_.medium();
+    SkyMedium over_black_ground = truth_.packets().front()->medium();
     over_black_ground.air.ground_albedo = Spectrum(0.0);
     const Shell shell = shell_of(over_black_ground.air);
+    const bool has_things = truth_.what() == config::Draws::distance;
     std::vector<SkyRay> rays;
-    for (const SkySample& view : truth_.views()) {
-        rays.push_back(camera_ray(shell, view.altitude_km, view.sun, view.direction).in_air);
+    std::vector<double> reaches_km;
+    for (const auto& [sky, distance_km] : truth_.views()) {
+        rays.push_back(sky_ray(shell, sky.altitude_km, sky.sun, sky.direction));
+        if (has_things) reaches_km.push_back(distance_km);
     }
     return truth_.as_compared(
-        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_));
+        march_sky(over_black_ground, *tables.value, rays, way.steps, threads_, reaches_km));
 }
 
-std::vector<Spectrum> SkyOfWay::fetch(const BakedAsset& asset) const {
+std::vector<Spectrum> LightOfWay::fetch(const BakedAsset& asset) const {
     const auto& bake = asset.bake->as<BrunetonBake>();
-    return sky_of_scattering({truth_.air()}, bake, places_of(parameters_, asset), truth_.views())(
+    std::vector<SkySample> skies;
+    for (const LightView& view : truth_.views()) skies.push_back(view.sky);
+    return sky_of_scattering(truth_.packets(), bake, places_of(parameters_, asset), skies)(
         asset.baked, threads_);
 }
 
-// The picture of the view's sun has no parallax, so that cameras at other altitudes see
-// it where the same share of their sky is.
-std::vector<Spectrum> SkyOfWay::look_up(const BakedAsset& asset) const {
-    std::vector<Place> at;
-    for (const SkySample& view : truth_.views()) {
-        at.push_back({{"azimuth_deg", view.azimuth_deg},
-                      {"above_horizon_deg", view.above_horizon_deg},
-                      {"sun_elevation_deg", view.sun_elevation_deg}});
+std::vector<Spectrum> LightOfWay::look_up(const LightWay& way,
+                                          const std::vector<const BakedAsset*>& assets) const {
+    std::vector<std::vector<Place>> at(assets.size());
+    std::vector<std::vector<std::size_t>> views(assets.size());
+    for (std::size_t i = 0; i < truth_.views().size(); ++i) {
+        Reading reading = way.reads(truth_.views()[i]);
+        at[reading.asset].push_back(std::move(reading.at));
+        views[reading.asset].push_back(i);
     }
-    const auto places = [&](const StoredTexels&) { return places_of(parameters_, asset); };
-    return light_looked_up(places, std::move(at))(asset.baked, threads_);
+    std::vector<Spectrum> light(truth_.views().size());
+    for (std::size_t a = 0; a < assets.size(); ++a) {
+        const auto places = [&](const StoredTexels&) { return places_of(parameters_, *assets[a]); };
+        const auto found = light_looked_up(places, std::move(at[a]))(assets[a]->baked, threads_);
+        for (std::size_t i = 0; i < found.size(); ++i) light[views[a][i]] = found[i];
+    }
+    return light;
 }
 
 namespace {
 
 // Half a picture, from the sun to the point opposite to it; the other half is its mirror image.
 constexpr int kHalfWidth = 32;
-constexpr int kHeight = 24;
 constexpr double kPaths = 1 << 19;
+
+// The elevations that a picture shows, in rows of equal height.
+struct Band {
+    double lowest_deg = -90;
+    double highest_deg = 90;
+    int rows = 32;
+};
+
+Band band_of(config::Draws light, const Shell& shell, double altitude_km) {
+    if (light == config::Draws::distance) return {-kMostTilt_deg, kMostTilt_deg, 20};
+    if (light == config::Draws::surroundings) return {};
+    return {-SkyViewCamera(shell, altitude_km).dip() * kDegreesPerRadian, 90, 24};
+}
 constexpr std::size_t kMostSuns = 3;
 
 std::vector<double> suns_of(const SceneRange& range) {
@@ -99,16 +121,16 @@ std::vector<double> suns_of(const SceneRange& range) {
     return suns;
 }
 
-std::vector<SkySample> views_of(const Shell& shell, double altitude_km,
-                                const std::vector<double>& suns_deg) {
-    const double above_deg = SkyViewCamera(shell, altitude_km).range_above() * kDegreesPerRadian;
-    std::vector<SkySample> views;
+std::vector<LightView> views_of(const SceneRange& range, const Shell& shell, double altitude_km,
+                                const Band& band, const std::vector<double>& suns_deg) {
+    std::vector<LightView> views;
     for (const double sun_deg : suns_deg) {
-        for (int y = 0; y < kHeight; ++y) {
+        for (int y = 0; y < band.rows; ++y) {
+            const double elevation_deg = band.lowest_deg + (band.highest_deg - band.lowest_deg) *
+                                                               (band.rows - y - 0.5) / band.rows;
             for (int x = 0; x < kHalfWidth; ++x) {
-                views.push_back(sky_sample(shell, altitude_km, sun_deg,
-                                           above_deg * (kHeight - y - 0.5) / kHeight,
-                                           180 * (x + 0.5) / kHalfWidth));
+                views.push_back(light_view(range, shell, altitude_km, sun_deg, elevation_deg,
+                                           180 * (x + 0.5) / kHalfWidth, 1));
             }
         }
     }
@@ -142,10 +164,10 @@ class Screen {
 };
 
 // Returns the picture of the sky under one of the suns, both halves of it.
-LightPicture sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
-    LightPicture sky{2 * kHalfWidth, kHeight, {}};
-    const std::size_t first = sun * static_cast<std::size_t>(kHalfWidth * kHeight);
-    for (int y = 0; y < kHeight; ++y) {
+LightPicture sky_under(const std::vector<glm::dvec3>& colors, int rows, std::size_t sun) {
+    LightPicture sky{2 * kHalfWidth, rows, {}};
+    const std::size_t first = sun * static_cast<std::size_t>(kHalfWidth * rows);
+    for (int y = 0; y < rows; ++y) {
         for (int x = 0; x < sky.width; ++x) {
             const int half = x < kHalfWidth ? kHalfWidth - 1 - x : x - kHalfWidth;
             sky.pixels.push_back(colors[first + static_cast<std::size_t>(y * kHalfWidth + half)]);
@@ -156,13 +178,17 @@ LightPicture sky_under(const std::vector<glm::dvec3>& colors, std::size_t sun) {
 
 }  // namespace
 
-Outcome<std::string> sky_sheet(const Parameters& parameters, const SceneRange& range,
-                               const std::vector<BakedWay<SkyWay>>& skies,
-                               const std::vector<glm::dvec3>& weights, const BakeOptions& options) {
+Outcome<std::string> light_sheet(config::Draws light, const Parameters& parameters,
+                                 const SceneRange& range,
+                                 const std::vector<BakedWay<LightWay>>& ways,
+                                 const std::vector<glm::dvec3>& weights,
+                                 const BakeOptions& options) {
+    if (light == config::Draws::ground_light) return {std::string(), {}};
     const std::vector<double> suns = suns_of(range);
+    const Shell shell = shell_of(parameters.atmosphere);
     const double altitude_km = (range.lowest_altitude_km + range.highest_altitude_km) / 2;
-    SceneTruth truth(parameters.atmosphere,
-                     views_of(shell_of(parameters.atmosphere), altitude_km, suns), weights,
+    const Band band = band_of(light, shell, altitude_km);
+    SceneTruth truth(light, parameters, views_of(range, shell, altitude_km, band, suns), weights,
                      options);
     truth.trace(kPaths);
     if (options.cancelled()) return {};
@@ -177,18 +203,18 @@ Outcome<std::string> sky_sheet(const Parameters& parameters, const SceneRange& r
     }
     block.rows.emplace_back("paths of light");
     for (std::size_t s = 0; s < suns.size(); ++s) {
-        const LightPicture sky = sky_under(traced, s);
+        const LightPicture sky = sky_under(traced, band.rows, s);
         block.pictures.push_back(shown_picture(sky, exposure_of(sky)));
         block.pictures.emplace_back();
     }
-    const SkyOfWay found(parameters, truth, options.threads);
-    for (const BakedWay<SkyWay>& sky : skies) {
+    const LightOfWay found(parameters, truth, options.threads);
+    for (const BakedWay<LightWay>& way : ways) {
         double fetches = 0;
-        const auto colors = screen.colors(found.find(*sky.way, sky.assets, fetches));
-        block.rows.push_back(full_name(*sky.way));
+        const auto colors = screen.colors(found.find(*way.way, way.assets, fetches));
+        block.rows.push_back(full_name(*way.way));
         for (std::size_t s = 0; s < suns.size(); ++s) {
-            const LightPicture wanted = sky_under(traced, s);
-            const LightPicture one = sky_under(colors, s);
+            const LightPicture wanted = sky_under(traced, band.rows, s);
+            const LightPicture one = sky_under(colors, band.rows, s);
             block.pictures.push_back(shown_picture(one, exposure_of(wanted)));
             block.pictures.push_back(difference_picture(one, wanted));
         }

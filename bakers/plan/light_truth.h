@@ -3,7 +3,7 @@
 // The views of a scene, in which ways to draw its sky are compared with paths of light.
 //
 // Suns, cameras and directions are points of Sobol's sequence: suns even in elevation, cameras even in
-// altitude, views even in azimuth and in the angle above the horizon. So a ninth decile is that of the
+// altitude, views even in azimuth and in the angle above the horizon, things even in distance. So a ninth decile is that of the
 // pictures a scene shows, and another part of the sequence has other views of the same scene.
 #pragma once
 
@@ -17,7 +17,7 @@
 #include "bakers/assets/sky/sky_comparison.h"
 #include "bakers/assets/sky/sky_samples.h"
 #include "bakers/assets/sky/traced_light.h"
-#include "config/sections/atmosphere.h"
+#include "config/sections/parameters.h"
 #include "config/sections/scene.h"
 
 namespace skybake {
@@ -29,6 +29,14 @@ struct SceneRange {
     double lowest_sun_deg = 0;
     double highest_sun_deg = 0;
     std::vector<double> suns_deg;  // the only suns; empty: any within the bounds
+    double view_distance_km = 0;
+};
+
+// Where the light is compared. For the light on the ground it is what falls on level surfaces at the
+// cameras.
+struct LightView {
+    SkySample sky;
+    double distance_km = 0;  // to a thing, for the air before it
 };
 
 // Under a lower sun the sky of Earth is a thousandth as bright as at sunset.
@@ -38,23 +46,33 @@ inline constexpr double kLowestSun_deg = -6;
 // count only where the scene has no others.
 SceneRange range_of(const config::Scene& scene, const Shell& shell);
 
-// Returns views number `first` and following, all of the sky above the horizon.
-std::vector<SkySample> scene_views(const SceneRange& range, const Shell& shell, int count,
-                                   std::uint32_t first);
+// Returns the elevation of a view above the horizontal.
+double elevation_deg(const Shell& shell, const SkySample& view);
+
+// Returns a view at an angle above the horizontal; the share is that of the way to the most distant
+// thing, which is at the ground or at the scene's view distance.
+LightView light_view(const SceneRange& range, const Shell& shell, double altitude_km,
+                     double sun_deg, double elevation_deg, double azimuth_deg, double share);
+
+// Returns views number `first` and following. Those of the sky are above the horizon, those of things
+// up to kMostTilt_deg above and below the horizontal, and those of surroundings in all directions.
+inline constexpr double kMostTilt_deg = 30;
+std::vector<LightView> scene_views(config::Draws light, const SceneRange& range, const Shell& shell,
+                                   int count, std::uint32_t first);
 
 class SceneTruth {
   public:
-    // The air has at most four wavelengths, of which `weights` make colours; none: their light is
-    // compared itself.
-    SceneTruth(const config::Atmosphere& air, std::vector<SkySample> views,
+    // `weights` make colours of all wavelengths; none: their light is compared itself.
+    SceneTruth(config::Draws light, const Parameters& parameters, std::vector<LightView> views,
                std::vector<glm::dvec3> weights, BakeOptions options);
 
     // Traces `most_paths` paths in all views together. After an interruption the light must not be used.
     void trace(double most_paths) { comparison_.trace(most_paths); }
 
-    const std::vector<SkySample>& views() const { return views_; }
-    const SkyMedium& medium() const { return air_->medium(); }
-    const std::shared_ptr<const TracedAir>& air() const { return air_; }
+    config::Draws what() const { return what_; }
+    const std::vector<LightView>& views() const { return views_; }
+    // The air of each packet of wavelengths.
+    const std::vector<std::shared_ptr<const TracedAir>>& packets() const { return packets_; }
     // Returns the channels that are compared, of light of the wavelengths.
     std::vector<Spectrum> as_compared(std::vector<Spectrum> light) const;
     // Returns the traced light of the views, as it is compared.
@@ -62,9 +80,10 @@ class SceneTruth {
     SkyError error(const std::vector<Spectrum>& found) const { return comparison_.error(found); }
 
   private:
-    std::vector<SkySample> views_;
+    config::Draws what_;
+    std::vector<LightView> views_;
     BakeOptions options_;
-    std::shared_ptr<const TracedAir> air_;
+    std::vector<std::shared_ptr<const TracedAir>> packets_;
     std::vector<glm::dvec3> weights_;
     TracedLight light_;
     SkyComparison comparison_;

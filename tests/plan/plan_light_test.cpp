@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/plan_light.h"
 
 #include <gtest/gtest.h>
 
@@ -29,15 +29,19 @@ PlanRequest request_of(const std::string& text) {
     return request;
 }
 
+Outcome<Plan> plan_sky(const PlanRequest& request) {
+    return plan_light(request, config::Draws::sky);
+}
+
 // The plan of one scene for all tests that look at it.
 const Plan& plan() {
     static const Plan plan = *plan_sky(request_of(kScene)).value;
     return plan;
 }
 
-double least_error(const std::string& family) {
+double least_error(const std::string& family, const Plan& of = plan()) {
     double least = 1e9;
-    for (const MeasuredWay& way : plan().ways) {
+    for (const MeasuredWay& way : of.ways) {
         if (way.way.family == family) least = std::min(least, way.error.ninth_decile);
     }
     return least;
@@ -148,14 +152,85 @@ TEST(PlanSky, LimitsThatNothingKeepsNameTheBest) {
     }
 }
 
-TEST(PlanSky, NeedsAirAndFewWavelengths) {
+const std::string kManyWavelengths =
+    "preset = \"earth_hillaire\"\nwavelengths = \"400 nm..700 nm by 50 nm\"\n";
+
+TEST(PlanSky, NeedsAirAndFewWavelengthsOrColours) {
     const auto no_air = plan_sky(request_of("format = 1\n"));
     ASSERT_FALSE(no_air.value);
     EXPECT_EQ(no_air.diagnostics.at(0).code, "E0105");
-    const auto many =
-        plan_sky(request_of("preset = \"earth\"\nwavelengths = \"380 nm..780 nm by 40 nm\"\n"));
+    const auto many = plan_sky(request_of(kManyWavelengths));
     ASSERT_FALSE(many.value);
     EXPECT_EQ(many.diagnostics.at(0).code, "E0147");
+}
+
+// Marches would need all wavelengths, so what holds colours is left, and is right.
+TEST(PlanSky, ColoursOfManyWavelengthsHaveNoMarch) {
+    PlanRequest request = request_of(kManyWavelengths +
+                                     "color = {}\n[scene]\nsuns = [\"40 deg\"]\n"
+                                     "altitude = [\"0 km\", \"1 m\"]\n");
+    const auto many = plan_sky(request);
+    ASSERT_TRUE(many.value) << many.diagnostics.at(0).message;
+    for (const MeasuredWay& way : many.value->ways) EXPECT_NE(way.way.by, "march");
+    EXPECT_LT(least_error("sky views", *many.value), 0.05);
+    EXPECT_LT(least_error("scattering along rays", *many.value), 0.1);
+}
+
+// Other parts of the light, in one scene.
+Plan plan_of(config::Draws light) {
+    PlanRequest request = request_of(
+        "preset = \"earth_hillaire\"\n[scene]\naltitude = [\"500 m\", \"501 m\"]\n"
+        "suns = [\"40 deg\", \"8 deg\"]\nview_distance = \"60 km\"\n");
+    return *plan_light(request, light).value;
+}
+
+TEST(PlanLight, AirBeforeThingsIsMarchedOrReadFromVolumes) {
+    const Plan plan = plan_of(config::Draws::distance);
+    EXPECT_LT(least_error("moments of degree 8", plan), 0.02);
+    EXPECT_LT(least_error("volumes of air", plan), 0.06);
+    EXPECT_GT(least_error("single scattering", plan), 0.15);
+    EXPECT_EQ(least_error("scattering along rays", plan), 1e9);
+    const auto volume = std::ranges::find(plan.ways, "volumes of air",
+                                          [](const MeasuredWay& way) { return way.way.family; });
+    EXPECT_EQ(volume->way.assets.size(), 4u) << "two headings for each of two suns";
+    EXPECT_EQ(volume->figures.bytes, 4 * 16 * 16 * 16 * 4 * 2);
+    EXPECT_FALSE(plan.sheet.empty());
+}
+
+TEST(PlanLight, LightOnTheGroundIsOfSunAndSky) {
+    const Plan plan = plan_of(config::Draws::ground_light);
+    EXPECT_LT(least_error("light of sun and sky", plan), 0.01);
+    EXPECT_GT(least_error("light of the sun alone", plan), 0.1);
+    for (const MeasuredWay& way : plan.ways) EXPECT_EQ(way.figures.fetches, 1);
+    EXPECT_TRUE(plan.sheet.empty());
+}
+
+TEST(PlanLight, SurroundingsAreMapsForEachSun) {
+    const Plan plan = plan_of(config::Draws::surroundings);
+    EXPECT_LT(least_error("panoramas", plan), 0.05);
+    EXPECT_LT(least_error("octahedra", plan), 0.05);
+    const auto error = [&](const std::string& name) {
+        return std::ranges::find(plan.ways, name,
+                                 [](const MeasuredWay& way) { return full_name(way.way); })
+            ->error.ninth_decile;
+    };
+    EXPECT_LT(error("panoramas, 256x128, half"), 0.7 * error("panoramas, 32x16, half"));
+    const auto none =
+        plan_light(request_of("preset = \"earth_hillaire\"\n"), config::Draws::surroundings);
+    ASSERT_FALSE(none.value);
+    EXPECT_EQ(none.diagnostics.at(0).code, "E0105");
+}
+
+// A recipe of several choices bakes each asset once.
+TEST(PlanLight, OneRecipeBakesAllThatWasChosen) {
+    const std::vector<Plan> plans = {plan_of(config::Draws::distance), plan(),
+                                     plan_of(config::Draws::ground_light), plan()};
+    const auto recipe =
+        config::parse_recipe(planned_recipe(plans, *request_of(kScene).load({}).value), "planned");
+    ASSERT_TRUE(recipe.value) << recipe.diagnostics.front().message;
+    std::size_t assets = 0;
+    for (std::size_t i = 0; i < 3; ++i) assets += plans[i].ways[plans[i].chosen].way.assets.size();
+    EXPECT_EQ(recipe.value->parameters.bakes.size(), assets);
 }
 
 TEST(PlanSky, SkyViewsNeedSuns) {

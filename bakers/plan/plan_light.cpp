@@ -1,4 +1,4 @@
-#include "bakers/plan/plan_sky.h"
+#include "bakers/plan/plan_light.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -10,11 +10,11 @@
 #include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/kept_figures.h"
+#include "bakers/plan/light_sheet.h"
+#include "bakers/plan/light_truth.h"
+#include "bakers/plan/light_ways.h"
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
-#include "bakers/plan/sky_sheet.h"
-#include "bakers/plan/sky_truth.h"
-#include "bakers/plan/sky_ways.h"
 #include "config/assets/asset_kind.h"
 
 namespace skybake {
@@ -23,55 +23,60 @@ namespace {
 constexpr int kViews = 192;
 constexpr double kPaths = 3 << 19;
 
-std::optional<Diagnostic> obstacle(const Parameters& parameters) {
+std::optional<Diagnostic> obstacle(const PlanSubject& subject, const Parameters& parameters) {
     if (!(parameters.atmosphere.top_radius.meters > 0)) {
         Diagnostic problem;
         problem.code = "E0105";
-        problem.message = "the recipe has no [atmosphere] and so no sky";
+        problem.message = fmt::format("the recipe has no [atmosphere], so `plan` cannot draw {}",
+                                      name_of(subject));
         return problem;
     }
-    if (parameters.wavelengths.size() <= kMaxChannels) return std::nullopt;
+    if (parameters.wavelengths.size() <= kMaxChannels || holds_colors(parameters)) {
+        return std::nullopt;
+    }
     Diagnostic problem;
     problem.code = "E0147";
-    problem.message =
-        fmt::format("`plan` compares skies of at most four wavelengths; the recipe has {}",
-                    parameters.wavelengths.size());
+    problem.message = fmt::format(
+        "`plan` compares light of at most four wavelengths, or colours of any number; "
+        "the recipe has {}, and [color] has no space",
+        parameters.wavelengths.size());
     problem.label = "--set 'wavelengths=\"best 4\"' takes four";
     return problem;
 }
 
-// Only sky views are left out, and those by their suns.
-Diagnostic no_ways(std::size_t suns) {
+// Only pictures for each sun are left, and these by their number; or `sky_by` allows nothing that there
+// is.
+Diagnostic no_ways(const PlanSubject& subject, const SceneRange& range) {
+    const std::size_t suns = range.suns_deg.size();
+    const bool has_suns = has_viewed_suns(range);
     Diagnostic problem;
-    problem.code = suns == 0 ? "E0105" : "E0110";
+    problem.code = suns == 0 || has_suns ? "E0105" : "E0110";
     problem.message = fmt::format(
-        "`sky_by` allows nothing but sky views, which `plan` compares for one to {} suns; the "
-        "scene has {}",
-        kMostViewedSuns, suns);
-    problem.label = "state `suns` in [scene], or allow \"march\" or \"fetch\" too";
+        "no way to draw {} is left: pictures are compared for one to {} suns, and the scene has {}",
+        name_of(subject), kMostViewedSuns, suns);
+    problem.label = has_suns ? "allow \"march\" or \"picture\" in `sky_by` of [scene]"
+                             : "state `suns` in [scene], or allow \"march\" in `sky_by`";
     return problem;
 }
 
 // A recipe with all that the ways need.
 struct PlannedScene {
+    PlanSubject subject;
     Recipe recipe;
     SceneRange range;
-    std::vector<SkyWay> ways;
+    std::vector<LightWay> ways;
 };
 
-Outcome<PlannedScene> planned_scene(const PlanRequest& request) {
+Outcome<PlannedScene> planned_scene(const PlanRequest& request, config::Draws light) {
     Outcome<Recipe> recipe = load_scene(request);
     if (!recipe.value) return {{}, std::move(recipe.diagnostics)};
     const Parameters& parameters = recipe.value->parameters;
-    if (auto problem = obstacle(parameters)) return {{}, {std::move(*problem)}};
     PlannedScene scene;
+    scene.subject.draws = light;
+    if (auto problem = obstacle(scene.subject, parameters)) return {{}, {std::move(*problem)}};
     scene.range = range_of(*parameters.scene, shell_of(parameters.atmosphere));
-    std::vector<std::string> suns;
-    for (const double sun_deg : scene.range.suns_deg)
-        suns.push_back(fmt::format("\"{} deg\"", sun_deg));
-    const double middle_km = (scene.range.lowest_altitude_km + scene.range.highest_altitude_km) / 2;
-    scene.ways = sky_ways(parameters.scene->sky_by, suns, fmt::format("\"{} km\"", middle_km));
-    if (scene.ways.empty()) return {{}, {no_ways(scene.range.suns_deg.size())}};
+    scene.ways = light_ways(light, parameters, scene.range);
+    if (scene.ways.empty()) return {{}, {no_ways(scene.subject, scene.range)}};
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};
 }
@@ -86,31 +91,32 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 2;
+constexpr int kVersion = 3;
 
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
-                   const std::vector<SkySample>& views, double paths) {
-    std::string text = fmt::format("version {}, {} paths\n", kVersion, paths);
+                   const std::vector<LightView>& views, double paths) {
+    std::string text =
+        fmt::format("{}, version {}, {} paths\n", word_of(scene.subject), kVersion, paths);
     text += versions_of_bakers();
     std::vector<config::Read> reads =
         config::reads_of_light(recipe.parameters, config::Roles::all());
     reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
     text += config::parameters_toml(recipe, reads);
     for (const std::string& setting : assets.settings()) text += setting + '\n';
-    for (const SkyWay& way : scene.ways) text += fmt::format("{}, {}\n", way.family, way.name);
-    for (const SkySample& view : views) {
-        text += fmt::format("{} {} {} {}\n", view.altitude_km, view.sun_elevation_deg,
-                            view.above_horizon_deg, view.azimuth_deg);
+    for (const LightWay& way : scene.ways) text += fmt::format("{}, {}\n", way.family, way.name);
+    for (const auto& [sky, distance_km] : views) {
+        text += fmt::format("{} {} {} {} {}\n", sky.altitude_km, sky.sun_elevation_deg,
+                            sky.above_horizon_deg, sky.azimuth_deg, distance_km);
     }
     return xxh3_hex(text);
 }
 
 // Measures a way in the truth's views.
-MeasuredWay measure_way(const SkyOfWay& sky, const SceneTruth& truth, const SkyWay& way,
+MeasuredWay measure_way(const LightOfWay& found, const SceneTruth& truth, const LightWay& way,
                         const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured = costed(way, own);
-    measured.error = truth.error(sky.find(way, own, measured.figures.fetches));
+    measured.error = truth.error(found.find(way, own, measured.figures.fetches));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
     return measured;
 }
@@ -122,10 +128,11 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
     const Parameters& parameters = recipe.value->parameters;
-    std::vector<SkySample> views =
-        scene_views(scene.range, shell_of(parameters.atmosphere), kViews, first);
+    const config::Draws light = scene.subject.draws;
+    std::vector<LightView> views =
+        scene_views(light, scene.range, shell_of(parameters.atmosphere), kViews, first);
     MeasuredWays plan;
-    for (const SkyWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
+    for (const LightWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
     const std::string key = key_of(*recipe.value, assets, scene, views, paths);
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
@@ -133,19 +140,19 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
     if (!baked.value) return {{}, baked.diagnostics};
     const std::vector<glm::dvec3> weights = weights_of(parameters, *baked.value);
-    SceneTruth truth(parameters.atmosphere, std::move(views), weights, options);
+    SceneTruth truth(light, parameters, std::move(views), weights, options);
     truth.trace(paths);
-    const SkyOfWay sky(parameters, truth, request.threads);
+    const LightOfWay found(parameters, truth, request.threads);
     for (std::size_t i = 0; i < scene.ways.size(); ++i) {
-        const SkyWay& way = scene.ways[i];
-        plan.ways[i] = measure_way(sky, truth, way, assets.of(way, *baked.value));
+        const LightWay& way = scene.ways[i];
+        plan.ways[i] = measure_way(found, truth, way, assets.of(way, *baked.value));
     }
     if (sheets == Sheets::none) return {std::move(plan), {}};
-    std::vector<BakedWay<SkyWay>> best;
+    std::vector<BakedWay<LightWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
         best.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
     }
-    auto sheet = sky_sheet(parameters, scene.range, best, weights, options);
+    auto sheet = light_sheet(light, parameters, scene.range, best, weights, options);
     if (options.cancelled() || !sheet.value) return {{}, std::move(sheet.diagnostics)};
     plan.sheet = std::move(*sheet.value);
     std::vector<Diagnostic> problems = keep_figures(request.cache, key, plan);
@@ -162,49 +169,80 @@ std::string suns_text(const SceneRange& range) {
     return fmt::format("suns at {} degrees", fmt::join(suns, ", "));
 }
 
-ErrorWords words_of(bool has_colors) {
+// The cameras and suns, and how far things are.
+std::string scene_text(config::Draws light, const SceneRange& range) {
+    std::string text = fmt::format("cameras from {:.3g} to {:.3g} km, {}", range.lowest_altitude_km,
+                                   range.highest_altitude_km, suns_text(range));
+    if (light == config::Draws::distance) {
+        text += fmt::format(", things up to {:.3g} km away", range.view_distance_km);
+    }
+    return text;
+}
+
+ErrorWords words_of(config::Draws light, bool has_colors) {
+    const bool is_sky = light == config::Draws::sky;
     ErrorWords words;
-    words.compared = "sky error, ninth decile (%)";
+    words.compared = is_sky ? "sky error, ninth decile (%)" : "error, ninth decile (%)";
     words.claim = "at most {} % off in nine of ten views";
     words.column = "9 in 10 %";
     words.meaning = fmt::format(
         "of {} against paths of light, in the median, in nine of ten views, and the largest",
-        has_colors ? "colours" : "radiance");
+        has_colors                             ? "colours"
+        : light == config::Draws::ground_light ? "irradiance"
+                                               : "radiance");
     words.remark =
         "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
     return words;
 }
 
+// Says what is left out, and why.
+std::vector<std::string> notes_on(config::Draws light, const Parameters& parameters,
+                                  const SceneRange& range) {
+    std::vector<std::string> notes;
+    const bool is_marched = light == config::Draws::sky || light == config::Draws::distance;
+    if (is_marched && !has_viewed_suns(range)) {
+        notes.push_back(fmt::format(
+            "{} are left out: they are compared for one to {} suns (`suns` in [scene])",
+            light == config::Draws::sky ? "sky views" : "volumes of air", kMostViewedSuns));
+    }
+    if (is_marched && parameters.wavelengths.size() > kMaxChannels) {
+        notes.push_back(fmt::format("marches are left out: they would need all {} wavelengths",
+                                    parameters.wavelengths.size()));
+    }
+    if (light == config::Draws::distance) {
+        notes.emplace_back(
+            "what the air leaves of a thing's own light is not compared: volumes hold it, and "
+            "marches find it");
+    }
+    return notes;
+}
+
 }  // namespace
 
-Outcome<Plan> plan_sky(const PlanRequest& request) {
-    Outcome<PlannedScene> scene = planned_scene(request);
+Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light) {
+    Outcome<PlannedScene> scene = planned_scene(request, light);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     Outcome<MeasuredWays> measured = measure(request, *scene.value, 1, Sheets::drawn);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const Parameters& parameters = scene.value->recipe.parameters;
-    const SceneRange& range = scene.value->range;
     Plan plan;
-    plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, {}", range.lowest_altitude_km,
-                             range.highest_altitude_km, suns_text(range));
-    plan.words = words_of(holds_colors(parameters));
+    plan.subject = scene.value->subject;
+    plan.scene = scene_text(light, scene.value->range);
+    plan.words = words_of(light, holds_colors(parameters));
     plan.reads = config::reads_of_light(parameters, config::Roles::all());
     plan.limits = limits_of(request, *parameters.scene, parameters.scene->max_sky_error);
     plan.ways = std::move(measured.value->ways);
     plan.sheet = std::move(measured.value->sheet);
-    if (range.suns_deg.empty() || range.suns_deg.size() > kMostViewedSuns) {
-        plan.notes.push_back(fmt::format(
-            "sky views are left out: they are compared for one to {} suns (`suns` in [scene])",
-            kMostViewedSuns));
-    }
+    plan.notes = notes_on(light, parameters, scene.value->range);
     return chosen(std::move(plan), std::move(measured.diagnostics));
 }
 
-Outcome<SkyError> judge_sky(const PlanRequest& request, const Way& way, std::uint32_t first) {
-    Outcome<PlannedScene> scene = planned_scene(request);
+Outcome<SkyError> judge_light(const PlanRequest& request, config::Draws light, const Way& way,
+                              std::uint32_t first) {
+    Outcome<PlannedScene> scene = planned_scene(request, light);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
     std::erase_if(scene.value->ways,
-                  [&](const SkyWay& other) { return full_name(other) != full_name(way); });
+                  [&](const LightWay& other) { return full_name(other) != full_name(way); });
     Outcome<MeasuredWays> measured = measure(request, *scene.value, first, Sheets::none);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     return {measured.value->ways.front().error, std::move(measured.diagnostics)};
