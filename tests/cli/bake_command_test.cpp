@@ -12,9 +12,9 @@ namespace {
 using namespace skybake::cli::testing;
 namespace fs = std::filesystem;
 
-class Bake : public ::testing::Test {
+class BakeCommand : public ::testing::Test {
   protected:
-    Bake() {
+    BakeCommand() {
         write(
             "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
             "[bake.multiple_scattering]\nmethod = \"converged\"\nmapping = \"hillaire\"\n"
@@ -47,7 +47,7 @@ class Bake : public ::testing::Test {
 };
 
 // Without -v a first bake gives no reasons, since there is one for all of them.
-TEST_F(Bake, ShowsItsPlanIfItIsVerbose) {
+TEST_F(BakeCommand, ShowsItsPlanIfItIsVerbose) {
     const std::vector<std::string> one = {"--only", "transmittance", "--certify", "off"};
     EXPECT_FALSE(contains(bake(one).error, "not baked yet"));
     fs::remove_all(out_);
@@ -59,7 +59,7 @@ TEST_F(Bake, ShowsItsPlanIfItIsVerbose) {
     EXPECT_EQ(again.out, first.out);
 }
 
-TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
+TEST_F(BakeCommand, MakesWhatIsStaleAndSaysWhy) {
     EXPECT_EQ(bake().code, 0);
     const Result warm = bake();
     EXPECT_TRUE(contains(warm.error, "2 assets up to date")) << warm.error;
@@ -72,7 +72,7 @@ TEST_F(Bake, MakesWhatIsStaleAndSaysWhy) {
     expect_has(stale.error, {"  multiple_scattering: " + why + "\n", "2 assets (1 up to date)"});
 }
 
-TEST_F(Bake, SaysUnderWhichSunTheSkyIsWorstAndWhatIsBetter) {
+TEST_F(BakeCommand, SaysUnderWhichSunTheSkyIsWorstAndWhatIsBetter) {
     const std::string better = "  multiple_scattering: method = \"solved\" has";
     const Result measured = bake();
     expect_has(measured.error, {"% (sun ", better});
@@ -81,7 +81,7 @@ TEST_F(Bake, SaysUnderWhichSunTheSkyIsWorstAndWhatIsBetter) {
     EXPECT_FALSE(contains(blind.error, "(sun ") || contains(blind.error, better)) << blind.error;
 }
 
-TEST_F(Bake, ACacheServesOtherFolders) {
+TEST_F(BakeCommand, ACacheServesOtherFolders) {
     const std::string cache = (folder_ / "cache").string();
     EXPECT_EQ(bake({"--cache-dir", cache}).code, 0);
     const std::string other = (folder_ / "other").string();
@@ -99,7 +99,7 @@ TEST_F(Bake, ACacheServesOtherFolders) {
 }
 
 // Whatever asks for it, a folder that never was a cache is refused and left as it is.
-TEST_F(Bake, AFolderOfSomethingElseIsNoCache) {
+TEST_F(BakeCommand, AFolderOfSomethingElseIsNoCache) {
     const std::string projects = (folder_ / "projects").string();
     fs::create_directories(projects + "/pending/99999999-0");
     write_bytes(projects + "/pending/99999999-0/thesis.txt", "thesis");
@@ -121,7 +121,7 @@ TEST_F(Bake, AFolderOfSomethingElseIsNoCache) {
     EXPECT_EQ(read_bytes(projects + "/pending/99999999-0/thesis.txt"), "thesis");
 }
 
-TEST_F(Bake, TheOutputIsNoCache) {
+TEST_F(BakeCommand, TheOutputIsNoCache) {
     for (const std::string& cache : {out_, out_ + "/../" + fs::path(out_).filename().string()}) {
         const Result result = run_program({"bake", recipe_, "-o", out_, "--cache-dir", cache});
         EXPECT_EQ(result.code, 3) << cache;
@@ -130,14 +130,14 @@ TEST_F(Bake, TheOutputIsNoCache) {
     }
 }
 
-TEST_F(Bake, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
+TEST_F(BakeCommand, RefusesBeforeWorkWhatNeedsTooMuchMemory) {
     expect_said(bake({"--max-memory", "4KiB"}), 2, {"error[E0002]", "--max-memory allows 4 KiB"});
     EXPECT_FALSE(fs::exists(out_));
     EXPECT_EQ(bake({"--max-memory", "many"}).code, 2);
     EXPECT_EQ(bake({"--max-memory", "4GiB"}).code, 0);
 }
 
-TEST_F(Bake, WritesADepfile) {
+TEST_F(BakeCommand, WritesADepfile) {
     const std::string depfile = (folder_ / "sky.d").string();
     EXPECT_EQ(bake({"--depfile", depfile}).code, 0);
     const std::string text = read_bytes(depfile);
@@ -146,7 +146,7 @@ TEST_F(Bake, WritesADepfile) {
     expect_said(bake({"--depfile", (folder_ / "none/sky.d").string()}), 3, {"E0301"});
 }
 
-TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
+TEST_F(BakeCommand, PrintsPathsOnStdoutAndTheTableOnStderr) {
     const Result result = bake();
     EXPECT_EQ(result.code, 0) << result.error;
     EXPECT_EQ(result.out, out_ + "/transmittance.exr\n" + out_ + "/multiple_scattering.exr\n" +
@@ -156,7 +156,7 @@ TEST_F(Bake, PrintsPathsOnStdoutAndTheTableOnStderr) {
     EXPECT_EQ(bake({"-q"}).error, "");
 }
 
-TEST_F(Bake, LeavesUnchangedFilesAlone) {
+TEST_F(BakeCommand, LeavesUnchangedFilesAlone) {
     ASSERT_EQ(bake().code, 0);
     const std::string bytes = read_bytes(out_ + "/multiple_scattering.exr");
     const auto before = made_yesterday(out_ + "/transmittance.exr");
@@ -165,7 +165,7 @@ TEST_F(Bake, LeavesUnchangedFilesAlone) {
     EXPECT_NE(read_bytes(out_ + "/multiple_scattering.exr"), bytes);
 }
 
-TEST_F(Bake, OnlyKeepsTheOthersEntries) {
+TEST_F(BakeCommand, OnlyKeepsTheOthersEntries) {
     ASSERT_EQ(bake().code, 0);
     ASSERT_EQ(bake({"--only", "transmittance"}).code, 0);
     EXPECT_EQ(run_program({"verify", out_}).code, 0);
@@ -173,14 +173,14 @@ TEST_F(Bake, OnlyKeepsTheOthersEntries) {
     expect_said(bake({"--only", "transmitance"}), 2, {"did you mean `transmittance`?"});
 }
 
-TEST_F(Bake, DryRunMakesNothing) {
+TEST_F(BakeCommand, DryRunMakesNothing) {
     const Result result = bake({"--dry-run"});
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(contains(result.out, "32x8"));
     EXPECT_FALSE(fs::exists(out_));
 }
 
-TEST_F(Bake, PrunesWhatLeftTheRecipe) {
+TEST_F(BakeCommand, PrunesWhatLeftTheRecipe) {
     ASSERT_EQ(bake().code, 0);
     write_bytes(out_ + "/mine.exr", "mine");
     const std::string one = "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n";
@@ -201,7 +201,7 @@ TEST_F(Bake, PrunesWhatLeftTheRecipe) {
     EXPECT_EQ(files(), left);
 }
 
-TEST_F(Bake, RefusesTheFolderOfASweep) {
+TEST_F(BakeCommand, RefusesTheFolderOfASweep) {
     const std::string sweep = (folder_ / "sweep").string();
     ASSERT_EQ(run_program({"sweep", recipe_, "--vary", "atmosphere.ground_albedo=0,1", "--certify",
                            "off", "-o", sweep})
@@ -213,7 +213,7 @@ TEST_F(Bake, RefusesTheFolderOfASweep) {
     EXPECT_EQ(run_program({"bake", recipe_, "-o", sweep, "--force"}).code, 0);
 }
 
-TEST_F(Bake, AFailureIsAnEvent) {
+TEST_F(BakeCommand, AFailureIsAnEvent) {
     write("preset = \"earth_hillaire\"\n[bake.transmittance]\nsise = [32, 8]\n");
     const Result result = bake({"--json"});
     EXPECT_EQ(result.code, 2);
@@ -224,7 +224,7 @@ TEST_F(Bake, AFailureIsAnEvent) {
     EXPECT_TRUE(contains(result.out, "\"code\":\"E0102\"")) << result.out;
 }
 
-TEST_F(Bake, JsonIsOneEventALine) {
+TEST_F(BakeCommand, JsonIsOneEventALine) {
     const Result result = bake({"--json"});
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(count_lines(result.out), 4);
@@ -232,7 +232,7 @@ TEST_F(Bake, JsonIsOneEventALine) {
     EXPECT_TRUE(contains(result.out, "\n{\"event\":\"done\""));
 }
 
-TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
+TEST_F(BakeCommand, RefusesToOverwriteWhatItDidNotWrite) {
     fs::create_directory(out_);
     write_bytes(out_ + "/transmittance.exr", "mine");
     expect_said(bake(), 3, {"transmittance.exr"});
@@ -243,7 +243,7 @@ TEST_F(Bake, RefusesToOverwriteWhatItDidNotWrite) {
 }
 
 // 268 million texels take hours: said before any is made.
-TEST_F(Bake, ALongBakeIsSaidBeforeItBegins) {
+TEST_F(BakeCommand, ALongBakeIsSaidBeforeItBegins) {
     const auto dry = [&](const std::string& size) {
         write("preset = \"earth_hillaire\"\n[bake.sky_view]\nsize = " + size +
               "\nsun_elevations = [\"5 deg\"]\n");
@@ -254,7 +254,7 @@ TEST_F(Bake, ALongBakeIsSaidBeforeItBegins) {
 }
 
 // Ten thousand times as much air as the solver takes.
-TEST_F(Bake, AirThatCannotBeSolvedForIsFoundByCheck) {
+TEST_F(BakeCommand, AirThatCannotBeSolvedForIsFoundByCheck) {
     for (const char* method : {"solved", "converged"}) {
         write(std::string("preset = \"earth_hillaire\"\n[bake.multiple_scattering]\nmethod = \"") +
               method + "\"\nmapping = \"hillaire\"\n" +
@@ -263,7 +263,7 @@ TEST_F(Bake, AirThatCannotBeSolvedForIsFoundByCheck) {
     }
 }
 
-TEST_F(Bake, OneFailureLeavesTheOthers) {
+TEST_F(BakeCommand, OneFailureLeavesTheOthers) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.sharp]\nasset = \"transmittance\"\nmax_error = 2e-7\npixel_type = \"half\"\n");
@@ -272,7 +272,7 @@ TEST_F(Bake, OneFailureLeavesTheOthers) {
     EXPECT_EQ(run_program({"verify", out_}).code, 0);
 }
 
-TEST_F(Bake, ADiskThatFillsUpLosesNothing) {
+TEST_F(BakeCommand, ADiskThatFillsUpLosesNothing) {
     ASSERT_EQ(bake().code, 0);
     const std::string old = read_bytes(out_ + "/transmittance.exr");
     const auto small_files = [] {
@@ -287,14 +287,14 @@ TEST_F(Bake, ADiskThatFillsUpLosesNothing) {
     EXPECT_EQ(run_program({"verify", out_}).code, 0);
 }
 
-TEST_F(Bake, AFolderThatCannotBeMadeIsSaid) {
+TEST_F(BakeCommand, AFolderThatCannotBeMadeIsSaid) {
     write_bytes(out_, "a file");
     const Result result = bake();
     EXPECT_EQ(result.code, 3);
     EXPECT_EQ(read_bytes(out_), "a file");
 }
 
-TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
+TEST_F(BakeCommand, BadThreadsAndOptionsAreUsageErrors) {
     EXPECT_EQ(bake({"-j", "0"}).code, 2);
     EXPECT_EQ(bake({"-j", "two"}).code, 2);
     EXPECT_EQ(run_program({"bake", recipe_, "-o", ""}).code, 2);
@@ -304,7 +304,7 @@ TEST_F(Bake, BadThreadsAndOptionsAreUsageErrors) {
 }
 
 // From its plan on, which it prints when its handlers of signals are there.
-TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
+TEST_F(BakeCommand, AnInterruptLeavesNoPartialFile) {
     write(
         "preset = \"earth_hillaire\"\n[bake.transmittance]\nsize = [32, 8]\n"
         "[bake.multiple_scattering]\nmethod = \"converged\"\n"
@@ -321,7 +321,7 @@ TEST_F(Bake, AnInterruptLeavesNoPartialFile) {
     }
 }
 
-TEST_F(Bake, AKilledBakeIsMadeGoodByTheNext) {
+TEST_F(BakeCommand, AKilledBakeIsMadeGoodByTheNext) {
     ASSERT_EQ(bake().code, 0);
     const std::string good = read_bytes(out_ + "/multiple_scattering.exr");
     int killed = 0;
