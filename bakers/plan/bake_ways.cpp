@@ -9,6 +9,7 @@
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
+#include "bakers/render/stage_progress.h"
 #include "config/text/key_path.h"
 
 namespace skybake {
@@ -52,10 +53,15 @@ class AssetBakery {
         const auto expected = shared_.expect(std::move(all));
         Outcome<std::vector<BakedAsset>> outcome;
         std::vector<BakedAsset> assets;
+        const double share = 1.0 / static_cast<double>(bakes_.size());
         for (const Bake* bake : bakes_) {
+            ProgressPart part(options_.progress, "baking assets",
+                              share * static_cast<double>(assets.size()), share);
+            BakeOptions options = options_;
+            options.progress = &part;
             BakeClock clock;
-            Outcome<Baked> one = bake_asset(recipe_, *bake, options_);
-            if (options_.cancelled()) return {};
+            Outcome<Baked> one = bake_asset(recipe_, *bake, options);
+            if (options.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
             const BakeSeconds seconds = clock.seconds();
             assets.push_back(

@@ -342,5 +342,21 @@ TEST(SkyError, IsTheSameOnAnyNumberOfThreads) {
     EXPECT_EQ(one.worst, three.worst);
 }
 
+// Colours take their standard error from replicates, so these must be of the light that is compared.
+TEST(TracedLight, ReplicatesOfLightScatteredAgainHaveItForTheirMean) {
+    const auto recipe = recipe_with("asset = \"irradiance\"\n");
+    const auto air = std::make_shared<const TracedAir>(recipe.parameters.atmosphere);
+    const auto trace = trace_of_irradiance(air, level_samples(shell_of(air->medium().air)),
+                                           config::SkyOrders::multiple);
+    PathTracerSettings settings;
+    settings.paths = 1024;
+    const PathTracedRadiance light = trace(3, settings);
+    Spectrum mean{};
+    for (const Spectrum& one : light.replicates) mean += one;
+    for (std::size_t c = 0; c < 3; ++c) {
+        EXPECT_NEAR(mean[c] / kPathReplicates / light.radiance[c], 1, 1e-9);
+    }
+}
+
 }  // namespace
 }  // namespace skybake::test

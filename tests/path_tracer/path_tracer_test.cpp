@@ -11,6 +11,7 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/light/sky_radiance.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "bakers/math/transcendental.h"
 #include "tests/path_tracer/path_media.h"
 #include "tests/support/number_rows.h"
@@ -290,6 +291,27 @@ TEST(PathTracer, AgreesWithTheTruthOfConservativeHaze) {
     EXPECT_LT(agreement.mean(), 1.5);
     EXPECT_GT(agreement.mean(), 0.5);
     EXPECT_LT(agreement.largest, 4.5);
+}
+
+// The standard error of colours is that of their replicates, whatever the tracer's unit is.
+TEST(PathTracer, ReplicatesHaveTheWalkedLightForTheirMean) {
+    const SkyMedium medium = sky_medium("earth_hillaire");
+    const PathTracer tracer(medium);
+    const SunZenith sun = sun_at_elevation(0.5);
+    const SkyDirection up = sky_direction(sun, 0.6, 0.8, 0.3);
+    const PathTracerSettings settings = paths(1024, 1);
+    for (const PathTracedRadiance& light :
+         {trace_paths(tracer, 1, sun, up, settings, 1), trace_irradiance(tracer, 1, sun, settings, 1),
+          trace_mean_radiance(tracer, 1, sun, settings, 1),
+          trace_ambient_paths(tracer, 1, 0.6, settings, 1)}) {
+        Spectrum mean{};
+        for (const Spectrum& replicate : light.replicates) mean += replicate;
+        const Spectrum error = standard_error_of(light.replicates, light.walked);
+        for (std::size_t c = 0; c < 3; ++c) {
+            EXPECT_NEAR(mean[c] / kPathReplicates / light.walked[c], 1, 1e-12);
+            EXPECT_NEAR(error[c] / light.standard_error[c], 1, 1e-9);
+        }
+    }
 }
 
 // Psi of all orders. Deeper in twilight too few paths reach the light for a standard error.

@@ -153,7 +153,7 @@ TEST(PlanSky, LimitsThatNothingKeepsNameTheBest) {
 }
 
 const std::string kManyWavelengths =
-    "preset = \"earth_hillaire\"\nwavelengths = \"400 nm..700 nm by 50 nm\"\n";
+    "preset = \"earth\"\nwavelengths = \"400 nm..700 nm by 50 nm\"\n";
 
 TEST(PlanSky, NeedsAirAndFewWavelengthsOrColours) {
     const auto no_air = plan_sky(request_of("format = 1\n"));
@@ -167,13 +167,13 @@ TEST(PlanSky, NeedsAirAndFewWavelengthsOrColours) {
 // Marches would need all wavelengths, so what holds colours is left, and is right.
 TEST(PlanSky, ColoursOfManyWavelengthsHaveNoMarch) {
     PlanRequest request = request_of(kManyWavelengths +
-                                     "color = {}\n[scene]\nsuns = [\"40 deg\"]\n"
-                                     "altitude = [\"0 km\", \"1 m\"]\n");
+                                     "color.space = \"linear_srgb\"\n[scene]\n"
+                                     "suns = [\"40 deg\"]\naltitude = [\"0 km\", \"1 m\"]\n"
+                                     "sky_by = [\"march\", \"picture\"]\n");
     const auto many = plan_sky(request);
     ASSERT_TRUE(many.value) << many.diagnostics.at(0).message;
-    for (const MeasuredWay& way : many.value->ways) EXPECT_NE(way.way.by, "march");
+    for (const MeasuredWay& way : many.value->ways) EXPECT_EQ(way.way.by, "picture");
     EXPECT_LT(least_error("sky views", *many.value), 0.05);
-    EXPECT_LT(least_error("scattering along rays", *many.value), 0.1);
 }
 
 // Other parts of the light, in one scene.
@@ -186,7 +186,7 @@ Plan plan_of(config::Draws light) {
 
 TEST(PlanLight, AirBeforeThingsIsMarchedOrReadFromVolumes) {
     const Plan plan = plan_of(config::Draws::distance);
-    EXPECT_LT(least_error("moments of degree 8", plan), 0.02);
+    EXPECT_LT(least_error("moments of degree 8", plan), 0.03) << "700 paths of noise";
     EXPECT_LT(least_error("volumes of air", plan), 0.06);
     EXPECT_GT(least_error("single scattering", plan), 0.15);
     EXPECT_EQ(least_error("scattering along rays", plan), 1e9);
@@ -199,10 +199,16 @@ TEST(PlanLight, AirBeforeThingsIsMarchedOrReadFromVolumes) {
 
 TEST(PlanLight, LightOnTheGroundIsOfSunAndSky) {
     const Plan plan = plan_of(config::Draws::ground_light);
-    EXPECT_LT(least_error("light of sun and sky", plan), 0.01);
+    EXPECT_LT(least_error("light of sun and sky", plan), 0.02) << "700 paths of noise";
     EXPECT_GT(least_error("light of the sun alone", plan), 0.1);
     for (const MeasuredWay& way : plan.ways) EXPECT_EQ(way.figures.fetches, 1);
     EXPECT_TRUE(plan.sheet.empty());
+    const auto colors = plan_light(
+        request_of("preset = \"earth_hillaire\"\ncolor = {}\n[scene]\nsuns = [\"20 deg\"]\n"),
+        config::Draws::ground_light);
+    ASSERT_TRUE(colors.value);
+    EXPECT_LT(least_error("light of sun and sky", *colors.value), 0.02);
+    EXPECT_EQ(colors.value->ways[0].error.left_out, 0);
 }
 
 TEST(PlanLight, SurroundingsAreMapsForEachSun) {
@@ -223,13 +229,13 @@ TEST(PlanLight, SurroundingsAreMapsForEachSun) {
 
 // A recipe of several choices bakes each asset once.
 TEST(PlanLight, OneRecipeBakesAllThatWasChosen) {
-    const std::vector<Plan> plans = {plan_of(config::Draws::distance), plan(),
-                                     plan_of(config::Draws::ground_light), plan()};
+    const Plan ground = plan_of(config::Draws::ground_light);
+    const std::vector<Plan> plans = {plan_of(config::Draws::surroundings), ground, ground};
     const auto recipe =
         config::parse_recipe(planned_recipe(plans, *request_of(kScene).load({}).value), "planned");
     ASSERT_TRUE(recipe.value) << recipe.diagnostics.front().message;
     std::size_t assets = 0;
-    for (std::size_t i = 0; i < 3; ++i) assets += plans[i].ways[plans[i].chosen].way.assets.size();
+    for (std::size_t i = 0; i < 2; ++i) assets += plans[i].ways[plans[i].chosen].way.assets.size();
     EXPECT_EQ(recipe.value->parameters.bakes.size(), assets);
 }
 
@@ -252,7 +258,7 @@ TEST(PlanSky, NightsAreTooDarkToPlanWith) {
 }
 
 TEST(PlanSky, AnInterruptionLeavesNothing) {
-    for (const char* step : {"solving light", "tracing paths"}) {
+    for (const char* step : {"baking assets", "tracing paths"}) {
         testing::CancelledAt progress(step, 1);
         PlanRequest request = request_of(kQuick);
         request.progress = &progress;

@@ -218,7 +218,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
-    return {.version = 14,
+    return {.version = 15,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

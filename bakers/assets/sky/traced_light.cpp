@@ -72,6 +72,7 @@ TraceOfPlace trace_of_irradiance(std::shared_ptr<const TracedAir> air,
         if (orders == config::SkyOrders::multiple) {
             light.radiance -= light.orders[0];
             light.walked = light.radiance;
+            for (Spectrum& mean : light.replicates) mean -= light.orders[0];
         }
         return light;
     };

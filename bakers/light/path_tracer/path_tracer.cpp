@@ -308,6 +308,7 @@ PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km
     result.walked = result.radiance;
     result.standard_error = std::numbers::pi * result.standard_error;
     for (Spectrum& order : result.orders) order = std::numbers::pi * order;
+    for (Spectrum& mean : result.replicates) mean = std::numbers::pi * mean;
     return result;
 }
 
