@@ -249,11 +249,7 @@ Diagnostic unknown_command(const std::string& name, std::span<const Command> com
 }
 
 Diagnostic usage_error(std::string message, std::string label) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0001";
-    diagnostic.message = std::move(message);
-    diagnostic.label = std::move(label);
-    return diagnostic;
+    return {Severity::error, "E0001", std::move(message), {}, std::move(label)};
 }
 
 CommandLine parse_arguments(std::span<const std::string> words, std::span<const Command> commands,

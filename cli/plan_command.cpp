@@ -188,12 +188,9 @@ ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,
 }
 
 Diagnostic nothing_to_draw(const Invocation& invocation) {
-    Diagnostic problem;
-    problem.code = "E0105";
-    problem.message =
-        "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws";
-    problem.where.source = recipe_name(invocation.arguments()[0]);
-    return problem;
+    return file_error(
+        "E0105", recipe_name(invocation.arguments()[0]),
+        "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws");
 }
 
 Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::path& cache,

@@ -16,8 +16,6 @@
 
 namespace skybake::cli {
 
-using config::Outcome;
-
 namespace {
 
 // The first chunk of a PNG has its width and height, the most significant byte first.

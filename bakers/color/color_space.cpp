@@ -9,6 +9,25 @@ namespace {
 constexpr glm::dvec2 kD65(0.3127, 0.3290);          // as Rec. 709 and Rec. 2020 state it
 constexpr glm::dvec2 kAcesWhite(0.32168, 0.33767);  // SMPTE ST 2065-1
 
+struct SpaceFacts {
+    std::string_view name;
+    Primaries primaries;
+};
+// In the order of the enumerators.
+constexpr SpaceFacts kSpaces[] = {
+    // IEC 61966-2-1, ITU-R BT.709
+    {"linear_srgb", {{0.640, 0.330}, {0.300, 0.600}, {0.150, 0.060}, kD65}},
+    // SMPTE EG 432-1 with D65
+    {"display_p3", {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, kD65}},
+    // ITU-R BT.2020
+    {"rec2020", {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, kD65}},
+    // AP1, S-2014-004
+    {"acescg", {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, kAcesWhite}},
+    {"xyz", {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}}},
+    {"none", {}}};
+
+const SpaceFacts& facts_of(ColorSpace space) { return kSpaces[static_cast<std::size_t>(space)]; }
+
 glm::dmat3 diagonal(glm::dvec3 scales) {
     glm::dmat3 matrix(0);
     for (std::size_t i = 0; i < 3; ++i) matrix[i][i] = scales[i];
@@ -23,23 +42,7 @@ std::span<const ColorSpace> all_color_spaces() {
     return kAll;
 }
 
-std::string_view to_string(ColorSpace space) {
-    switch (space) {
-        case ColorSpace::linear_srgb:
-            return "linear_srgb";
-        case ColorSpace::display_p3:
-            return "display_p3";
-        case ColorSpace::rec2020:
-            return "rec2020";
-        case ColorSpace::acescg:
-            return "acescg";
-        case ColorSpace::xyz:
-            return "xyz";
-        case ColorSpace::none:
-            break;
-    }
-    return "none";
-}
+std::string_view to_string(ColorSpace space) { return facts_of(space).name; }
 
 std::optional<ColorSpace> color_space_named(std::string_view name) {
     for (const ColorSpace space : all_color_spaces()) {
@@ -49,21 +52,8 @@ std::optional<ColorSpace> color_space_named(std::string_view name) {
 }
 
 Primaries primaries_of(ColorSpace space) {
-    switch (space) {
-        case ColorSpace::linear_srgb:  // IEC 61966-2-1, ITU-R BT.709
-            return {{0.640, 0.330}, {0.300, 0.600}, {0.150, 0.060}, kD65};
-        case ColorSpace::display_p3:  // SMPTE EG 432-1 with D65
-            return {{0.680, 0.320}, {0.265, 0.690}, {0.150, 0.060}, kD65};
-        case ColorSpace::rec2020:  // ITU-R BT.2020
-            return {{0.708, 0.292}, {0.170, 0.797}, {0.131, 0.046}, kD65};
-        case ColorSpace::acescg:  // AP1, S-2014-004
-            return {{0.713, 0.293}, {0.165, 0.830}, {0.128, 0.044}, kAcesWhite};
-        case ColorSpace::xyz:
-        case ColorSpace::none:
-            break;
-    }
-    assert(space == ColorSpace::xyz);
-    return {{1, 0}, {0, 1}, {0, 0}, {1.0 / 3, 1.0 / 3}};
+    assert(space != ColorSpace::none);
+    return facts_of(space).primaries;
 }
 
 glm::dvec3 xyz_of(glm::dvec2 chromaticity) {

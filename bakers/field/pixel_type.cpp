@@ -12,21 +12,13 @@
 
 namespace skybake {
 
-using config::PixelType;
-
 float round_to_pixel_type(double value, PixelType type) {
     const auto single = static_cast<float>(value);
-    switch (type) {
-        case PixelType::float32:
-            return single;
-        case PixelType::half:
-            return float_of_half(half_of_float(single));
-        case PixelType::unorm8:
-            return static_cast<float>(std::floor(single * 255.0 + 0.5) / 255);
-        case PixelType::unorm16:
-            return static_cast<float>(std::floor(single * 65535.0 + 0.5) / 65535);
-        default:
-            break;
+    if (type == PixelType::half) return float_of_half(half_of_float(single));
+    if (type == PixelType::unorm8)
+        return static_cast<float>(std::floor(single * 255.0 + 0.5) / 255);
+    if (type == PixelType::unorm16) {
+        return static_cast<float>(std::floor(single * 65535.0 + 0.5) / 65535);
     }
     return single;
 }
@@ -50,57 +42,40 @@ const char* range_text(PixelType type) {
     return type == PixelType::half ? "[-65504, 65504]" : "[0, 1]";
 }
 
-int bytes_per_value(PixelType type) {
-    switch (type) {
-        case PixelType::float32:
-            return 4;
-        case PixelType::half:
-            return 2;
-        case PixelType::unorm8:
-            return 1;
-        case PixelType::unorm16:
-            return 2;
-        default:
-            return 4;
-    }
-}
+namespace {
 
-double bits_per_value(PixelType type) {
-    switch (type) {
-        case PixelType::bc4:
-        case PixelType::bc5:
-            return 4;
-        case PixelType::bc6h:
-            return 8.0 / 3;
-        case PixelType::rgbe:
-            return 32.0 / 3;
-        case PixelType::fp8:
-            return 8 + 96 * 8 / 512.0;  // leaves have a head of 96 bytes
-        case PixelType::fp16:
-            return 16 + 96 * 8 / 512.0;
-        default:
-            return 8 * bytes_per_value(type);
-    }
-}
+struct TypeFacts {
+    int bytes;              // of a value; of types that code blocks, of a decoded one
+    double bits;            // of a value in a file
+    double rounding_error;  // of types that code blocks, that of the decoded float
+};
+constexpr double kLeafHead = 96 * 8 / 512.0;  // the bits of a value in the heads of leaves
+
+// In the order of the enumerators.
+constexpr TypeFacts kTypes[] = {
+    {4, 32, 0x1p-24},              // float32
+    {2, 16, 0x1p-11},              // half
+    {1, 8, 0.5 / 255},             // unorm8
+    {2, 16, 0.5 / 65535},          // unorm16
+    {4, 32.0 / 3, 0x1p-24},        // rgbe
+    {4, 4, 0x1p-24},               // bc4
+    {4, 8.0 / 3, 0x1p-24},         // bc6h
+    {4, 8 + kLeafHead, 0x1p-24},   // fp8
+    {4, 16 + kLeafHead, 0x1p-24},  // fp16
+    {4, 4, 0x1p-24},               // bc5
+};
+
+const TypeFacts& facts_of(PixelType type) { return kTypes[static_cast<std::size_t>(type)]; }
+
+}  // namespace
+
+int bytes_per_value(PixelType type) { return facts_of(type).bytes; }
+double bits_per_value(PixelType type) { return facts_of(type).bits; }
+double rounding_error(PixelType type) { return facts_of(type).rounding_error; }
 
 double smallest_normal(PixelType type) {
     if (type == PixelType::float32) return double{std::numeric_limits<float>::min()};
     return type == PixelType::half ? 0x1p-14 : 0;
-}
-
-double rounding_error(PixelType type) {
-    switch (type) {
-        case PixelType::float32:
-            return 0x1p-24;
-        case PixelType::half:
-            return 0x1p-11;
-        case PixelType::unorm8:
-            return 0.5 / 255;
-        case PixelType::unorm16:
-            return 0.5 / 65535;
-        default:
-            return 0x1p-24;  // of the decoded float
-    }
 }
 
 float store(double value, PixelType type, RangeCounts& counts) {
@@ -141,18 +116,10 @@ struct AsUnorm {
 // Calls `work` with the pixel type's conversion.
 template <class Work>
 void with_conversion(PixelType type, const Work& work) {
-    switch (type) {
-        case PixelType::float32:
-            return work(AsFloat{});
-        case PixelType::half:
-            return work(AsHalf{});
-        case PixelType::unorm8:
-            return work(AsUnorm<std::uint8_t, 255>{});
-        case PixelType::unorm16:
-            return work(AsUnorm<std::uint16_t, 65535>{});
-        default:  // decoded
-            return work(AsFloat{});
-    }
+    if (type == PixelType::half) return work(AsHalf{});
+    if (type == PixelType::unorm8) return work(AsUnorm<std::uint8_t, 255>{});
+    if (type == PixelType::unorm16) return work(AsUnorm<std::uint16_t, 65535>{});
+    return work(AsFloat{});  // or decoded
 }
 
 // The usual numbers of channels are compile-time constants, so that the compiler can unroll the

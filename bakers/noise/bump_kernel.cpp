@@ -17,9 +17,6 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 constexpr int kRows = 8;    // of a block
 constexpr int kSlices = 8;  // of a block
 // Cells have four voxels or more: 16 voxels reach into five of them and 8 into three, and points may be

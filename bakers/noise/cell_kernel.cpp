@@ -16,9 +16,6 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 constexpr std::size_t kLineStride = CellCandidates::kLineStride;
 
 // Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.

@@ -12,8 +12,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <vector>
 
 #include "bakers/field/level.h"
 #include "bakers/math/memory.h"

@@ -17,9 +17,6 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-
 // The gradients at lattice points.
 class StillGradients {
   public:

@@ -6,7 +6,6 @@
 // equals noise_specification.h bit for bit.
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "bakers/field/level.h"

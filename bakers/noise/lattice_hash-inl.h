@@ -9,6 +9,7 @@
 #include <hwy/highway.h>
 
 #include "bakers/noise/lattice_hash.h"
+#include "bakers/noise/noise_plan.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
@@ -20,6 +21,9 @@ using Floats = hn::ScalableTag<float>;
 using Words = hn::RebindToUnsigned<Floats>;
 using FloatVector = hn::Vec<Floats>;
 using WordVector = hn::Vec<Words>;
+constexpr Floats kFloats;
+constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
+static_assert(kLanes <= static_cast<std::size_t>(kLanePadding));
 
 HWY_INLINE WordVector mix32(WordVector h) {
     const Words d;

@@ -18,9 +18,7 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-constexpr int kLanes = static_cast<int>(hn::MaxLanes(kFloats));
+constexpr int kVoxels = static_cast<int>(kLanes);  // of a vector
 using LaneIndices = decltype(hn::IndicesFromVec(kFloats, hn::Zero(Integers())));
 
 constexpr int kMostRings = 2;
@@ -181,7 +179,7 @@ class TileFiller {
         const float margin = std::min(distance_to_faces(field_.cells[1], rows),
                                       distance_to_faces(field_.cells[2], slices));
         const auto& cells = field_.cells[0].cell;
-        for (int voxel = x.first; voxel < x.last; voxel += kLanes) {
+        for (int voxel = x.first; voxel < x.last; voxel += kVoxels) {
             const auto at = static_cast<std::size_t>(voxel);
             float* places[kRows][kDepth];
             for (std::size_t row = 0; row < kRows; ++row) {

@@ -17,10 +17,6 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
-constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
-
 // --- Gradient noise -----------------------------------------------------------------------------
 
 HWY_INLINE Basis basis_at(const AxisBasis& axis, std::size_t voxel) {

@@ -17,10 +17,7 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 namespace {
 
-constexpr Floats kFloats;
-static_assert(hn::MaxLanes(kFloats) <= static_cast<std::size_t>(kLanePadding));
 constexpr Integers kIntegers;
-constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 using Frequency = std::array<int, 3>;
 
 // --- Samples ------------------------------------------------------------------------------------

@@ -26,27 +26,16 @@ const LoadedCodec<ChartModule>& chart_module() {
 
 // Escapes a text for XML elements, attributes and comments.
 std::string escaped(std::string_view text) {
+    constexpr std::pair<char, std::string_view> entities[] = {
+        {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&apos;"}};
     std::string result;
     for (const char letter : text) {
-        switch (letter) {
-            case '&':
-                result += "&amp;";
-                break;
-            case '<':
-                result += "&lt;";
-                break;
-            case '>':
-                result += "&gt;";
-                break;
-            case '"':
-                result += "&quot;";
-                break;
-            case '\'':
-                result += "&apos;";
-                break;
-            default:
-                // XML allows no other control characters.
-                result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+        const auto* const entity =
+            std::ranges::find(entities, letter, [](const auto& e) { return e.first; });
+        if (entity != std::end(entities)) {
+            result += entity->second;
+        } else {  // XML allows no other control characters.
+            result += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
         }
     }
     return result;

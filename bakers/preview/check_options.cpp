@@ -159,11 +159,7 @@ bool reaches_sides(const PreviewAsset& volume) {
 }  // namespace
 
 Diagnostic option_fault(std::string message, std::string label) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0001";
-    diagnostic.message = std::move(message);
-    diagnostic.label = std::move(label);
-    return diagnostic;
+    return {Severity::error, "E0001", std::move(message), {}, std::move(label)};
 }
 
 LitPictures lit_pictures_of(std::span<const Bake> bakes) {
@@ -217,13 +213,9 @@ std::vector<Diagnostic> unused_keys(const Recipe& recipe) {
         const std::string key = is_camera ? "camera" : value.path.substr(value.section.size() + 1);
         const std::string_view reason = config::why_unused(key, pictures);
         if (reason.empty() || value.origin.starts_with("preset ")) continue;
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.code = "W0216";
-        warning.message = fmt::format("no picture of this recipe uses `{}`", value.path);
-        warning.label = reason;
-        warning.where = recipe_place(value);
-        warnings.push_back(std::move(warning));
+        warnings.push_back({Severity::warning, "W0216",
+                            fmt::format("no picture of this recipe uses `{}`", value.path),
+                            recipe_place(value), std::string(reason)});
     }
     return warnings;
 }

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <span>
-
 #include "config/assets/asset_fields.h"
 #include "config/assets/asset_kind.h"
 #include "config/assets/cloud_volume.h"

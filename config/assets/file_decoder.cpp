@@ -23,22 +23,10 @@ std::int64_t voxels_of(const VoxelCounts& size) {
 
 // Rounded up.
 int bytes_of(PixelType type) {
-    switch (type) {
-        case PixelType::float32:
-            return 4;
-        case PixelType::half:
-        case PixelType::unorm16:
-        case PixelType::fp16:
-        case PixelType::rgbe:
-            return 2;
-        case PixelType::unorm8:
-        case PixelType::bc4:
-        case PixelType::bc5:
-        case PixelType::bc6h:
-        case PixelType::fp8:
-            return 1;
-    }
-    return 0;
+    constexpr PixelTypes two_bytes(PixelType::half, PixelType::unorm16, PixelType::fp16,
+                                   PixelType::rgbe);
+    if (type == PixelType::float32) return 4;
+    return two_bytes.contains(type) ? 2 : 1;
 }
 
 std::optional<PixelType> pixel_type_of(const DecodedSection& bake) {

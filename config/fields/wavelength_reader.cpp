@@ -111,18 +111,11 @@ std::optional<FieldValue> read_best(const Reader& reader, const Value& value,
 }  // namespace
 
 std::span<const double> best_wavelengths_nm(int count) {
-    switch (count) {
-        case 3:
-            return best_3;
-        case 4:
-            return best_4;
-        case 8:
-            return best_8;
-        case 16:
-            return best_16;
-        default:
-            return {};
-    }
+    if (count == 3) return best_3;
+    if (count == 4) return best_4;
+    if (count == 8) return best_8;
+    if (count == 16) return best_16;
+    return {};
 }
 
 std::string best_wavelength_counts() { return "3|4|8|16"; }

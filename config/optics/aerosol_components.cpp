@@ -20,53 +20,6 @@ using HumidRadii = std::array<double, kHumidityCount>;  // um, at those humiditi
 
 constexpr HumidRadii same_when_humid(double um) { return {um, um, um, um, um, um, um, um}; }
 
-// The substance that a component is made of.
-enum class Substance { insoluble, water_soluble, soot, sea_salt, mineral, sulfate };
-
-struct ComponentFacts {
-    std::string_view name;
-    Substance substance{};
-    double deviation = 1;
-    HumidRadii mode_radius_um{};
-    double smallest_um = 0, largest_um = 0;  // dry
-};
-
-// Table 1c; mode radii with humidity from the heads of OPAC's files. In the order of the
-// enumerators.
-constexpr std::array kComponents = {
-    ComponentFacts{"insoluble", Substance::insoluble, 2.51, same_when_humid(0.471), 0.005, 20},
-    ComponentFacts{"water_soluble",
-                   Substance::water_soluble,
-                   2.24,
-                   {0.0212, 0.0262, 0.0285, 0.0306, 0.0348, 0.0399, 0.0476, 0.0534},
-                   0.005,
-                   20},
-    ComponentFacts{"soot", Substance::soot, 2.00, same_when_humid(0.0118), 0.005, 20},
-    ComponentFacts{"sea_salt_accumulation",
-                   Substance::sea_salt,
-                   2.03,
-                   {0.209, 0.336, 0.378, 0.416, 0.497, 0.605, 0.801, 0.995},
-                   0.005,
-                   20},
-    ComponentFacts{"sea_salt_coarse",
-                   Substance::sea_salt,
-                   2.03,
-                   {1.75, 2.82, 3.17, 3.49, 4.18, 5.11, 6.84, 8.59},
-                   0.005,
-                   60},
-    ComponentFacts{"mineral_nucleation", Substance::mineral, 1.95, same_when_humid(0.07), 0.005,
-                   20},
-    ComponentFacts{"mineral_accumulation", Substance::mineral, 2.00, same_when_humid(0.39), 0.005,
-                   20},
-    ComponentFacts{"mineral_coarse", Substance::mineral, 2.15, same_when_humid(1.90), 0.005, 60},
-    ComponentFacts{"mineral_transported", Substance::mineral, 2.20, same_when_humid(0.50), 0.02, 5},
-    ComponentFacts{"sulfate_droplets",
-                   Substance::sulfate,
-                   2.03,
-                   {0.0695, 0.0983, 0.109, 0.118, 0.135, 0.158, 0.195, 0.231},
-                   0.005,
-                   20}};
-
 struct IndexRow {
     double nm, real, imaginary;
 };
@@ -103,47 +56,83 @@ constexpr IndexRow kWaterIndex[] = {
     {550, 1.333, 1.96e-9}, {600, 1.332, 1.09e-8}, {650, 1.331, 1.64e-8}, {700, 1.331, 3.35e-8},
     {750, 1.330, 1.56e-7}, {800, 1.329, 1.25e-7}, {900, 1.328, 4.86e-7}};
 
+struct ComponentFacts {
+    std::string_view name;
+    std::span<const IndexRow> index;
+    double deviation = 1;
+    HumidRadii mode_radius_um{};
+    double smallest_um = 0, largest_um = 0;  // dry
+};
+
+// Table 1c; mode radii with humidity from the heads of OPAC's files. In the order of the
+// enumerators.
+constexpr std::array kComponents = {
+    ComponentFacts{"insoluble", kInsolubleIndex, 2.51, same_when_humid(0.471), 0.005, 20},
+    ComponentFacts{"water_soluble",
+                   kWaterSolubleIndex,
+                   2.24,
+                   {0.0212, 0.0262, 0.0285, 0.0306, 0.0348, 0.0399, 0.0476, 0.0534},
+                   0.005,
+                   20},
+    ComponentFacts{"soot", kSootIndex, 2.00, same_when_humid(0.0118), 0.005, 20},
+    ComponentFacts{"sea_salt_accumulation",
+                   kSeaSaltIndex,
+                   2.03,
+                   {0.209, 0.336, 0.378, 0.416, 0.497, 0.605, 0.801, 0.995},
+                   0.005,
+                   20},
+    ComponentFacts{"sea_salt_coarse",
+                   kSeaSaltIndex,
+                   2.03,
+                   {1.75, 2.82, 3.17, 3.49, 4.18, 5.11, 6.84, 8.59},
+                   0.005,
+                   60},
+    ComponentFacts{"mineral_nucleation", kMineralIndex, 1.95, same_when_humid(0.07), 0.005, 20},
+    ComponentFacts{"mineral_accumulation", kMineralIndex, 2.00, same_when_humid(0.39), 0.005, 20},
+    ComponentFacts{"mineral_coarse", kMineralIndex, 2.15, same_when_humid(1.90), 0.005, 60},
+    ComponentFacts{"mineral_transported", kMineralIndex, 2.20, same_when_humid(0.50), 0.02, 5},
+    ComponentFacts{"sulfate_droplets",
+                   kSulfateIndex,
+                   2.03,
+                   {0.0695, 0.0983, 0.109, 0.118, 0.135, 0.158, 0.195, 0.231},
+                   0.005,
+                   20}};
+
 constexpr double per_cubic_centimeter(double number) { return number * 1e6; }
 
 constexpr MixturePart mixture_part(AerosolComponent component, double per_cm3) {
     return {component, {per_cubic_centimeter(per_cm3)}};
 }
 
+using enum AerosolComponent;
+
 // Table 4.
-constexpr MixturePart kContinentalClean[] = {mixture_part(AerosolComponent::water_soluble, 2600),
-                                             mixture_part(AerosolComponent::insoluble, 0.15)};
-constexpr MixturePart kContinentalAverage[] = {mixture_part(AerosolComponent::water_soluble, 7000),
-                                               mixture_part(AerosolComponent::insoluble, 0.4),
-                                               mixture_part(AerosolComponent::soot, 8300)};
+constexpr MixturePart kContinentalClean[] = {mixture_part(water_soluble, 2600),
+                                             mixture_part(insoluble, 0.15)};
+constexpr MixturePart kContinentalAverage[] = {
+    mixture_part(water_soluble, 7000), mixture_part(insoluble, 0.4), mixture_part(soot, 8300)};
 constexpr MixturePart kContinentalPolluted[] = {
-    mixture_part(AerosolComponent::water_soluble, 15700),
-    mixture_part(AerosolComponent::insoluble, 0.6), mixture_part(AerosolComponent::soot, 34300)};
-constexpr MixturePart kUrban[] = {mixture_part(AerosolComponent::water_soluble, 28000),
-                                  mixture_part(AerosolComponent::insoluble, 1.5),
-                                  mixture_part(AerosolComponent::soot, 130000)};
-constexpr MixturePart kDesert[] = {mixture_part(AerosolComponent::water_soluble, 2000),
-                                   mixture_part(AerosolComponent::mineral_nucleation, 269.5),
-                                   mixture_part(AerosolComponent::mineral_accumulation, 30.5),
-                                   mixture_part(AerosolComponent::mineral_coarse, 0.142)};
-constexpr MixturePart kMaritimeClean[] = {mixture_part(AerosolComponent::water_soluble, 1500),
-                                          mixture_part(AerosolComponent::sea_salt_accumulation, 20),
-                                          mixture_part(AerosolComponent::sea_salt_coarse, 3.2e-3)};
+    mixture_part(water_soluble, 15700), mixture_part(insoluble, 0.6), mixture_part(soot, 34300)};
+constexpr MixturePart kUrban[] = {mixture_part(water_soluble, 28000), mixture_part(insoluble, 1.5),
+                                  mixture_part(soot, 130000)};
+constexpr MixturePart kDesert[] = {
+    mixture_part(water_soluble, 2000), mixture_part(mineral_nucleation, 269.5),
+    mixture_part(mineral_accumulation, 30.5), mixture_part(mineral_coarse, 0.142)};
+constexpr MixturePart kMaritimeClean[] = {mixture_part(water_soluble, 1500),
+                                          mixture_part(sea_salt_accumulation, 20),
+                                          mixture_part(sea_salt_coarse, 3.2e-3)};
 constexpr MixturePart kMaritimePolluted[] = {
-    mixture_part(AerosolComponent::water_soluble, 3800),
-    mixture_part(AerosolComponent::sea_salt_accumulation, 20),
-    mixture_part(AerosolComponent::sea_salt_coarse, 3.2e-3),
-    mixture_part(AerosolComponent::soot, 5180)};
-constexpr MixturePart kMaritimeTropical[] = {
-    mixture_part(AerosolComponent::water_soluble, 590),
-    mixture_part(AerosolComponent::sea_salt_accumulation, 10),
-    mixture_part(AerosolComponent::sea_salt_coarse, 1.3e-3)};
-constexpr MixturePart kArctic[] = {mixture_part(AerosolComponent::water_soluble, 1300),
-                                   mixture_part(AerosolComponent::insoluble, 0.01),
-                                   mixture_part(AerosolComponent::sea_salt_accumulation, 1.9),
-                                   mixture_part(AerosolComponent::soot, 5300)};
-constexpr MixturePart kAntarctic[] = {mixture_part(AerosolComponent::sulfate_droplets, 42.9),
-                                      mixture_part(AerosolComponent::sea_salt_accumulation, 0.047),
-                                      mixture_part(AerosolComponent::mineral_transported, 0.0053)};
+    mixture_part(water_soluble, 3800), mixture_part(sea_salt_accumulation, 20),
+    mixture_part(sea_salt_coarse, 3.2e-3), mixture_part(soot, 5180)};
+constexpr MixturePart kMaritimeTropical[] = {mixture_part(water_soluble, 590),
+                                             mixture_part(sea_salt_accumulation, 10),
+                                             mixture_part(sea_salt_coarse, 1.3e-3)};
+constexpr MixturePart kArctic[] = {mixture_part(water_soluble, 1300), mixture_part(insoluble, 0.01),
+                                   mixture_part(sea_salt_accumulation, 1.9),
+                                   mixture_part(soot, 5300)};
+constexpr MixturePart kAntarctic[] = {mixture_part(sulfate_droplets, 42.9),
+                                      mixture_part(sea_salt_accumulation, 0.047),
+                                      mixture_part(mineral_transported, 0.0053)};
 
 struct MixtureFacts {
     std::string_view name;
@@ -169,24 +158,6 @@ const ComponentFacts& facts_of(AerosolComponent component) {
 
 const MixtureFacts& facts_of(AerosolMixture mixture) {
     return kMixtures[static_cast<std::size_t>(mixture)];
-}
-
-std::span<const IndexRow> index_rows(Substance substance) {
-    switch (substance) {
-        case Substance::insoluble:
-            return kInsolubleIndex;
-        case Substance::water_soluble:
-            return kWaterSolubleIndex;
-        case Substance::soot:
-            return kSootIndex;
-        case Substance::sea_salt:
-            return kSeaSaltIndex;
-        case Substance::mineral:
-            return kMineralIndex;
-        case Substance::sulfate:
-            break;
-    }
-    return kSulfateIndex;
 }
 
 RefractiveIndex index_at(std::span<const IndexRow> rows, Length wavelength) {
@@ -250,13 +221,13 @@ double water_share(AerosolComponent component, double relative_humidity_percent)
 }
 
 WavelengthRange range_of(AerosolComponent component) {
-    const auto rows = index_rows(facts_of(component).substance);
+    const auto rows = facts_of(component).index;
     return {{rows.front().nm / 1e9}, {rows.back().nm / 1e9}};
 }
 
 std::vector<Length> tabulated_wavelengths(AerosolComponent component) {
     std::vector<Length> all;
-    for (const IndexRow& row : index_rows(facts_of(component).substance)) {
+    for (const IndexRow& row : facts_of(component).index) {
         all.push_back({row.nm / 1e9});
     }
     return all;
@@ -264,7 +235,7 @@ std::vector<Length> tabulated_wavelengths(AerosolComponent component) {
 
 RefractiveIndex refractive_index_of(AerosolComponent component, Length wavelength,
                                     double relative_humidity_percent) {
-    const RefractiveIndex dry = index_at(index_rows(facts_of(component).substance), wavelength);
+    const RefractiveIndex dry = index_at(facts_of(component).index, wavelength);
     const RefractiveIndex water = water_index(wavelength);
     const double share = water_share(component, relative_humidity_percent);
     return {dry.real + (water.real - dry.real) * share,

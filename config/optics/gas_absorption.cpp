@@ -109,8 +109,19 @@ constexpr AbsorptionRow kWaterVaporAbsorption[] = {
     {718, 216.4},      {724.4, 259.9},    {740, 27.66},  {752.5, 0.565}, {757.5, 0.07126},
     {762.5, 0.007134}, {767.5, 0.007134}, {780, 0.4248}, {800, 18.69},   {816, 202.6}};
 
-double absorption_at(std::span<const AbsorptionRow> rows, double nm) {
-    return interpolate(rows, &AbsorptionRow::nm, &AbsorptionRow::cross_section, nm);
+// The gases that only absorb, but for ozone, which heeds the temperature.
+struct Absorber {
+    Gas gas;
+    std::span<const AbsorptionRow> rows;
+    double unit_m2;
+};
+constexpr Absorber kAbsorbers[] = {{Gas::nitrogen_dioxide, kNitrogenDioxideAbsorption, 1e-23},
+                                   {Gas::oxygen, kOxygenAbsorption, 1e-30},
+                                   {Gas::water_vapor, kWaterVaporAbsorption, 1e-30}};
+
+const Absorber* absorber_of(Gas gas) {
+    const auto found = std::ranges::find(kAbsorbers, gas, &Absorber::gas);
+    return found == std::end(kAbsorbers) ? nullptr : found;
 }
 
 double ozone_m2(double nm, double temperature_K) {
@@ -137,42 +148,23 @@ std::span<const Gas> all_gases() {
 }
 
 WavelengthRange range_of(Gas gas) {
-    switch (gas) {
-        case Gas::ozone:
-            return range_of_rows(std::span<const OzoneRow>(kOzoneAbsorption));
-        case Gas::nitrogen_dioxide:
-            return range_of_rows(std::span<const AbsorptionRow>(kNitrogenDioxideAbsorption));
-        case Gas::oxygen:
-            return range_of_rows(std::span<const AbsorptionRow>(kOxygenAbsorption));
-        case Gas::water_vapor:
-            return range_of_rows(std::span<const AbsorptionRow>(kWaterVaporAbsorption));
-        case Gas::nitrogen:
-        case Gas::carbon_dioxide:
-            return {{254e-9}, {1000e-9}};  // of the fits to refractive indices
-        case Gas::air:
-            break;
-    }
-    return {{200e-9}, {1000e-9}};  // of Bucholtz' fits, as checked against his table
+    if (gas == Gas::ozone) return range_of_rows(std::span<const OzoneRow>(kOzoneAbsorption));
+    if (const Absorber* absorber = absorber_of(gas)) return range_of_rows(absorber->rows);
+    if (gas == Gas::air)
+        return {{200e-9}, {1000e-9}};  // of Bucholtz' fits, as checked against his table
+    return {{254e-9}, {1000e-9}};      // of the fits to refractive indices
 }
 
 GasOptics gas_optics(Gas gas, Length wavelength, double temperature_K) {
     const double nm = wavelength.meters * 1e9;
-    switch (gas) {
-        case Gas::ozone:
-            return {.absorption_m2 = ozone_m2(nm, temperature_K)};
-        case Gas::nitrogen_dioxide:
-            return {.absorption_m2 = absorption_at(kNitrogenDioxideAbsorption, nm) * 1e-23};
-        case Gas::oxygen:
-            return {.absorption_m2 = absorption_at(kOxygenAbsorption, nm) * 1e-30};
-        case Gas::water_vapor:
-            return {.absorption_m2 = absorption_at(kWaterVaporAbsorption, nm) * 1e-30};
-        case Gas::nitrogen:
-            return nitrogen_optics(wavelength);
-        case Gas::carbon_dioxide:
-            return carbon_dioxide_optics(wavelength);
-        case Gas::air:
-            break;
+    if (gas == Gas::ozone) return {.absorption_m2 = ozone_m2(nm, temperature_K)};
+    if (const Absorber* absorber = absorber_of(gas)) {
+        return {.absorption_m2 = interpolate(absorber->rows, &AbsorptionRow::nm,
+                                             &AbsorptionRow::cross_section, nm) *
+                                 absorber->unit_m2};
     }
+    if (gas == Gas::nitrogen) return nitrogen_optics(wavelength);
+    if (gas == Gas::carbon_dioxide) return carbon_dioxide_optics(wavelength);
     return {.scattering_m2 = rayleigh_cross_section_m2(wavelength),
             .depolarization = rayleigh_depolarization(wavelength)};
 }
@@ -202,22 +194,12 @@ double water_vapor_column_per_m2(double kilograms_per_m2) {
 }
 
 double standard_column_per_m2(Gas gas) {
-    switch (gas) {
-        case Gas::ozone:
-            return ozone_column_per_m2(kStandardOzone_DU);
-        case Gas::nitrogen_dioxide:
-            return kStandardNitrogenDioxide_per_m2;
-        case Gas::oxygen:
-            return oxygen_column_per_m2();
-        case Gas::water_vapor:
-            return water_vapor_column_per_m2(kStandardWaterVapor_kg_per_m2);
-        case Gas::nitrogen:
-            return kNitrogenShare * air_column_per_m2();
-        case Gas::carbon_dioxide:
-            return kCarbonDioxideShare * air_column_per_m2();
-        case Gas::air:
-            break;
-    }
+    if (gas == Gas::ozone) return ozone_column_per_m2(kStandardOzone_DU);
+    if (gas == Gas::nitrogen_dioxide) return kStandardNitrogenDioxide_per_m2;
+    if (gas == Gas::oxygen) return oxygen_column_per_m2();
+    if (gas == Gas::water_vapor) return water_vapor_column_per_m2(kStandardWaterVapor_kg_per_m2);
+    if (gas == Gas::nitrogen) return kNitrogenShare * air_column_per_m2();
+    if (gas == Gas::carbon_dioxide) return kCarbonDioxideShare * air_column_per_m2();
     return air_column_per_m2();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 
 namespace skybake::config {
 namespace {
@@ -41,27 +42,16 @@ constexpr AlbedoRow kSea[] = {{400, 0.0921}, {475, 0.0851}, {495, 0.0811},
 constexpr AlbedoRow kMars[] = {{360, 0.06},  {436, 0.088}, {549, 0.17}, {641, 0.25},
                                {700, 0.288}, {798, 0.285}, {900, 0.33}};
 
-std::span<const AlbedoRow> rows_of(Ground ground) {
-    switch (ground) {
-        case Ground::vegetation:
-            return kVegetation;
-        case Ground::sand:
-            return kSand;
-        case Ground::snow:
-            return kSnow;
-        case Ground::sea:
-            return kSea;
-        case Ground::mars:
-            break;
-    }
-    return kMars;
-}
+// In the order of the enumerators.
+constexpr std::span<const AlbedoRow> kGrounds[] = {kVegetation, kSand, kSnow, kSea, kMars};
 
 }  // namespace
 
 std::vector<SpectrumPoint> spectrum_of(Ground ground) {
     std::vector<SpectrumPoint> spectrum;
-    for (const AlbedoRow& row : rows_of(ground)) spectrum.push_back({{row.nm / 1e9}, row.albedo});
+    for (const AlbedoRow& row : kGrounds[static_cast<std::size_t>(ground)]) {
+        spectrum.push_back({{row.nm / 1e9}, row.albedo});
+    }
     return spectrum;
 }
 

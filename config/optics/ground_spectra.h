@@ -4,7 +4,6 @@
 // ground_spectra.cpp names the source of each.
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "config/text/quantity.h"

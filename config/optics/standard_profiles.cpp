@@ -66,19 +66,9 @@ constexpr ProfilePoint kNitrogenDioxideProfile[] = {
 }  // namespace
 
 std::span<const ProfilePoint> standard_profile(Gas gas) {
-    switch (gas) {
-        case Gas::ozone:
-            return kOzoneProfile;
-        case Gas::nitrogen_dioxide:
-            return kNitrogenDioxideProfile;
-        case Gas::water_vapor:
-            return kWaterVaporProfile;
-        case Gas::air:
-        case Gas::oxygen:
-        case Gas::nitrogen:
-        case Gas::carbon_dioxide:
-            break;
-    }
+    if (gas == Gas::ozone) return kOzoneProfile;
+    if (gas == Gas::nitrogen_dioxide) return kNitrogenDioxideProfile;
+    if (gas == Gas::water_vapor) return kWaterVaporProfile;
     return kAirProfile;
 }
 

@@ -1,8 +1,6 @@
 // This header turns the merged tree of a recipe into its parameters.
 #pragma once
 
-#include <string>
-
 #include "config/fields/section_decoder.h"
 #include "config/sections/parameters.h"
 #include "config/text/value_tree.h"

@@ -24,24 +24,9 @@ constexpr double largest_whole_end =
     9007199254740992.0;  // 2^53: doubles have all integers up to it
 
 std::string_view base_unit(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::length:
-            return "m";
-        case Dimension::inverse_length:
-            return "/m";
-        case Dimension::number_density:
-            return "/m3";
-        case Dimension::pressure:
-            return "Pa";
-        case Dimension::column_density:
-            return "/m2";
-        case Dimension::angle:
-            return "rad";
-        case Dimension::number:
-        case Dimension::fraction:
-            return "";
-    }
-    return "";
+    // In the order of the enumerators.
+    static constexpr std::string_view units[] = {"", "", "m", "/m", "/m3", "Pa", "/m2", "rad"};
+    return units[static_cast<std::size_t>(dimension)];
 }
 
 double as_number(const Value& value) {

@@ -7,7 +7,6 @@
 // of their differences but not all. The ends keep the spelling in which they were given.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <string>
 

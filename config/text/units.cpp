@@ -246,25 +246,16 @@ std::optional<WrittenQuantity> split_quantity(std::string_view text) {
 }
 
 std::string_view dimension_name(Dimension dimension) {
-    switch (dimension) {
-        case Dimension::number:
-            return "a plain number";
-        case Dimension::fraction:
-            return "a fraction";
-        case Dimension::length:
-            return "a length";
-        case Dimension::inverse_length:
-            return "a coefficient (1/length)";
-        case Dimension::number_density:
-            return "a number of particles per volume";
-        case Dimension::pressure:
-            return "a pressure";
-        case Dimension::column_density:
-            return "a number of molecules per area";
-        case Dimension::angle:
-            return "an angle";
-    }
-    return "";
+    // In the order of the enumerators.
+    static constexpr std::string_view names[] = {"a plain number",
+                                                 "a fraction",
+                                                 "a length",
+                                                 "a coefficient (1/length)",
+                                                 "a number of particles per volume",
+                                                 "a pressure",
+                                                 "a number of molecules per area",
+                                                 "an angle"};
+    return names[static_cast<std::size_t>(dimension)];
 }
 
 std::vector<std::string_view> unit_names(Dimension dimension) {

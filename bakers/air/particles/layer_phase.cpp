@@ -27,12 +27,7 @@ std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticl
 constexpr double kMostExtinctionPerMeter = 1e6;
 
 Diagnostic problem(std::string message, std::string label) {
-    Diagnostic found;
-    found.severity = Severity::error;
-    found.code = "E0144";
-    found.message = std::move(message);
-    found.label = std::move(label);
-    return found;
+    return {Severity::error, "E0144", std::move(message), {}, std::move(label)};
 }
 
 // Whether any spheres that count are within the bounds of radii.

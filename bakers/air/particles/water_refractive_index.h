@@ -15,10 +15,7 @@
 
 namespace skybake {
 
-constexpr config::Length kShortestWaterWavelength{0.2e-6};
-constexpr config::Length kLongestWaterWavelength{4e-6};
-
-// The wavelength (in vacuum) must be between those two.
+// The wavelength (in vacuum) must be between 0.2 and 4 um.
 ComplexNumber water_refractive_index(config::Length wavelength);
 
 }  // namespace skybake

@@ -29,42 +29,28 @@ std::string_view word_of(CloudLightContents contents) {
     return config::choice_name(*config::find_field(section, "contents"), contents);
 }
 
-std::string meaning_of(const CloudLightBake& bake) {
-    switch (bake.contents) {
-        case CloudLightContents::optical_depth:
-            return "optical depth from a point to each sun";
-        case CloudLightContents::transmittance:
-            return "transmittance from a point to each sun";
-        case CloudLightContents::shadow:
-            return "optical depth of the whole layer from a point of its base to each sun";
-        case CloudLightContents::optical_depth_harmonics:
-            return "optical depth to suns above the horizon";
-        case CloudLightContents::transmittance_harmonics:
-            return "transmittance to suns above the horizon";
-        case CloudLightContents::sky_visibility:
-            return "transmittance to the sky, 0 below the horizon";
-        case CloudLightContents::sun_radiance:
-            return "radiance (1/sr) of sunlight scattered twice or more often, for a solar "
-                   "irradiance of 1, by direction of travel";
-        case CloudLightContents::sky_radiance:
-            return "radiance (1/sr) of scattered light, for a sky of radiance 1, by direction of "
-                   "travel";
-        case CloudLightContents::clear_sky_radiance:
-            return "radiance (1/sr) of scattered light, for a clear sky of the mean radiance 1, by "
-                   "direction of travel";
-        case CloudLightContents::ground_radiance:
-            return "radiance (1/sr) of scattered light, for ground of radiance 1, by direction of "
-                   "travel";
-    }
-    return "";
-}
+// In the order of the enumerators.
+constexpr std::string_view kMeanings[] = {
+    "optical depth from a point to each sun",
+    "transmittance from a point to each sun",
+    "optical depth of the whole layer from a point of its base to each sun",
+    "optical depth to suns above the horizon",
+    "transmittance to suns above the horizon",
+    "transmittance to the sky, 0 below the horizon",
+    "radiance (1/sr) of sunlight scattered twice or more often, for a solar irradiance of 1, by "
+    "direction of travel",
+    "radiance (1/sr) of scattered light, for a sky of radiance 1, by direction of travel",
+    "radiance (1/sr) of scattered light, for a clear sky of the mean radiance 1, by direction of "
+    "travel",
+    "radiance (1/sr) of scattered light, for ground of radiance 1, by direction of travel"};
 
 std::string content_of(const CloudLightBake& bake) {
-    if (config::is_per_sun(bake.contents)) return meaning_of(bake) + ", dimensionless";
+    const std::string_view meaning = kMeanings[static_cast<std::size_t>(bake.contents)];
+    if (config::is_per_sun(bake.contents)) return fmt::format("{}, dimensionless", meaning);
     const auto first = 4 * (bake.part - 1);
     return fmt::format("{}: coefficients {} to {} of real spherical harmonics of degree {}",
-                       meaning_of(bake), first,
-                       first + static_cast<int>(config::channels_of(bake)) - 1, bake.degree);
+                       meaning, first, first + static_cast<int>(config::channels_of(bake)) - 1,
+                       bake.degree);
 }
 
 // Returns the axes of the cloud volume, which covers the same box.

@@ -25,11 +25,8 @@
 
 namespace skybake {
 
-using config::CloudVolumeBake;
 using config::EnvironmentBake;
 using config::EnvironmentMapping;
-using config::Outcome;
-using config::Parameters;
 
 namespace {
 

@@ -21,7 +21,6 @@
 namespace skybake {
 
 using config::EnvironmentBake;
-using config::Outcome;
 
 namespace {
 

@@ -11,7 +11,6 @@
 // Colbert 2008, "Real-time Shading with Filtered Importance Sampling").
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "bakers/assets/environment/environment_mapping.h"

@@ -16,8 +16,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 constexpr std::array<std::size_t, 3> channels_of_codes = {1, 2, 4};
 constexpr int texture_block_edge = 4;
 constexpr std::uint32_t faces_of_cube = 6;

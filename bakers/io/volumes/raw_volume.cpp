@@ -28,21 +28,10 @@ std::size_t bytes_of(PixelType type) {
 
 // The axes from the fastest to the slowest.
 std::array<std::size_t, 3> axes_of(AxisOrder order) {
-    switch (order) {
-        case AxisOrder::xyz:
-            return {0, 1, 2};
-        case AxisOrder::xzy:
-            return {0, 2, 1};
-        case AxisOrder::yxz:
-            return {1, 0, 2};
-        case AxisOrder::yzx:
-            return {1, 2, 0};
-        case AxisOrder::zxy:
-            return {2, 0, 1};
-        case AxisOrder::zyx:
-            break;
-    }
-    return {2, 1, 0};
+    // In the order of the enumerators.
+    static constexpr std::array<std::size_t, 3> kAxes[] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2},
+                                                           {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    return kAxes[static_cast<std::size_t>(order)];
 }
 
 std::uint32_t number_at(const char* bytes, std::size_t count, ByteOrder order) {

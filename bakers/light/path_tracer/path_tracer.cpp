@@ -265,45 +265,42 @@ PathTracedRadiance trace_paths(const PathTracer& tracer, double altitude_km, con
     return result;
 }
 
+namespace {
+
+// Walks for all orders.
+PathTracedRadiance walk_all(const PathTracer& tracer, const PathSource& source,
+                            const PathStart& start, Aperture aperture,
+                            const PathTracerSettings& settings, int threads) {
+    assert(settings.paths >= 1);
+    return trace(
+        {tracer.walker(), source, start, aperture, {true, settings.include_seen_ground}, settings},
+        threads);
+}
+
+}  // namespace
+
 PathTracedRadiance trace_ambient_paths(const PathTracer& tracer, double altitude_km,
                                        double cos_zenith, const PathTracerSettings& settings,
                                        int threads) {
-    assert(settings.paths >= 1 && cos_zenith >= -1 && cos_zenith <= 1);
+    assert(cos_zenith >= -1 && cos_zenith <= 1);
     const double sine = std::sqrt((1 - cos_zenith) * (1 + cos_zenith));
     const PathStart start = {{0, 0, 1}, {sine, 0, cos_zenith}, altitude_km};
-    return trace({tracer.walker(),
-                  {true, {}, 0},
-                  start,
-                  Aperture::ray,
-                  {true, settings.include_seen_ground},
-                  settings},
-                 threads);
+    return walk_all(tracer, {true, {}, 0}, start, Aperture::ray, settings, threads);
 }
 
 PathTracedRadiance trace_mean_radiance(const PathTracer& tracer, double altitude_km,
                                        const SunZenith& sun, const PathTracerSettings& settings,
                                        int threads) {
-    assert(settings.paths >= 1);
-    return trace({tracer.walker(),
-                  {false, sun_vector(sun), settings.sun_radius},
-                  {{0, 0, 1}, {0, 0, 1}, altitude_km},
-                  Aperture::sphere,
-                  {true, settings.include_seen_ground},
-                  settings},
-                 threads);
+    return walk_all(tracer, {false, sun_vector(sun), settings.sun_radius},
+                    {{0, 0, 1}, {0, 0, 1}, altitude_km}, Aperture::sphere, settings, threads);
 }
 
 PathTracedRadiance trace_irradiance(const PathTracer& tracer, double altitude_km,
                                     const SunZenith& sun, const PathTracerSettings& settings,
                                     int threads) {
-    assert(settings.paths >= 1);
-    PathTracedRadiance result = trace({tracer.walker(),
-                                       {false, sun_vector(sun), settings.sun_radius},
-                                       {{0, 0, 1}, {0, 0, 1}, altitude_km},
-                                       Aperture::level_surface,
-                                       {true, settings.include_seen_ground},
-                                       settings},
-                                      threads);
+    PathTracedRadiance result =
+        walk_all(tracer, {false, sun_vector(sun), settings.sun_radius},
+                 {{0, 0, 1}, {0, 0, 1}, altitude_km}, Aperture::level_surface, settings, threads);
     result.radiance = std::numbers::pi * result.radiance;
     result.walked = result.radiance;
     result.standard_error = std::numbers::pi * result.standard_error;

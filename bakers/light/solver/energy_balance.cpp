@@ -89,10 +89,7 @@ constexpr double kEnergyTolerance = 0.03;
 constexpr double kMostLeftOut = 0.01;
 
 Diagnostic failure(std::string message) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0405";
-    diagnostic.message = std::move(message);
-    return diagnostic;
+    return {Severity::error, "E0405", std::move(message), {}, ""};
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/preview/embedded_text.h"

@@ -26,10 +26,7 @@ namespace skybake {
 namespace {
 
 Diagnostic internal_error(const std::exception& exception) {
-    Diagnostic diagnostic;
-    diagnostic.code = "E0500";
-    diagnostic.message = std::string("internal error: ") + exception.what();
-    return diagnostic;
+    return {Severity::error, "E0500", std::string("internal error: ") + exception.what(), {}, ""};
 }
 
 // Returns an error unless the assets are those that were planned. Otherwise one index would mix

@@ -84,7 +84,6 @@ class ReadyAssets : public AssetSource {
   public:
     // Registers an asset that several variants need.
     void share(const std::string& key) { states_.try_emplace(key); }
-    bool is_shared(const std::string& key) const { return states_.contains(key); }
     // Says that the asset is in the folder of a variant that is up to date. Call it only before the
     // threads start.
     void add(const std::string& key, std::filesystem::path folder);

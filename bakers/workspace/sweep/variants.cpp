@@ -125,12 +125,9 @@ std::vector<Diagnostic> read_failure(const fs::path& folder) {
     if (!json.is_object() || errors == json.end() || !errors->is_array()) return diagnostics;
     for (const Json& error : *errors) {
         if (!error.is_object()) continue;
-        Diagnostic diagnostic;
-        diagnostic.code = text_at(error, "code");
-        diagnostic.message = text_at(error, "message");
-        diagnostic.where.source = text_at(error, "file");
-        diagnostic.label = text_at(error, "label");
-        diagnostics.push_back(std::move(diagnostic));
+        diagnostics.push_back(
+            file_error(text_at(error, "code"), text_at(error, "file"), text_at(error, "message")));
+        diagnostics.back().label = text_at(error, "label");
     }
     return diagnostics;
 }

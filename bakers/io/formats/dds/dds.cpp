@@ -20,8 +20,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little,

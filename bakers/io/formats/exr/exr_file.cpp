@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <exception>
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "bakers/field/baked.h"
@@ -21,8 +20,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 // Returns what EXR files cannot hold of the asset, in words, or nothing.

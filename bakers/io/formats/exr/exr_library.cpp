@@ -26,7 +26,6 @@ namespace skybake {
 namespace {
 
 using config::Compression;
-using config::PixelType;
 
 constexpr std::size_t longest_attribute_name = 31;
 // Deflate expands a byte to at most 1032 bytes, and PXR24 stores floats as 3 of their bytes. DWA keeps

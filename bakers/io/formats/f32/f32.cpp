@@ -1,7 +1,5 @@
 #include "bakers/io/formats/f32/f32.h"
 
-#include <fmt/format.h>
-
 #include <charconv>
 #include <cstring>
 #include <optional>
@@ -16,8 +14,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::size_t f32_stored = 4;  // numbers per texel

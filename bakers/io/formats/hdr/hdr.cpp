@@ -16,8 +16,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::string_view entry_line = "\n# skybake/asset ";  // and the entry's length

@@ -20,7 +20,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
 namespace fs = std::filesystem;
 
 // --- Writing ------------------------------------------------------------------------------------

@@ -10,8 +10,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 // VkFormat values.
 constexpr std::array<TexelCodes, 7> vulkan = {{
     {PixelType::float32, {100, 103, 109}},

@@ -4,7 +4,6 @@
 #include <cstring>
 #include <iterator>
 #include <new>
-#include <optional>
 
 #include "bakers/field/leaf_codes.h"
 #include "bakers/io/formats/format.h"

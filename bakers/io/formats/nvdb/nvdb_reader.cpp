@@ -8,7 +8,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
 namespace fs = std::filesystem;
 
 std::string class_name(nanovdb::GridClass grid_class) {

@@ -21,8 +21,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-
 // The tree's corner that a part of a box lies in.
 std::array<int, 3> leaf_of(const VoxelBox& part) {
     std::array<int, 3> corner = part.origin;

@@ -4,7 +4,6 @@
 #include <bit>
 #include <cstring>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 #include "bakers/field/baked.h"
@@ -18,7 +17,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
 namespace fs = std::filesystem;
 using NodePlace = std::array<int, 3>;
 

@@ -21,9 +21,6 @@
 namespace skybake {
 namespace {
 
-using config::Diagnostic;
-using config::Outcome;
-
 // Makes a diagnostic at a place in the recipe, or in the picture if no recipe names it.
 Diagnostic map_error(std::string code, const config::CloudMap& map,
                      const config::SourceRange& place, const std::string& reason) {

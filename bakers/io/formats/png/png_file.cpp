@@ -18,8 +18,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 // This is zlib's own default. It is fixed so that the bytes of files do not change.

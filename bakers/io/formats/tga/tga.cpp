@@ -19,8 +19,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::size_t head_size = 18;

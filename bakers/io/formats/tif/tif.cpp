@@ -15,8 +15,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::size_t tif_head_size = 8;

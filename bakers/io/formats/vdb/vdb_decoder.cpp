@@ -4,14 +4,11 @@
 #include <openvdb/io/GridDescriptor.h>
 #include <openvdb/io/io.h>
 
-#include <optional>
-
 #include "bakers/io/formats/vdb/vdb_input.h"
 
 namespace skybake::vdb {
 namespace {
 
-using config::Outcome;
 namespace io = openvdb::io;
 
 // "float", "half", "int32", "vec3s", "bool", "points", "mask".

@@ -20,9 +20,6 @@ namespace skybake {
 
 namespace {
 
-using config::Diagnostic;
-using config::Outcome;
-using config::PixelType;
 namespace fs = std::filesystem;
 
 constexpr std::size_t hash_digits = 32;

@@ -1,6 +1,5 @@
 // Voxels of any program's VDB files, read leaf by leaf (vdb_source.h).
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <openvdb/io/Compression.h>
 #include <unistd.h>
 
@@ -22,7 +21,6 @@
 namespace skybake::vdb {
 namespace {
 
-using config::Outcome;
 namespace io = openvdb::io;
 using Coord = openvdb::Coord;
 

@@ -5,8 +5,6 @@
 
 #include <cstring>
 #include <sstream>
-#include <string_view>
-#include <utility>
 
 #include "bakers/io/files/system_call.h"
 #include "bakers/io/formats/vdb/vdb_grid_tree.h"

@@ -12,9 +12,6 @@
 namespace skybake {
 namespace {
 
-using config::Diagnostic;
-using config::PixelType;
-
 // The size of a strip, which is the unit of parallel work. Its rows are as long as a node, because
 // some noises are cheap along x. A node has several strips, because small volumes have only one
 // node.

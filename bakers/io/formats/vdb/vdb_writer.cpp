@@ -15,9 +15,6 @@
 namespace skybake {
 namespace {
 
-using config::Diagnostic;
-using config::Outcome;
-
 // Arranges 32 digits in the groups of a UUID.
 std::string uuid_of(const std::string& hash) {
     return fmt::format("{}-{}-{}-{}-{}", hash.substr(0, 8), hash.substr(8, 4), hash.substr(12, 4),

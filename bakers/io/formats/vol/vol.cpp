@@ -13,7 +13,6 @@
 namespace skybake {
 namespace {
 
-using config::Outcome;
 namespace fs = std::filesystem;
 
 static_assert(std::endian::native == std::endian::little,
