@@ -10,18 +10,13 @@
 #include "bakers/air/ray.h"
 #include "bakers/assets/multiple_scattering/multiple_scattering_kernel.h"
 #include "bakers/math/transcendental.h"
-#include "tests/support/atmospheres.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake {
 namespace {
 
-double uniform(double from, double to) {
-    return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
-}
-
-double log_uniform(double from, double to) {
-    return std::exp(uniform(std::log(from), std::log(to)));
-}
+using test::log_uniform;
+using test::uniform;
 
 // A coefficient over 12 decades, or none at all.
 double coefficient() { return *rc::gen::inRange(0, 6) == 0 ? 0 : log_uniform(1e-9, 1e3); }

@@ -23,7 +23,6 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 
 constexpr int edge = 256;
 

@@ -7,11 +7,6 @@
 namespace skybake::cli {
 namespace {
 
-using config::Diagnostic;
-using config::Severity;
-using testing::contains;
-using testing::expect_has;
-
 std::vector<Diagnostic> samples() {
     return {
         {Severity::error,

@@ -9,12 +9,6 @@ namespace {
 
 using nlohmann::json;
 using skybake::testing::write_sample_bake;
-using testing::contains;
-using testing::expect_has;
-using testing::expect_said;
-using testing::Result;
-using testing::run_words;
-using testing::TemporaryFolder;
 
 // Two folders with the same bake.
 struct Pair {

@@ -10,11 +10,6 @@
 namespace skybake::cli {
 namespace {
 
-using testing::contains;
-using testing::expect_said;
-using testing::count_lines;
-using testing::run_words;
-
 constexpr long most_lines = 40;
 
 TEST(Help, EachCommandFitsAPageAndHasAnExample) {

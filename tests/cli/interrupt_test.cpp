@@ -9,8 +9,6 @@
 namespace skybake::cli {
 namespace {
 
-using testing::TemporaryFolder;
-
 class UntilInterrupted : public Progress {
   public:
     void advance(std::string_view, double) override {}

@@ -1,5 +1,4 @@
 // preview: of recipes, folders, sweeps and files.
-#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -11,14 +10,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::contains;
-using testing::expect_has;
-using testing::expect_said;
-using testing::read_bytes;
-using testing::Result;
-using testing::run_words;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 
 // A table, a noise and nothing that takes long.
 constexpr const char* recipe_text = R"(

@@ -176,3 +176,15 @@ inline void expect_said(const Result& result, int code, const std::vector<std::s
 }
 
 }  // namespace skybake::cli::testing
+
+namespace skybake::cli {
+
+// Tests speak of these.
+using testing::contains;
+using testing::count_lines;
+using testing::expect_has;
+using testing::expect_said;
+using testing::Result;
+using testing::run_words;
+
+}  // namespace skybake::cli

@@ -8,10 +8,7 @@
 namespace skybake::cli {
 namespace {
 
-using testing::contains;
-using testing::Result;
 using testing::run_program;
-using testing::TemporaryFolder;
 
 TEST(Program, AloneSaysAtMostTwelveLines) {
     const Result result = run_program({});

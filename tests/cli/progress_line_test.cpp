@@ -16,8 +16,6 @@ namespace skybake::cli {
 namespace {
 
 using std::chrono::milliseconds;
-using testing::contains;
-using testing::count_lines;
 
 // Keeps what a console has written to stderr, for any thread.
 class Screen {

@@ -11,10 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using testing::contains;
-using testing::read_bytes;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 
 class Watcher {
   public:

@@ -13,9 +13,6 @@ namespace skybake {
 namespace {
 
 using cloud_light::CloudLayer;
-using config::CloudLightBake;
-using config::CloudLightContents;
-using config::Outcome;
 
 CloudLightBake bake_of(CloudLightContents contents, double max_error) {
     CloudLightBake bake;
@@ -28,9 +25,7 @@ CloudLightBake bake_of(CloudLightContents contents, double max_error) {
 }
 
 Outcome<int> chosen(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2) {
-    BakeOptions options;
-    options.threads = threads;
-    return largest_cell(layer, bake, "light", options);
+    return largest_cell(layer, bake, "light", {.threads = threads});
 }
 
 // The RMS error that the asset of a cell claims.
@@ -43,9 +38,7 @@ double claimed(const CloudLayer& layer, CloudLightBake bake, int cell) {
         of.axes[a].last = layer.voxel_m[a] * layer.size[a];
     }
     of.voxel_size_m = layer.voxel_m;
-    BakeOptions options;
-    options.threads = 2;
-    options.certification = Certification::quick;
+    const BakeOptions options{.threads = 2, .certification = Certification::quick};
     const auto outcome = bake_cloud_light(of, layer, bake, options, {});
     return outcome.value.value().certificate.lookup.rms;
 }

@@ -22,11 +22,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-BakeOptions on(int threads) {
-    BakeOptions options;
-    options.threads = threads;
-    return options;
-}
+BakeOptions on(int threads) { return {.threads = threads}; }
 
 // The recipe has this air, and a cloud of 3 km x 3 km x 1.5 km above 1 km.
 std::string recipe_text(const std::string& air, const std::string& elevation,

@@ -1,7 +1,6 @@
 // The asset as recipes bake it: what its channels hold, and that its certificate tells wrong texels.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -14,9 +13,6 @@
 
 namespace skybake::cloud_light {
 namespace {
-
-using config::CloudLightBake;
-using config::CloudLightContents;
 
 // A volume as bake_cloud_light needs it.
 Baked volume_of(const CloudLayer& layer) {
@@ -48,9 +44,7 @@ CloudLightBake bake_of(CloudLightContents contents, int cell = 2) {
 
 Baked baked(const CloudLayer& layer, const CloudLightBake& bake, int threads = 2,
             Certification certification = Certification::off) {
-    BakeOptions options;
-    options.threads = threads;
-    options.certification = certification;
+    const BakeOptions options{.threads = threads, .certification = certification};
     const Baked of = volume_of(layer);
     auto outcome = bake_cloud_light(of, layer, bake, options, {});
     return outcome.value.value();

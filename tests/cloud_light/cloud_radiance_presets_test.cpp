@@ -50,11 +50,7 @@ constexpr int kRadianceCell = 4;
 
 const cloud_light::CloudScattering kScattering = cloud_light::droplet_scattering(12, 1);
 
-BakeOptions with_threads() {
-    BakeOptions options;
-    options.threads = kThreads;
-    return options;
-}
+BakeOptions with_threads() { return {.threads = kThreads}; }
 
 cloud_light::LayerSources sun_at(double elevation) {
     cloud_light::LayerSources sources;

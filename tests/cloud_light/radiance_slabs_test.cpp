@@ -14,11 +14,7 @@
 namespace skybake::cloud_light {
 namespace {
 
-BakeOptions on(int threads) {
-    BakeOptions options;
-    options.threads = threads;
-    return options;
-}
+BakeOptions on(int threads) { return {.threads = threads}; }
 
 CloudScattering henyey_greenstein(double g, double albedo) {
     return {{{1, make_phase_function(config::Phase::henyey_greenstein, g)}}, albedo};

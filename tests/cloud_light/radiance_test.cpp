@@ -14,14 +14,7 @@
 namespace skybake::cloud_light {
 namespace {
 
-using config::CloudLightBake;
-using config::CloudLightContents;
-
-BakeOptions on(int threads) {
-    BakeOptions options;
-    options.threads = threads;
-    return options;
-}
+BakeOptions on(int threads) { return {.threads = threads}; }
 
 // A slab of a vertical optical depth, 48 voxels of 8 m high.
 CloudLayer slab(double depth) { return test::layer_of({3, 2, 48}, 1, depth / (8 * 48)); }

@@ -18,11 +18,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-BakeOptions on(int threads) {
-    BakeOptions options;
-    options.threads = threads;
-    return options;
-}
+BakeOptions on(int threads) { return {.threads = threads}; }
 
 CloudScattering rayleigh(double albedo) {
     return {{{1, make_phase_function(config::Phase::rayleigh, 0)}}, albedo};

@@ -38,11 +38,7 @@ constexpr int kRows = 6;
 constexpr int kPathsOfPixel = 1024;
 constexpr int kThreads = 2;
 
-BakeOptions with_threads() {
-    BakeOptions options;
-    options.threads = kThreads;
-    return options;
-}
+BakeOptions with_threads() { return {.threads = kThreads}; }
 
 // A part of the preset's tile under the sky of the Earth with the sun at 30 degrees.
 constexpr const char* kRecipe =

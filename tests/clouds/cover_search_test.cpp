@@ -14,7 +14,6 @@
 namespace skybake::cloud {
 namespace {
 
-using config::PixelType;
 using test::CloudCase;
 
 // Counts the columns that hold cloud as they are stored.

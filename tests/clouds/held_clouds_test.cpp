@@ -21,10 +21,7 @@ config::CloudVolumeBake bake_of(const test::CloudCase& any) {
 }
 
 BakeOptions options_with(std::int64_t held_voxel_bytes) {
-    BakeOptions options;
-    options.certification = Certification::off;
-    options.held_voxel_bytes = held_voxel_bytes;
-    return options;
+    return {.certification = Certification::off, .held_voxel_bytes = held_voxel_bytes};
 }
 
 constexpr std::int64_t kPlenty = 1 << 24;
@@ -54,8 +51,8 @@ std::shared_ptr<const VoxelSource> held(Intermediates& shared, const test::Cloud
     BakeOptions options = options_with(kPlenty);
     options.intermediates = &shared;
     const Baked volume = hold_cloud_volume(
-        any.cloud, bake_of(any), {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}},
-        options, {});
+        any.cloud, bake_of(any),
+        {&any.base, nullptr, std::nullopt, any.detail_noise(), any.maps, {}}, options, {});
     return volume.levels.front().voxels;
 }
 

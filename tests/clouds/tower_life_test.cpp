@@ -11,7 +11,6 @@
 namespace skybake::cloud {
 namespace {
 
-using config::Cloud;
 using config::Tower;
 using test::at_time;
 using test::fields_of;

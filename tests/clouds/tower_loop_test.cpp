@@ -9,7 +9,6 @@
 namespace skybake::cloud {
 namespace {
 
-using config::Cloud;
 using test::at_time;
 using test::fields_of;
 using test::largest_change;

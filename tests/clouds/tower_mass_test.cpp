@@ -9,7 +9,6 @@
 namespace skybake::cloud {
 namespace {
 
-using config::Cloud;
 using config::Tower;
 using std::numbers::pi;
 using test::at_time;

@@ -11,10 +11,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::find_layer;
-using testing::has_value;
-using testing::valid;
-
 const std::string haze =
     "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n"
     "[atmosphere.layers.haze]\nprofile = 'exponential'\n"

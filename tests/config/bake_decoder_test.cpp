@@ -9,10 +9,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::has_value;
-using testing::parse;
-using testing::valid;
-
 Recipe bake(const std::string& text) { return valid("preset = 'vacuum'\n" + text); }
 
 TEST(BakeDecoder, HasTheBestDefaults) {

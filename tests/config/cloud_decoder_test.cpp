@@ -9,7 +9,6 @@ namespace {
 
 using testing::cloud_of;
 using testing::cloud_recipe;
-using testing::valid;
 
 using Pair = std::array<double, 2>;
 using Triple = std::array<int, 3>;

@@ -12,7 +12,6 @@ namespace skybake::config {
 namespace {
 
 using testing::cloud_recipe;
-using testing::valid;
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 

@@ -11,7 +11,6 @@ namespace {
 
 using testing::cloud_of;
 using testing::cloud_recipe;
-using testing::valid;
 
 const std::string tower = "[[clouds.c.towers]]\ncenter = [0, 0]\nsigma = [1, 1]\namplitude = 1\n";
 

@@ -10,9 +10,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::all_parameters;
-using testing::parse;
-
 std::string to_string(const Bake& bake) {
     std::string text = "of the sky";
     visit_asset(bake, [&text](const auto& asset) {

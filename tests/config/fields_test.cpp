@@ -12,9 +12,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-using testing::value_at;
-
 TEST(Fields, FindsSectionsAndFields) {
     ASSERT_TRUE(find_section("atmosphere.layers.*"));
     EXPECT_TRUE(find_field(*find_section("atmosphere.layers.*"), "g"));

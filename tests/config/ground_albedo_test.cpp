@@ -13,9 +13,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-using testing::value_at;
-
 std::string planet(const std::string& albedo, const std::string& wavelengths = "'best 4'") {
     return "wavelengths = " + wavelengths +
            "\n[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = " +

@@ -13,9 +13,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::all_parameters;
-using testing::valid;
-
 TEST(InitText, ReadsBackAsThePreset) {
     for (const Preset& preset : presets()) {
         SCOPED_TRACE(preset.name);

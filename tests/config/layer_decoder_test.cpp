@@ -7,11 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::find_layer;
-using testing::has_value;
-using testing::valid;
-using testing::value_at;
-
 const std::string head =
     "preset = 'vacuum'\n\n\n"
     "[atmosphere.layers.a]\nprofile = 'exponential'\nscale_height = '1 km'\n";  // 6 lines

@@ -11,8 +11,6 @@ namespace {
 
 using testing::channel_of;
 using testing::channel_recipe;
-using testing::valid;
-using testing::value_at;
 
 std::string with_channels(const std::string& letters, const std::string& keys = "") {
     std::string text = "[noise.n]\n" + keys + "\n";

@@ -10,8 +10,6 @@ namespace skybake::config {
 namespace {
 
 using testing::channel_of;
-using testing::parse;
-using testing::valid;
 using testing::volume_recipe;
 
 TEST(NoiseWarp, IsNoneUnlessItHasAStrength) {

@@ -10,8 +10,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::parse;
-
 std::string parameters_of(const Recipe& recipe) {
     const std::vector<std::string> patterns = {"noise.shape.*", "noise.shape.channels.*.*",
                                                "bake.shape.*"};

@@ -9,8 +9,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::parse;
-
 // Returns "CODE LINE" of each diagnostic.
 std::vector<std::string> told(const std::string& text) {
     std::vector<std::string> codes;

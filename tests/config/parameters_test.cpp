@@ -1,20 +1,16 @@
 #include <gtest/gtest.h>
 
-#include "config/sections/noise.h"
 #include "config/assets/cloud_volume.h"
 #include "config/assets/noise_volume.h"
 #include "config/presets/presets.h"
 #include "config/recipe/named_bakes.h"
 #include "config/recipe/recipe.h"
 #include "config/recipe/recipe_decoder.h"
+#include "config/sections/noise.h"
 #include "tests/config/recipes.h"
 
 namespace skybake::config {
 namespace {
-
-using testing::all_parameters;
-using testing::parse;
-using testing::valid;
 
 // parameters_toml of recipe.h.
 

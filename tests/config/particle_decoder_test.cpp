@@ -12,11 +12,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::find_layer;
-using testing::has_value;
-using testing::valid;
-using testing::value_at;
-
 const std::string fog =
     "preset = 'earth_hillaire'\n[particles.drops]\npreset = 'fog'\n[atmosphere.layers.fog]\n"
     "profile = 'slab'\nbottom_altitude = '0 m'\ntop_altitude = '200 m'\n"

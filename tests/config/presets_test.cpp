@@ -15,9 +15,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::find_layer;
-using testing::valid;
-
 Parameters preset(const std::string& name) { return valid("preset = '" + name + "'").parameters; }
 
 std::vector<double> per_meter(const std::vector<InverseLength>& coefficients) {
@@ -119,11 +116,10 @@ TEST(Presets, OfNoisesAreThoseOfTheIssue) {
 }
 
 TEST(Presets, OfCloudsAreThoseOfTheIssue) {
-    EXPECT_EQ(
-        cloud_preset_names(),
-        (std::vector<std::string_view>{"altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus",
-                                       "cumulus_humilis", "cumulus_mediocris",
-                                       "fog_bank", "stratocumulus", "stratus", "thesis"}));
+    EXPECT_EQ(cloud_preset_names(),
+              (std::vector<std::string_view>{
+                  "altocumulus", "cirrus", "cumulonimbus", "cumulus_congestus", "cumulus_humilis",
+                  "cumulus_mediocris", "fog_bank", "stratocumulus", "stratus", "thesis"}));
     expect_titles(cloud_presets());
 }
 

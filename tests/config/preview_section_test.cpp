@@ -10,9 +10,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-using testing::value_at;
-
 constexpr double degree = std::numbers::pi / 180;
 
 // A sky and a cloud, with [preview] on line 17.

@@ -11,8 +11,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::TemporaryFolder;
-
 std::vector<std::string> source_names(const RecipeSources& sources) {
     std::vector<std::string> names;
     for (const SourceTree& tree : sources.trees) names.push_back(tree.source->name);

@@ -12,11 +12,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::all_parameters;
-using testing::parse;
-using testing::TemporaryFolder;
-using testing::valid;
-
 // `explain` shows for a code about noises and clouds a recipe that earns it, and one that does not.
 TEST(Recipe, ExamplesOfNoiseAndCloudCodesAreRight) {
     for (const char* name : {"E0126", "E0128", "E0129", "E0130", "E0131", "E0132", "E0133", "E0134",

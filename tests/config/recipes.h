@@ -79,3 +79,15 @@ inline std::string all_parameters(const Recipe& recipe) {
 }
 
 }  // namespace skybake::config::testing
+
+namespace skybake::config {
+
+// Tests speak of these.
+using testing::all_parameters;
+using testing::find_layer;
+using testing::has_value;
+using testing::parse;
+using testing::valid;
+using testing::value_at;
+
+}  // namespace skybake::config

@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-
 Noise noise_of(const std::string& text, const std::vector<std::string>& settings = {}) {
     const Recipe recipe = valid(text, settings);
     return recipe.parameters.noises.empty() ? Noise{} : recipe.parameters.noises[0];

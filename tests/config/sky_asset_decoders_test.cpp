@@ -4,12 +4,12 @@
 #include <string>
 #include <vector>
 
-#include "config/sections/cloud.h"
 #include "config/assets/blue_noise.h"
 #include "config/assets/bruneton.h"
 #include "config/assets/environment.h"
 #include "config/assets/optical_depth.h"
 #include "config/assets/weather_map.h"
+#include "config/sections/cloud.h"
 #include "tests/config/noises.h"
 #include "tests/config/recipes.h"
 
@@ -19,8 +19,6 @@ namespace {
 using Codes = std::vector<std::string>;
 using Size = std::array<int, 2>;
 using Size3 = std::array<int, 3>;
-using testing::valid;
-using testing::value_at;
 
 const std::string bruneton = "preset = 'earth_hillaire'\n[bake.bruneton]\n";
 const std::string columns = "preset = 'earth_hillaire'\n[bake.optical_depth]\n";

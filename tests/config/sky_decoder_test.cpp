@@ -14,9 +14,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-using testing::value_at;
-
 constexpr double degree = std::numbers::pi / 180;
 using Codes = std::vector<std::string>;
 

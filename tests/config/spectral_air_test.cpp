@@ -12,9 +12,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::find_layer;
-using testing::valid;
-
 const std::string planet =
     "[atmosphere]\nground_radius = '6371 km'\ntop_radius = '6471 km'\nground_albedo = 0\n";
 const std::string exponential = "profile = 'exponential'\nscale_height = '8 km'\n";

@@ -15,9 +15,6 @@ namespace skybake::config {
 namespace {
 
 using testing::codes_and_places;
-using testing::parse;
-using testing::TemporaryFolder;
-using testing::valid;
 
 using Strings = std::vector<std::string>;
 

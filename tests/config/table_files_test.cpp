@@ -7,8 +7,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::TemporaryFolder;
-
 std::string ozone(const std::string& table) {
     return "wavelengths = ['600 nm']\n[atmosphere]\nground_albedo = 0\nground_radius = '6360 km'\n"
            "top_radius = '6460 km'\n[atmosphere.layers.ozone]\ngas = 'ozone'\ncolumn = '300 DU'\n"

@@ -14,9 +14,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::parse;
-using testing::valid;
-using testing::value_at;
 using Codes = std::vector<std::string>;
 
 // A recipe with one section of that asset, which gives these keys.

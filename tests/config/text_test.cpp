@@ -15,7 +15,6 @@ namespace {
 using Names = std::vector<std::string>;
 using testing::channel_of;
 using testing::channel_recipe;
-using testing::valid;
 
 TEST(KeyPath, QuotesWhatIsNoBareKey) {
     EXPECT_EQ(join_path("atmosphere.layers", "mie"), "atmosphere.layers.mie");

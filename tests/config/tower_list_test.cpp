@@ -9,7 +9,6 @@ namespace {
 
 using testing::cloud_of;
 using testing::cloud_recipe;
-using testing::TemporaryFolder;
 
 std::string tower(const std::string& header, double amplitude) {
     return header +

@@ -16,12 +16,10 @@ namespace skybake::config {
 namespace {
 
 using testing::cloud_recipe;
-using testing::parse;
-using testing::valid;
 
 NoiseVolumeBake noise_bake(const std::string& keys, const std::string& noise = "") {
-    const Recipe recipe =
-        valid(testing::volume_recipe(keys, "type = 'worley'\nfrequency = 1") + "[noise.n]\n" + noise + "\n");
+    const Recipe recipe = valid(testing::volume_recipe(keys, "type = 'worley'\nfrequency = 1") +
+                                "[noise.n]\n" + noise + "\n");
     if (recipe.parameters.bakes.size() != 1) return {};
     return recipe.parameters.bakes[0].as<NoiseVolumeBake>();
 }

@@ -15,8 +15,6 @@
 namespace skybake::config {
 namespace {
 
-using testing::valid;
-
 const std::string grey_air =
     "preset = 'vacuum'\n\n\n"
     "[atmosphere.layers.air]\nprofile = 'exponential'\nscale_height = '8 km'\n"

@@ -23,7 +23,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
 // The same numbers everywhere.
 class Random {
   public:

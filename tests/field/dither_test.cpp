@@ -13,8 +13,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 constexpr int kEdge = 64;
 
 TexelRounding dithered(PixelType type) {

@@ -20,10 +20,7 @@ constexpr int kChannels = 2;
 constexpr std::int64_t kBytes = 1 << 24;  // enough for all of it
 
 BakeOptions options_with(std::int64_t held_voxel_bytes) {
-    BakeOptions options;
-    options.threads = 2;
-    options.held_voxel_bytes = held_voxel_bytes;
-    return options;
+    return {.threads = 2, .held_voxel_bytes = held_voxel_bytes};
 }
 
 // Counts how often voxels are made. The lower half is known to be empty.

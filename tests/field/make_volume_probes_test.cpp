@@ -13,7 +13,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
 using testing::FunctionVoxels;
 using testing::looked_up;
 using testing::plain_volume;

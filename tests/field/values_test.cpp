@@ -11,8 +11,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 // From the test vectors of the XXH3 specification: the empty input with seed 0.
 TEST(Hash, EqualsTheSpecification) { EXPECT_EQ(xxh3_hex(""), "99aa06d3014798d86001c324468d497f"); }
 

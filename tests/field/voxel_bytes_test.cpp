@@ -6,15 +6,12 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
 
 #include "bakers/math/half_conversion.h"
 
 namespace skybake {
 namespace {
-
-using config::PixelType;
 
 // The first float in the loop that half_of_float and Imath's half round differently, or nothing.
 template <class Visit>

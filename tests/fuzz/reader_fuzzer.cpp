@@ -27,7 +27,6 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using config::fuzzing::require;
 
 // A file in memory.

@@ -26,7 +26,6 @@
 namespace skybake {
 namespace {
 
-using config::Recipe;
 using config::ResolvedValue;
 using test::recipe_text;
 using testing::recipe_of;

@@ -26,10 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using config::FileFormat;
-using config::PixelType;
-using testing::read_bytes;
 using testing::sample_volume;
-using testing::TemporaryFolder;
 using Names = std::vector<std::string>;
 
 constexpr int not_permitted = 77;

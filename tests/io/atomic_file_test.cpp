@@ -23,10 +23,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::first_code;
-using testing::read_bytes;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 using Names = std::vector<std::string>;
 
 // Runs `body` in a child process, where limits and mounts do no harm, and returns its exit status;

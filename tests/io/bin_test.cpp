@@ -1,28 +1,21 @@
 #include "bakers/io/formats/bin/bin.h"
 
-#include <atomic>
 #include <cmath>
 #include <cstring>
 
-#include "tests/io/files.h"
+#include "tests/io/format_checks.h"
 
 namespace skybake {
 namespace {
 
-using config::PixelType;
 using testing::plain_volume;
 using testing::sample_voxel;
-using testing::TemporaryFolder;
 
 constexpr PixelType kTypes[] = {PixelType::float32, PixelType::half, PixelType::unorm8,
                                 PixelType::unorm16};
 
 std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
-    testing::write_bytes(folder / "a.bin", "what was there before, and is longer than the voxels");
-    EXPECT_EQ(testing::write_as(config::FileFormat::bin, volume, threads, nullptr, folder / "a.bin")
-                  .value,
-              true);
-    return testing::read_bytes(folder / "a.bin");
+    return testing::written(folder, config::FileFormat::bin, volume, threads);
 }
 
 TEST(BinVolume, IsXThenYThenZWithChannelsInterleaved) {
@@ -63,25 +56,7 @@ TEST(BinVolume, ReadsBackAndDoesNotDependOnThreads) {
             const Baked volume = plain_volume(size, 4, type);
             const std::string bytes = written(folder, volume, 1);
             EXPECT_TRUE(written(folder, volume, 3) == bytes);
-            std::int64_t next = 0;
-            long wrong = 0;
-            const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
-                EXPECT_EQ(first, next);
-                for (; next < first + count; ++next) {
-                    const auto x = static_cast<int>(next % size[0]);
-                    const auto y = static_cast<int>(next / size[0] % size[1]);
-                    const auto z = static_cast<int>(next / size[0] / size[1]);
-                    for (int c = 0; c < 4; ++c) {
-                        const float wanted = round_to_pixel_type(sample_voxel(x, y, z, c), type);
-                        wrong += *values++ == wanted ? 0 : 1;
-                    }
-                }
-                return true;
-            };
-            EXPECT_EQ(bin_format().read(folder / "a.bin", {size, 4, type, {}, 1}, 0, visit).value,
-                      true);
-            EXPECT_EQ(next, (VoxelBox{{}, size}.count()));
-            EXPECT_EQ(wrong, 0);
+            EXPECT_EQ(testing::wrong_values(config::FileFormat::bin, volume, folder / "a.file"), 0);
         }
     }
 }

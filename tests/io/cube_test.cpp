@@ -1,11 +1,9 @@
 // Cube textures in DDS and KTX2 files, read back by their bytes and by the formats' readers.
-#include <fmt/format.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
@@ -18,8 +16,6 @@ namespace {
 
 using config::FileFormat;
 using config::Ktx2Compression;
-using config::PixelType;
-using testing::TemporaryFolder;
 using testing::texels_of;
 using testing::word;
 using testing::written;

@@ -9,31 +9,23 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <csignal>
 #include <cstring>
 
 #include "bakers/field/baked.h"
-#include "tests/io/files.h"
+#include "tests/io/format_checks.h"
 
 namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
 using config::Compression;
-using config::PixelType;
 using testing::plain_volume;
 using testing::sample_voxel;
-using testing::TemporaryFolder;
 using Kind = config::SheetLayout;
 
 // Writes level 0 into a file of the folder and returns its bytes.
 std::string written(const TemporaryFolder& folder, const Baked& volume, int threads) {
-    testing::write_bytes(folder / "a.exr", "what was there");
-    const auto result =
-        testing::write_as(config::FileFormat::exr, volume, threads, nullptr, folder / "a.exr");
-    EXPECT_EQ(result.value, true);
-    for (const auto& diagnostic : result.diagnostics) ADD_FAILURE() << diagnostic.message;
-    return testing::read_bytes(folder / "a.exr");
+    return testing::written(folder, config::FileFormat::exr, volume, threads);
 }
 
 void turn_over(Image2<float>& image) {
@@ -261,26 +253,7 @@ TEST(ExrVolume, ReadsBackInTheOrderOfTheVoxels) {
         volume.layout = shape.layout;
         volume.columns = shape.columns;
         written(folder, volume, 2);
-        std::int64_t next = 0;
-        long wrong = 0;
-        const auto visit = [&](std::int64_t first, std::int64_t count, const float* values) {
-            EXPECT_EQ(first, next);
-            for (; next < first + count; ++next) {
-                const int x = static_cast<int>(next % shape.size[0]);
-                const int y = static_cast<int>(next / shape.size[0] % shape.size[1]);
-                const int z = static_cast<int>(next / shape.size[0] / shape.size[1]);
-                for (int c = 0; c < 3; ++c) {
-                    const float wanted =
-                        round_to_pixel_type(sample_voxel(x, y, z, c), PixelType::half);
-                    wrong += *values++ == wanted ? 0 : 1;
-                }
-            }
-            return true;
-        };
-        EXPECT_EQ(exr_format().read(folder / "a.exr", testing::shape_of(volume), 0, visit).value,
-                  true);
-        EXPECT_EQ(next, (VoxelBox{{}, shape.size}.count()));
-        EXPECT_EQ(wrong, 0);
+        EXPECT_EQ(testing::wrong_values(config::FileFormat::exr, volume, folder / "a.file"), 0);
     }
 }
 

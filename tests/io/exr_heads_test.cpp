@@ -17,8 +17,6 @@
 namespace skybake {
 namespace {
 
-using testing::TemporaryFolder;
-
 std::vector<ExrPartHead> heads_of(const std::filesystem::path& path) {
     const auto parts = read_exr_heads(path);
     for (const auto& diagnostic : parts.diagnostics) ADD_FAILURE() << diagnostic.message;

@@ -16,8 +16,6 @@
 namespace skybake {
 namespace {
 
-using testing::TemporaryFolder;
-
 constexpr int width = 37, height = 19;
 
 // Numbers that every codec keeps exactly, or nearly if it is lossy.

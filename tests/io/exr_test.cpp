@@ -16,7 +16,6 @@ namespace skybake {
 namespace {
 
 using config::Compression;
-using config::PixelType;
 using testing::Random;
 
 ExrImage sample(PixelType type, Compression compression, int channels = 3) {

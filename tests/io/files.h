@@ -240,3 +240,12 @@ inline std::string first_code(const std::vector<config::Diagnostic>& diagnostics
 }
 
 }  // namespace skybake::testing
+
+namespace skybake {
+
+// Tests speak of these.
+using testing::first_code;
+using testing::read_bytes;
+using testing::write_bytes;
+
+}  // namespace skybake

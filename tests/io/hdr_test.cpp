@@ -8,7 +8,6 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::texels_of;
 using testing::written;
 

@@ -1,8 +1,6 @@
 // KTX2 files, read back by their bytes, by the library of Zstandard, and by the format's reader.
-#include <fmt/format.h>
 #include <zstd.h>
 
-#include <bit>
 #include <cstring>
 
 #include "bakers/field/stored_voxels.h"
@@ -16,10 +14,8 @@ namespace {
 
 using config::FileFormat;
 using config::Ktx2Compression;
-using config::PixelType;
 using testing::number;
 using testing::plain_volume;
-using testing::TemporaryFolder;
 using testing::word;
 using testing::written;
 

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "bakers/field/stored_voxels.h"
 #include "bakers/io/formats/format.h"
@@ -16,8 +15,6 @@ namespace {
 
 using config::FileFormat;
 using config::Ktx2Compression;
-using config::PixelType;
-using testing::TemporaryFolder;
 using testing::word;
 using testing::written;
 

@@ -10,7 +10,6 @@ namespace skybake {
 namespace {
 
 using testing::Random;
-using testing::TemporaryFolder;
 
 std::string sample_text() {
     const TemporaryFolder folder;

@@ -21,8 +21,6 @@ namespace {
 
 using config::CloudMap;
 using config::MapColorSpace;
-using testing::first_code;
-using testing::TemporaryFolder;
 
 const std::filesystem::path data = SKYBAKE_TEST_DATA "/maps";
 

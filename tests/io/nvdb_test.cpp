@@ -1,5 +1,4 @@
 // NanoVDB files, read back by the library's own readers and by the format's reader.
-#include <fmt/format.h>
 #include <iostream>  // GridValidator.h needs it
 
 #include <nanovdb/util/GridValidator.h>
@@ -19,9 +18,7 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::plain_volume;
-using testing::TemporaryFolder;
 using testing::written;
 
 constexpr FileFormat kFormat = FileFormat::nvdb;

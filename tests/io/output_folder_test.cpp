@@ -6,8 +6,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::first_code;
-using testing::TemporaryFolder;
 
 const std::vector<std::string> files = {"transmittance.exr", "manifest.json"};
 

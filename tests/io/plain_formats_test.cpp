@@ -1,7 +1,6 @@
 // Mitsuba's vol, NumPy's npy, TGA and USD files, held to the bytes that their documents prescribe.
 #include <fmt/format.h>
 
-#include <bit>
 #include <cmath>
 #include <cstring>
 
@@ -13,12 +12,10 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::number;
 using testing::plain_volume;
 using testing::sample_voxel;
 using testing::stored;
-using testing::TemporaryFolder;
 using testing::written;
 
 // --- vol ----------------------------------------------------------------------------------------

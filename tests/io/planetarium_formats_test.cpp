@@ -12,11 +12,9 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::number;
 using testing::plain_volume;
 using testing::stored;
-using testing::TemporaryFolder;
 using testing::written;
 
 // --- TIFF ---------------------------------------------------------------------------------------

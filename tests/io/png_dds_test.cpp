@@ -1,6 +1,5 @@
 // PNG and DDS files, read back by readers that share nothing with the writers: libpng's simplified
 // interface, and DDS by its bytes.
-#include <fmt/format.h>
 #include <png.h>
 
 #include <bit>
@@ -15,11 +14,9 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::plain_volume;
 using testing::sample_voxel;
 using testing::stored;
-using testing::TemporaryFolder;
 using testing::word;
 using testing::written;
 using testing::wrong_values;

@@ -10,7 +10,6 @@ namespace skybake {
 namespace {
 
 using Kind = config::SheetLayout;
-using testing::TemporaryFolder;
 
 std::string reason_for(const std::filesystem::path& path, std::uintmax_t limit = 100) {
     const auto bytes = read_file(path, limit);

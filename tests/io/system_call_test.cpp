@@ -89,9 +89,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::read_bytes;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 using Calls = std::vector<std::string>;
 
 class SystemCalls : public ::testing::Test {

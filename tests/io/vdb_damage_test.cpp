@@ -15,10 +15,7 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-using testing::first_code;
 using testing::read_vdb_voxels;
-using testing::TemporaryFolder;
 using testing::vdb_sample;
 using testing::VdbSlab;
 using testing::write_sample;

@@ -17,12 +17,10 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
 using config::VdbCompression;
 using openvdb::Coord;
 using openvdb::FloatGrid;
 using testing::FunctionVoxels;
-using testing::TemporaryFolder;
 using Size = std::array<int, 3>;
 using Function = FunctionVoxels::Function;
 

@@ -16,12 +16,10 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
 using config::VdbCompression;
 using openvdb::Coord;
 using openvdb::FloatGrid;
 using testing::stored_voxel;
-using testing::TemporaryFolder;
 using testing::vdb_sample;
 using testing::write_sample;
 

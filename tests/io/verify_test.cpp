@@ -10,7 +10,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using testing::TemporaryFolder;
 using Checks = std::multiset<std::string>;
 
 Checks failed_checks(const fs::path& folder, std::span<const AssetCheck> further = {}) {

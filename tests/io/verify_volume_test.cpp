@@ -8,9 +8,7 @@ namespace skybake {
 namespace {
 
 using config::FileFormat;
-using config::PixelType;
 using testing::sample_volume;
-using testing::TemporaryFolder;
 using Checks = std::multiset<std::string>;
 
 Checks failed_checks(const std::filesystem::path& folder) {

@@ -15,8 +15,6 @@
 namespace skybake {
 namespace {
 
-using config::PixelType;
-
 config::BlueNoiseBake bake_of(const std::array<int, 2>& size, int frames, PixelType type) {
     config::BlueNoiseBake bake;
     bake.size = size;

@@ -13,9 +13,6 @@
 namespace skybake::noise {
 namespace {
 
-using config::Noise;
-using config::NoiseChannel;
-
 const std::vector<test::Frequency> kOctaves = {{4, 4, 4}, {9, 5, 7}};
 constexpr std::array<int, 3> kSize = {24, 17, 9};
 

@@ -16,7 +16,6 @@
 namespace skybake::noise {
 namespace {
 
-using config::NoiseFractal;
 using config::WorleyFeature;
 using test::unlike_specification;
 

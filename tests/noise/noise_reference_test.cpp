@@ -14,9 +14,6 @@ namespace skybake::noise {
 namespace {
 
 using config::CurlComponent;
-using config::NoiseChannel;
-using config::NoiseFractal;
-using config::NoiseType;
 using config::WorleyFeature;
 using config::WorleyValue;
 using test::noise_of;

@@ -15,7 +15,6 @@ namespace skybake {
 namespace {
 
 using config::NoiseSampling;
-using config::PixelType;
 
 config::Noise cloud_shape() {
     config::Noise noise =

@@ -11,7 +11,6 @@
 namespace skybake::noise {
 namespace {
 
-using config::PixelType;
 using test::hold;
 
 // A cloud shape's values, and all of [0, 1] finely.

@@ -12,11 +12,6 @@
 namespace skybake::noise {
 namespace {
 
-using config::Noise;
-using config::NoiseChannel;
-using config::NoiseOctaves;
-using config::NoiseType;
-
 template <class Choice>
 Choice any_of_first(int count) {
     return static_cast<Choice>(*rc::gen::inRange(0, count));

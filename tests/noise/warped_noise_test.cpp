@@ -17,9 +17,6 @@ namespace skybake::noise {
 namespace {
 
 using config::CurlComponent;
-using config::Noise;
-using config::NoiseChannel;
-using config::NoiseType;
 using config::NoiseWarp;
 
 const std::vector<test::Frequency> kOctaves = {{4, 4, 4}, {9, 5, 7}};

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
-#include <random>
 #include <set>
 
 #include "bakers/assets/weather_map/covered_share.h"
@@ -20,7 +19,6 @@ namespace skybake {
 namespace {
 
 using config::CoverEdge;
-using config::PixelType;
 using config::WeatherContent;
 using config::WeatherMapBake;
 

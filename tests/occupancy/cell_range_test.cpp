@@ -20,7 +20,6 @@ namespace skybake::occupancy {
 namespace {
 
 using config::OccupancyFilter;
-using config::PixelType;
 using test::Values;
 using test::Volume;
 

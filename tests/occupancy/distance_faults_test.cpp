@@ -11,7 +11,6 @@
 namespace skybake::occupancy {
 namespace {
 
-using config::PixelType;
 using test::field;
 using test::steps_that_lose;
 using test::Volume;

@@ -17,7 +17,6 @@
 namespace skybake::test {
 
 using config::DistanceContent;
-using config::PixelType;
 using Point = std::array<double, 3>;
 
 inline occupancy::VoxelBits bits_of(const Volume& volume, float threshold) {

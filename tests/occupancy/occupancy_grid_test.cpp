@@ -20,10 +20,8 @@
 namespace skybake::occupancy {
 namespace {
 
-using config::OccupancyBake;
 using config::OccupancyContent;
 using config::OccupancyFilter;
-using config::PixelType;
 
 // A cloud volume with a level that need not be surveyed.
 struct Subject {

@@ -1,14 +1,13 @@
 // Tests the promise of a texture of distances: no lookup of it is farther from 0 than the distance to the
 // cloud of the filtered volume.
-#include "config/assets/cloud_distance.h"
 #include "bakers/occupancy/stored_distance.h"
+#include "config/assets/cloud_distance.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -22,7 +21,6 @@ namespace skybake::occupancy {
 namespace {
 
 using config::DistanceContent;
-using config::PixelType;
 using test::balls;
 using test::bits_of;
 using test::field;

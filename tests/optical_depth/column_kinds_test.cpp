@@ -31,7 +31,7 @@ TEST(ColumnKinds, AVerticalColumnIsTheIntegralOfTheProfile) {
 }
 
 RC_GTEST_PROP(ColumnKinds, ExactColumnsAreThoseOfAdaptiveQuadrature, ()) {
-    const config::Atmosphere atmosphere = random_atmosphere();
+    const config::Atmosphere atmosphere = random_shells();
     const auto kinds = make_column_kinds(atmosphere, names_of(atmosphere));
     const ColumnGeometry geometry = column_geometry(kinds);
     const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 3));

@@ -13,7 +13,7 @@
 #include "config/assets/optical_depth.h"
 #include "config/sections/file_formats.h"
 #include "config/sections/layer.h"
-#include "tests/support/atmospheres.h"
+#include "tests/light/sky_media.h"
 
 namespace skybake::test {
 
@@ -46,16 +46,8 @@ inline config::OpticalDepthBake bake_of(config::OpticalDepthTable table, std::ar
     return bake;
 }
 
-inline double uniform(double from, double to) {
-    return from + (to - from) * *rc::gen::inRange(0, 1 << 30) / static_cast<double>(1 << 30);
-}
-
-inline double log_uniform(double from, double to) {
-    return std::exp(uniform(std::log(from), std::log(to)));
-}
-
 // Planets from 50 km to 1e5 km, one to four layers: exponential, slab or tent.
-inline config::Atmosphere random_atmosphere() {
+inline config::Atmosphere random_shells() {
     const double radius = log_uniform(5e4, 1e8);
     const double thickness = radius * log_uniform(1e-3, 0.3);
     config::Atmosphere atmosphere;

@@ -20,9 +20,6 @@ namespace skybake {
 namespace {
 
 namespace fs = std::filesystem;
-using skybake::testing::read_bytes;
-using skybake::testing::TemporaryFolder;
-using skybake::testing::write_bytes;
 
 const BakeOptions one_thread = {1, Certification::off, nullptr};
 

@@ -1,7 +1,6 @@
 // Tests the page of a sweep: its index and times, the sheets of its pictures, the plots.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -16,8 +15,6 @@ namespace skybake {
 namespace {
 
 using nlohmann::json;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 
 // A sweep along axes of these lengths, whose keys are "k0", "k1" and so on, with values from 0 on.
 // The asset "air" is larger and better from variant to variant, and "sun" is the same in all.

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -22,8 +21,6 @@ namespace skybake {
 namespace {
 
 using config::Compression;
-using config::Outcome;
-using config::PixelType;
 
 static_assert(std::endian::native == std::endian::little,
               "texels are stored as they lie in memory");

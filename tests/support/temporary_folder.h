@@ -50,3 +50,10 @@ class TemporaryFolder {
 };
 
 }  // namespace skybake::testing
+
+namespace skybake {
+
+// Tests speak of it.
+using testing::TemporaryFolder;
+
+}  // namespace skybake

@@ -10,8 +10,6 @@ namespace {
 
 using testing::job_of;
 using testing::run;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 
 const std::string moving =
     "[noise.n]\nperiod = 4\n[noise.n.channels.Y]\ntype = \"alligator\"\nfrequency = 2\n"

@@ -18,8 +18,6 @@ using testing::files_below;
 using testing::job_of;
 using testing::run;
 using testing::small_recipe;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 using Strings = std::vector<std::string>;
 
 // Six variants that share two noises.
@@ -299,7 +297,8 @@ VariantResult measured_variant(int sky_points) {
     return result;
 }
 
-const config::Sweep one_axis = {{{{"a.b"}, {{{"1", "1"}}, {{"2", "2"}}, {{"3", "3"}}, {{"4", "4"}}}}}};
+const config::Sweep one_axis = {
+    {{{"a.b"}, {{{"1", "1"}}, {{"2", "2"}}, {{"3", "3"}}, {{"4", "4"}}}}}};
 
 TEST(SweepIndex, HasTheSkysErrorAndBytes) {
     EXPECT_EQ(index_csv(one_axis, std::array{measured_variant(9)}),
@@ -312,7 +311,8 @@ TEST(SweepIndex, HasTheSkysErrorAndBytes) {
         const std::string line = index_jsonl(one_axis, std::array{measured_variant(points)});
         return nlohmann::json::parse(line)["assets"][0]["sky_error"];
     };
-    EXPECT_EQ(sky(9), nlohmann::json::parse(R"({"median": 0.01, "ninth_decile": 0.02, "max": 0.4})"));
+    EXPECT_EQ(sky(9),
+              nlohmann::json::parse(R"({"median": 0.01, "ninth_decile": 0.02, "max": 0.4})"));
     EXPECT_TRUE(sky(0).is_null()) << "too noisy to tell";
 }
 
@@ -325,7 +325,8 @@ TEST(SweepIndex, TimesAreApartFromIt) {
               "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n"
               "3,air,1.5,0.0,0.0,0.5,0.25,2,\"0003_b=1,2\"\n");
     variant.status = VariantStatus::missing;
-    EXPECT_EQ(timing_csv(std::array{variant}), "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n");
+    EXPECT_EQ(timing_csv(std::array{variant}),
+              "index,asset,light_s,colors_s,texels_s,certificate_s,write_s,threads,name\n");
 }
 
 TEST(SweepIndex, FilesThatAreNotSkybakesAreLeftAlone) {

@@ -21,14 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using skybake::testing::files_below;
 using skybake::testing::small_recipe;
-using testing::contains;
-using testing::expect_has;
-using testing::expect_said;
-using testing::count_lines;
-using testing::Result;
-using testing::run_words;
-using testing::TemporaryFolder;
-using testing::write_bytes;
 using Strings = std::vector<std::string>;
 
 struct Folder {

@@ -11,12 +11,6 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::Coord;
-using testing::FloatGrid;
-using testing::TemporaryFolder;
-using testing::write_grid;
-
 class CompareVolumes : public ::testing::Test {
   protected:
     CompareVolumes() { write_grid(any_grid(), folder_ / "a.vdb"); }

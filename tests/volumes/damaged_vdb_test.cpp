@@ -19,7 +19,6 @@ namespace skybake {
 namespace {
 
 using testing::damaged;
-using testing::TemporaryFolder;
 
 namespace io = openvdb::io;
 

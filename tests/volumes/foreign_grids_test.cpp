@@ -13,13 +13,8 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::Coord;
 using testing::expect_same_voxels;
-using testing::FloatGrid;
 using testing::opened;
-using testing::TemporaryFolder;
-using testing::write_grid;
 
 std::string message_of(const std::filesystem::path& path, const std::string& grid = "") {
     const auto voxels = open_vdb_grid(path, grid, VolumePart::voxels);
@@ -153,8 +148,8 @@ TEST(ForeignGrid, TurnedByRightAnglesOrMirroredIsPermuted) {
                     openvdb::Vec3d centre;
                     for (int a = 0; a < 3; ++a) {
                         const auto axis = static_cast<std::size_t>(a);
-                        centre[a] = file.index_origin[axis] + (box.origin[axis] + at[axis] + 0.5) *
-                                                                  file.voxel_size[axis];
+                        centre[a] = file.index_origin[axis] +
+                                    (box.origin[axis] + at[axis] + 0.5) * file.voxel_size[axis];
                     }
                     const Coord index = transform->worldToIndexCellCentered(centre);
                     wrong += values[i] != grid->tree().getValue(index);

@@ -13,10 +13,6 @@
 namespace skybake {
 namespace {
 
-using testing::Coord;
-using testing::FloatGrid;
-using testing::TemporaryFolder;
-
 constexpr int edge = 1024;
 
 // Balls of leaves in which no two voxels are alike. Returns the share of voxels that are active.

@@ -14,12 +14,8 @@
 namespace skybake {
 namespace {
 
-using testing::Coord;
 using testing::expect_same_voxels;
-using testing::FloatGrid;
 using testing::opened;
-using testing::TemporaryFolder;
-using testing::write_grid;
 
 constexpr float half_width = 3;  // of the band, in voxels
 // OpenVDB multiplies by the rounded inverse of the half width.

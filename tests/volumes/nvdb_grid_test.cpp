@@ -16,11 +16,6 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::Coord;
-using testing::FloatGrid;
-using testing::TemporaryFolder;
-
 using Handle = nanovdb::GridHandle<>;
 
 template <class Build>

@@ -11,9 +11,6 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::FloatGrid;
-
 // Two grids, the second of which is `density`.
 class NvdbZip : public ::testing::Test {
   protected:

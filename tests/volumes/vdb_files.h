@@ -73,3 +73,13 @@ inline void expect_same_voxels(const FloatGrid& grid, const FileVoxels& file, co
 }
 
 }  // namespace skybake::testing
+
+namespace skybake {
+
+// Tests speak of these.
+using testing::any_grid;
+using testing::Coord;
+using testing::FloatGrid;
+using testing::write_grid;
+
+}  // namespace skybake

@@ -9,13 +9,8 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::Coord;
 using testing::expect_same_voxels;
-using testing::FloatGrid;
 using testing::opened;
-using testing::TemporaryFolder;
-using testing::write_grid;
 
 namespace io = openvdb::io;
 
@@ -135,12 +130,14 @@ TEST(VdbGrid, TakesTheTransform) {
 
 TEST(VdbGridRefused, InWordsThatSayWhatItIs) {
     openvdb::initialize();
-    EXPECT_EQ(problem_of(any_grid(), "Density"), "it has no grid `Density`; write grid = \"density\"");
+    EXPECT_EQ(problem_of(any_grid(), "Density"),
+              "it has no grid `Density`; write grid = \"density\"");
     const auto vectors = openvdb::Vec3SGrid::create();
     vectors->setName("density");
-    EXPECT_EQ(problem_of(vectors),
-              "its grid `density` holds vec3s, and only grids of float, double, int32 and int64 are "
-              "read");
+    EXPECT_EQ(
+        problem_of(vectors),
+        "its grid `density` holds vec3s, and only grids of float, double, int32 and int64 are "
+        "read");
     const FloatGrid::Ptr empty = FloatGrid::create(0);
     empty->setName("density");
     EXPECT_EQ(problem_of(empty), "it has no active voxels");
@@ -166,8 +163,8 @@ TEST(VdbGridRefused, WhereAValueIsNotFinite) {
          {std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::infinity()}) {
         const FloatGrid::Ptr voxel = any_grid();
         voxel->tree().setValue(Coord(3, 4, 5), value);
-        EXPECT_TRUE(problem_of(voxel).starts_with("its voxel (3, 4, 5) is " +
-                                                  std::string(std::isnan(value) ? "nan; " : "inf; ")));
+        EXPECT_TRUE(problem_of(voxel).starts_with(
+            "its voxel (3, 4, 5) is " + std::string(std::isnan(value) ? "nan; " : "inf; ")));
         const FloatGrid::Ptr tile = any_grid();
         tile->tree().addTile(2, Coord(1024, 0, 0), value, true);
         EXPECT_TRUE(problem_of(tile).starts_with("its voxel (1024, 0, 0) is "));

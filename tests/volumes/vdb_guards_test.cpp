@@ -14,13 +14,6 @@
 namespace skybake {
 namespace {
 
-using testing::any_grid;
-using testing::Coord;
-using testing::FloatGrid;
-using testing::read_bytes;
-using testing::TemporaryFolder;
-using testing::write_bytes;
-using testing::write_grid;
 using testing::write_length;
 
 namespace io = openvdb::io;

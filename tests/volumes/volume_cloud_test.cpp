@@ -18,7 +18,6 @@ namespace skybake {
 namespace {
 
 using testing::recipe_of;
-using testing::TemporaryFolder;
 using testing::TestBake;
 using States = std::vector<AssetState>;
 

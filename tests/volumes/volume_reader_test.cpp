@@ -1,12 +1,10 @@
 // Volumes as a recipe places them: layouts of raw files, crops, axes and borders.
 #include "bakers/io/volumes/volume_reader.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
-#include <limits>
 
 #include "bakers/math/half_conversion.h"
 #include "tests/io/files.h"
@@ -20,11 +18,9 @@ namespace {
 using config::AxisOrder;
 using config::ByteOrder;
 using config::Length;
-using config::PixelType;
 using config::VolumeFile;
 using config::VolumeFormat;
 using config::VolumeUp;
-using testing::TemporaryFolder;
 
 using Size = std::array<int, 3>;
 
