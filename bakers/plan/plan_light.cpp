@@ -91,7 +91,7 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
@@ -186,10 +186,12 @@ ErrorWords words_of(config::Draws light, bool has_colors) {
     words.claim = "at most {} % off in nine of ten views";
     words.column = "9 in 10 %";
     words.meaning = fmt::format(
-        "of {} against paths of light, in the median, in nine of ten views, and the largest",
+        "of {} against paths of light{}, in the median, in nine of ten views, and the largest",
         has_colors                             ? "colours"
         : light == config::Draws::ground_light ? "irradiance"
-                                               : "radiance");
+                                               : "radiance",
+        light == config::Draws::distance ? ", as shares of what is seen there without the thing"
+                                         : "");
     words.remark =
         "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
     return words;
