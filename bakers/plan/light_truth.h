@@ -1,10 +1,10 @@
-// The light of a scene's views by paths, traced once for all ways.
-//
-// The views of a scene, in which ways to draw its sky are compared with paths of light.
+// The views of a scene, in which ways to draw its light are compared with paths of light, and that light,
+// traced once for all ways.
 //
 // Suns, cameras and directions are points of Sobol's sequence: suns even in elevation, cameras even in
-// altitude, views even in azimuth and in the angle above the horizon, things even in distance. So a ninth decile is that of the
-// pictures a scene shows, and another part of the sequence has other views of the same scene.
+// altitude, views even in azimuth and in the angle above the horizon, things even in distance. So a
+// ninth decile is that of the pictures a scene shows, and another part of the sequence has other views
+// of the same scene.
 #pragma once
 
 #include <cstdint>

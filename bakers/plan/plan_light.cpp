@@ -55,7 +55,9 @@ Diagnostic no_ways(const PlanSubject& subject, const SceneRange& range) {
         "no way to draw {} is left: pictures are compared for one to {} suns, and the scene has {}",
         name_of(subject), kMostViewedSuns, suns);
     problem.label = has_suns ? "allow \"march\" or \"picture\" in `sky_by` of [scene]"
-                             : "state `suns` in [scene], or allow \"march\" in `sky_by`";
+                    : subject.draws == config::Draws::surroundings
+                        ? "state the elevations of one to four `suns` in [scene]"
+                        : "state `suns` in [scene], or allow \"march\" in `sky_by`";
     return problem;
 }
 
