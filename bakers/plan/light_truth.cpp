@@ -130,7 +130,25 @@ SceneTruth::SceneTruth(Draws light, const Parameters& parameters, std::vector<Li
       packets_(packets_of(parameters)),
       weights_(std::move(weights)),
       light_(light_of(what_, parameters, packets_, views_)),
-      comparison_(light_, weights_, options_) {}
+      comparison_(light_, weights_, options_),
+      whole_light_(light_of(Draws::surroundings, parameters, packets_, views_)),
+      whole_(whole_light_, weights_, options_) {}
+
+void SceneTruth::trace(double most_paths) {
+    if (what_ != Draws::distance) return comparison_.trace(most_paths);
+    comparison_.trace(most_paths / 2);
+    if (!options_.cancelled()) whole_.trace(most_paths / 2);
+}
+
+SkyError SceneTruth::error(const std::vector<Spectrum>& found) const {
+    if (what_ != Draws::distance) return comparison_.error(found);
+    std::vector<Spectrum> seen;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Spectrum off = found[i] - comparison_.places()[i].light.radiance;
+        seen.push_back(whole_.places()[i].light.radiance + off);
+    }
+    return whole_.error(seen);
+}
 
 std::vector<Spectrum> SceneTruth::as_compared(std::vector<Spectrum> light) const {
     if (weights_.empty()) return light;

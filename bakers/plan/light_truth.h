@@ -1,10 +1,10 @@
-// The light of a scene's views by paths, traced once for all ways.
-//
-// The views of a scene, in which ways to draw its sky are compared with paths of light.
+// The views of a scene, in which ways to draw its light are compared with paths of light, and that light,
+// traced once for all ways.
 //
 // Suns, cameras and directions are points of Sobol's sequence: suns even in elevation, cameras even in
-// altitude, views even in azimuth and in the angle above the horizon, things even in distance. So a ninth decile is that of the
-// pictures a scene shows, and another part of the sequence has other views of the same scene.
+// altitude, views even in azimuth and in the angle above the horizon, things even in distance. So a
+// ninth decile is that of the pictures a scene shows, and another part of the sequence has other views
+// of the same scene.
 #pragma once
 
 #include <cstdint>
@@ -67,7 +67,7 @@ class SceneTruth {
                std::vector<glm::dvec3> weights, BakeOptions options);
 
     // Traces `most_paths` paths in all views together. After an interruption the light must not be used.
-    void trace(double most_paths) { comparison_.trace(most_paths); }
+    void trace(double most_paths);
 
     config::Draws what() const { return what_; }
     const std::vector<LightView>& views() const { return views_; }
@@ -77,7 +77,9 @@ class SceneTruth {
     std::vector<Spectrum> as_compared(std::vector<Spectrum> light) const;
     // Returns the traced light of the views, as it is compared.
     std::vector<Spectrum> light() const;
-    SkyError error(const std::vector<Spectrum>& found) const { return comparison_.error(found); }
+    // Returns relative errors. Those of the air before things are shares of the light that the view has
+    // without the thing, ground included: a thing that is near shows little air.
+    SkyError error(const std::vector<Spectrum>& found) const;
 
   private:
     config::Draws what_;
@@ -87,6 +89,8 @@ class SceneTruth {
     std::vector<glm::dvec3> weights_;
     TracedLight light_;
     SkyComparison comparison_;
+    TracedLight whole_light_;
+    SkyComparison whole_;  // the views without things, which are the scale of the air before these
 };
 
 }  // namespace skybake

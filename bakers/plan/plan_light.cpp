@@ -55,7 +55,9 @@ Diagnostic no_ways(const PlanSubject& subject, const SceneRange& range) {
         "no way to draw {} is left: pictures are compared for one to {} suns, and the scene has {}",
         name_of(subject), kMostViewedSuns, suns);
     problem.label = has_suns ? "allow \"march\" or \"picture\" in `sky_by` of [scene]"
-                             : "state `suns` in [scene], or allow \"march\" in `sky_by`";
+                    : subject.draws == config::Draws::surroundings
+                        ? "state the elevations of one to four `suns` in [scene]"
+                        : "state `suns` in [scene], or allow \"march\" in `sky_by`";
     return problem;
 }
 
@@ -91,7 +93,7 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 3;
+constexpr int kVersion = 4;
 
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
@@ -186,10 +188,12 @@ ErrorWords words_of(config::Draws light, bool has_colors) {
     words.claim = "at most {} % off in nine of ten views";
     words.column = "9 in 10 %";
     words.meaning = fmt::format(
-        "of {} against paths of light, in the median, in nine of ten views, and the largest",
+        "of {} against paths of light{}, in the median, in nine of ten views, and the largest",
         has_colors                             ? "colours"
         : light == config::Draws::ground_light ? "irradiance"
-                                               : "radiance");
+                                               : "radiance",
+        light == config::Draws::distance ? ", as shares of what is seen there without the thing"
+                                         : "");
     words.remark =
         "# A bake's own error.sky is larger: it looks where skies are hardest, not evenly.\n";
     return words;

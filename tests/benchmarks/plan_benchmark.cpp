@@ -2,7 +2,7 @@
 // paths. The bar is a judged error of at most 1.3 times the one that the plan claims, in nine of ten
 // scenes.
 //
-//   plan_benchmark [SCENES [FIRST]] [clouds]
+//   plan_benchmark [SCENES [FIRST]] [distance|ground_light|surroundings|clouds]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 #include <random>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "bakers/plan/plan_cloud.h"
@@ -72,7 +73,8 @@ RandomScene random_clouds(std::uint32_t seed) {
     return scene;
 }
 
-int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
+int run(std::uint32_t scenes, std::uint32_t first, config::Draws draws) {
+    const bool clouds = draws == config::Draws::clouds;
     std::vector<double> ratios;
     for (std::uint32_t i = first; i < first + scenes; ++i) {
         const RandomScene scene = clouds ? random_clouds(i) : random_scene(i);
@@ -81,8 +83,7 @@ int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
             return config::parse_recipe(scene.text, "scene", {}, settings);
         };
         if (scene.max_error > 0) request.limits.error = scene.max_error;
-        const auto plan =
-            clouds ? plan_cloud(request, "c") : plan_light(request, config::Draws::sky);
+        const auto plan = clouds ? plan_cloud(request, "c") : plan_light(request, draws);
         if (!plan.value) {
             fmt::print("{}: {}\n", i, plan.diagnostics.front().message);
             continue;
@@ -90,10 +91,9 @@ int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
         const MeasuredWay& chosen = plan.value->ways[plan.value->chosen];
         constexpr std::uint32_t kOtherViews = 4096;
         const double judged =
-            clouds ? judge_cloud(request, "c", chosen.way, kOtherViews).value.value()
-                   : judge_light(request, config::Draws::sky, chosen.way, kOtherViews)
-                         .value.value()
-                         .ninth_decile;
+            clouds
+                ? judge_cloud(request, "c", chosen.way, kOtherViews).value.value()
+                : judge_light(request, draws, chosen.way, kOtherViews).value.value().ninth_decile;
         ratios.push_back(judged / chosen.figures.error);
         fmt::print("{}: limit {:.2g}, {}: claimed {:.2g}, judged {:.2g}, ratio {:.2f}\n", i,
                    scene.max_error, full_name(chosen.way), chosen.figures.error, judged,
@@ -111,9 +111,17 @@ int run(std::uint32_t scenes, std::uint32_t first, bool clouds) {
 }  // namespace skybake
 
 int main(int argc, char** argv) {
-    const bool clouds = argc > 1 && std::string_view(argv[argc - 1]) == "clouds";
+    using enum skybake::config::Draws;
+    skybake::config::Draws draws = sky;
+    for (const auto& [word, one] : {std::pair("distance", distance),
+                                    {"ground_light", ground_light},
+                                    {"surroundings", surroundings},
+                                    {"clouds", clouds}}) {
+        if (std::string_view(argv[argc - 1]) == word) draws = one;
+    }
     const auto number = [&](int i, std::uint32_t usual) {
-        return argc - (clouds ? 1 : 0) > i ? static_cast<std::uint32_t>(std::atoi(argv[i])) : usual;
+        return argc - (draws == sky ? 0 : 1) > i ? static_cast<std::uint32_t>(std::atoi(argv[i]))
+                                                 : usual;
     };
-    return skybake::run(number(1, 20), number(2, 1), clouds);
+    return skybake::run(number(1, 20), number(2, 1), draws);
 }

@@ -289,7 +289,7 @@ TEST(KeyCoversBytes, WhateverElseChanges) {
 // A cloud of a volume has one channel.
 TEST(KeyCoversBytes, WhateverChangesOfVolumes) {
     change_every_value("volumes", {"flip", "format", "asset", "cloud", "volume", "file", "grid",
-                                   "channel", "channels", "size", "slices", "first_slice"});
+                                   "channels", "size"});
 }
 
 // A key that no recipe has is one whose changes nobody has tried. Presets and includes are other
