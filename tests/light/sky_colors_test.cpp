@@ -50,8 +50,10 @@ struct Bar {
 SkyColors mountain_colors(const std::string& wavelengths) {
     const config::Parameters wanted = mountain(wavelengths);
     static const ColorSkies skies(wanted.atmosphere, wanted.wavelengths, {.threads = 2});
-    SkyColors found{skies.fitted_weights(wanted.wavelengths, *wanted.color), {}};
-    found.error = skies.error(wanted.wavelengths, *wanted.color, found.weights);
+    // Wavelengths that a recipe lists come without [color].
+    const config::Color color = wanted.color.value_or(config::Color());
+    SkyColors found{skies.fitted_weights(wanted.wavelengths, color), {}};
+    found.error = skies.error(wanted.wavelengths, color, found.weights);
     return found;
 }
 
