@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bakers/assets/description/certificate_warnings.h"
 #include "bakers/plan/plan_files.h"
 #include "bakers/plot/chart.h"
 #include "bakers/preview/page.h"
