@@ -226,7 +226,7 @@ std::string planned_recipe(std::span<const Plan> plans, const Recipe& recipe) {
     std::vector<WayAsset> written;
     for (const Plan& plan : plans) {
         for (const WayAsset& asset : plan.ways[plan.chosen].way.assets) {
-            // What two of them read is baked once.
+            // An asset that two plans chose is baked once.
             if (std::ranges::find(written, asset.keys, &WayAsset::keys) != written.end()) continue;
             text += asset_text(asset);
             written.push_back(asset);

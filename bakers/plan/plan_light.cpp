@@ -44,8 +44,8 @@ std::optional<Diagnostic> obstacle(const PlanSubject& subject, const Parameters&
     return problem;
 }
 
-// Only pictures for each sun are left, and these by their number; or `sky_by` allows nothing that there
-// is.
+// The scene has too few or too many suns for pictures and no other way is left, or `sky_by` allows no
+// way.
 Diagnostic no_ways(const PlanSubject& subject, const SceneRange& range) {
     const std::size_t suns = range.suns_deg.size();
     const bool has_suns = has_viewed_suns(range);
