@@ -51,34 +51,33 @@ Spectrum moment_sum(int degree, double azimuth_cosine,
     return sum;
 }
 
-// Returns the sum over layers of scattering times phase moment, multiplied by the view's harmonic:
-// [lm].
-std::vector<Spectrum> view_factors(int degree, double view_cos_zenith,
-                                   const std::vector<Spectrum>& scattering,
-                                   const std::vector<std::vector<Spectrum>>& phase_moments) {
-    const auto count = static_cast<std::size_t>(moment_count(degree));
-    std::vector<double> harmonics(count);
-    zenith_harmonics(degree, view_cos_zenith, harmonics.data());
-    std::vector<Spectrum> factors(count);
-    for (int l = 0; l <= degree; ++l) {
-        for (int m = 0; m <= l; ++m) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            for (std::size_t k = 0; k < scattering.size(); ++k) {
-                const Spectrum& chi = phase_moments[k][static_cast<std::size_t>(l)];
-                factors[lm] += scattering[k] * chi * harmonics[lm];
-            }
-        }
-    }
-    return factors;
-}
-
 }  // namespace
 
-HigherOrders::OfSun HigherOrders::at(double altitude_km, double view_cos_zenith,
-                                     const std::vector<Spectrum>& scattering_per_km) const {
-    return [=, this](double sun_cos_zenith, double azimuth_cosine) {
-        return scattered({altitude_km, sun_cos_zenith, view_cos_zenith, azimuth_cosine},
-                         scattering_per_km);
+ScatteringPoint scattering_point(double altitude_km, double view_cos_zenith, double sun_cos_zenith,
+                                 double nu) {
+    ScatteringPoint point;
+    point.altitude_km = altitude_km;
+    point.sun_cos_zenith = std::clamp(sun_cos_zenith, -1.0, 1.0);    // rounding
+    point.view_cos_zenith = std::clamp(view_cos_zenith, -1.0, 1.0);  // rounding
+    const double sines = std::sqrt((1 - point.sun_cos_zenith) * (1 + point.sun_cos_zenith) *
+                                   (1 - point.view_cos_zenith) * (1 + point.view_cos_zenith));
+    const double along = nu - point.sun_cos_zenith * point.view_cos_zenith;
+    // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
+    point.azimuth_cosine = std::fabs(along) < sines ? along / sines : std::copysign(1.0, along);
+    return point;
+}
+
+HigherOrders::OfSuns HigherOrders::at(const PointOfRay& point,
+                                      const std::vector<Spectrum>& scattering_per_km) const {
+    return [=, this](const SunBundle& suns, double* sums) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
+            const double s_km =
+                point.begin_radius_km * suns.sun_cosines[i] + point.distance_km * suns.nu[i];
+            const Spectrum light = scattered(scattering_point(point.altitude_km, point.view_cosine,
+                                                              s_km / point.radius_km, suns.nu[i]),
+                                             scattering_per_km);
+            for (std::size_t c = 0; c < kMaxChannels; ++c) sums[i * kChannelSlots + c] += light[c];
+        }
     };
 }
 
@@ -129,15 +128,17 @@ Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
                       });
 }
 
-HigherOrders::OfSun SolvedOrders::at(double altitude_km, double view_cos_zenith,
-                                     const std::vector<Spectrum>& scattering_per_km) const {
+HigherOrders::OfSuns SolvedOrders::at(const PointOfRay& point,
+                                      const std::vector<Spectrum>& scattering_per_km) const {
     assert(scattering_per_km.size() == phase_moments_.size());
-    auto suns = std::make_shared<NearbySuns>(
-        light_, degree_, light_.level_at(altitude_km),
-        view_factors(degree_, view_cos_zenith, scattering_per_km, phase_moments_));
-    return [suns](double sun_cos_zenith, double azimuth_cosine) {
-        return suns->scattered(sun_cos_zenith, azimuth_cosine);
-    };
+    std::vector<Spectrum> moments(static_cast<std::size_t>(degree_) + 1);
+    for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
+        for (std::size_t l = 0; l < moments.size(); ++l) {
+            moments[l] += scattering_per_km[k] * phase_moments_[k][l];
+        }
+    }
+    const auto nearby = std::make_shared<NearbySuns>(light_, point, moments);
+    return [nearby](const SunBundle& suns, double* sums) { nearby->add(suns, sums); };
 }
 
 Spectrum SolvedOrders::sky_irradiance(double sun_cos_zenith) const {

@@ -8,6 +8,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/field/image.h"
 #include "bakers/light/solver/solved_light.h"
+#include "bakers/light/sun_bundle.h"
 
 namespace skybake {
 
@@ -20,6 +21,11 @@ struct ScatteringPoint {
         0;  // between view and sun; anything in [-1, 1] where either is vertical
 };
 
+// Returns the point as seen under a sun whose zenith angle has this cosine there and whose angle to
+// the view has the cosine nu. Rounding may take the cosine beyond 1.
+ScatteringPoint scattering_point(double altitude_km, double view_cos_zenith, double sun_cos_zenith,
+                                 double nu);
+
 class HigherOrders {
   public:
     virtual ~HigherOrders() = default;
@@ -31,11 +37,11 @@ class HigherOrders {
     virtual Spectrum scattered(const ScatteringPoint& point,
                                const std::vector<Spectrum>& scattering_per_km) const = 0;
 
-    // Returns `scattered` for one point of a view ray under many suns. The result must not outlive
-    // this object, and only one thread may call it.
-    using OfSun = std::function<Spectrum(double sun_cos_zenith, double azimuth_cosine)>;
-    virtual OfSun at(double altitude_km, double view_cos_zenith,
-                     const std::vector<Spectrum>& scattering_per_km) const;
+    // Adds `scattered` at one point of a view ray for each wanted sun to sums[sun * kChannelSlots +
+    // channel]. It must not outlive the object that made it, and only one thread may call it.
+    using OfSuns = std::function<void(const SunBundle& suns, double* sums)>;
+    virtual OfSuns at(const PointOfRay& point,
+                      const std::vector<Spectrum>& scattering_per_km) const;
 
     // Returns the irradiance of level ground by the sky, without sunlight that comes straight from
     // the sun.
@@ -82,8 +88,8 @@ class SolvedOrders : public HigherOrders {
 
     Spectrum scattered(const ScatteringPoint& point,
                        const std::vector<Spectrum>& scattering_per_km) const override;
-    OfSun at(double altitude_km, double view_cos_zenith,
-             const std::vector<Spectrum>& scattering_per_km) const override;
+    OfSuns at(const PointOfRay& point,
+              const std::vector<Spectrum>& scattering_per_km) const override;
     Spectrum sky_irradiance(double sun_cos_zenith) const override;
     int azimuth_degree() const override { return degree_; }
 

@@ -4,7 +4,7 @@
 #define HWY_TARGET_INCLUDE "bakers/light/nearby_suns.cpp"
 #include <hwy/foreach_target.h>
 
-#include <utility>
+#include <algorithm>
 
 #include "bakers/light/solver/sun_axis-inl.h"
 
@@ -13,31 +13,46 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 
 void SendColumn(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
-                const Spectrum* factors, Spectrum* sent) {
-    send_column(light, at, sun, degree, factors, data(*sent));
+                const Spectrum* factors, double* sent) {
+    send_column(light, at, sun, degree, factors, sent);
 }
 
-// Computes the light for a sun between four columns, whose values stand one after the other.
-void BetweenColumns(const SunStencil& stencil, const Spectrum* columns, std::size_t orders,
-                    double sun_cos_zenith, double azimuth_cosine, Spectrum& sent) {
-    const SinePowers powers = powers_of(std::sqrt((1 - sun_cos_zenith) * (1 + sun_cos_zenith)));
-    Channels sum(0.0);
-    double last = 1;  // cos(m phi), by Chebyshev's recursion
-    double before = azimuth_cosine;
-    for (std::size_t m = 0; m < orders; ++m) {
-        const double* of = data(columns[m]);
-        Channels light = Channels(stencil.weights[0]) * Channels::load(of);
-        for (std::size_t k = 1; k < 4; ++k) {
-            const Channels column = Channels::load(of + k * orders * kChannelSlots);
-            light = light + Channels(stencil.weights[k]) * column;
+void PlaceSuns(const SolvedLight& light, const PointOfRay& point, const std::vector<double>& falls,
+               const SunBundle& suns, PlacedSuns& placed) {
+    const SunAxis& axis = light.suns;
+    const Lanes mu(point.view_cosine);
+    const Lanes squared_view_sine = (Lanes(1.0) - mu) * (Lanes(1.0) + mu);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); i += Lanes::kCount) {
+        const Lanes nu = Lanes::load(suns.nu.data() + i);
+        const Lanes s_km = Lanes(point.begin_radius_km) * Lanes::load(suns.sun_cosines.data() + i) +
+                           Lanes(point.distance_km) * nu;
+        // Suns that there are not may leave the range.
+        const Lanes cosine =
+            maximum(minimum(s_km * Lanes(1 / point.radius_km), Lanes(1.0)), Lanes(-1.0));
+        place_on_axis(axis, light.steep, falls, maximum(cosine, Lanes(axis.darkest)),
+                      placed.columns.data() + i, placed.weights.data() + 4 * i);
+        const Lanes along = nu - mu * cosine;
+        const Lanes squared_sines =
+            squared_view_sine * ((Lanes(1.0) - cosine) * (Lanes(1.0) + cosine));
+        const AzimuthRecursion<Lanes> powers(along, squared_sines, placed.orders);
+        const auto of_order = [&](std::size_t m) {
+            return placed.powers.data() + m * placed.room + i;
+        };
+        Lanes(1.0).store(of_order(0));
+        if (placed.orders > 1) along.store(of_order(1));
+        for (std::size_t m = 2; m < placed.orders; ++m) {
+            powers
+                .next(m, Lanes::load(of_order(m - 1)), Lanes::load(of_order(m - 2)),
+                      m < 4 ? Lanes(0.0) : Lanes::load(of_order(m - 4)))
+                .store(of_order(m));
         }
-        const double power = powers[static_cast<std::size_t>(sine_power(static_cast<int>(m)))];
-        sum = sum + Channels(power * last) * light;
-        const double next = 2 * azimuth_cosine * last - before;
-        before = last;
-        last = next;
     }
-    sum.store(data(sent));
+}
+
+void AddColumns(const double* rows, const PlacedSuns& placed, std::size_t count, double* sums) {
+    add_columns({rows, placed.orders, placed.columns.data(), placed.weights.data(),
+                 placed.powers.data(), placed.room, count},
+                sums);
 }
 
 }  // namespace HWY_NAMESPACE
@@ -48,31 +63,54 @@ HWY_AFTER_NAMESPACE();
 namespace skybake {
 
 HWY_EXPORT(SendColumn);
-HWY_EXPORT(BetweenColumns);
+HWY_EXPORT(PlaceSuns);
+HWY_EXPORT(AddColumns);
 
-NearbySuns::NearbySuns(const SolvedLight& light, int degree, LevelPlace at,
-                       std::vector<Spectrum> factors)
+NearbySuns::NearbySuns(const SolvedLight& light, const PointOfRay& point,
+                       const std::vector<Spectrum>& scattered_moments)
     : light_(light),
-      degree_(degree),
-      at_(at),
-      factors_(std::move(factors)),
+      point_(point),
+      degree_(static_cast<int>(scattered_moments.size()) - 1),
+      at_(light.level_at(point.altitude_km)),
+      factors_(static_cast<std::size_t>(moment_count(degree_))),
       known_(static_cast<std::size_t>(light.suns.count())),
-      values_(std::make_unique_for_overwrite<Spectrum[]>(known_.size() * orders())) {}
-
-Spectrum NearbySuns::scattered(double sun_cos_zenith, double azimuth_cosine) {
-    const SunStencil stencil = light_.stencil(at_, sun_cos_zenith);
-    const auto first = static_cast<std::size_t>(stencil.column);
-    for (std::size_t column = first; column < first + 4; ++column) {
-        if (known_[column]) continue;
-        known_[column] = true;
-        HWY_DYNAMIC_DISPATCH(SendColumn)
-        (light_, at_, static_cast<int>(column), degree_, factors_.data(),
-         values_.get() + column * orders());
+      rows_(std::make_unique_for_overwrite<double[]>(known_.size() * orders() * kChannelSlots)) {
+    std::vector<double> harmonics(factors_.size());
+    harmonics_over_sines(degree_, point.view_cosine, harmonics.data());
+    for (int l = 0; l <= degree_; ++l) {
+        for (int m = 0; m <= l; ++m) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            factors_[lm] = harmonics[lm] * scattered_moments[static_cast<std::size_t>(l)];
+        }
     }
-    Spectrum sent;
-    HWY_DYNAMIC_DISPATCH(BetweenColumns)
-    (stencil, values_.get() + first * orders(), orders(), sun_cos_zenith, azimuth_cosine, sent);
-    return sent;
+    if (std::ranges::none_of(light.steep, [](double steep) { return steep > 0; })) return;
+    double darker = light.mean_of(at_, 0);
+    for (int k = 1; k < light.suns.count(); ++k) {
+        const double brighter = light.mean_of(at_, k);
+        falls_.push_back(fall_between(darker, brighter));
+        darker = brighter;
+    }
+}
+
+void NearbySuns::add(const SunBundle& suns, double* sums) {
+    const auto wanted = static_cast<std::size_t>(suns.wanted);
+    placed_.orders = orders();
+    placed_.room = static_cast<std::size_t>(suns.count);
+    placed_.columns.resize(placed_.room);
+    placed_.weights.resize(4 * placed_.room);
+    placed_.powers.resize(orders() * placed_.room);
+    HWY_DYNAMIC_DISPATCH(PlaceSuns)(light_, point_, falls_, suns, placed_);
+    for (std::size_t i = 0; i < wanted; ++i) {
+        const auto first = static_cast<std::size_t>(placed_.columns[i]);
+        for (std::size_t column = first; column < first + 4; ++column) {
+            if (known_[column]) continue;
+            known_[column] = true;
+            HWY_DYNAMIC_DISPATCH(SendColumn)
+            (light_, at_, static_cast<int>(column), degree_, factors_.data(),
+             rows_.get() + column * orders() * kChannelSlots);
+        }
+    }
+    HWY_DYNAMIC_DISPATCH(AddColumns)(rows_.get(), placed_, wanted, sums);
 }
 
 }  // namespace skybake

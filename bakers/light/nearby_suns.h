@@ -1,33 +1,51 @@
-// The solved light that one point of a view ray sends along it, for any sun. Sums that do not depend
-// on the sun are evaluated once for each column of the sun axis.
+// The solved light that one point of a view ray scatters along it, for many suns at once. Sums that do
+// not depend on the sun are evaluated once for each column of the sun axis.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <vector>
 
 #include "bakers/light/solver/solved_light.h"
+#include "bakers/light/sun_bundle.h"
 
 namespace skybake {
 
+// Suns between the columns of a sun axis.
+struct PlacedSuns {
+    std::vector<std::int64_t> columns;  // for each sun, the first of its four
+    std::vector<double> weights;        // [sun * 4 + k]
+    // [m * room + sun]: (sine of the view sine of the sun)^sine_power(m) cos(m phi)
+    std::vector<double> powers;
+    std::size_t orders = 0;
+    std::size_t room = 0;
+};
+
 class NearbySuns {
   public:
-    // `factors` multiply the moments up to `degree`, by moment_index: what the layers scatter per km
-    // times their phase functions' moments and the view's harmonic. `light` must outlive this object.
-    NearbySuns(const SolvedLight& light, int degree, LevelPlace at, std::vector<Spectrum> factors);
+    // `scattered_moments` are, by degree, the sum over layers of what they scatter times the moments
+    // of their phase functions; their number is the moments' degree, at most the solution's, and one.
+    // `light` must outlive this object.
+    NearbySuns(const SolvedLight& light, const PointOfRay& point,
+               const std::vector<Spectrum>& scattered_moments);
 
-    // Returns the same as SolvedOrders::scattered, except for rounding. One thread at a time.
-    Spectrum scattered(double sun_cos_zenith, double azimuth_cosine);
+    // Adds the light under each wanted sun to sums[sun * kChannelSlots + channel]. One thread at a
+    // time.
+    void add(const SunBundle& suns, double* sums);
 
   private:
     std::size_t orders() const { return static_cast<std::size_t>(degree_) + 1; }
 
     const SolvedLight& light_;
+    PointOfRay point_;
     int degree_;
     LevelPlace at_;
-    std::vector<Spectrum> factors_;
+    std::vector<Spectrum> factors_;  // of the moments, by moment_index
+    std::vector<double> falls_;      // between the columns' means, if a stencil is steep
     std::vector<bool> known_;
-    std::unique_ptr<Spectrum[]> values_;  // [column * orders + m], of known columns
+    std::unique_ptr<double[]> rows_;  // [(column * orders + m) * kChannelSlots], of known columns
+    PlacedSuns placed_;               // the suns at hand
 };
 
 }  // namespace skybake

@@ -11,11 +11,14 @@ namespace {
 
 using NodeShares = std::array<std::array<double, kNodes>, kNodes>;
 
-// Lagrange's polynomial of a node at x.
-double node_polynomial(std::size_t node, double x) {
+constexpr std::array<std::size_t, kNodes> kAllNodes = {0, 1, 2, 3, 4};
+
+// Lagrange's polynomial of one of the nodes at x.
+template <std::size_t kCount>
+double node_polynomial(const std::array<std::size_t, kCount>& among, std::size_t node, double x) {
     const std::vector<double>& nodes = gauss_rule().nodes;
     double value = 1;
-    for (std::size_t other = 0; other < kNodes; ++other) {
+    for (const std::size_t other : among) {
         if (other == node) continue;
         value *= (x - nodes[other]) / (nodes[node] - nodes[other]);
     }
@@ -31,7 +34,7 @@ const NodeShares& shares_up_to_nodes() {
             for (std::size_t j = 0; j < kNodes; ++j) {
                 for (std::size_t k = 0; k < kNodes; ++k) {
                     found[i][j] += end * gauss_rule().weights[k] *
-                                   node_polynomial(j, end * gauss_rule().nodes[k]);
+                                   node_polynomial(kAllNodes, j, end * gauss_rule().nodes[k]);
                 }
             }
         }
@@ -112,6 +115,19 @@ const QuadratureRule& gauss_rule() {
     return rule;
 }
 
+const CoarseShares& coarse_shares() {
+    static const CoarseShares shares = [] {
+        CoarseShares found{};
+        for (std::size_t j = 0; j < kCoarseNodes.size(); ++j) {
+            for (std::size_t i = 0; i < kNodes; ++i) {
+                found[j][i] = node_polynomial(kCoarseNodes, kCoarseNodes[j], gauss_rule().nodes[i]);
+            }
+        }
+        return found;
+    }();
+    return shares;
+}
+
 std::array<StretchNode, kNodes> stretch(const Shell& shell, double altitude_km, double s_km,
                                         double piece_from_km, double piece_to_km, double from_km,
                                         double to_km) {
@@ -122,7 +138,8 @@ std::array<StretchNode, kNodes> stretch(const Shell& shell, double altitude_km, 
         node.altitude_km = altitude_of(shell, altitude_km, s_km, node.distance_km);
         node.width_km = (to_km - from_km) * gauss_rule().weights[j];
         const double share = (node.distance_km - piece_from_km) / (piece_to_km - piece_from_km);
-        for (std::size_t i = 0; i < kNodes; ++i) node.shares[i] = node_polynomial(i, share);
+        for (std::size_t i = 0; i < kNodes; ++i)
+            node.shares[i] = node_polynomial(kAllNodes, i, share);
     }
     return nodes;
 }

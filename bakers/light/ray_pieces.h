@@ -32,6 +32,12 @@ inline constexpr double kLongestTurn = 1.0 / 48;
 // Returns Gauss's rule with kNodes nodes on [0, 1].
 const QuadratureRule& gauss_rule();
 
+// Light that was scattered before is smooth: the first, third and fifth node are enough for it, with
+// what the air sends from all five. shares[j][i] is the parabola that is 1 at coarse node j, at node i.
+inline constexpr std::array<std::size_t, 3> kCoarseNodes = {0, 2, 4};
+using CoarseShares = std::array<std::array<double, kNodes>, kCoarseNodes.size()>;
+const CoarseShares& coarse_shares();
+
 // Returns the greatest length of the piece of a ray between two distances from its start, in km. It
 // grows with the distance from the planet's centre only far outside of the planet: in air that is a
 // hundred radii deep a ray would otherwise have thousands of pieces.

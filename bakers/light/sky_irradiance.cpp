@@ -1,10 +1,10 @@
 #include "bakers/light/sky_irradiance.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_row.h"
@@ -96,55 +96,52 @@ std::vector<WeightedAngle> even_azimuths(int count) {
     return azimuths;
 }
 
-// Adds the integral over zenith angles and azimuths, on both sides of the sun. `light` returns the
-// light of a row, given its rays and the cosines of its azimuths.
-template <class TracedZeniths, class Light>
-void add_integral(const Shell& shell, double altitude_km, const SunZenith& sun,
-                  const TracedZeniths& zeniths, const std::vector<WeightedAngle>& azimuths,
-                  const Light& light, Spectrum& sum) {
-    std::vector<double> azimuth_cosines;
-    for (const WeightedAngle& azimuth : azimuths) {
-        azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
-    }
-    for (const auto& zenith : zeniths) {
-        const auto ray_at = [&](double azimuth_cosine) {
-            return sky_ray(shell, altitude_km, sun,
-                           sky_direction(sun, zenith.mu, zenith.sine, azimuth_cosine));
-        };
-        const std::vector<Spectrum> values = light(zenith.row, ray_at, azimuth_cosines);
-        for (std::size_t i = 0; i < azimuths.size(); ++i) {
-            const double weight = 2 * zenith.weight * azimuths[i].weight * zenith.sine * zenith.mu;
-            sum += weight * values[i];
-        }
-    }
-}
-
-}  // namespace
-
 // The rays of one zenith angle.
-struct SkyIrradiance::TracedZenith {
+struct TracedZenith {
     double mu;
     double sine;
     double weight;  // of an integral over the zenith angle
     SkyRow row;
 };
+using TracedZeniths = std::vector<TracedZenith>;
 
-SkyIrradiance::SkyIrradiance(const SkyLight& light, double altitude_km)
-    : light_(light),
-      altitude_km_(altitude_km),
-      once_(without_forward_functions(light.medium())),
-      peaks_(light.orders() == config::SkyOrders::single ? take_peaks_out(once_)
-                                                         : std::vector<Spectrum>{}),
-      once_integrator_(once_, nullptr),
-      before_integrator_(light.medium(), light.higher_orders()),
-      apart_(light.once() != nullptr ? std::make_unique<SkyIrradiance>(*light.once(), altitude_km)
-                                     : nullptr) {}
+// The irradiance of surfaces at one altitude by light of `light.orders()`, without SkyLight::once.
+class Surface {
+  public:
+    // `light` must outlive this object.
+    Surface(const SkyLight& light, double altitude_km)
+        : light_(light),
+          altitude_km_(altitude_km),
+          once_(without_forward_functions(light.medium())),
+          peaks_(light.orders() == config::SkyOrders::single ? take_peaks_out(once_)
+                                                             : std::vector<Spectrum>{}),
+          once_integrator_(once_, nullptr),
+          before_integrator_(light.medium(), light.higher_orders()) {}
 
-SkyIrradiance::~SkyIrradiance() = default;
+    // Adds the light that is scattered once.
+    void add_single(const std::vector<double>& sun_cosines, int nodes,
+                    std::vector<Spectrum>& sums) const;
+    // Adds light that was scattered before.
+    void add_multiple(const std::vector<double>& sun_cosines, const IrradianceNodes& nodes,
+                      std::vector<Spectrum>& sums) const;
+
+  private:
+    TracedZeniths trace(double from, double to, int nodes, bool before) const;
+    template <class Light>
+    void add_integral(const std::vector<std::size_t>& at, const std::vector<double>& sun_cosines,
+                      const TracedZeniths& zeniths, const std::vector<WeightedAngle>& azimuths,
+                      const Light& light, std::vector<Spectrum>& sums) const;
+
+    const SkyLight& light_;
+    double altitude_km_;
+    SkyMedium once_;               // the medium without the peaks that no nodes would find
+    std::vector<Spectrum> peaks_;  // of light scattered once alone: each layer's share of them
+    SkyIntegrator once_integrator_;
+    SkyIntegrator before_integrator_;
+};
 
 // Traces light that was scattered `before`, or else light that is scattered once.
-SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int nodes,
-                                                  bool before) const {
+TracedZeniths Surface::trace(double from, double to, int nodes, bool before) const {
     std::vector<WeightedAngle> angles;
     add_gathered(from, to, nodes, angles);
     TracedZeniths zeniths;
@@ -164,74 +161,111 @@ SkyIrradiance::TracedZeniths SkyIrradiance::trace(double from, double to, int no
     return zeniths;
 }
 
-// Traces those from the horizon up when first asked for them, and when their number changes.
-const SkyIrradiance::TracedZeniths& SkyIrradiance::kept(TracedZeniths& zeniths, int nodes,
-                                                        bool before) const {
-    if (zeniths.size() != static_cast<std::size_t>(nodes)) {
-        zeniths = trace(std::numbers::pi / 2, 0, nodes, before);
+// Adds the integral over zenith angles and azimuths, on both sides of the sun, for the suns `at`.
+// `light` returns the light of rays of a row.
+template <class Light>
+void Surface::add_integral(const std::vector<std::size_t>& at,
+                           const std::vector<double>& sun_cosines, const TracedZeniths& zeniths,
+                           const std::vector<WeightedAngle>& azimuths, const Light& light,
+                           std::vector<Spectrum>& sums) const {
+    if (at.empty()) return;
+    std::vector<double> azimuth_cosines;
+    for (const WeightedAngle& azimuth : azimuths) {
+        azimuth_cosines.push_back(std::clamp(cosine_of(azimuth.angle), -1.0, 1.0));
     }
-    return zeniths;
+    std::vector<SkyRay> rays;
+    for (const TracedZenith& zenith : zeniths) {
+        rays.clear();
+        for (const std::size_t i : at) {
+            const SunZenith sun = sun_of_cosine(sun_cosines[i]);
+            for (const double cosine : azimuth_cosines) {
+                rays.push_back(sky_ray(light_.shell(), altitude_km_, sun,
+                                       sky_direction(sun, zenith.mu, zenith.sine, cosine)));
+            }
+        }
+        const std::vector<Spectrum> values = light(zenith.row, rays);
+        for (std::size_t k = 0; k < values.size(); ++k) {
+            const double weight =
+                2 * zenith.weight * azimuths[k % azimuths.size()].weight * zenith.sine * zenith.mu;
+            sums[at[k / azimuths.size()]] += weight * values[k];
+        }
+    }
 }
 
-Spectrum SkyIrradiance::single(const SunZenith& sun, int nodes) {
+void Surface::add_single(const std::vector<double>& sun_cosines, int nodes,
+                         std::vector<Spectrum>& sums) const {
     std::vector<WeightedAngle> azimuths;
     add_gathered(0, std::numbers::pi, nodes, azimuths);
-    const auto light = [](const SkyRow& row, const auto& ray_at, const auto& cosines) {
-        std::vector<Spectrum> values;
-        for (const SkyRadiance& radiance : row.radiance(ray_at, cosines)) {
-            values.push_back(radiance.single);
+    const auto add = [&](const std::vector<std::size_t>& suns, const TracedZeniths& zeniths) {
+        add_integral(
+            suns, sun_cosines, zeniths, azimuths,
+            [](const SkyRow& row, const std::vector<SkyRay>& rays) {
+                std::vector<Spectrum> values;
+                for (const SkyRadiance& light : row.radiance(rays)) values.push_back(light.single);
+                return values;
+            },
+            sums);
+    };
+    std::vector<std::size_t> down;
+    for (std::size_t i = 0; i < sun_cosines.size(); ++i) {
+        if (sun_cosines[i] <= 0) {
+            down.push_back(i);
+            continue;
         }
-        return values;
-    };
-    Spectrum sum{};
-    const auto add = [&](const TracedZeniths& zeniths) {
-        add_integral(light_.shell(), altitude_km_, sun, zeniths, azimuths, light, sum);
-    };
-    if (sun.cosine <= 0) {
-        add(kept(dark_, nodes, false));
-        return sum;
+        const double at_sun = arc_cosine(sun_cosines[i]);
+        add({i}, trace(at_sun, 0, nodes, false));
+        add({i}, trace(at_sun, std::numbers::pi / 2, nodes, false));
     }
-    const double at_sun = arc_cosine(sun.cosine);
-    add(trace(at_sun, 0, nodes, false));
-    add(trace(at_sun, std::numbers::pi / 2, nodes, false));
-    return sum;
+    if (!down.empty()) add(down, trace(std::numbers::pi / 2, 0, nodes, false));
+    for (std::size_t i = 0; i < sun_cosines.size(); ++i) {
+        const SunZenith sun = sun_of_cosine(sun_cosines[i]);
+        if (light_.has_peaks()) add_aureole(light_, altitude_km_, sun, sums[i]);
+        add_peaks(light_, peaks_, altitude_km_, sun, sums[i]);
+    }
 }
 
-Spectrum SkyIrradiance::multiple(const SunZenith& sun, const IrradianceNodes& nodes) {
+void Surface::add_multiple(const std::vector<double>& sun_cosines, const IrradianceNodes& nodes,
+                           std::vector<Spectrum>& sums) const {
     // The mean over evenly spaced azimuths is exact below twice their number.
     const int degree = light_.higher_orders()->azimuth_degree();
     const int count =
         degree > kSmoothDegree ? std::max(nodes.azimuths, degree / 2 + 1) : nodes.azimuths;
-    Spectrum sum{};
+    std::vector<std::size_t> all(sun_cosines.size());
+    std::iota(all.begin(), all.end(), 0);
     add_integral(
-        light_.shell(), altitude_km_, sun, kept(before_, nodes.zenith_angles, true),
+        all, sun_cosines, trace(std::numbers::pi / 2, 0, nodes.zenith_angles, true),
         even_azimuths(count),
-        [](const SkyRow& row, const auto& ray_at, const auto& cosines) {
-            return row.multiple(ray_at, cosines);
-        },
-        sum);
-    return sum;
+        [](const SkyRow& row, const std::vector<SkyRay>& rays) { return row.multiple(rays); },
+        sums);
 }
 
-Spectrum SkyIrradiance::under(double sun_cos_zenith, const IrradianceNodes& nodes) {
-    assert(sun_cos_zenith >= -1 && sun_cos_zenith <= 1);
-    const SunZenith sun = sun_of_cosine(sun_cos_zenith);
-    Spectrum sum{};
-    if (light_.orders() != config::SkyOrders::multiple || apart_) {
-        sum = single(sun, nodes.single);
-        if (light_.has_peaks()) add_aureole(light_, altitude_km_, sun, sum);
-        add_peaks(light_, peaks_, altitude_km_, sun, sum);
+}  // namespace
+
+std::vector<Spectrum> sky_irradiances(const SkyLight& light, double altitude_km,
+                                      const std::vector<double>& sun_cosines,
+                                      const IrradianceNodes& nodes) {
+    const Surface surface(light, altitude_km);
+    std::vector<Spectrum> sums(sun_cosines.size());
+    if (light.orders() != config::SkyOrders::multiple || light.once() != nullptr) {
+        surface.add_single(sun_cosines, nodes.single, sums);
     }
-    if (apart_) sum -= apart_->under(sun_cos_zenith, nodes);
-    if (light_.higher_orders() != nullptr && light_.orders() != config::SkyOrders::single) {
-        sum = not_negative(sum + multiple(sun, nodes));
+    if (light.once() != nullptr) {
+        const std::vector<Spectrum> once =
+            sky_irradiances(*light.once(), altitude_km, sun_cosines, nodes);
+        for (std::size_t i = 0; i < sums.size(); ++i) sums[i] -= once[i];
     }
-    return sum;
+    if (light.higher_orders() == nullptr || light.orders() == config::SkyOrders::single) {
+        return sums;
+    }
+    std::vector<Spectrum> multiple(sums.size());
+    surface.add_multiple(sun_cosines, nodes, multiple);
+    for (std::size_t i = 0; i < sums.size(); ++i) sums[i] = not_negative(sums[i] + multiple[i]);
+    return sums;
 }
 
 Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,
                         const IrradianceNodes& nodes) {
-    return SkyIrradiance(light, altitude_km).under(sun_cos_zenith, nodes);
+    return sky_irradiances(light, altitude_km, {sun_cos_zenith}, nodes).front();
 }
 
 Spectrum sun_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith) {

@@ -11,7 +11,6 @@
 // surfaces at the top (nothing above them).
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "bakers/light/sky_light.h"
@@ -26,40 +25,13 @@ struct IrradianceNodes {
     int azimuths = 3;
 };
 
-// The irradiance of surfaces at one altitude, in [0, thickness], under many suns. Directions that
-// do not depend on the sun are traced once: those of light scattered before, and all under suns
-// below the horizontal.
-class SkyIrradiance {
-  public:
-    // `light` must outlive this object.
-    SkyIrradiance(const SkyLight& light, double altitude_km);
-    ~SkyIrradiance();
-    SkyIrradiance(const SkyIrradiance&) = delete;
-    SkyIrradiance& operator=(const SkyIrradiance&) = delete;
-
-    // Returns the irradiance for a solar irradiance of 1, by light of light.orders() alone.
-    // `sun_cos_zenith` is in [-1, 1].
-    Spectrum under(double sun_cos_zenith, const IrradianceNodes& nodes);
-
-  private:
-    struct TracedZenith;
-    using TracedZeniths = std::vector<TracedZenith>;
-
-    TracedZeniths trace(double from, double to, int nodes, bool before) const;
-    const TracedZeniths& kept(TracedZeniths& zeniths, int nodes, bool before) const;
-    Spectrum single(const SunZenith& sun, int nodes);
-    Spectrum multiple(const SunZenith& sun, const IrradianceNodes& nodes);
-
-    const SkyLight& light_;
-    double altitude_km_;
-    SkyMedium once_;               // the medium without the peaks that no nodes would find
-    std::vector<Spectrum> peaks_;  // of light scattered once alone: each layer's share of them
-    SkyIntegrator once_integrator_;
-    SkyIntegrator before_integrator_;
-    std::unique_ptr<SkyIrradiance> apart_;  // of SkyLight::once, or null
-    TracedZeniths dark_;                    // from the horizon up, of light scattered once
-    TracedZeniths before_;                  // the same of light scattered before
-};
+// Returns the irradiance of surfaces at one altitude, in [0, thickness], for a solar irradiance of 1, by
+// light of light.orders() alone: for each sun, given by the cosine of its zenith angle in [-1, 1].
+// Directions that do not depend on the sun are traced once: those of light scattered before, and all
+// under suns below the horizontal.
+std::vector<Spectrum> sky_irradiances(const SkyLight& light, double altitude_km,
+                                      const std::vector<double>& sun_cosines,
+                                      const IrradianceNodes& nodes);
 
 // Returns the irradiance of one surface.
 Spectrum sky_irradiance(const SkyLight& light, double altitude_km, double sun_cos_zenith,

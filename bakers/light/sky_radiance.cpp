@@ -125,16 +125,8 @@ std::array<Spectrum, ray_pieces::kNodes> SkyIntegrator::sunlight(const NodeValue
 ScatteringPoint scattering_point(const Shell& shell, const SkyRay& ray, double altitude_km,
                                  double sun_s_km, double distance_km) {
     const double r = shell.ground_radius_km + altitude_km;
-    ScatteringPoint point;
-    point.altitude_km = altitude_km;
-    point.sun_cos_zenith = std::clamp(sun_s_km / r, -1.0, 1.0);                   // rounding
-    point.view_cos_zenith = std::clamp((ray.s_km + distance_km) / r, -1.0, 1.0);  // rounding
-    const double sines = std::sqrt((1 - point.sun_cos_zenith) * (1 + point.sun_cos_zenith) *
-                                   (1 - point.view_cos_zenith) * (1 + point.view_cos_zenith));
-    const double along = ray.cosine_to_sun - point.sun_cos_zenith * point.view_cos_zenith;
-    // A vertical view or sun has no azimuth, and what depends on it vanishes with the sines.
-    point.azimuth_cosine = std::fabs(along) < sines ? along / sines : std::copysign(1.0, along);
-    return point;
+    return scattering_point(altitude_km, (ray.s_km + distance_km) / r, sun_s_km / r,
+                            ray.cosine_to_sun);
 }
 
 // Returns the distances at which the ray is cut, ascending, with both ends.

@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "bakers/air/ray.h"
 #include "bakers/light/sky_ray.h"
@@ -112,16 +113,25 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
                                                    any.length_km, integrator.skins().altitudes_km);
     for (const ray_pieces::Piece& piece : ray.pieces) add_piece(piece);
     transmittance_ = exponential(-ray.depth);
-    for (std::size_t n = 0; higher_orders_ != nullptr && n < nodes_.size(); ++n) {
-        higher_orders_at_.push_back(higher_orders_->at(
-            nodes_[n].altitude_km, view_cosine(nodes_[n]), nodes_[n].scattering));
-    }
+    if (higher_orders_ == nullptr) return;
+    for (const Piece& piece : pieces_) add_higher_orders(piece);
 }
 
-double SkyRow::view_cosine(const Node& node) const {
-    return std::clamp((any_.s_km + node.distance_km) / (shell_.ground_radius_km + node.altitude_km),
-                      -1.0,
-                      1.0);  // rounding
+// At each coarse node, what all nodes of the piece send of the light there.
+void SkyRow::add_higher_orders(const Piece& piece) {
+    for (std::size_t j = 0; j < ray_pieces::kCoarseNodes.size(); ++j) {
+        std::vector<Spectrum> sent(medium_.layers.size());
+        for (std::size_t i = 0; i < ray_pieces::kNodes; ++i) {
+            const Node& node = nodes_[piece.first_node + i];
+            const Spectrum weight = ray_pieces::coarse_shares()[j][i] * node.weight;
+            for (std::size_t k = 0; k < sent.size(); ++k) {
+                sent[k] += weight * scattering(piece.first_node + i, k);
+            }
+        }
+        const Node& at = nodes_[piece.first_node + ray_pieces::kCoarseNodes[j]];
+        higher_orders_at_.push_back(higher_orders_->at(
+            PointOfRay(shell_, any_.altitude_km, any_.s_km, at.distance_km, at.altitude_km), sent));
+    }
 }
 
 void SkyRow::add_piece(const ray_pieces::Piece& piece) {
@@ -134,10 +144,10 @@ void SkyRow::add_piece(const ray_pieces::Piece& piece) {
         node.horizon_km = horizon_distance_km(shell_, at.altitude_km);
         node.weight = at.width_km * at.transmittance;
         for (const SkyLayer& layer : medium_.layers) {
-            node.scattering.push_back(layer.scatters ? scattering_at(layer.alone, at.altitude_km)
-                                                     : Spectrum{});
+            scattering_.push_back(layer.scatters ? scattering_at(layer.alone, at.altitude_km)
+                                                 : Spectrum{});
         }
-        nodes_.push_back(std::move(node));
+        nodes_.push_back(node);
     }
 }
 
@@ -158,7 +168,8 @@ void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, s
             const double per_width =
                 at.shares[n] / (rule.weights[n] * (piece.to_km - piece.from_km));
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                sums.collect(index, k, per_width * node.weight * node.scattering[k]);
+                sums.collect(index, k,
+                             per_width * node.weight * scattering(piece.first_node + n, k));
             }
         }
         Spectrum sun{};
@@ -223,7 +234,7 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
         read_sunlight(piece, node.altitude_km, s, sun.data());
         for (std::size_t j = 0; j < lit.size(); ++j) {
             for (std::size_t k = 0; k < medium_.layers.size(); ++k) {
-                sums.collect(lit[j], k, node.scattering[k]);
+                sums.collect(lit[j], k, scattering(piece.first_node + n, k));
             }
             Spectrum at_node{};
             for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
@@ -236,16 +247,16 @@ void SkyRow::add_lit_piece(const Piece& piece, const std::vector<std::size_t>& l
 
 std::vector<Spectrum> SkyRow::multiple(const std::vector<SkyRay>& rays) const {
     std::vector<Spectrum> sums(rays.size());
-    for (std::size_t n = 0; n < higher_orders_at_.size(); ++n) {
-        const Node& node = nodes_[n];
-        const HigherOrders::OfSun& of_sun = higher_orders_at_[n];
-        for (std::size_t i = 0; i < rays.size(); ++i) {
-            const double s = rays[i].sun_s_km + node.distance_km * rays[i].cosine_to_sun;
-            const ScatteringPoint point =
-                scattering_point(shell_, rays[i], node.altitude_km, s, node.distance_km);
-            sums[i] += node.weight * of_sun(point.sun_cos_zenith, point.azimuth_cosine);
-        }
+    if (rays.empty()) return sums;
+    const double r = shell_.ground_radius_km + any_.altitude_km;
+    std::vector<double> sun_cosines;
+    std::vector<double> nu;
+    for (const SkyRay& ray : rays) {
+        sun_cosines.push_back(ray.sun_s_km / r);
+        nu.push_back(ray.cosine_to_sun);
     }
+    const SunBundle suns(std::move(sun_cosines), std::move(nu));
+    for (const HigherOrders::OfSuns& at_node : higher_orders_at_) at_node(suns, data(sums[0]));
     return sums;
 }
 

@@ -58,14 +58,15 @@ class SkyRow {
     // Returns the light of higher orders alone, 0 if there is none.
     std::vector<Spectrum> multiple(const RayOfAzimuth& ray_at,
                                    const std::vector<double>& azimuth_cosines) const;
+    // Returns the same of any rays of the row, under any suns, without interpolation.
+    std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;
 
   private:
     struct Node {
         double distance_km;
         double altitude_km;
-        double horizon_km;                 // distance to the horizon there
-        Spectrum weight;                   // of the quadrature, times the transmittance to it
-        std::vector<Spectrum> scattering;  // of each layer
+        double horizon_km;  // distance to the horizon there
+        Spectrum weight;    // of the quadrature, times the transmittance to it
     };
     struct Piece {
         double from_km;
@@ -74,6 +75,10 @@ class SkyRow {
         bool in_skins;  // of layers that begin or end abruptly (sky_radiance.h)
     };
     void add_piece(const ray_pieces::Piece& piece);
+    void add_higher_orders(const Piece& piece);
+    const Spectrum& scattering(std::size_t node, std::size_t layer) const {
+        return scattering_[node * medium_.layers.size() + layer];
+    }
     // Adds light that is scattered once. Sums (sky_row.cpp) collect what a place sends to the eye of
     // a ray, layer by layer, and add it to the ray's light.
     template <class Sums>
@@ -89,8 +94,6 @@ class SkyRow {
                        double* values) const;
     Spectrum ground_of(const SkyRay& ray) const;
     int azimuth_nodes() const;
-    double view_cosine(const Node& node) const;
-    std::vector<Spectrum> multiple(const std::vector<SkyRay>& rays) const;
     std::vector<SkyRadiance> with_multiple(const std::vector<SkyRay>& rays,
                                            const std::vector<Spectrum>& higher) const;
 
@@ -101,7 +104,8 @@ class SkyRow {
     SkyRay any_;
     const TransmittanceField* sunlight_;
     std::vector<Node> nodes_;
-    std::vector<HigherOrders::OfSun> higher_orders_at_;  // each node
+    std::vector<Spectrum> scattering_;                    // [node * layers + layer], per km
+    std::vector<HigherOrders::OfSuns> higher_orders_at_;  // each coarse node, with its weight
     std::vector<Piece> pieces_;
     Spectrum transmittance_{};
 };

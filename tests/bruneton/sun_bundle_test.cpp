@@ -1,16 +1,14 @@
-// Solved light under a fan of suns, and under suns at one point, against the same light moment by
-// moment, where light falls too fast for cubics and where it does not.
-#include "bakers/assets/bruneton/sun_bundle.h"
+// Solved light under a fan of suns, against the same light moment by moment, where light falls too fast
+// for cubics and where it does not.
+#include "bakers/assets/bruneton/bundle_light.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <utility>
 #include <vector>
 
-#include "bakers/light/nearby_suns.h"
 #include "tests/noise/every_target.h"
 
 namespace skybake {
@@ -56,16 +54,12 @@ BundlePiece piece_of(const ScatteringView& view, double from_km, double to_km, D
     return piece;
 }
 
-using ByMomentsAndColumns = std::pair<Spectrum, Spectrum>;
-
-// The light that is sent for one sun: moment by moment, and by the columns beside it.
-ByMomentsAndColumns sun_by_sun(const SolvedLight& light, const Phases& phases,
-                               const ScatteringView& view, const BundlePiece& piece, double sun,
-                               double nu) {
+// The light that is sent for one sun, moment by moment.
+Spectrum sun_by_sun(const SolvedLight& light, const Phases& phases, const ScatteringView& view,
+                    const BundlePiece& piece, double sun, double nu) {
     std::vector<Spectrum> moments(static_cast<std::size_t>(moment_count(light.degree())));
     std::vector<double> harmonics(moments.size());
-    std::vector<Spectrum> factors(moments.size());
-    ByMomentsAndColumns sums;
+    Spectrum sent{};
     for (const BundleNode& node : piece.nodes) {
         if (node.coarse_weights.empty()) continue;
         const double r = kEarth.ground_radius_km + node.altitude_km;
@@ -79,14 +73,11 @@ ByMomentsAndColumns sun_by_sun(const SolvedLight& light, const Phases& phases,
         for (std::size_t l = 0, lm = 0; lm < moments.size(); ++l) {
             const Spectrum chi = weights[0] * phases[0][l] + weights[1] * phases[1][l];
             for (int m = 0; m <= static_cast<int>(l); ++m, ++lm) {
-                factors[lm] = harmonics[lm] * chi;
-                sums.first += std::cos(m * std::acos(azimuth)) * factors[lm] * moments[lm];
+                sent += std::cos(m * std::acos(azimuth)) * harmonics[lm] * chi * moments[lm];
             }
         }
-        NearbySuns columns(light, light.degree(), light.level_at(node.altitude_km), factors);
-        sums.second += columns.scattered(there, azimuth);
     }
-    return sums;
+    return sent;
 }
 
 // Suns from the zenith to midnight, most of them where the axis has its columns.
@@ -120,11 +111,10 @@ void expect_as_sun_by_sun(double share_of_steep, int degree = 4) {
             std::vector<double> made(static_cast<std::size_t>(suns.count) * kChannelSlots);
             add_solved_light(light, phases, kEarth, view, piece, suns, made.data());
             for (std::size_t i = 0; i < static_cast<std::size_t>(suns.wanted); ++i) {
-                const auto [wanted, by_columns] =
+                const Spectrum wanted =
                     sun_by_sun(light, phases, view, piece, suns.sun_cosines[i], suns.nu[i]);
                 for (std::size_t c = 0; c < kMaxChannels; ++c) {
                     EXPECT_NEAR(made[i * kChannelSlots + c], wanted[c], 1e-9) << target << i;
-                    EXPECT_NEAR(by_columns[c], wanted[c], 1e-9) << target << ", by columns";
                 }
             }
         });

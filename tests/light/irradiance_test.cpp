@@ -77,11 +77,15 @@ TEST(SkyIrradiance, UnderManySunsIsThatUnderEach) {
         const TestSky sky(test::preset_atmosphere(preset), SkyOrders::all);
         const Medium& air = sky.light().medium().air;
         for (const double altitude_km : {0.0, 0.03 * air.thickness_km, 0.4 * air.thickness_km}) {
-            SkyIrradiance shared(sky.light(), altitude_km);
+            std::vector<double> suns;
             for (const double elevation : {70.0, 8.0, -1.0, 0.0, -3.0, 30.0}) {
-                const double sun = sun_at_elevation(elevation * kDegree).cosine;
-                const Spectrum alone = sky_irradiance(sky.light(), altitude_km, sun, {8, 8, 4});
-                EXPECT_EQ(shared.under(sun, {8, 8, 4}), alone) << preset << ' ' << elevation;
+                suns.push_back(sun_at_elevation(elevation * kDegree).cosine);
+            }
+            const std::vector<Spectrum> together =
+                sky_irradiances(sky.light(), altitude_km, suns, {8, 8, 4});
+            for (std::size_t i = 0; i < suns.size(); ++i) {
+                const Spectrum alone = sky_irradiance(sky.light(), altitude_km, suns[i], {8, 8, 4});
+                EXPECT_EQ(together[i], alone) << preset << ' ' << suns[i];
             }
         }
     }

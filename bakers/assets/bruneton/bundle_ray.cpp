@@ -9,33 +9,6 @@ namespace {
 
 constexpr std::size_t kRayNodes = kBundleNodes;
 static_assert(kRayNodes == ray_pieces::kNodes);
-constexpr std::array<std::size_t, 3> kCoarse = {0, 2, 4};
-
-// Lagrange's polynomial of `node` among the coarse nodes at x.
-double coarse_polynomial(std::size_t node, double x) {
-    double value = 1;
-    for (const std::size_t other : kCoarse) {
-        if (other == node) continue;
-        value *= (x - ray_pieces::gauss_rule().nodes[other]) /
-                 (ray_pieces::gauss_rule().nodes[node] - ray_pieces::gauss_rule().nodes[other]);
-    }
-    return value;
-}
-
-// [coarse node][node]: the integral of what a node sends times a parabola through coarse nodes.
-const std::array<std::array<double, kRayNodes>, 3>& coarse_rule() {
-    static const auto rule = [] {
-        std::array<std::array<double, kRayNodes>, 3> shares{};
-        for (std::size_t j = 0; j < kCoarse.size(); ++j) {
-            for (std::size_t i = 0; i < kRayNodes; ++i) {
-                shares[j][i] = coarse_polynomial(kCoarse[j], ray_pieces::gauss_rule().nodes[i]);
-            }
-        }
-        return shares;
-    }();
-    return rule;
-}
-
 BundlePiece bundle_piece(const SkyMedium& medium, const ray_pieces::Piece& piece) {
     BundlePiece result;
     result.from_km = piece.from_km;
@@ -54,12 +27,12 @@ BundlePiece bundle_piece(const SkyMedium& medium, const ray_pieces::Piece& piece
             node.weights.push_back(at.width_km * sent);
         }
     }
-    for (std::size_t j = 0; j < kCoarse.size(); ++j) {
-        std::vector<Spectrum>& weights = result.nodes[kCoarse[j]].coarse_weights;
+    for (std::size_t j = 0; j < ray_pieces::kCoarseNodes.size(); ++j) {
+        std::vector<Spectrum>& weights = result.nodes[ray_pieces::kCoarseNodes[j]].coarse_weights;
         weights.resize(medium.layers.size());
         for (std::size_t i = 0; i < kRayNodes; ++i) {
             for (std::size_t k = 0; k < weights.size(); ++k) {
-                weights[k] += coarse_rule()[j][i] * result.nodes[i].weights[k];
+                weights[k] += ray_pieces::coarse_shares()[j][i] * result.nodes[i].weights[k];
             }
         }
     }

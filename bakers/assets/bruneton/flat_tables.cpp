@@ -146,15 +146,18 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
                          darkest](const IrradianceNodes& nodes) -> FlatRow {
         return [&light, &solar_irradiance, nodes, colours, thickness_km, darkest](
                    double y, const std::vector<double>& x, double* values) {
-            SkyIrradiance sky(light, y * thickness_km);
-            Spectrum irradiance{};
-            double last_sun = 2;  // none
+            std::vector<double> suns;  // each once
             for (const double at : x) {
                 const double sun = std::max(2 * at - 1, darkest);
-                if (sun != last_sun) irradiance = sky.under(sun, nodes);
-                last_sun = sun;
+                if (suns.empty() || sun != suns.back()) suns.push_back(sun);
+            }
+            const std::vector<Spectrum> irradiances =
+                sky_irradiances(light, y * thickness_km, suns, nodes);
+            std::size_t i = 0;
+            for (const double at : x) {
+                if (std::max(2 * at - 1, darkest) != suns[i]) ++i;
                 for (std::size_t c = 0; c < colours; ++c) {
-                    *values++ = irradiance[c] * solar_irradiance[c];
+                    *values++ = irradiances[i][c] * solar_irradiance[c];
                 }
             }
         };

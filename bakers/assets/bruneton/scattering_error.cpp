@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "bakers/air/particles/phase_function.h"
-#include "bakers/assets/bruneton/sun_bundle.h"
+#include "bakers/assets/bruneton/bundle_light.h"
 #include "bakers/field/certify.h"
 #include "bakers/field/error_search.h"
 #include "bakers/field/image.h"

@@ -7,7 +7,7 @@
 #include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/scattering_mapping.h"
-#include "bakers/assets/bruneton/sun_bundle.h"
+#include "bakers/assets/bruneton/bundle_light.h"
 #include "bakers/light/solver/solved_light.h"
 
 namespace skybake {

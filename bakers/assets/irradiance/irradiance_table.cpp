@@ -48,15 +48,17 @@ const IrradianceNodes& reference_nodes(const SkyLight& light) {
 void fill_row(const SkyLight& light, const IrradianceBake& bake, const IrradianceNodes& nodes,
               double y, const std::vector<double>& x, double* values) {
     const double altitude_km = irradiance_altitude_km(light.shell(), y);
-    SkyIrradiance sky(light, altitude_km);
-    for (const double coordinate : x) {
-        const double sun = sun_cos_zenith_at(bake.mapping, coordinate);
-        Spectrum value{};
-        if (bake.content != IrradianceContent::direct) value += sky.under(sun, nodes);
+    std::vector<double> suns;
+    for (const double coordinate : x) suns.push_back(sun_cos_zenith_at(bake.mapping, coordinate));
+    std::vector<Spectrum> light_of(suns.size());
+    if (bake.content != IrradianceContent::direct) {
+        light_of = sky_irradiances(light, altitude_km, suns, nodes);
+    }
+    for (std::size_t i = 0; i < suns.size(); ++i) {
         if (bake.content != IrradianceContent::sky) {
-            value += sun_irradiance(light, altitude_km, sun);
+            light_of[i] += sun_irradiance(light, altitude_km, suns[i]);
         }
-        values = std::copy_n(data(value), light.medium().air.channels, values);
+        values = std::copy_n(data(light_of[i]), light.medium().air.channels, values);
     }
 }
 

@@ -25,24 +25,24 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 
 // Replaces the weights of those suns of a vector whose stencils are steep. Such suns are rare, so
-// this is a function of its own, out of the way of the others. `means` are of the columns
+// this is a function of its own, out of the way of the others. `falls` are between all columns
 // (steep_weights).
 HWY_NOINLINE inline void place_steep(const std::vector<double>& steep,
-                                     const std::vector<double>& means, Lanes fractions,
+                                     const std::vector<double>& falls, Lanes fractions,
                                      const std::int64_t* columns, double* weights) {
     double beyond[Lanes::kCount];
     fractions.store(beyond);
     for (std::size_t k = 0; k < Lanes::kCount; ++k) {
         const auto first = static_cast<int>(columns[k]);
         if (!(steep[static_cast<std::size_t>(first)] > 0)) continue;
-        steep_weights(beyond[k] + 1, means.data() + first, weights + 4 * k);
+        steep_weights(beyond[k] + 1, falls.data() + first, weights + 4 * k);
     }
 }
 
 // Computes SolvedLight::stencil for a vector of suns with cosines in [axis.darkest, 1]: the first
 // of four columns for each sun, and the four weights, sun by sun.
 HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& steep,
-                              const std::vector<double>& means, Lanes cosines,
+                              const std::vector<double>& falls, Lanes cosines,
                               std::int64_t* columns, double* weights) {
     const hn::ScalableTag<std::int64_t> integers;
     const Lanes x = (cosines - Lanes(axis.centre)) * Lanes(1 / axis.width);
@@ -65,7 +65,7 @@ HWY_INLINE void place_on_axis(const SunAxis& axis, const std::vector<double>& st
     const Lanes w3 = outer * after * Lanes(1.0 / 6);
     hn::StoreInterleaved4(w0.v, w1.v, w2.v, w3.v, Lanes::Tag(), weights);
     if (any(Lanes(hn::GatherIndex(Lanes::Tag(), steep.data(), index)) > Lanes(0.0))) {
-        place_steep(steep, means, t, columns, weights);
+        place_steep(steep, falls, t, columns, weights);
     }
 }
 
@@ -124,7 +124,8 @@ struct ColumnLookup {
     std::size_t orders;
     const std::int64_t* columns;  // for each sun, the first of its four
     const double* weights;        // [sun * 4 + k]
-    const double* powers;         // [m * count + sun]: what multiplies order m
+    const double* powers;         // [m * room + sun]: what multiplies order m
+    std::size_t room;
     std::size_t count;
 };
 
@@ -143,7 +144,7 @@ HWY_INLINE void add_columns(const ColumnLookup& of, double* sum) {
             const Channels value =
                 (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
                 (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
-            total = total + Channels(of.powers[m * of.count + i]) * value;
+            total = total + Channels(of.powers[m * of.room + i]) * value;
         }
         total.store(sum + i * kChannelSlots);
     }

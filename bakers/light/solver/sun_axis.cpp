@@ -86,11 +86,11 @@ double fall_between(double darker, double brighter) {
     return rise < kMost ? -rise : 0;
 }
 
-void steep_weights(double place, const double* means, double* weights) {
+void steep_weights(double place, const double* falls, double* weights) {
     const double x = std::clamp(place, 0.0, 3.0);
     const int low = std::min(static_cast<int>(x), 2);
     const double share = x - low;
-    const double fall = fall_between(means[low], means[low + 1]);
+    const double fall = falls[low];
     double cubic[4];
     cubic_weights(x - 1, cubic);
     // The difference of the logarithm's cubic from the line, by gaps instead of columns.
@@ -98,7 +98,7 @@ void steep_weights(double place, const double* means, double* weights) {
     double sum = 0;
     for (int k = 0; k < 3; ++k) {
         sum += cubic[k] - (k == low ? 1 - share : k == low + 1 ? share : 0);
-        bend += sum * std::max(fall_between(means[k], means[k + 1]), 2 * fall);
+        bend += sum * std::max(falls[k], 2 * fall);
     }
     std::fill_n(weights, 4, 0.0);
     weights[low] = (1 - share) * exponential(bend - share * fall);
@@ -110,7 +110,9 @@ SunStencil steep_stencil(const SunAxis& axis, double sun_cos_zenith, int column,
     SunStencil stencil;
     stencil.column = column;
     const double u = axis.position(std::max(sun_cos_zenith, axis.darkest));
-    steep_weights(u - column, means, stencil.weights);
+    double falls[3];
+    for (int k = 0; k < 3; ++k) falls[k] = fall_between(means[k], means[k + 1]);
+    steep_weights(u - column, falls, stencil.weights);
     return stencil;
 }
 

@@ -53,13 +53,14 @@ double fall_between(double darker, double brighter);
 
 // Computes weights of four columns for light that falls too fast for cubics, at `place` in columns
 // from the first of them; beyond the ends the nearest column counts. The light's share of a mean is
-// linear between the two columns around, and the mean is a cubic in its logarithm. `means` are of the
-// four columns; where they do not fall, light is linear. No weight is negative.
+// linear between the two columns around, and the mean is a cubic in its logarithm. `falls` are those
+// between the means of the four columns (fall_between); where there are none, light is linear. No
+// weight is negative.
 //
 // Falls of the outer gaps count up to twice that of the gap around the place: a cubic bends no more.
-void steep_weights(double place, const double* means, double* weights);
+void steep_weights(double place, const double* falls, double* weights);
 
-// Returns them for a sun, of the four columns from `column` on.
+// Returns them for a sun, of the four columns from `column` on, whose means are known.
 SunStencil steep_stencil(const SunAxis& axis, double sun_cos_zenith, int column,
                          const double* means);
 

@@ -6,24 +6,9 @@
 #include "bakers/air/transmittance_field.h"
 #include "bakers/assets/bruneton/bundle_ray.h"
 #include "bakers/light/solver/solved_light.h"
+#include "bakers/light/sun_bundle.h"
 
 namespace skybake {
-
-// Suns, each given by the cosine of its zenith angle where a ray begins and by the cosine of its
-// angle to the ray. No direction need have both: the light is then the smooth continuation of that
-// of real suns.
-struct SunBundle {
-    // The count is a multiple of kBundleStep, which gives room for whole vectors of any width; the
-    // entries beyond `wanted` are copies.
-    static constexpr int kBundleStep = 16;
-
-    SunBundle(const std::vector<double>& sun_cosines, const std::vector<double>& cosines_to_sun);
-
-    int wanted = 0;
-    int count = 0;
-    std::vector<double> sun_cosines;
-    std::vector<double> nu;
-};
 
 // Adds the sunlight that the nodes of a piece scatter, multiplied by lit[i], to single[(layer *
 // kMaxChannels + channel) * count + i]. The ray begins at `view`.
