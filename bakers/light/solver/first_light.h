@@ -43,6 +43,8 @@ inline constexpr int kLargestDegreeOfBundles = 10;
 
 // Returns one entry per layer of the medium.
 std::vector<SplitPhase> split_phases(const SkyMedium& medium, int degree);
+// Returns the same with all phase functions taken from the sun, whatever the degree.
+std::vector<SplitPhase> phases_from_sun(const SkyMedium& medium, int degree);
 
 // Returns T_sun tau_s of a layer, for a sun above the horizon; else 0.
 Spectrum forward_light(const SkyMedium& medium, const SkyLayer& layer, double altitude_km,

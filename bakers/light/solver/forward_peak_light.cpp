@@ -73,10 +73,16 @@ Spectrum irradiance_of(const std::vector<Spectrum>& light, double sun_cos_zenith
 }  // namespace
 
 std::vector<SplitPhase> split_phases(const SkyMedium& medium, int degree) {
+    if (degree > kLargestDegreeOfBundles) return phases_from_sun(medium, degree);
+    std::vector<SplitPhase> phases;
+    for (const SkyLayer& layer : medium.layers) phases.push_back(split(layer, degree));
+    return phases;
+}
+
+std::vector<SplitPhase> phases_from_sun(const SkyMedium& medium, int degree) {
     std::vector<SplitPhase> phases;
     for (const SkyLayer& layer : medium.layers) {
         phases.push_back(split(layer, degree));
-        if (degree <= kLargestDegreeOfBundles) continue;
         phases.back().peak = scattered_moments(layer, degree);
         phases.back().is_taken_from_sun = true;
     }

@@ -22,10 +22,80 @@ namespace {
 
 constexpr int kLastOrders = 2;
 
+const Spectrum kLeastScattering(1e-300);  // 0 / 0 of layers that scatter nothing
+
 // The numbers of zenith angles that moments of a degree need: for light scattered once, which is
 // peaked itself, and for light scattered more often.
 int zenith_nodes_of_first(int degree, int least) { return std::max(least, degree * 3 / 4); }
 int zenith_nodes_of_last(int degree, int least) { return std::max(least, degree / 2); }
+
+// Returns the degree of moments that each altitude needs, from kLowDegree to `degree`: as many as the
+// sky would need (sky_degree) if its layers were as dense all over as there, or at a neighbour.
+std::vector<int> degrees_at(const SkyMedium& medium, const std::vector<double>& altitudes_km,
+                            int degree) {
+    const std::size_t count = altitudes_km.size();
+    std::vector<std::vector<Spectrum>> scattering(medium.layers.size());  // [layer][altitude]
+    std::vector<Spectrum> depth(medium.layers.size());                    // where it is densest
+    std::vector<std::vector<Spectrum>> moments;
+    Spectrum whole{};
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        const SkyLayer& layer = medium.layers[k];
+        moments.push_back(scattered_moments(layer, degree + 1));
+        scattering[k].resize(count);
+        if (!layer.scatters) continue;
+        Spectrum densest{};
+        for (std::size_t i = 0; i < count; ++i) {
+            scattering[k][i] = scattering_at(layer.alone, altitudes_km[i]);
+            densest = maximum(densest, scattering[k][i]);
+        }
+        const Spectrum of_layer = scattering_depth(layer, 0, layer.alone.ground_radius_km);
+        whole += of_layer;
+        for (Spectrum& here : scattering[k])
+            here = here / maximum(densest, kLeastScattering) * of_layer;
+    }
+    std::vector<int> needed;
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto beyond = [&](int of) {
+            Spectrum sum{};
+            for (std::size_t k = 0; k < moments.size(); ++k) {
+                const Spectrum& next = moments[k][static_cast<std::size_t>(of) + 1];
+                sum += maximum(next, -next) * scattering[k][i];
+            }
+            return largest(sum / maximum(whole, Spectrum(1.0)));
+        };
+        int least = std::min(kLowDegree, degree);
+        while (least < degree && beyond(least) > kNegligibleLight)
+            least = std::min(least + 4, degree);
+        needed.push_back(least);
+    }
+    std::vector<int> with_neighbours = needed;
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        with_neighbours[i] = std::max(with_neighbours[i], needed[i + 1]);
+        with_neighbours[i + 1] = std::max(with_neighbours[i + 1], needed[i]);
+    }
+    return with_neighbours;
+}
+
+// Light that is scattered once, to a degree.
+struct FirstLight {
+    FirstLight(const SkyMedium& of, int to)
+        : medium(of), degree(to), phases(phases_from_sun(of, to)) {}
+
+    // Writes the moments of a level, and 0 beyond the degree.
+    void gather(const FirstFans& fans, const TransmittanceField& sunlight, const SunAxis& suns,
+                LightField& field, int level, double* sky_irradiance) const {
+        LightField found(1, field.suns, degree);
+        gather_first_light(medium, phases, fans, sunlight, suns, degree, found.at(0, 0),
+                           sky_irradiance);
+        for (int sun = 0; sun < field.suns; ++sun) {
+            std::copy_n(found.at(0, sun), found.sun_size(), field.at(level, sun));
+        }
+    }
+
+    const SkyMedium& medium;
+    int degree;
+    std::vector<SplitPhase> phases;
+};
 
 // Returns the moments that refining begins with: those of the first solution, and beyond its degree
 // those of light scattered once.
@@ -81,19 +151,22 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const int levels = light.light.levels;
     const TransmittanceField sunlight =
         tabulated_sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
-    const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
     const ReadingLevels reading(medium.air, light.altitudes_km);
+    const std::vector<int> degrees = degrees_at(medium, reading.altitudes_km(), settings.degree);
     LightField first(levels, settings.suns, settings.degree);
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
     };
+    const FirstLight high(medium, settings.degree);
+    const FirstLight low(medium, std::min(kLowDegree, settings.degree));
     parallel_for(levels, threads, [&](int level) {
         if (is_cancelled(progress)) return;
+        const int at = reading.index_of(level);
+        const FirstLight& needed = degrees[static_cast<std::size_t>(at)] > kLowDegree ? high : low;
         const FirstFans fans = make_first_fans(
-            medium, reading.altitudes_km(), reading.index_of(level),
-            zenith_nodes_of_first(settings.degree, settings.zenith_nodes), settings.ray_tolerance);
-        gather_first_light(medium, phases, fans, sunlight, light.suns, settings.degree,
-                           first.at(level, 0), irradiance_of(first, level));
+            medium, reading.altitudes_km(), at,
+            zenith_nodes_of_first(needed.degree, settings.zenith_nodes), settings.ray_tolerance);
+        needed.gather(fans, sunlight, light.suns, first, level, irradiance_of(first, level));
     });
     SteepSuns steep(light.steep);
     steep.follow(reading.read_light(light.light));
@@ -111,8 +184,9 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         parallel_for(levels, threads, [&](int level) {
             if (is_cancelled(progress)) return;
             const RayFan& fan = fans[static_cast<std::size_t>(level)];
-            apply_transport(make_level_transport<float>(medium, fan, settings.degree), light.suns,
-                            steep, before, next.at(level, 0), irradiance_of(next, level));
+            apply_transport(make_level_transport<float>(medium, fan, settings.degree, degrees),
+                            light.suns, steep, before, next.at(level, 0),
+                            irradiance_of(next, level));
         });
         add(first, next);
         last = std::move(next);

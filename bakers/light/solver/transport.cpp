@@ -258,9 +258,15 @@ RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& lev
 }
 
 template <class Number>
-LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
-                                            int degree) {
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree,
+                                            const std::vector<int>& degrees) {
     assert(degree >= 0);
+    const auto degree_of = [&](const FanPoint& point) {
+        if (degrees.empty()) return degree;
+        const auto level = static_cast<std::size_t>(point.level);
+        const int most = std::max(degrees[level], point.fraction > 0 ? degrees[level + 1] : 0);
+        return most > kLowDegree ? degree : std::min(degree, kLowDegree);
+    };
     const Shell shell = shell_of(medium.air);
     const double r = shell.ground_radius_km + fan.altitude_km;
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) /
@@ -272,11 +278,10 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
     }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     std::vector<double> weights(harmonics.size() * kChannelSlots);
-    const std::size_t node_size = block_count(degree);
     LevelTransport<Number> transport;
     std::size_t points = 0;
     for (const FanRay& ray : fan.rays) points += ray.points.size() + 1;
-    transport.weights.reserve(points * node_size);
+    transport.weights.reserve(points * block_count(degree));
     for (const FanRay& ray : fan.rays) {
         TransportRay made;
         made.mu = ray.mu;
@@ -285,7 +290,7 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
             const double to_r = shell.ground_radius_km + altitude_km;
             node.turn_cosine = (r + distance_km * ray.mu) / to_r;
             node.turn_sine = distance_km * ray.sine / to_r;
-            node.azimuths = azimuth_count(node.turn_sine, dip_sine, degree);
+            node.azimuths = azimuth_count(node.turn_sine, dip_sine, node.degree);
         };
         const std::vector<Spectrum> shares = shares_of_points(ray, layers);
         for (std::size_t k = 0; k < ray.points.size(); ++k) {
@@ -297,14 +302,15 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
             TransportNode node;
             node.level = point.level;
             node.fraction = point.fraction;
+            node.degree = degree_of(point);
             add_turn(node, point.distance_km, point.altitude_km);
             node.weights = transport.weights.size();
-            zenith_harmonics(degree,
+            zenith_harmonics(node.degree,
                              std::clamp((r * ray.mu + point.distance_km) /
                                             (shell.ground_radius_km + point.altitude_km),
                                         -1.0, 1.0),  // rounding
                              harmonics.data());
-            for (int l = 0; l <= degree; ++l) {
+            for (int l = 0; l <= node.degree; ++l) {
                 Spectrum once{};
                 for (std::size_t i = 0; i < layers; ++i) {
                     once += scattered[i] * phases[i][static_cast<std::size_t>(l)];
@@ -315,13 +321,14 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
                     std::copy_n(data(weight), kChannelSlots, weights.data() + lm * kChannelSlots);
                 }
             }
-            transport.weights.resize(node.weights + node_size);
-            write_blocks(degree, weights.data(), transport.weights.data() + node.weights);
+            transport.weights.resize(node.weights + block_count(node.degree));
+            write_blocks(node.degree, weights.data(), transport.weights.data() + node.weights);
             made.nodes.push_back(node);
         }
         if (ray.hits_ground) {
             TransportNode node;
             node.ground = true;
+            node.degree = degrees.empty() ? degree : std::min(degree, kLowDegree);
             add_turn(node, ray.length_km, 0);
             node.weights = transport.weights.size();
             const Spectrum reflected =
@@ -356,8 +363,10 @@ void apply_transports(const std::vector<LevelTransport<Number>>& transports, con
     });
 }
 
-template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int);
-template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int);
+template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int,
+                                                    const std::vector<int>&);
+template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int,
+                                                     const std::vector<int>&);
 template void apply_transports(const std::vector<LevelTransport<float>>&, const SunAxis&,
                                const SteepSuns&, const BlockedLight<float>&, int, LightField&);
 template void apply_transports(const std::vector<LevelTransport<double>>&, const SunAxis&,

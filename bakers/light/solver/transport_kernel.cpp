@@ -137,6 +137,9 @@ HWY_INLINE FloatLanes power_of_e(FloatLanes x) {
 // Suns are taken in whole vectors of any width up to this; behind the last sun there is room.
 constexpr std::size_t kMostLanes = 16;
 
+// Sets of azimuths: few and many, for nodes of the light's degree and for those of kLowDegree.
+constexpr std::size_t kSets = 4;
+
 // The state of a level's transport. Number is float or double.
 template <class Number>
 class LevelPass {
@@ -153,14 +156,24 @@ class LevelPass {
   private:
     // Returns the numbers of azimuths that make_level_transport chooses among.
     std::size_t azimuths_of(std::size_t set) const {
-        return std::max<std::size_t>(4, orders_) << set;
+        return std::max<std::size_t>(4, orders_of(set)) << set % 2;
+    }
+    std::size_t orders_of(std::size_t set) const {
+        return set < 2 ? orders_ : std::min<std::size_t>(orders_, kLowDegree + 1);
+    }
+    std::size_t quads_of(std::size_t set) const {
+        return quad_count(static_cast<int>(orders_of(set)) - 1);
+    }
+    std::size_t set_of(const TransportNode& node) const {
+        const std::size_t few = static_cast<std::size_t>(node.degree) + 1 < orders_ ? 2 : 0;
+        return static_cast<std::size_t>(node.azimuths) == azimuths_of(few) ? few : few + 1;
     }
     void gather_rows(const TransportNode& node, const Moments* weights);
     void gather_ground(const Moments& weight);
     void gather_falls(const TransportNode& node);
-    void place_suns(const TransportNode& node, Number azimuth_cosine);
+    void place_suns(const TransportNode& node, std::size_t quads, Number azimuth_cosine);
     void place_steep(Reals first, Reals place, typename Reals::Mask is_steep, Reals* weight) const;
-    void store_powers(Reals along, Reals squared_sine, std::size_t i);
+    void store_powers(Reals along, Reals squared_sine, std::size_t quads, std::size_t i);
     template <bool kIsFirst>
     void add_rows(std::size_t quads, Moments* sum) const;
     void add_node(const LevelTransport<Number>& transport, const TransportNode& node);
@@ -179,16 +192,16 @@ class LevelPass {
     std::vector<Number> widths_from_centre_;  // (mu_s - centre) / width
     std::vector<Number> steep_;
     const SteepSuns& of_steep_;
-    std::vector<Number> falls_;      // of the columns at a node (SteepSuns)
-    std::vector<Moments> rows_;      // [sun * quads + q]: what is sent along
-    std::vector<Index> columns_;     // of the suns as seen from a node
-    std::vector<Number> cubic_;      // [k * room + sun]
-    std::vector<Number> powers_;     // [(q * room + sun) * kQuad + ...]: of store_powers
-    std::vector<Moments> along_[2];  // [azimuth * suns + sun]: by few and by many azimuths
-    bool used_[2] = {};
-    std::vector<Number> azimuth_cosines_[2];
+    std::vector<Number> falls_;          // of the columns at a node (SteepSuns)
+    std::vector<Moments> rows_;          // [sun * quads + q]: what is sent along
+    std::vector<Index> columns_;         // of the suns as seen from a node
+    std::vector<Number> cubic_;          // [k * room + sun]
+    std::vector<Number> powers_;         // [(q * room + sun) * kQuad + ...]: of store_powers
+    std::vector<Moments> along_[kSets];  // [azimuth * suns + sun]
+    bool used_[kSets] = {};
+    std::vector<Number> azimuth_cosines_[kSets];
     std::vector<Number>
-        fourier_[2];             // [(azimuth * quads + q) * kQuad + ...]: cos(m phi) / azimuths
+        fourier_[kSets];         // [(azimuth * quads + q) * kQuad + ...]: cos(m phi) / azimuths
     std::vector<Moments> sums_;  // [sun * blocks + block]: the moments
 };
 
@@ -218,14 +231,14 @@ LevelPass<Number>::LevelPass(const SunAxis& suns, const SteepSuns& steep,
         sines_[i] = static_cast<Number>(square_root((1 - cosine) * (1 + cosine)));
         widths_from_centre_[i] = static_cast<Number>((cosine - suns.centre) / suns.width);
     }
-    for (std::size_t set = 0; set < 2; ++set) {
+    for (std::size_t set = 0; set < kSets; ++set) {
         const std::size_t azimuths = azimuths_of(set);
         along_[set].resize(azimuths * suns_);
         fourier_[set].resize(azimuths * quads_ * kQuad);
         for (std::size_t j = 0; j < azimuths; ++j) {
             const double half_turn = (static_cast<double>(j) + 0.5) / static_cast<double>(azimuths);
             azimuth_cosines_[set].push_back(static_cast<Number>(cosine_of_pi(half_turn)));
-            for (std::size_t m = 0; m < orders_; ++m) {
+            for (std::size_t m = 0; m < orders_of(set); ++m) {
                 fourier_[set][j * quads_ * kQuad + m] =
                     static_cast<Number>(cosine_of_turns(0.5 * half_turn * static_cast<double>(m)) /
                                         static_cast<double>(azimuths));
@@ -247,21 +260,25 @@ void LevelPass<Number>::gather_rows(const TransportNode& node, const Moments* we
     const Blocks near = Blocks::all(static_cast<Number>(1 - node.fraction));
     const Blocks far = Blocks::all(static_cast<Number>(node.fraction));
     const bool between = node.fraction > 0;
-    const Moments* low = light_.at(node.level);
-    const Moments* high = low + (between ? light_.level_size() : 0);
-    Moments* row = rows_.data();
+    const auto orders = static_cast<std::size_t>(node.degree) + 1;
+    const std::size_t left_out = orders_ - orders;
     for (std::size_t i = 0; i < suns_; ++i) {
         const Moments* weight = weights;
-        for (std::size_t q = 0; q < quads_; ++q) {
+        const Moments* low = light_.at(node.level) + i * light_.sun_size();
+        const Moments* high = low + (between ? light_.level_size() : 0);
+        Moments* row = rows_.data() + i * quads_;
+        for (std::size_t least = 0; least < orders; least += kQuad) {
             Blocks sum = Blocks::all(0);
             Blocks sum_above = Blocks::all(0);
-            for (std::size_t l = q * kQuad; l < orders_; ++l) {
+            for (std::size_t l = least; l < orders; ++l) {
                 const Blocks factor = Blocks::load(*weight++);
                 sum = sum + factor * Blocks::load(*low++);
                 if (between) sum_above = sum_above + factor * Blocks::load(*high++);
             }
             if (between) sum = near * sum + far * sum_above;
             sum.store(*row++);
+            low += left_out;
+            high += left_out;
         }
     }
 }
@@ -280,7 +297,8 @@ void LevelPass<Number>::gather_falls(const TransportNode& node) {
 
 // Stores sine^sine_power(m) cos(m phi') for suns at the node.
 template <class Number>
-HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine, std::size_t i) {
+HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine, std::size_t quads,
+                                                std::size_t i) {
     const AzimuthRecursion<Reals> powers(along, squared_sine, orders_);
     const Reals twice = along + along;
     Reals power[kQuad] = {Reals(1.0), along, twice * along - squared_sine, along};
@@ -288,7 +306,7 @@ HWY_INLINE void LevelPass<Number>::store_powers(Reals along, Reals squared_sine,
     for (std::size_t q = 0;; ++q) {
         hn::StoreInterleaved4(power[0].v, power[1].v, power[2].v, power[3].v, typename Reals::Tag(),
                               powers_.data() + (q * room_ + i) * kQuad);
-        if (q + 1 == quads_) return;
+        if (q + 1 == quads) return;
         HWY_UNROLL(4)
         for (std::size_t k = 0; k < kQuad; ++k) {
             power[k] = powers.next((q + 1) * kQuad + k, power[(k + 3) % kQuad],
@@ -335,7 +353,8 @@ HWY_NOINLINE void LevelPass<Number>::place_steep(Reals first, Reals place,
 // follows from how far they move in the axis's widths, which floats tell as well around planets
 // with thin shells.
 template <class Number>
-void LevelPass<Number>::place_suns(const TransportNode& node, Number azimuth_cosine) {
+void LevelPass<Number>::place_suns(const TransportNode& node, std::size_t quads,
+                                   Number azimuth_cosine) {
     const double sine = node.turn_sine;
     const double less_than_one =
         node.turn_cosine > 0 ? sine * sine / (1 + node.turn_cosine) : 1 - node.turn_cosine;
@@ -377,7 +396,7 @@ void LevelPass<Number>::place_suns(const TransportNode& node, Number azimuth_cos
         for (std::size_t k = 0; k < 4; ++k) weight[k].store(cubic_.data() + k * room_ + i);
         const Reals there = centre + width * x;
         store_powers(turn_cosine * along - turn_sine * cosine,
-                     (Reals(1.0) - there) * (Reals(1.0) + there), i);
+                     (Reals(1.0) - there) * (Reals(1.0) + there), quads, i);
     }
 }
 
@@ -413,10 +432,10 @@ void LevelPass<Number>::add_node(const LevelTransport<Number>& transport,
         gather_rows(node, weights);
     }
     gather_falls(node);
-    const std::size_t set = static_cast<std::size_t>(node.azimuths) == azimuths_of(0) ? 0 : 1;
-    const std::size_t quads = node.ground ? 1 : quads_;
+    const std::size_t set = set_of(node);
+    const std::size_t quads = node.ground ? 1 : quads_of(set);
     for (std::size_t j = 0; j < azimuths_of(set); ++j) {
-        place_suns(node, azimuth_cosines_[set][j]);
+        place_suns(node, quads, azimuth_cosines_[set][j]);
         Moments* sum = along_[set].data() + j * suns_;
         used_[set] ? add_rows<false>(quads, sum) : add_rows<true>(quads, sum);
     }
@@ -439,7 +458,7 @@ void LevelPass<Number>::add_ray(const TransportRay& ray, double* sky_irradiance)
     });
     for (std::size_t i = 0; i < suns_; ++i) {
         // The sums over orders, by azimuth.
-        for (std::size_t set = 0; set < 2; ++set) {
+        for (std::size_t set = 0; set < kSets; ++set) {
             for (std::size_t j = 0; used_[set] && j < azimuths_of(set); ++j) {
                 Number* at = along_[set][j * suns_ + i].values;
                 for (std::size_t c = 0; c < kChannelSlots; ++c) {
@@ -450,7 +469,8 @@ void LevelPass<Number>::add_ray(const TransportRay& ray, double* sky_irradiance)
         std::size_t block = 0;
         for (std::size_t q = 0; q < quads_; ++q) {
             Blocks mean = Blocks::all(0);
-            for (std::size_t set = 0; set < 2; ++set) {
+            for (std::size_t set = 0; set < kSets; ++set) {
+                if (q >= quads_of(set)) continue;
                 for (std::size_t j = 0; used_[set] && j < azimuths_of(set); ++j) {
                     const Number* weight = fourier_[set].data() + (j * quads_ + q) * kQuad;
                     mean = mean + spread_.over_channels(weight) *
