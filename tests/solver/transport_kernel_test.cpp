@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/transport.h"
 #include "tests/noise/every_target.h"
 
@@ -61,7 +62,6 @@ struct TransportCase {
         for (int i = 0; i < 4; ++i) add_ray(dice);
     }
 
-    int orders() const { return light.degree + 1; }
     template <class Number>
     LevelTransport<Number> transport() const {
         LevelTransport<Number> made;
@@ -69,7 +69,7 @@ struct TransportCase {
         for (TransportRay& ray : made.rays) {
             for (TransportNode& node : ray.nodes) {
                 const std::vector<double>& of_node = weights[node.weights];
-                const int degree_of_node = node.ground ? 0 : light.degree;
+                const int degree_of_node = node.ground ? 0 : node.degree;
                 node.weights = made.weights.size();
                 made.weights.resize(node.weights + block_count(degree_of_node));
                 write_blocks(degree_of_node, of_node.data(), made.weights.data() + node.weights);
@@ -87,14 +87,16 @@ struct TransportCase {
             TransportNode node;
             node.ground = ground;
             node.level = static_cast<int>(dice.between(0, kLevels));
-            node.fraction = node.level + 1 < kLevels ? dice.between(0, 1) : 0;
+            node.fraction = !ground && node.level + 1 < kLevels ? dice.between(0, 1) : 0;
             const double turn = dice.between(0, 0.7);
             node.turn_cosine = std::cos(turn);
             node.turn_sine = std::sin(turn);
-            node.azimuths = std::max(4, orders()) << (dice.between(0, 2) < 1 ? 0 : 1);
+            const int degrees[] = {light.degree, kDegreeOfHaze, kDegreeOfAir};
+            node.degree = std::min(light.degree, degrees[static_cast<int>(dice.between(0, 3))]);
+            node.azimuths = std::max(4, node.degree + 1) << (dice.between(0, 2) < 1 ? 0 : 1);
             node.weights = weights.size();
             weights.emplace_back();
-            const int groups = ground ? 1 : moment_count(light.degree);
+            const int groups = ground ? 1 : moment_count(node.degree);
             for (std::size_t i = 0; i < static_cast<std::size_t>(groups) * kChannelSlots; ++i) {
                 weights.back().push_back(dice.between(-1, 1));
             }
@@ -128,7 +130,7 @@ double light_of_column(const TransportCase& any, const TransportNode& node, int 
         return m == 0 ? weights[0] * any.light.sky_irradiance[at + channel] : 0;
     }
     double sum = 0;
-    for (int l = m; l <= any.light.degree; ++l) {
+    for (int l = m; l <= node.degree; ++l) {
         const std::size_t lm = static_cast<std::size_t>(moment_index(l, m)) * kChannelSlots;
         const double low = any.light.at(node.level, column)[lm + channel];
         const double high =
@@ -195,7 +197,7 @@ double light_of_node(const TransportCase& any, const TransportNode& node, int su
     std::vector<double> weights = weights_of_columns(u, first, flat ? 2 : 4);
     if (flat) follow_falls(any, node, std::clamp(u - stencil, 0.0, 3.0), stencil, first, weights);
     double sum = 0;
-    for (int m = 0; m < any.orders(); ++m) {
+    for (int m = 0; m <= node.degree; ++m) {
         double order = 0;
         for (std::size_t i = 0; i < weights.size(); ++i) {
             const int column = first + static_cast<int>(i);
@@ -211,8 +213,8 @@ struct Applied {
     std::vector<double> sky_irradiance;
 };
 
-// The moments of what comes along the rays, not divided by sines; each node has its own number of
-// azimuths.
+// The moments of what comes along the rays, not divided by sines; each node has its own degree, which
+// ends its moments too, and its own number of azimuths.
 Applied expected(const TransportCase& any) {
     Applied sum{std::vector<double>(any.light.level_size()),
                 std::vector<double>(any.light.sky_irradiance.size())};
@@ -227,7 +229,7 @@ Applied expected(const TransportCase& any) {
                     for (std::size_t c = 0; c < kChannelSlots; ++c) {
                         const double value = share * light_of_node(any, node, sun, azimuth, c);
                         for (int l = 0; l <= any.light.degree; ++l) {
-                            for (int m = 0; m <= l; ++m) {
+                            for (int m = 0; m <= std::min(l, node.degree); ++m) {
                                 const auto lm = static_cast<std::size_t>(moment_index(l, m));
                                 sum.moments[static_cast<std::size_t>(sun) * any.light.sun_size() +
                                             lm * kChannelSlots + c] +=

@@ -10,6 +10,7 @@
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/light/solver/first_light.h"
+#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/reading_levels.h"
 #include "bakers/light/solver/residual_search.h"
 #include "bakers/light/solver/solution_levels.h"
@@ -22,59 +23,10 @@ namespace {
 
 constexpr int kLastOrders = 2;
 
-const Spectrum kLeastScattering(1e-300);  // 0 / 0 of layers that scatter nothing
-
 // The numbers of zenith angles that moments of a degree need: for light scattered once, which is
 // peaked itself, and for light scattered more often.
 int zenith_nodes_of_first(int degree, int least) { return std::max(least, degree * 3 / 4); }
 int zenith_nodes_of_last(int degree, int least) { return std::max(least, degree / 2); }
-
-// Returns the degree of moments that each altitude needs, from kLowDegree to `degree`: as many as the
-// sky would need (sky_degree) if its layers were as dense all over as there, or at a neighbour.
-std::vector<int> degrees_at(const SkyMedium& medium, const std::vector<double>& altitudes_km,
-                            int degree) {
-    const std::size_t count = altitudes_km.size();
-    std::vector<std::vector<Spectrum>> scattering(medium.layers.size());  // [layer][altitude]
-    std::vector<Spectrum> depth(medium.layers.size());                    // where it is densest
-    std::vector<std::vector<Spectrum>> moments;
-    Spectrum whole{};
-    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
-        const SkyLayer& layer = medium.layers[k];
-        moments.push_back(scattered_moments(layer, degree + 1));
-        scattering[k].resize(count);
-        if (!layer.scatters) continue;
-        Spectrum densest{};
-        for (std::size_t i = 0; i < count; ++i) {
-            scattering[k][i] = scattering_at(layer.alone, altitudes_km[i]);
-            densest = maximum(densest, scattering[k][i]);
-        }
-        const Spectrum of_layer = scattering_depth(layer, 0, layer.alone.ground_radius_km);
-        whole += of_layer;
-        for (Spectrum& here : scattering[k])
-            here = here / maximum(densest, kLeastScattering) * of_layer;
-    }
-    std::vector<int> needed;
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto beyond = [&](int of) {
-            Spectrum sum{};
-            for (std::size_t k = 0; k < moments.size(); ++k) {
-                const Spectrum& next = moments[k][static_cast<std::size_t>(of) + 1];
-                sum += maximum(next, -next) * scattering[k][i];
-            }
-            return largest(sum / maximum(whole, Spectrum(1.0)));
-        };
-        int least = std::min(kLowDegree, degree);
-        while (least < degree && beyond(least) > kNegligibleLight)
-            least = std::min(least + 4, degree);
-        needed.push_back(least);
-    }
-    std::vector<int> with_neighbours = needed;
-    for (std::size_t i = 0; i + 1 < count; ++i) {
-        with_neighbours[i] = std::max(with_neighbours[i], needed[i + 1]);
-        with_neighbours[i + 1] = std::max(with_neighbours[i + 1], needed[i]);
-    }
-    return with_neighbours;
-}
 
 // Light that is scattered once, to a degree.
 struct FirstLight {
@@ -152,17 +104,19 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const TransmittanceField sunlight =
         tabulated_sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
     const ReadingLevels reading(medium.air, light.altitudes_km);
-    const std::vector<int> degrees = degrees_at(medium, reading.altitudes_km(), settings.degree);
+    const std::vector<int> degrees =
+        needed_degrees(medium, reading.altitudes_km(), settings.degree);
     LightField first(levels, settings.suns, settings.degree);
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
     };
     const FirstLight high(medium, settings.degree);
-    const FirstLight low(medium, std::min(kLowDegree, settings.degree));
+    const FirstLight low(medium, std::min(kDegreeOfHaze, settings.degree));
     parallel_for(levels, threads, [&](int level) {
         if (is_cancelled(progress)) return;
         const int at = reading.index_of(level);
-        const FirstLight& needed = degrees[static_cast<std::size_t>(at)] > kLowDegree ? high : low;
+        const FirstLight& needed =
+            degrees[static_cast<std::size_t>(at)] > kDegreeOfHaze ? high : low;
         const FirstFans fans = make_first_fans(
             medium, reading.altitudes_km(), at,
             zenith_nodes_of_first(needed.degree, settings.zenith_nodes), settings.ray_tolerance);

@@ -10,6 +10,7 @@
 #include "bakers/air/quadrature_rules.h"
 #include "bakers/air/transmittance_field.h"
 #include "bakers/air/view_ray.h"
+#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/residual_search.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/quadrature.h"
@@ -264,8 +265,7 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
     const auto degree_of = [&](const FanPoint& point) {
         if (degrees.empty()) return degree;
         const auto level = static_cast<std::size_t>(point.level);
-        const int most = std::max(degrees[level], point.fraction > 0 ? degrees[level + 1] : 0);
-        return most > kLowDegree ? degree : std::min(degree, kLowDegree);
+        return std::max(degrees[level], point.fraction > 0 ? degrees[level + 1] : 0);
     };
     const Shell shell = shell_of(medium.air);
     const double r = shell.ground_radius_km + fan.altitude_km;
@@ -328,7 +328,7 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
         if (ray.hits_ground) {
             TransportNode node;
             node.ground = true;
-            node.degree = degrees.empty() ? degree : std::min(degree, kLowDegree);
+            node.degree = degrees.empty() ? degree : std::min(degree, kDegreeOfAir);
             add_turn(node, ray.length_km, 0);
             node.weights = transport.weights.size();
             const Spectrum reflected =

@@ -87,15 +87,12 @@ struct TransportNode {
     double fraction = 0;
     double turn_cosine = 1;
     double turn_sine = 0;
-    int degree = 0;  // of the moments that it scatters: of the light, or kLowDegree if that is less
+    int degree = 0;           // of the moments that it scatters (needed_degrees.h)
     int azimuths = 0;         // over half a turn: max(4, degree + 1), or twice as many
     std::size_t weights = 0;  // index of the first of its weights, in blocks like those of the
                               // light (order_blocks.h); a node on the ground has one, of order 0
     bool ground = false;
 };
-
-// Where nothing scatters light of a higher degree, nodes may end at this one.
-inline constexpr int kLowDegree = 8;
 
 struct TransportRay {
     double mu = 0;
@@ -111,8 +108,8 @@ struct LevelTransport {
     std::vector<MomentBlock<Number>> weights;
 };
 
-// Nodes have the degree of what scatters there: `degrees` are by the index of the levels at which light
-// is read, or empty if all have `degree`.
+// `degrees` are those that are needed at the altitudes at which light is read, or empty if all nodes have
+// `degree`.
 template <class Number>
 LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree,
                                             const std::vector<int>& degrees = {});

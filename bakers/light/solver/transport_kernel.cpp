@@ -4,6 +4,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/order_blocks.h"
 #include "bakers/light/solver/transport.h"
 #include "bakers/math/transcendental.h"
@@ -137,8 +138,8 @@ HWY_INLINE FloatLanes power_of_e(FloatLanes x) {
 // Suns are taken in whole vectors of any width up to this; behind the last sun there is room.
 constexpr std::size_t kMostLanes = 16;
 
-// Sets of azimuths: few and many, for nodes of the light's degree and for those of kLowDegree.
-constexpr std::size_t kSets = 4;
+// Sets of azimuths: few and many, for nodes of the light's degree, of haze and of air alone.
+constexpr std::size_t kSets = 6;
 
 // The state of a level's transport. Number is float or double.
 template <class Number>
@@ -159,13 +160,16 @@ class LevelPass {
         return std::max<std::size_t>(4, orders_of(set)) << set % 2;
     }
     std::size_t orders_of(std::size_t set) const {
-        return set < 2 ? orders_ : std::min<std::size_t>(orders_, kLowDegree + 1);
+        constexpr std::size_t kMost[] = {1000, kDegreeOfHaze + 1, kDegreeOfAir + 1};
+        return std::min(orders_, kMost[set / 2]);
     }
     std::size_t quads_of(std::size_t set) const {
         return quad_count(static_cast<int>(orders_of(set)) - 1);
     }
     std::size_t set_of(const TransportNode& node) const {
-        const std::size_t few = static_cast<std::size_t>(node.degree) + 1 < orders_ ? 2 : 0;
+        std::size_t few = 0;
+        while (few + 2 < kSets && static_cast<std::size_t>(node.degree) < orders_of(few + 2))
+            few += 2;
         return static_cast<std::size_t>(node.azimuths) == azimuths_of(few) ? few : few + 1;
     }
     void gather_rows(const TransportNode& node, const Moments* weights);

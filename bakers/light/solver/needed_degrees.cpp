@@ -1,0 +1,78 @@
+#include "bakers/light/solver/needed_degrees.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "bakers/air/forward_peak.h"
+
+namespace skybake {
+namespace {
+
+// A layer's scattering depth towards the zenith, if it were all over as dense as at each altitude.
+std::vector<Spectrum> depths_at(const SkyLayer& layer, const std::vector<double>& altitudes_km) {
+    std::vector<Spectrum> depths(altitudes_km.size());
+    if (!layer.scatters) return depths;
+    Spectrum densest{};
+    for (std::size_t i = 0; i < depths.size(); ++i) {
+        depths[i] = scattering_at(layer.alone, altitudes_km[i]);
+        densest = maximum(densest, depths[i]);
+    }
+    const Spectrum whole = scattering_depth(layer, 0, layer.alone.ground_radius_km);
+    for (Spectrum& depth : depths) depth = whole * share_of(depth, densest);
+    return depths;
+}
+
+// Returns the largest of a layer's moments beyond a degree.
+Spectrum largest_beyond(const std::vector<Spectrum>& moments, int degree) {
+    Spectrum most{};
+    for (std::size_t l = static_cast<std::size_t>(degree) + 1; l < moments.size(); ++l) {
+        most = maximum(most, maximum(moments[l], -moments[l]));
+    }
+    return most;
+}
+
+// The altitudes at which more than a negligible share of the light is scattered beyond a degree.
+std::vector<bool> needs_more(const SkyMedium& medium,
+                             const std::vector<std::vector<Spectrum>>& depths,
+                             const std::vector<std::vector<Spectrum>>& moments, int degree) {
+    Spectrum whole{};
+    for (const SkyLayer& layer : medium.layers) {
+        if (layer.scatters) whole += scattering_depth(layer, 0, layer.alone.ground_radius_km);
+    }
+    std::vector<bool> needs(depths.front().size());
+    for (std::size_t i = 0; i < needs.size(); ++i) {
+        Spectrum beyond{};
+        for (std::size_t k = 0; k < depths.size(); ++k) {
+            beyond += largest_beyond(moments[k], degree) * depths[k][i];
+        }
+        needs[i] = largest(beyond / maximum(whole, Spectrum(1.0))) > kNegligibleLight;
+    }
+    return needs;
+}
+
+}  // namespace
+
+std::vector<int> needed_degrees(const SkyMedium& medium, const std::vector<double>& altitudes_km,
+                                int degree) {
+    const std::size_t count = altitudes_km.size();
+    if (medium.layers.empty()) return std::vector<int>(count, std::min(degree, kDegreeOfAir));
+    std::vector<std::vector<Spectrum>> depths;
+    std::vector<std::vector<Spectrum>> moments;
+    for (const SkyLayer& layer : medium.layers) {
+        depths.push_back(depths_at(layer, altitudes_km));
+        moments.push_back(scattered_moments(layer, degree + 1));
+    }
+    std::vector<int> degrees(count, std::min(degree, kDegreeOfAir));
+    for (const int enough : {kDegreeOfAir, kDegreeOfHaze}) {
+        if (enough >= degree) continue;
+        const int next = enough == kDegreeOfAir ? std::min(degree, kDegreeOfHaze) : degree;
+        const std::vector<bool> needs = needs_more(medium, depths, moments, enough);
+        for (std::size_t i = 0; i < count; ++i) {
+            const bool near = (i > 0 && needs[i - 1]) || (i + 1 < count && needs[i + 1]);
+            if (needs[i] || near) degrees[i] = next;
+        }
+    }
+    return degrees;
+}
+
+}  // namespace skybake
