@@ -17,10 +17,13 @@ namespace {
 
 // The accuracy of the phase function, far below the errors of the sky's tables.
 constexpr double kAccuracy = 3e-3;
+// Of spheres between wavelengths of which light is interpolated, for the shapes of spectra.
+constexpr double kAccuracyOfSteps = 1e-2;
 
 std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticles& layer,
                                                       config::Length wavelength) {
-    return sphere_scattering(layer, wavelength, kAccuracy, 1);
+    const double accuracy = layer.step.meters > 0 ? kAccuracyOfSteps : kAccuracy;
+    return sphere_scattering(layer, wavelength, accuracy, 1);
 }
 
 // The upper limit of the key `extinction`.
