@@ -76,6 +76,13 @@ Spectrum SkyIntegrator::sunlight(double altitude_km, double s_km) const {
     return exponential(-optical_depth_to_top(medium_.air, altitude_km, s_km));
 }
 
+void SkyIntegrator::sunlight(double altitude_km, const std::vector<double>& s_km,
+                             double* values) const {
+    const auto count = static_cast<int>(s_km.size());
+    optical_depth_to_top(medium_.air, altitude_km, s_km.data(), count, values);
+    for (int i = 0; i < count * medium_.air.channels; ++i) values[i] = exponential(-values[i]);
+}
+
 Spectrum SkyIntegrator::depth_between(const SkyRay& ray, double from_km, double to_km) const {
     const double altitude = altitude_on(ray, from_km);
     const double r = shell_.ground_radius_km + altitude;

@@ -84,6 +84,8 @@ class SkyIntegrator {
     // Returns the transmittance to the sun at a point where r mu_s = `s_km`. It is 0 in the
     // planet's shadow.
     Spectrum sunlight(double altitude_km, double s_km) const;
+    // Computes the same towards many suns above the horizon: values[channel * suns + sun].
+    void sunlight(double altitude_km, const std::vector<double>& s_km, double* values) const;
 
     const LitSkins& skins() const { return skins_; }
 

@@ -180,15 +180,10 @@ void SkyRow::add_lit_stretch(const Piece& piece, double from_km, double to_km, s
 
 void SkyRow::read_sunlight(const Piece& piece, double altitude_km, const std::vector<double>& s_km,
                            double* values) const {
-    if (!piece.in_skins) {
+    if (piece.in_skins) {
+        integrator_.sunlight(altitude_km, s_km, values);
+    } else {
         sunlight_->read(altitude_km, s_km.data(), static_cast<int>(s_km.size()), values);
-        return;
-    }
-    for (std::size_t i = 0; i < s_km.size(); ++i) {
-        const Spectrum sun = integrator_.sunlight(altitude_km, s_km[i]);
-        for (std::size_t c = 0; c < static_cast<std::size_t>(medium_.air.channels); ++c) {
-            values[c * s_km.size() + i] = sun[c];
-        }
     }
 }
 

@@ -48,13 +48,14 @@ CoarseOrders::CoarseOrders(const SkyMedium& medium, const SolvedLight& fine, int
         fine_places_.push_back({static_cast<int>(i),
                                 (altitude_km - levels_km[i]) / (levels_km[i + 1] - levels_km[i])});
     }
+    const LayerMoments moments(medium, kCoarseDegree);
     transports_.resize(levels_.size());
     parallel_for(static_cast<int>(levels_.size()), threads, [&](int level) {
         transports_[static_cast<std::size_t>(level)] = make_level_transport<float>(
             medium,
             make_ray_fan(medium, levels_km, level, std::max(zenith_nodes / 2, kLeastZenithNodes),
                          2 * ray_tolerance),
-            kCoarseDegree);
+            moments);
     });
 }
 

@@ -104,8 +104,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
     const TransmittanceField sunlight =
         tabulated_sunlight(medium.air, light.altitudes_km, settings.sunlight, threads);
     const ReadingLevels reading(medium.air, light.altitudes_km);
-    const std::vector<int> degrees =
-        needed_degrees(medium, reading.altitudes_km(), settings.degree);
+    const LayerMoments moments(medium, settings.degree, reading.altitudes_km());
     LightField first(levels, settings.suns, settings.degree);
     const auto irradiance_of = [](LightField& field, int level) {
         return level == 0 ? field.sky_irradiance.data() : nullptr;
@@ -116,7 +115,7 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         if (is_cancelled(progress)) return;
         const int at = reading.index_of(level);
         const FirstLight& needed =
-            degrees[static_cast<std::size_t>(at)] > kDegreeOfHaze ? high : low;
+            moments.degrees[static_cast<std::size_t>(at)] > kDegreeOfHaze ? high : low;
         const FirstFans fans = make_first_fans(
             medium, reading.altitudes_km(), at,
             zenith_nodes_of_first(needed.degree, settings.zenith_nodes), settings.ray_tolerance);
@@ -138,9 +137,8 @@ void refine_light(const SkyMedium& medium, const SolverSettings& settings, int t
         parallel_for(levels, threads, [&](int level) {
             if (is_cancelled(progress)) return;
             const RayFan& fan = fans[static_cast<std::size_t>(level)];
-            apply_transport(make_level_transport<float>(medium, fan, settings.degree, degrees),
-                            light.suns, steep, before, next.at(level, 0),
-                            irradiance_of(next, level));
+            apply_transport(make_level_transport<float>(medium, fan, moments), light.suns, steep,
+                            before, next.at(level, 0), irradiance_of(next, level));
         });
         add(first, next);
         last = std::move(next);

@@ -11,7 +11,6 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/solver/coarse_orders.h"
 #include "bakers/light/solver/first_light.h"
-#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/light/solver/peaked_light.h"
 #include "bakers/light/solver/reading_levels.h"
 #include "bakers/light/solver/solution_levels.h"
@@ -172,8 +171,7 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
     const ReadingLevels reading(medium.air, solved.altitudes_km);
     LightField first(levels, settings.suns, settings.degree);
     const std::vector<SplitPhase> phases = split_phases(medium, settings.degree);
-    const std::vector<int> degrees =
-        needed_degrees(medium, reading.altitudes_km(), settings.degree);
+    const LayerMoments moments(medium, settings.degree, reading.altitudes_km());
     std::vector<LevelTransport<Number>> transports(static_cast<std::size_t>(levels));
     parallel_for(levels, threads, [&](int level) {
         const FirstFans first_fans =
@@ -187,7 +185,7 @@ SolvedLight solve_orders_in(const SkyMedium& medium, const SolverSettings& setti
             is_same ? first_fans.day
                     : make_ray_fan(medium, reading.altitudes_km(), reading.index_of(level),
                                    settings.zenith_nodes, settings.ray_tolerance),
-            settings.degree, degrees);
+            moments);
     });
     SteepSuns steep(steep_columns(first, solved.channels));
     solved.steep = steep.stencils;

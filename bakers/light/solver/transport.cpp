@@ -258,10 +258,22 @@ RayFan make_twilight_fan(const SkyMedium& medium, const std::vector<double>& lev
                     twilight_step_km(medium.air));
 }
 
-template <class Number>
-LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree,
-                                            const std::vector<int>& degrees) {
+LayerMoments::LayerMoments(const SkyMedium& medium, int to_degree) : degree(to_degree) {
     assert(degree >= 0);
+    for (const SkyLayer& layer : medium.layers) moments.push_back(scattered_moments(layer, degree));
+}
+
+LayerMoments::LayerMoments(const SkyMedium& medium, int to_degree,
+                           const std::vector<double>& altitudes_km)
+    : LayerMoments(medium, to_degree) {
+    degrees = needed_degrees(medium, altitudes_km, degree);
+}
+
+template <class Number>
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
+                                            const LayerMoments& of_layers) {
+    const int degree = of_layers.degree;
+    const std::vector<int>& degrees = of_layers.degrees;
     const auto degree_of = [&](const FanPoint& point) {
         if (degrees.empty()) return degree;
         const auto level = static_cast<std::size_t>(point.level);
@@ -272,10 +284,6 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
     const double dip_sine = horizon_distance_km(shell, shell.thickness_km) /
                             (shell.ground_radius_km + shell.thickness_km);
     const std::size_t layers = medium.layers.size();
-    std::vector<std::vector<Spectrum>> phases;
-    for (const SkyLayer& layer : medium.layers) {
-        phases.push_back(scattered_moments(layer, degree));
-    }
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree)));
     std::vector<double> weights(harmonics.size() * kChannelSlots);
     LevelTransport<Number> transport;
@@ -313,7 +321,7 @@ LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFa
             for (int l = 0; l <= node.degree; ++l) {
                 Spectrum once{};
                 for (std::size_t i = 0; i < layers; ++i) {
-                    once += scattered[i] * phases[i][static_cast<std::size_t>(l)];
+                    once += scattered[i] * of_layers.moments[i][static_cast<std::size_t>(l)];
                 }
                 for (int m = 0; m <= l; ++m) {
                     const auto lm = static_cast<std::size_t>(moment_index(l, m));
@@ -363,10 +371,10 @@ void apply_transports(const std::vector<LevelTransport<Number>>& transports, con
     });
 }
 
-template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&, int,
-                                                    const std::vector<int>&);
-template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&, int,
-                                                     const std::vector<int>&);
+template LevelTransport<float> make_level_transport(const SkyMedium&, const RayFan&,
+                                                    const LayerMoments&);
+template LevelTransport<double> make_level_transport(const SkyMedium&, const RayFan&,
+                                                     const LayerMoments&);
 template void apply_transports(const std::vector<LevelTransport<float>>&, const SunAxis&,
                                const SteepSuns&, const BlockedLight<float>&, int, LightField&);
 template void apply_transports(const std::vector<LevelTransport<double>>&, const SunAxis&,

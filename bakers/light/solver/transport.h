@@ -108,11 +108,20 @@ struct LevelTransport {
     std::vector<MomentBlock<Number>> weights;
 };
 
-// `degrees` are those that are needed at the altitudes at which light is read, or empty if all nodes have
-// `degree`.
+// How the layers of a medium scatter light.
+struct LayerMoments {
+    LayerMoments(const SkyMedium& medium, int to_degree);
+    // With the degrees that are needed at the altitudes at which light is read.
+    LayerMoments(const SkyMedium& medium, int to_degree, const std::vector<double>& altitudes_km);
+
+    int degree;
+    std::vector<std::vector<Spectrum>> moments;  // [layer][l], up to the degree
+    std::vector<int> degrees;                    // by altitude, or empty if all are `degree`
+};
+
 template <class Number>
-LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan, int degree,
-                                            const std::vector<int>& degrees = {});
+LevelTransport<Number> make_level_transport(const SkyMedium& medium, const RayFan& fan,
+                                            const LayerMoments& layers);
 
 // Writes the moments of K light at the transport's level to `out` (of one level's size). For the
 // ground `sky_irradiance` is not null and receives the sky's irradiance. The bits are the same for
