@@ -13,6 +13,7 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/solver/needed_degrees.h"
 #include "bakers/math/parallel.h"
 #include "tests/light/sky_media.h"
 #include "tests/support/sky_truth.h"
@@ -109,6 +110,28 @@ TEST(PeakedLight, DegreeIsChosenByTheMedium) {
     EXPECT_EQ(degree(haze(0.8, "0.03 /km", "0.033 /km")), 16);
     EXPECT_EQ(degree(haze(-0.9, "0.1 /km", "0.104 /km")), 32);
     EXPECT_EQ(degree(haze(0.97, "0.1 /km", "0.104 /km")), kLargestDegree);
+}
+
+// Fog of depth 0.3 and g = 0.85 scatters 0.3 g^9 = 7 % of the light beyond degree 8 at the ground, and
+// kNegligibleLight where it is 35 times thinner. An altitude needs what its neighbours need.
+TEST(PeakedLight, DegreeEndsWhereNothingScattersMore) {
+    const SkyMedium fog = make_sky_medium(ground_fog());
+    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2, 50}, 24),
+              (std::vector<int>{24, 24, 24, 3, 3, 3}));
+    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2, 50}, 8),
+              (std::vector<int>{8, 8, 8, 3, 3, 3}));
+    const SkyMedium air =
+        make_sky_medium(test::preset_atmosphere("earth_hillaire", {kMie + "enabled=false"}));
+    EXPECT_EQ(needed_degrees(air, {0, 10, 100}, 16), (std::vector<int>{3, 3, 3}));
+}
+
+// Where all but exp(-20) of the light came from all sides.
+TEST(PeakedLight, DegreeFallsDeepWithinFog) {
+    const SkyMedium thick = make_sky_medium(test::preset_atmosphere(
+        "earth_hillaire",
+        {kMie + "scattering=\"300 /km\"", kMie + "extinction=\"300 /km\"",
+         kMie + "phase=\"henyey_greenstein\"", kMie + "scale_height=\"0.1 km\"", kMie + "g=0.85"}));
+    EXPECT_EQ(needed_degrees(thick, {0, 0.02, 0.04, 0.34}, 24), (std::vector<int>{8, 8, 24, 24}));
 }
 
 // Scaling keeps what a layer absorbs, and the moments up to the degree of what it scatters.

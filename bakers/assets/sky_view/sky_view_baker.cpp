@@ -149,7 +149,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 Baker<config::SkyViewBake> baker(BakerTag<config::SkyViewBake>) {
-    return {.version = 15,
+    return {.version = 16,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

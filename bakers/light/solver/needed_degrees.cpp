@@ -4,6 +4,8 @@
 #include <cstddef>
 
 #include "bakers/air/forward_peak.h"
+#include "bakers/air/optical_depth.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake {
 namespace {
@@ -31,21 +33,35 @@ Spectrum largest_beyond(const std::vector<Spectrum>& moments, int degree) {
     return most;
 }
 
-// The altitudes at which more than a negligible share of the light is scattered beyond a degree.
-std::vector<bool> needs_more(const SkyMedium& medium,
+// Returns the share of the sun's light beyond a degree that is left at an altitude, under a sun at the
+// zenith: of light of degree l, scattering takes away 1 - chi_l.
+Spectrum share_left(const SkyMedium& medium, const std::vector<Spectrum>& beyond,
+                    double altitude_km) {
+    const double s_km = medium.air.ground_radius_km + altitude_km;
+    Spectrum lost = optical_depth_to_top(medium.air, altitude_km, s_km);
+    for (std::size_t k = 0; k < medium.layers.size(); ++k) {
+        const SkyLayer& layer = medium.layers[k];
+        if (layer.scatters) lost -= beyond[k] * scattering_depth(layer, altitude_km, s_km);
+    }
+    return exponential(-lost);
+}
+
+// The altitudes at which more than a negligible share of the light is scattered beyond a degree. Who looks
+// at thick air sees an optical depth of 1, of which this is the share.
+std::vector<bool> needs_more(const SkyMedium& medium, const std::vector<double>& altitudes_km,
                              const std::vector<std::vector<Spectrum>>& depths,
                              const std::vector<std::vector<Spectrum>>& moments, int degree) {
-    Spectrum whole{};
-    for (const SkyLayer& layer : medium.layers) {
-        if (layer.scatters) whole += scattering_depth(layer, 0, layer.alone.ground_radius_km);
+    std::vector<Spectrum> beyond;  // of each layer
+    for (const std::vector<Spectrum>& of_layer : moments) {
+        beyond.push_back(largest_beyond(of_layer, degree));
     }
-    std::vector<bool> needs(depths.front().size());
+    std::vector<bool> needs(altitudes_km.size());
     for (std::size_t i = 0; i < needs.size(); ++i) {
-        Spectrum beyond{};
-        for (std::size_t k = 0; k < depths.size(); ++k) {
-            beyond += largest_beyond(moments[k], degree) * depths[k][i];
-        }
-        needs[i] = largest(beyond / maximum(whole, Spectrum(1.0))) > kNegligibleLight;
+        Spectrum sum{};
+        for (std::size_t k = 0; k < depths.size(); ++k) sum += beyond[k] * depths[k][i];
+        // The ground's edge makes light of low degrees anew, and haze scatters it.
+        if (degree >= kDegreeOfHaze) sum *= share_left(medium, beyond, altitudes_km[i]);
+        needs[i] = largest(sum) > kNegligibleLight;
     }
     return needs;
 }
@@ -66,7 +82,7 @@ std::vector<int> needed_degrees(const SkyMedium& medium, const std::vector<doubl
     for (const int enough : {kDegreeOfAir, kDegreeOfHaze}) {
         if (enough >= degree) continue;
         const int next = enough == kDegreeOfAir ? std::min(degree, kDegreeOfHaze) : degree;
-        const std::vector<bool> needs = needs_more(medium, depths, moments, enough);
+        const std::vector<bool> needs = needs_more(medium, altitudes_km, depths, moments, enough);
         for (std::size_t i = 0; i < count; ++i) {
             const bool near = (i > 0 && needs[i - 1]) || (i + 1 < count && needs[i + 1]);
             if (needs[i] || near) degrees[i] = next;

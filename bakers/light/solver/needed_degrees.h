@@ -1,5 +1,6 @@
 // The degree of moments that light needs at an altitude: that of the phase functions which scatter it
-// there. Air alone has three moments, haze some ten, and fog as many as a sky is solved for.
+// there. Air alone has three moments, haze some ten, and fog as many as a sky is solved for, but deep
+// within it, where light comes from all sides.
 #pragma once
 
 #include <vector>
@@ -11,9 +12,9 @@ namespace skybake {
 inline constexpr int kDegreeOfAir = 3;
 inline constexpr int kDegreeOfHaze = 8;
 
-// Returns for each of the ascending altitudes the least of kDegreeOfAir, kDegreeOfHaze and `degree`
-// beyond which the sky would lack no more than kNegligibleLight (light_beyond_degree), if its layers were
-// all over as dense as there or at a neighbour. None is above `degree`.
+// Returns for each of the ascending altitudes the least of kDegreeOfAir, kDegreeOfHaze and `degree` that
+// scatters all but kNegligibleLight of the light, if all layers were as dense throughout as they are there
+// or at a neighbour. None is above `degree`.
 std::vector<int> needed_degrees(const SkyMedium& medium, const std::vector<double>& altitudes_km,
                                 int degree);
 
