@@ -34,22 +34,6 @@ class BumpPoints : public CellPoints {
     }
 };
 
-// The voxels first ... last of one axis, counted in cells from the first voxel's cell.
-struct Extent {
-    std::int64_t cell = 0;  // of the first voxel
-    int cells = 0;          // the cells that voxels lie in
-    float low = 0;          // position of the first voxel
-    float high = 0;         // and of the last
-};
-
-Extent extent_of(const AxisCells& axis, int first, int count) {
-    const auto from = static_cast<std::size_t>(first);
-    const auto to = from + static_cast<std::size_t>(count) - 1;
-    const int span = axis.cell[to] - axis.cell[from];
-    return {axis.cell[from], span + 1, axis.fraction[from],
-            static_cast<float>(span) + axis.fraction[to]};
-}
-
 // A point in its cell, which is counted from the block's first.
 struct Bump {
     std::array<float, 3> point;

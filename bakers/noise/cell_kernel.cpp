@@ -18,20 +18,6 @@ namespace {
 
 constexpr std::size_t kLineStride = CellCandidates::kLineStride;
 
-// Voxels first ... last of one axis on the planes, counted in cells from the first voxel's cell.
-struct Extent {
-    std::int64_t cell = 0;  // of the first voxel
-    int cells = 0;          // the cells that voxels lie in
-    float low = 0;          // position of the first voxel
-    float high = 0;         // and of the last
-};
-
-HWY_INLINE Extent extent_of(const AxisCells& axis, std::size_t first, std::size_t last) {
-    const int span = axis.cell[last] - axis.cell[first];
-    return {axis.cell[first], span + 1, axis.fraction[first],
-            static_cast<float>(span) + axis.fraction[last]};
-}
-
 // Distance from the voxels to where cells were not asked, `rings` cells beyond theirs.
 HWY_INLINE float margin_of(const Extent& extent, int rings) {
     return static_cast<float>(rings) +
@@ -62,12 +48,13 @@ std::size_t gather(const CellPoints& points, const std::array<Extent, 3>& block,
             const std::size_t row = planes.row(slot, line) + column;
             for (std::size_t i = 0; i < static_cast<std::size_t>(across); i += kLanes) {
                 const std::size_t to = count + i;
-                hn::StoreU(hn::LoadU(kFloats, planes.x.data() + row + i), kFloats,
-                           candidates.point_x.data() + to);
-                hn::StoreU(hn::LoadU(kFloats, planes.y.data() + row + i), kFloats,
-                           candidates.point_y.data() + to);
-                hn::StoreU(hn::LoadU(kFloats, planes.z.data() + row + i), kFloats,
-                           candidates.point_z.data() + to);
+                const auto copy = [&](const AlignedFloats& from, AlignedFloats& points) HWY_ATTR {
+                    hn::StoreU(hn::LoadU(kFloats, from.data() + row + i), kFloats,
+                               points.data() + to);
+                };
+                copy(planes.x, candidates.point_x);
+                copy(planes.y, candidates.point_y);
+                copy(planes.z, candidates.point_z);
                 hn::StoreU(hn::Add(first_cell, hn::Set(kFloats, static_cast<float>(i))), kFloats,
                            candidates.cell_x.data() + to);
                 hn::StoreU(cell_y, kFloats, candidates.cell_y.data() + to);
@@ -298,9 +285,7 @@ void fill_blocks(const CellField& field, LatticePlanes& planes, CellCandidates& 
                  const VoxelBox& chunk, const CellTarget& target) {
     const int block_rows = voxels_per_cell(field, 1) >= 24 ? 16 : 8;
     const auto extent = [&](std::size_t axis, const Block& block) {
-        const auto first = static_cast<std::size_t>(block.box.origin[axis]);
-        return extent_of(field.cells[axis], first,
-                         first + static_cast<std::size_t>(block.box.size[axis]) - 1);
+        return extent_of(field.cells[axis], block.box.origin[axis], block.box.size[axis]);
     };
     Block block;
     for (int z = 0; z < chunk.size[2]; z += CellCandidates::kDepth) {

@@ -61,30 +61,45 @@ class CellTile {
         nearest = hn::Min(nearest, squared);
     }
 
-    // Writes the field's values to what place(row, slice) points to. Returns, lane by lane, the
-    // greatest of the squared distances that decided on values.
-    template <class Place>
-    HWY_INLINE FloatVector store(const CellField& field, const Place& place) const {
+    // Returns, lane by lane, the greatest of the squared distances that decide on values.
+    HWY_INLINE FloatVector farthest() const {
         auto farthest = hn::Zero(kBits);
         HWY_UNROLL(8)
         for (std::size_t row = 0; row < kRows; ++row) {
             HWY_UNROLL(8)
             for (std::size_t slice = 0; slice < kDepth; ++slice) {
-                const auto first = nearest_[row][slice];
-                auto second = first;
-                if constexpr (kSecond) second = next_[row][slice];
-                farthest = hn::Max(farthest, second);
-                hn::StoreU(cell_value(field.feature, field.value_form, hn::BitCast(Floats(), first),
-                                      hn::BitCast(Floats(), second)),
-                           Floats(), place(row, slice));
+                farthest = hn::Max(farthest, second(row, slice));
             }
         }
         return hn::BitCast(Floats(), farthest);
     }
 
+    HWY_INLINE FloatVector value(const CellField& field, std::size_t row, std::size_t slice) const {
+        return cell_value(field.feature, field.value_form,
+                          hn::BitCast(Floats(), nearest_[row][slice]),
+                          hn::BitCast(Floats(), second(row, slice)));
+    }
+
+    // Writes the field's values to what place(row, slice) points to.
+    template <class Place>
+    HWY_INLINE void store(const CellField& field, const Place& place) const {
+        HWY_UNROLL(8)
+        for (std::size_t row = 0; row < kRows; ++row) {
+            HWY_UNROLL(8)
+            for (std::size_t slice = 0; slice < kDepth; ++slice) {
+                hn::StoreU(value(field, row, slice), Floats(), place(row, slice));
+            }
+        }
+    }
+
   private:
     static constexpr hn::RebindToSigned<Floats> kBits{};
     using BitsVector = hn::Vec<hn::RebindToSigned<Floats>>;
+
+    HWY_INLINE BitsVector second(std::size_t row, std::size_t slice) const {
+        if constexpr (kSecond) return next_[row][slice];
+        return nearest_[row][slice];
+    }
 
     BitsVector nearest_[kRows][kDepth];
     BitsVector next_[kSecond ? kRows : 1][kSecond ? kDepth : 1];

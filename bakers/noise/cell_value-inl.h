@@ -42,6 +42,22 @@ HWY_INLINE V cell_value(config::WorleyFeature feature, config::WorleyValue form,
     return distance;
 }
 
+// Distances of samples, at fractions of their cells along an axis, to the nearer face.
+template <class V>
+HWY_INLINE V distance_to_face(V fraction) {
+    return hn::Min(fraction, hn::Sub(hn::Set(hn::DFromV<V>(), 1.0f), fraction));
+}
+
+// True if no point beyond `rings` rings of cells can be nearer to samples at a distance of `to_face`
+// to the faces of their cells than points at these squared distances are. The slack is far above what
+// rounding does.
+template <class V>
+HWY_INLINE bool is_within_rings(V squared, int rings, V to_face) {
+    const hn::DFromV<V> d;
+    const V reach = hn::Add(hn::Set(d, static_cast<float>(rings)), to_face);
+    return hn::AllTrue(d, hn::Le(hn::Mul(squared, hn::Set(d, 1.00001f)), hn::Mul(reach, reach)));
+}
+
 template <class V>
 struct GreatestBumpsVector {
     V first, second;

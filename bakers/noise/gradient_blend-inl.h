@@ -55,6 +55,32 @@ HWY_INLINE BlendedAlongZ along_z(const MovingGradientVector& near, const MovingG
             blend(near.y, z.weight_0, far.y, z.weight_1)};
 }
 
+// Lattice rows whose gradients stand still, and ones whose gradients change in time. keys(key) returns
+// those of each lane's row for the key of a lattice.
+struct StillRow {
+    template <class RowKeys>
+    static HWY_INLINE StillRow of(const GradientOctave& octave, const RowKeys& keys) {
+        return {keys(octave.key)};
+    }
+    HWY_INLINE GradientVector gradient(WordVector scaled_x) const {
+        return lattice_gradient(key, scaled_x);
+    }
+    RowKeyVector key;
+};
+
+struct MovingRow {
+    template <class RowKeys>
+    static HWY_INLINE MovingRow of(const GradientOctave& octave, const RowKeys& keys) {
+        const TimeStep& time = *octave.time;
+        return {&time.basis, keys(time.keys[0]), keys(time.keys[1])};
+    }
+    HWY_INLINE MovingGradientVector gradient(WordVector scaled_x) const {
+        return gradient_at(*time, before, after, scaled_x);
+    }
+    const GradientBasis* time;
+    RowKeyVector before, after;
+};
+
 // rows[dy][dz].gradient(scaled_x) returns the gradients at lattice points.
 template <class Row>
 HWY_INLINE BlendedAlongYZ along_yz(const Row (&rows)[2][2], WordVector scaled_x, const Basis& y,

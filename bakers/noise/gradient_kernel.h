@@ -25,9 +25,10 @@ struct GradientLattice {
     AlignedFloats row_value, row_slope;
 };
 
-// Makes one lattice per octave, for chunks within `box` of at most `chunk_depth` slices.
-std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, const VoxelBox& box,
-                                                    int chunk_depth);
+// Makes one lattice for each of the first `octaves` octaves, for chunks within `box` of at most
+// `chunk_depth` slices.
+std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, std::size_t octaves,
+                                                    const VoxelBox& box, int chunk_depth);
 
 inline constexpr int kRowsAtOnce = 8;
 
@@ -44,7 +45,8 @@ struct SumTarget {
     bool finishes() const { return scale != 1 || offset != 0; }
 };
 
-// Writes the stack's sum over the chunk's voxels. Each octave has at most one cell per voxel.
+// Writes the sum of the octaves that have lattices over the chunk's voxels. Each of them has at most
+// one cell per voxel.
 void fill_gradient_stack(const GradientStack& stack, const VoxelBox& chunk,
                          std::vector<GradientLattice>& lattices, const SumTarget& target);
 

@@ -25,11 +25,31 @@ constexpr Floats kFloats;
 constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
 static_assert(kLanes <= static_cast<std::size_t>(kLanePadding));
 
-HWY_INLINE WordVector mix32(WordVector h) {
+template <std::size_t kCount, class Step>
+HWY_INLINE void for_each(const Step& step) {
+    HWY_UNROLL(8)
+    for (std::size_t i = 0; i < kCount; ++i) step(i);
+}
+
+template <std::size_t kCount>
+HWY_INLINE void mix32(WordVector (&words)[kCount]) {
     const Words d;
-    h = hn::Mul(hn::Xor(h, hn::ShiftRight<16>(h)), hn::Set(d, 0x7feb352du));
-    h = hn::Mul(hn::Xor(h, hn::ShiftRight<15>(h)), hn::Set(d, 0x846ca68bu));
-    return hn::Xor(h, hn::ShiftRight<16>(h));
+    for_each<kCount>([&](std::size_t i) HWY_ATTR {
+        words[i] =
+            hn::Mul(hn::Xor(words[i], hn::ShiftRight<16>(words[i])), hn::Set(d, 0x7feb352du));
+    });
+    for_each<kCount>([&](std::size_t i) HWY_ATTR {
+        words[i] =
+            hn::Mul(hn::Xor(words[i], hn::ShiftRight<15>(words[i])), hn::Set(d, 0x846ca68bu));
+    });
+    for_each<kCount>([&](std::size_t i)
+                         HWY_ATTR { words[i] = hn::Xor(words[i], hn::ShiftRight<16>(words[i])); });
+}
+
+HWY_INLINE WordVector mix32(WordVector h) {
+    WordVector one[] = {h};
+    mix32(one);
+    return one[0];
 }
 
 using Integers = hn::RebindToSigned<Floats>;
@@ -88,10 +108,6 @@ HWY_INLINE GradientVector lattice_gradient(const RowKeyVector& row, WordVector s
     return {hn::BitCast(df, x), hn::BitCast(df, y), hn::BitCast(df, z)};
 }
 
-HWY_INLINE GradientVector lattice_gradient(RowKey row, WordVector scaled_x) {
-    return lattice_gradient(in_all_lanes(row), scaled_x);
-}
-
 struct Gradient4Vector {
     FloatVector x, y, z, t;
 };
@@ -120,6 +136,7 @@ HWY_INLINE FloatVector unit_float(WordVector bits) {
 
 HWY_INLINE FloatVector moved_float(WordVector h, std::uint32_t shift) {
     const Words d;
+    if (shift == 0) return unit_float(hn::ShiftRight<8>(h));  // what the rest comes to, in a third
     const auto backwards = hn::Eq(hn::And(h, hn::Set(d, 1u)), hn::Set(d, 1u));
     const WordVector steps =
         hn::IfThenElse(backwards, hn::Set(d, kPathSteps - shift), hn::Set(d, shift));
@@ -132,20 +149,41 @@ struct CellPointVector {
     FloatVector x, y, z, height;
 };
 
-HWY_INLINE CellPointVector cell_point(const RowKeyVector& row, WordVector scaled_x,
-                                      std::uint32_t shift) {
-    const Words d;
-    const WordVector golden = hn::Set(d, kGolden32);
-    const WordVector a = mix32(hn::Xor(mix32(hn::Add(scaled_x, row.low)), row.high));
-    const WordVector b = mix32(hn::Xor(mix32(hn::Add(scaled_x, row.high)), row.low));
-    const WordVector c = mix32(hn::Xor(hn::Add(a, golden), hn::ShiftLeft<1>(b)));
-    const WordVector e = mix32(hn::Xor(hn::Add(b, golden), hn::ShiftLeft<1>(c)));
-    return {moved_float(a, shift), moved_float(b, shift), moved_float(c, shift),
-            unit_float(hn::ShiftRight<8>(e))};
+// Sets `points` to those of some cells of a row, step by step for all of them: a processor would wait
+// for the steps of one.
+template <std::size_t kCount>
+HWY_INLINE void cell_points(const RowKeyVector& row, const WordVector (&scaled_x)[kCount],
+                            std::uint32_t shift, CellPointVector (&points)[kCount]) {
+    const WordVector golden = hn::Set(Words(), kGolden32);
+    WordVector a[kCount], b[kCount], c[kCount], e[kCount];
+    const auto hash = [&](WordVector first, WordVector second, WordVector(&h)[kCount]) HWY_ATTR {
+        for_each<kCount>([&](std::size_t i) HWY_ATTR { h[i] = hn::Add(scaled_x[i], first); });
+        mix32(h);
+        for_each<kCount>([&](std::size_t i) HWY_ATTR { h[i] = hn::Xor(h[i], second); });
+        mix32(h);
+    };
+    const auto join = [&](const auto& from, const auto& with, WordVector(&h)[kCount]) HWY_ATTR {
+        for_each<kCount>([&](std::size_t i) HWY_ATTR {
+            h[i] = hn::Xor(hn::Add(from[i], golden), hn::ShiftLeft<1>(with[i]));
+        });
+        mix32(h);
+    };
+    hash(row.low, row.high, a);
+    hash(row.high, row.low, b);
+    join(a, b, c);
+    join(b, c, e);
+    for_each<kCount>([&](std::size_t i) HWY_ATTR {
+        points[i] = {moved_float(a[i], shift), moved_float(b[i], shift), moved_float(c[i], shift),
+                     unit_float(hn::ShiftRight<8>(e[i]))};
+    });
 }
 
-HWY_INLINE CellPointVector cell_point(RowKey row, WordVector scaled_x, std::uint32_t shift) {
-    return cell_point(in_all_lanes(row), scaled_x, shift);
+HWY_INLINE CellPointVector cell_point(const RowKeyVector& row, WordVector scaled_x,
+                                      std::uint32_t shift) {
+    const WordVector one[1] = {scaled_x};
+    CellPointVector point[1];
+    cell_points(row, one, shift, point);
+    return point[0];
 }
 
 }  // namespace HWY_NAMESPACE

@@ -17,6 +17,22 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+// The voxels first ... last of one axis, counted in cells from the first voxel's cell.
+struct Extent {
+    std::int64_t cell = 0;  // of the first voxel
+    int cells = 0;          // the cells that voxels lie in
+    float low = 0;          // position of the first voxel
+    float high = 0;         // and of the last
+};
+
+HWY_INLINE Extent extent_of(const AxisCells& axis, int first, int count) {
+    const auto from = static_cast<std::size_t>(first);
+    const auto to = from + static_cast<std::size_t>(count) - 1;
+    const int span = axis.cell[to] - axis.cell[from];
+    return {axis.cell[from], span + 1, axis.fraction[from],
+            static_cast<float>(span) + axis.fraction[to]};
+}
+
 // The points of cells, of which planes hold the places.
 class CellPoints {
   public:
@@ -26,7 +42,7 @@ class CellPoints {
     HWY_INLINE CellPointVector store(RowKey key, WordVector scaled_x, LatticePlanes& planes,
                                      std::size_t at) const {
         const Floats floats;
-        const CellPointVector point = cell_point(key, scaled_x, shift_);
+        const CellPointVector point = cell_point(in_all_lanes(key), scaled_x, shift_);
         hn::StoreU(point.x, floats, planes.x.data() + at);
         hn::StoreU(point.y, floats, planes.y.data() + at);
         hn::StoreU(point.z, floats, planes.z.data() + at);

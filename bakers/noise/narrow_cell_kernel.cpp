@@ -217,15 +217,9 @@ class TileFiller {
             take_points<1, kOneCell>(line, stride, x, tile);
             if constexpr (kRings > 1) take_points<2, kOneCell>(line, stride, x, tile);
         }
-        const auto farthest = tile.store(
-            field_, [&](std::size_t row, std::size_t slice) { return places[row][slice]; });
-        const auto one = hn::Set(kFloats, 1.0f);
-        const auto to_face =
-            hn::Min(hn::Set(kFloats, margin), hn::Min(fraction, hn::Sub(one, fraction)));
-        const auto reach = hn::Add(hn::Set(kFloats, static_cast<float>(kRings)), to_face);
-        // The slack is far above what rounding does.
-        return hn::AllTrue(
-            kFloats, hn::Le(hn::Mul(farthest, hn::Set(kFloats, 1.00001f)), hn::Mul(reach, reach)));
+        tile.store(field_, [&](std::size_t row, std::size_t slice) { return places[row][slice]; });
+        return is_within_rings(tile.farthest(), kRings,
+                               hn::Min(hn::Set(kFloats, margin), distance_to_face(fraction)));
     }
 
     template <int kRings>

@@ -5,9 +5,9 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <limits>
+#include <array>
 
-#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/gradient_blend-inl.h"
 #include "bakers/noise/lattice_hash-inl.h"
 #include "bakers/noise/pointwise_kernel.h"
@@ -31,37 +31,17 @@ HWY_INLINE Basis bases_from(const AxisBasis& axis, std::size_t voxel) {
             hn::LoadU(kFloats, axis.distance_1.data() + voxel)};
 }
 
-// Lattice rows whose gradients stand still, and ones whose gradients change in time.
-struct StillRow {
-    static StillRow of(const GradientOctave& octave, std::uint32_t y, std::uint32_t z) {
-        return {row_key(octave.key, y, z)};
-    }
-    HWY_INLINE GradientVector gradient(WordVector scaled_x) const {
-        return lattice_gradient(key, scaled_x);
-    }
-    RowKey key;
-};
-
-struct MovingRow {
-    static MovingRow of(const GradientOctave& octave, std::uint32_t y, std::uint32_t z) {
-        return {&octave.time->basis, time_keys(*octave.time, y, z)};
-    }
-    HWY_INLINE MovingGradientVector gradient(WordVector scaled_x) const {
-        return gradient_at(*time, in_all_lanes(keys[0]), in_all_lanes(keys[1]), scaled_x);
-    }
-    const GradientBasis* time;
-    TimeKeys keys;
-};
-
 template <class Row>
 void gradient_row(const GradientOctave& octave, int first_voxel, int size, std::size_t row,
                   std::size_t slice, float* out) {
     Row rows[2][2];
     for (int dy = 0; dy < 2; ++dy) {
         for (int dz = 0; dz < 2; ++dz) {
-            rows[dy][dz] =
-                Row::of(octave, wrapped_cell(octave.cells[1].cell[row] + dy, octave.frequency[1]),
-                        wrapped_cell(octave.cells[2].cell[slice] + dz, octave.frequency[2]));
+            rows[dy][dz] = Row::of(octave, [&](std::uint64_t key) HWY_ATTR {
+                return in_all_lanes(
+                    row_key(key, wrapped_cell(octave.cells[1].cell[row] + dy, octave.frequency[1]),
+                            wrapped_cell(octave.cells[2].cell[slice] + dz, octave.frequency[2])));
+            });
         }
     }
     const Basis y = basis_at(octave.basis[1], row);
@@ -79,71 +59,91 @@ void gradient_row(const GradientOctave& octave, int first_voxel, int size, std::
 
 // --- Cellular noise -----------------------------------------------------------------------------
 
-struct Nearest {
-    FloatVector first, second;
+// The cells about a voxel along an axis, nearest first: its own, its neighbours, and those beyond.
+struct NearCells {
+    float fraction = 0;
+    float to_face = 0;  // of the voxel's cell
+    std::array<int, 5> offset{};
+    std::array<std::uint32_t, 5> cell{};
+    std::array<float, 5> squared{};  // no point of the cell has a lower squared distance
 };
 
-// The keys of the lattice rows about a row of voxels, [dz + 2][dy + 2].
-struct RowKeys {
-    RowKey key[5][5];
+NearCells cells_about(const AxisCells& axis, std::size_t voxel, int frequency) {
+    NearCells cells;
+    cells.fraction = axis.fraction[voxel];
+    const int nearer = cells.fraction < 0.5f ? -1 : 1;
+    const float to_face = std::min(cells.fraction, 1 - cells.fraction);
+    cells.to_face = to_face;
+    cells.offset = {0, nearer, -nearer, 2 * nearer, -2 * nearer};
+    const std::array<float, 5> distance = {0, to_face, 1 - to_face, 1 + to_face, 2 - to_face};
+    for (std::size_t i = 0; i < cells.cell.size(); ++i) {
+        cells.cell[i] = wrapped_cell(axis.cell[voxel] + cells.offset[i], frequency);
+        const float least = std::max(0.0f, distance[i] - 1e-5f);  // far below what rounding does
+        cells.squared[i] = least * least;
+    }
+    return cells;
+}
+
+// A row of cells along x among those about a voxel.
+struct CellRow {
+    RowKey key;
+    float squared;  // as in NearCells
+    int dy, dz;
 };
 
-RowKeys keys_about(const CellField& field, std::size_t row, std::size_t slice) {
-    RowKeys keys;
-    for (int dz = -2; dz <= 2; ++dz) {
-        for (int dy = -2; dy <= 2; ++dy) {
-            keys.key[dz + 2][dy + 2] =
-                row_key(field.key, wrapped_cell(field.cells[1].cell[row] + dy, field.frequency[1]),
-                        wrapped_cell(field.cells[2].cell[slice] + dz, field.frequency[2]));
-        }
-    }
-    return keys;
+CellRow cell_row(const CellField& field, const NearCells& y, std::size_t i, const NearCells& z,
+                 std::size_t k) {
+    return {row_key(field.key, y.cell[i], z.cell[k]), y.squared[i] + z.squared[k], y.offset[i],
+            z.offset[k]};
 }
 
-// Adds the points of the cells within `rings` rings that are beyond `done` rings.
-HWY_INLINE void look_at(const CellField& field, const RowKeys& keys, std::size_t voxel,
-                        std::size_t row, std::size_t slice, int done, int rings, Nearest& nearest) {
-    const auto x = hn::LoadU(kFloats, field.cells[0].fraction.data() + voxel);
-    const auto y = hn::Set(kFloats, field.cells[1].fraction[row]);
-    const auto z = hn::Set(kFloats, field.cells[2].fraction[slice]);
-    const auto cell = hn::LoadU(Integers(), field.cells[0].cell.data() + voxel);
-    for (int dz = -rings; dz <= rings; ++dz) {
-        for (int dy = -rings; dy <= rings; ++dy) {
-            const RowKey key = keys.key[dz + 2][dy + 2];
-            for (int dx = -rings; dx <= rings; ++dx) {
-                if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= done) continue;
-                const CellPointVector point =
-                    cell_point(key, scaled_neighbours(cell, dx, field.frequency[0]), field.shift);
-                const auto along = [](FloatVector a, FloatVector b, int offset) HWY_ATTR {
-                    const auto distance =
-                        hn::Sub(hn::Sub(a, b), hn::Set(kFloats, static_cast<float>(offset)));
-                    return hn::Mul(distance, distance);
-                };
-                const auto squared = hn::Add(hn::Add(along(x, point.x, dx), along(y, point.y, dy)),
-                                             along(z, point.z, dz));
-                nearest.second = hn::Min(nearest.second, hn::Max(nearest.first, squared));
-                nearest.first = hn::Min(nearest.first, squared);
-            }
-        }
-    }
-}
-
-void cell_row(const CellField& field, int first_voxel, int size, std::size_t row, std::size_t slice,
-              float* out) {
-    const bool second = field.feature != config::WorleyFeature::f1;
-    const auto infinity = hn::Set(kFloats, std::numeric_limits<float>::infinity());
-    const RowKeys keys = keys_about(field, row, slice);
-    // Points beyond one ring of cells are at least a cell away.
-    const auto safe = hn::Set(kFloats, 0.9999f);
+// Fills a row of voxels. Looks at rows of cells until no further one can hold a nearer point.
+template <bool kSecond>
+void cells_of_row(const CellField& field, int first_voxel, int size, std::size_t row,
+                  std::size_t slice, float* out) {
+    const NearCells y = cells_about(field.cells[1], row, field.frequency[1]);
+    const NearCells z = cells_about(field.cells[2], slice, field.frequency[2]);
+    std::array<CellRow, 9> rows;
+    for (std::size_t i = 0; i < rows.size(); ++i) rows[i] = cell_row(field, y, i % 3, z, i / 3);
+    std::ranges::sort(rows, {}, &CellRow::squared);
+    const auto to_face = hn::Set(kFloats, std::min(y.to_face, z.to_face));
     for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += kLanes) {
         const std::size_t voxel = static_cast<std::size_t>(first_voxel) + i;
-        Nearest nearest{infinity, infinity};
-        look_at(field, keys, voxel, row, slice, -1, 1, nearest);
-        if (!hn::AllTrue(kFloats, hn::Le(second ? nearest.second : nearest.first, safe))) {
-            look_at(field, keys, voxel, row, slice, 1, 2, nearest);
+        const auto x = hn::LoadU(kFloats, field.cells[0].fraction.data() + voxel);
+        const auto cell = hn::LoadU(Integers(), field.cells[0].cell.data() + voxel);
+        CellTile<1, 1, kSecond> tile;
+        const auto is_found = [&](const CellRow& cells) HWY_ATTR {
+            return hn::AllTrue(kFloats, hn::Le(tile.farthest(), hn::Set(kFloats, cells.squared)));
+        };
+        const auto take = [&](const CellPointVector& point, int dx, const CellRow& cells) HWY_ATTR {
+            const auto along = [](FloatVector at, FloatVector from, int offset) HWY_ATTR {
+                return squared_along(at, from, hn::Set(kFloats, -static_cast<float>(offset)));
+            };
+            const auto across = hn::Add(along(x, point.x, dx),
+                                        along(hn::Set(kFloats, y.fraction), point.y, cells.dy));
+            const auto squared_z = along(hn::Set(kFloats, z.fraction), point.z, cells.dz);
+            tile.take(0, 0, hn::Add(across, squared_z));
+        };
+        const WordVector scaled_x[] = {scaled_neighbours(cell, -1, field.frequency[0]),
+                                       scaled_neighbours(cell, 0, field.frequency[0]),
+                                       scaled_neighbours(cell, 1, field.frequency[0])};
+        for (auto cells = rows.begin(); cells != rows.end() && !is_found(*cells); ++cells) {
+            CellPointVector points[3];
+            cell_points(in_all_lanes(cells->key), scaled_x, field.shift, points);
+            for (int dx = -1; dx <= 1; ++dx) take(points[dx + 1], dx, *cells);
         }
-        hn::StoreU(cell_value(field.feature, field.value_form, nearest.first, nearest.second),
-                   kFloats, out + i);
+        const bool is_near =
+            is_within_rings(tile.farthest(), 1, hn::Min(to_face, distance_to_face(x)));
+        for (std::size_t k = 0; k < 25 && !is_near; ++k) {  // the second ring, too
+            const CellRow cells = cell_row(field, y, k % 5, z, k / 5);
+            if (is_found(cells)) continue;
+            const int step = std::max(k % 5, k / 5) < 3 ? 4 : 1;
+            for (int dx = -2; dx <= 2; dx += step) {
+                const auto beside = scaled_neighbours(cell, dx, field.frequency[0]);
+                take(cell_point(in_all_lanes(cells.key), beside, field.shift), dx, cells);
+            }
+        }
+        tile.store(field, [&](std::size_t, std::size_t) { return out + i; });
     }
 }
 
@@ -172,7 +172,9 @@ void gradient_pointwise(const GradientOctave& octave, const VoxelBox& chunk, std
 void cells_pointwise(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
                      float* out) {
     for_each_row(chunk, row_stride, out, [&](std::size_t row, std::size_t slice, float* target) {
-        cell_row(field, chunk.origin[0], chunk.size[0], row, slice, target);
+        const auto fill =
+            field.feature == config::WorleyFeature::f1 ? cells_of_row<false> : cells_of_row<true>;
+        fill(field, chunk.origin[0], chunk.size[0], row, slice, target);
     });
 }
 

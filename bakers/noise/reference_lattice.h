@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <optional>
 
 #include "bakers/math/vectors.h"
@@ -20,12 +21,16 @@ struct Lattice {
 
     glm::dvec3 periods() const { return {period[0], period[1], period[2]}; }
     std::uint32_t wrap(double cell, std::size_t axis) const { return wrapped(cell, period[axis]); }
-    Gradient gradient(double x, double y, double z) const {
-        return lattice_gradient(row_key(key, wrap(y, 1), wrap(z, 2)), wrap(x, 0));
+    glm::dvec3 gradient(const glm::dvec3& at) const {
+        const auto [x, y, z] =
+            lattice_gradient(row_key(key, wrap(at.y, 1), wrap(at.z, 2)), wrap(at.x, 0));
+        return {x, y, z};
     }
-    Gradient4 gradient(double x, double y, double z, double t) const {
-        const std::uint64_t at_time = time_key(key, wrapped(t, time_period));
-        return lattice_gradient_4(row_key(at_time, wrap(y, 1), wrap(z, 2)), wrap(x, 0));
+    glm::dvec4 gradient(const glm::dvec4& at) const {
+        const RowKey row =
+            row_key(time_key(key, wrapped(at.w, time_period)), wrap(at.y, 1), wrap(at.z, 2));
+        const auto [x, y, z, t] = lattice_gradient_4(row, wrap(at.x, 0));
+        return {x, y, z, t};
     }
     CellPoint point(double x, double y, double z) const;
 

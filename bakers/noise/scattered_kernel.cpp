@@ -6,9 +6,8 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 
-#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/cell_tile-inl.h"
 #include "bakers/noise/gradient_blend-inl.h"
 #include "bakers/noise/scattered_kernel.h"
 
@@ -110,30 +109,6 @@ class LaneRows {
 
 // --- Gradient noise -----------------------------------------------------------------------------
 
-struct StillLanes {
-    static HWY_INLINE StillLanes of(const GradientOctave& octave, const LaneRows& rows, int dy,
-                                    int dz) {
-        return {rows.keys(octave.key, dy, dz)};
-    }
-    HWY_INLINE GradientVector gradient(WordVector scaled_x) const {
-        return lattice_gradient(key, scaled_x);
-    }
-    RowKeyVector key;
-};
-
-struct MovingLanes {
-    static HWY_INLINE MovingLanes of(const GradientOctave& octave, const LaneRows& rows, int dy,
-                                     int dz) {
-        const TimeStep& time = *octave.time;
-        return {&time.basis, rows.keys(time.keys[0], dy, dz), rows.keys(time.keys[1], dy, dz)};
-    }
-    HWY_INLINE MovingGradientVector gradient(WordVector scaled_x) const {
-        return gradient_at(*time, before, after, scaled_x);
-    }
-    const GradientBasis* time;
-    RowKeyVector before, after;
-};
-
 HWY_INLINE Basis basis_at(FloatVector u) {
     const auto one = hn::Set(kFloats, 1.0f);
     const auto slope =
@@ -149,11 +124,14 @@ HWY_INLINE Basis scaled(const Basis& basis, FloatVector factor) {
             hn::Mul(basis.distance_0, factor), hn::Mul(basis.distance_1, factor)};
 }
 
-template <class Lanes>
+template <class Row>
 HWY_INLINE FloatVector gradient_value(const GradientOctave& octave, const Samples& samples) {
     const LaneRows lane_rows(samples, octave.frequency);
-    const auto row = [&](int dy, int dz) HWY_ATTR { return Lanes::of(octave, lane_rows, dy, dz); };
-    const Lanes rows[2][2] = {{row(0, 0), row(0, 1)}, {row(1, 0), row(1, 1)}};
+    const auto row = [&](int dy, int dz) HWY_ATTR {
+        return Row::of(octave,
+                       [&](std::uint64_t key) HWY_ATTR { return lane_rows.keys(key, dy, dz); });
+    };
+    const Row rows[2][2] = {{row(0, 0), row(0, 1)}, {row(1, 0), row(1, 1)}};
     const int period = octave.frequency[0];
     return blended_gradients(
         rows, scaled_neighbours(samples.x.cell, 0, period),
@@ -165,53 +143,55 @@ HWY_INLINE FloatVector gradient_value(const GradientOctave& octave, const Sample
 
 // --- Cellular noise -----------------------------------------------------------------------------
 
-// Calls take(squared distance, height of the bump) for the points of the cells within `rings` rings
+// Calls take(squared distance, height of the bump) for the points of the cells within kRings rings
 // that are beyond `done` rings.
-template <class Take>
+template <int kRings, class Take>
 HWY_INLINE void for_points(const CellField& field, const Samples& samples, const LaneRows& rows,
-                           int done, int rings, const Take& take) {
-    const auto along = [](FloatVector a, FloatVector b, int offset) HWY_ATTR {
-        const auto distance = hn::Sub(hn::Sub(a, b), hn::Set(kFloats, static_cast<float>(offset)));
-        return hn::Mul(distance, distance);
-    };
-    for (int dz = -rings; dz <= rings; ++dz) {
-        for (int dy = -rings; dy <= rings; ++dy) {
-            const RowKeyVector key = rows.keys(field.key, dy, dz);
-            for (int dx = -rings; dx <= rings; ++dx) {
+                           int done, const Take& take) {
+    WordVector scaled_x[2 * kRings + 1];
+    for (int dx = -kRings; dx <= kRings; ++dx) {
+        scaled_x[dx + kRings] = scaled_neighbours(samples.x.cell, dx, field.frequency[0]);
+    }
+    for (int dz = -kRings; dz <= kRings; ++dz) {
+        for (int dy = -kRings; dy <= kRings; ++dy) {
+            CellPointVector points[2 * kRings + 1];
+            cell_points(rows.keys(field.key, dy, dz), scaled_x, field.shift, points);
+            for (int dx = -kRings; dx <= kRings; ++dx) {
                 if (std::max({std::abs(dx), std::abs(dy), std::abs(dz)}) <= done) continue;
-                const CellPointVector point = cell_point(
-                    key, scaled_neighbours(samples.x.cell, dx, field.frequency[0]), field.shift);
-                take(hn::Add(hn::Add(along(samples.x.fraction, point.x, dx),
-                                     along(samples.y.fraction, point.y, dy)),
-                             along(samples.z.fraction, point.z, dz)),
+                const CellPointVector& point = points[dx + kRings];
+                const auto along = [](const AxisSamples& axis, FloatVector at,
+                                      int offset) HWY_ATTR {
+                    return squared_along(axis.fraction, at,
+                                         hn::Set(kFloats, -static_cast<float>(offset)));
+                };
+                take(hn::Add(hn::Add(along(samples.x, point.x, dx), along(samples.y, point.y, dy)),
+                             along(samples.z, point.z, dz)),
                      point.height);
             }
         }
     }
 }
 
+template <bool kSecond>
 HWY_INLINE FloatVector worley_value(const CellField& field, const Samples& samples,
                                     const LaneRows& rows) {
-    auto first = hn::Set(kFloats, std::numeric_limits<float>::infinity());
-    auto second = first;
-    const auto take = [&](FloatVector squared, FloatVector) HWY_ATTR {
-        second = hn::Min(second, hn::Max(first, squared));
-        first = hn::Min(first, squared);
-    };
-    for_points(field, samples, rows, -1, 1, take);
-    // Points beyond one ring of cells are at least a cell away.
-    const auto decisive = field.feature == config::WorleyFeature::f1 ? first : second;
-    if (!hn::AllTrue(kFloats, hn::Le(decisive, hn::Set(kFloats, 0.9999f)))) {
-        for_points(field, samples, rows, 1, 2, take);
+    CellTile<1, 1, kSecond> tile;
+    const auto take = [&](FloatVector squared, FloatVector) HWY_ATTR { tile.take(0, 0, squared); };
+    for_points<1>(field, samples, rows, -1, take);
+    const auto to_face =
+        hn::Min(hn::Min(distance_to_face(samples.x.fraction), distance_to_face(samples.y.fraction)),
+                distance_to_face(samples.z.fraction));
+    if (!is_within_rings(tile.farthest(), 1, to_face)) {
+        for_points<2>(field, samples, rows, 1, take);
     }
-    return cell_value(field.feature, field.value_form, first, second);
+    return tile.value(field, 0, 0);
 }
 
 // Bumps end within one ring of cells.
 HWY_INLINE FloatVector alligator_value(const CellField& field, const Samples& samples,
                                        const LaneRows& rows) {
     GreatestBumpsVector<FloatVector> bumps{hn::Zero(kFloats), hn::Zero(kFloats)};
-    for_points(field, samples, rows, -1, 1, [&](FloatVector squared, FloatVector height) HWY_ATTR {
+    for_points<1>(field, samples, rows, -1, [&](FloatVector squared, FloatVector height) HWY_ATTR {
         bumps.add(squared, height);
     });
     return bumps.value();
@@ -246,21 +226,22 @@ void gradient_scattered(const GradientOctave& octave, const VoxelBox& chunk, std
         for_each_vector(octave.cells, octave.frequency, chunk, row_stride, displaced, out, value);
     };
     if (octave.time) {
-        fill([&](const Samples& s) HWY_ATTR { return gradient_value<MovingLanes>(octave, s); });
+        fill([&](const Samples& s) HWY_ATTR { return gradient_value<MovingRow>(octave, s); });
     } else {
-        fill([&](const Samples& s) HWY_ATTR { return gradient_value<StillLanes>(octave, s); });
+        fill([&](const Samples& s) HWY_ATTR { return gradient_value<StillRow>(octave, s); });
     }
 }
 
 void cells_scattered(const CellField& field, const VoxelBox& chunk, std::size_t row_stride,
                      const DisplacedRows& displaced, float* out) {
-    for_each_vector(field.cells, field.frequency, chunk, row_stride, displaced, out,
-                    [&](const Samples& samples) HWY_ATTR {
-                        const LaneRows rows(samples, field.frequency);
-                        return field.kind == CellKind::alligator
-                                   ? alligator_value(field, samples, rows)
-                                   : worley_value(field, samples, rows);
-                    });
+    const auto fill = [&](const auto& value) HWY_ATTR {
+        for_each_vector(field.cells, field.frequency, chunk, row_stride, displaced, out,
+                        [&](const Samples& samples) HWY_ATTR {
+                            return value(field, samples, LaneRows(samples, field.frequency));
+                        });
+    };
+    if (field.kind == CellKind::alligator) return fill(alligator_value);
+    fill(field.feature == config::WorleyFeature::f1 ? worley_value<false> : worley_value<true>);
 }
 
 }  // namespace HWY_NAMESPACE

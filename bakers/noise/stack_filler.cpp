@@ -10,24 +10,23 @@ namespace skybake::noise {
 StackFiller::StackFiller(const GradientStack& stack, const std::array<TileAxis, 3>& axes,
                          const VoxelBox& box, const ChunkLayout& layout, bool displaced)
     : stack_(stack), row_stride_(layout.row_stride), displaced_(displaced) {
-    const bool separable = std::ranges::all_of(
+    const auto fine = std::ranges::find_if_not(
         stack.octaves, [&](const auto& octave) { return is_resolved(axes, octave.frequency); });
-    if (layout.pointwise || displaced || !separable) {
-        octave_.reserve(layout.floats);
-    } else {
-        lattices_ = make_gradient_lattices(stack, box, layout.depth);
+    const auto shared = static_cast<std::size_t>(fine - stack.octaves.begin());
+    if (!layout.pointwise && !displaced) {
+        lattices_ = make_gradient_lattices(stack, shared, box, layout.depth);
     }
+    if (!is_separable()) octave_.reserve(layout.floats);
 }
 
 void StackFiller::fill(const VoxelBox& chunk, const DisplacedRows& displaced,
                        const SumTarget& target) {
-    if (lattices_) {
-        fill_gradient_stack(stack_, chunk, *lattices_, target);
-        return;
-    }
+    if (is_separable()) return fill_gradient_stack(stack_, chunk, lattices_, target);
+    const SumTarget unfinished{target.out, target.row_stride, target.slice_stride};
+    if (!lattices_.empty()) fill_gradient_stack(stack_, chunk, lattices_, unfinished);
     const std::size_t count = row_stride_ * static_cast<std::size_t>(chunk.size[1]) *
                               static_cast<std::size_t>(chunk.size[2]);
-    for (std::size_t i = 0; i < stack_.octaves.size(); ++i) {
+    for (std::size_t i = lattices_.size(); i < stack_.octaves.size(); ++i) {
         const GradientOctave& octave = stack_.octaves[i];
         if (displaced_) {
             fill_scattered_gradient_octave(octave, chunk, row_stride_, displaced, octave_.data());

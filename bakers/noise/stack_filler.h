@@ -1,11 +1,10 @@
-// Fills a box with a sum of octaves of gradient noise, chunk by chunk, by the kernel that suits the
-// octaves: gradient_kernel.h if voxels share lattice points, else pointwise_kernel.h, or
-// scattered_kernel.h if samples are displaced.
+// Fills a box with a sum of octaves of gradient noise, chunk by chunk, by the kernel that suits each
+// octave: gradient_kernel.h for the first ones, while voxels share lattice points, pointwise_kernel.h
+// from the first octave on in which they do not, or scattered_kernel.h if samples are displaced.
 #pragma once
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "bakers/field/level.h"
@@ -31,7 +30,7 @@ class StackFiller {
                 const VoxelBox& box, const ChunkLayout& layout, bool displaced);
 
     // True if fill writes rows of any stride, straight to where they are wanted.
-    bool is_separable() const { return lattices_.has_value(); }
+    bool is_separable() const { return lattices_.size() == stack_.octaves.size(); }
 
     // Unless the filler is separable, the target's rows are those of the layout. `displaced` has
     // rows if the filler was made for displaced samples.
@@ -41,7 +40,7 @@ class StackFiller {
     const GradientStack& stack_;
     std::size_t row_stride_ = 0;
     bool displaced_ = false;
-    std::optional<std::vector<GradientLattice>> lattices_;
+    std::vector<GradientLattice> lattices_;  // of the first octaves
     ScratchFloats octave_;
 };
 

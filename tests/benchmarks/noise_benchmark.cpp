@@ -167,7 +167,7 @@ void register_all() {
     milliseconds(RegisterBenchmark("perlin_1_128", fill, perlin_plan(128, 1), 128, 1));
     milliseconds(RegisterBenchmark("perlin_1_128_pointwise", perlin_pointwise, 128, 1));
     milliseconds(RegisterBenchmark("perlin_1_128_stores", stores, 128, 1));
-    for (const int frequency : {4, 8, 16, 32, 64, 128}) {
+    for (const int frequency : {4, 8, 16, 32, 64, 128, 192, 2048}) {
         const std::string name = "worley_f1_128_cells" + std::to_string(frequency);
         milliseconds(RegisterBenchmark(name.c_str(), fill, worley_plan(128, frequency), 128, 1));
     }
@@ -198,6 +198,8 @@ void register_all() {
                                        perlin_plan(256, 5), 256, 5));
         milliseconds(RegisterBenchmark(("worley_f1_128_cells4" + on).c_str(), fill_on, target,
                                        worley_plan(128, 4), 128, 1));
+        milliseconds(RegisterBenchmark(("worley_f1_128_cells192" + on).c_str(), fill_on, target,
+                                       worley_plan(128, 192), 128, 1));
         milliseconds(RegisterBenchmark(("nubis_shape_128" + on).c_str(), fill_on, target,
                                        preset_plan("nubis_shape", 128), 128, 7));
     }

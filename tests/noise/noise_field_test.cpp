@@ -11,7 +11,6 @@
 #include "bakers/noise/noise_reference.h"
 #include "bakers/noise/pointwise_kernel.h"
 #include "tests/noise/every_target.h"
-#include "tests/noise/running_error.h"
 
 namespace skybake::noise {
 namespace {
@@ -31,6 +30,13 @@ TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
     EXPECT_GE(targets, 2);
     for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
         expect_specified(noise, {33, 20, 11}, {{}, {33, 20, 11}});
+    }
+}
+
+// The second of three octaves has more cells than voxels.
+TEST(NoiseField, EqualsTheSpecificationFromAFineOctaveOn) {
+    for (const auto& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 40}, {3, 5, 7}})) {
+        expect_specified(noise, {33, 20, 11}, {{0, 1, 0}, {33, 18, 11}});
     }
 }
 
@@ -95,40 +101,12 @@ TEST(NoiseField, PacksFourChannelsOrThreeIntoOne) {
     EXPECT_EQ(make_noise_plan(noise, {4, 4, 4}).output_channels(), 1);
 }
 
-// Both ways to a row of voxels, whichever NoiseField takes.
-TEST(PointwiseKernel, EqualsTheSpecificationOnEveryTarget) {
-    const config::Noise noise =
-        test::noise_of({test::perlin({{5, 3, 4}}), test::worley({{5, 3, 4}}, WorleyFeature::f2),
-                        test::worley({{1, 2, 40}})});
-    const NoisePlan plan = make_noise_plan(noise, {37, 9, 9});
-    const VoxelBox chunk{{5, 2, 1}, {32, 7, 8}};
-    constexpr std::size_t kStride = 32;
-    std::vector<float> out(kStride * 7 * 8);
-    const auto worst = [&](const auto& specification) {
-        std::int64_t ulps = 0;
-        for (int z = 0; z < 8; ++z) {
-            for (int y = 0; y < 7; ++y) {
-                for (int x = 0; x < 32; ++x) {
-                    const float made = out[static_cast<std::size_t>((z * 7 + y) * 32 + x)];
-                    ulps = std::max(
-                        ulps, test::ulps_between(made, specification(Voxel{5 + x, 2 + y, 1 + z})));
-                }
-            }
-        }
-        return ulps;
-    };
-    test::on_every_target([&](const char* name) {
-        const GradientOctave& octave = plan.channels[0].gradient.octaves[0];
-        fill_gradient_octave_pointwise(octave, chunk, kStride, out.data());
-        EXPECT_EQ(worst([&](const Voxel& v) { return gradient_octave_at(plan.axes, octave, v); }),
-                  0)
-            << name;
-        for (const CellField& field : plan.fields) {
-            fill_cell_field_pointwise(field, chunk, kStride, out.data());
-            EXPECT_EQ(worst([&](const Voxel& v) { return cell_field_at(plan.axes, field, v); }), 0)
-                << name;
-        }
-    });
+// With more cells than voxels along an axis each sample is hashed on its own.
+TEST(NoiseField, EqualsTheSpecificationForCellsFinerThanVoxels) {
+    expect_specified(test::noise_of({test::perlin({{50, 3, 4}}), test::worley({{1, 2, 40}}),
+                                     test::worley({{5, 3, 40}}, WorleyFeature::f2),
+                                     test::worley({{74, 27, 9}}, WorleyFeature::f2_minus_f1)}),
+                     {37, 9, 9}, {{5, 2, 1}, {32, 7, 8}});
 }
 
 // Second nearest points are often beyond the 27 cells about a voxel: in so many voxels some are, for

@@ -9,7 +9,10 @@
 #include <numeric>
 
 #include "bakers/assets/blue_noise/mask_figures.h"
+#include "bakers/noise/torus_energy.h"
 #include "tests/noise/void_and_cluster_reference.h"
+#include "tests/report/cancelled_at.h"
+#include "tests/support/every_target.h"
 
 namespace skybake {
 namespace {
@@ -21,12 +24,13 @@ std::vector<std::uint32_t> ranks_of(const MaskShape& shape) {
 }
 
 void expect_reference(const MaskShape& shape) {
-    const std::vector<std::uint32_t> ranks = ranks_of(shape);
     std::vector<std::uint32_t> wanted;
     for (const std::vector<int>& frame : test::MaskReference(shape).ranks()) {
         wanted.insert(wanted.end(), frame.begin(), frame.end());
     }
-    EXPECT_EQ(ranks, wanted) << shape.size[0] << " x " << shape.size[1] << " x " << shape.size[2];
+    test::on_every_target([&](const char* name) {
+        EXPECT_EQ(ranks_of(shape), wanted) << name << ", " << shape.size[0] << " pixels across";
+    });
 }
 
 TEST(VoidAndCluster, IsTheReferenceThatSumsEveryEnergyAnew) {
@@ -54,26 +58,46 @@ RC_GTEST_PROP(VoidAndCluster, EveryFrameHasEachRankOnce, ()) {
     shape.temporal_sigma = *rc::gen::inRange(5, 40) / 10.0;
     shape.seed = *rc::gen::arbitrary<std::uint64_t>();
     const std::vector<std::uint32_t> ranks = ranks_of(shape);
-    const auto pixels = static_cast<std::ptrdiff_t>(shape.size[0] * shape.size[1]);
-    std::vector<std::uint32_t> all(static_cast<std::size_t>(pixels));
-    std::iota(all.begin(), all.end(), 0U);
-    RC_ASSERT(ranks.size() == all.size() * static_cast<std::size_t>(shape.size[2]));
-    for (int frame = 0; frame < shape.size[2]; ++frame) {
-        std::vector<std::uint32_t> sorted(ranks.begin() + frame * pixels,
-                                          ranks.begin() + (frame + 1) * pixels);
-        std::sort(sorted.begin(), sorted.end());
-        RC_ASSERT(sorted == all);
+    const auto pixels = static_cast<std::size_t>(shape.size[0] * shape.size[1]);
+    RC_ASSERT(ranks.size() == pixels * static_cast<std::size_t>(shape.size[2]));
+    std::vector<std::vector<bool>> seen(ranks.size() / pixels, std::vector<bool>(pixels));
+    for (std::size_t i = 0; i < ranks.size(); ++i) {
+        RC_ASSERT(ranks[i] < pixels);
+        RC_ASSERT(!seen[i / pixels][ranks[i]]);
+        seen[i / pixels][ranks[i]] = true;
     }
 }
 
-class Interrupted : public Progress {
-  public:
-    void advance(std::string_view, double) override {}
-    bool cancelled() const override { return true; }
-};
+// After any choice the extremes are the first of all pixels that have those energies.
+TEST(TorusEnergy, ExtremesAreTheFirstOfTheirEnergies) {
+    for (const auto& [width, height] : {std::pair{13, 9}, {16, 3}, {40, 33}}) {
+        noise::TorusEnergy energy({width, height, 3}, 0.7, 0.8);
+        const auto pixels = static_cast<std::size_t>(width * height);
+        std::vector<std::vector<int>> chosen(3, std::vector<int>(pixels));
+        const auto expect_first = [&](std::size_t frame, int state, std::size_t found) {
+            const auto gap = [&](std::size_t pixel) {  // grows from the extreme on
+                return (state == 1 ? ~std::uint64_t{0} : 0) ^ energy.at(frame, pixel);
+            };
+            for (std::size_t i = 0; i < pixels; ++i) {
+                if (chosen[frame][i] != state) continue;
+                ASSERT_LE(gap(found) + (i < found ? 1 : 0), gap(i)) << width << ' ' << frame;
+            }
+        };
+        for (std::size_t step = 0; step < 300; ++step) {
+            const std::size_t at = noise::first_hash(5, step % 3, step / 2 % 90) % pixels;
+            int& state = chosen[step % 3][at];
+            state == 1 ? energy.remove(step % 3, at) : energy.add(step % 3, at);
+            state = 1 - state;
+            for (std::size_t frame = 0; step > 2 && frame < 3; ++frame) {
+                expect_first(frame, 0, energy.largest_void(frame).pixel);
+                expect_first(frame, 1, energy.tightest_cluster(frame).pixel);
+            }
+        }
+    }
+}
 
 TEST(VoidAndCluster, AnInterruptionLeavesNothing) {
-    Interrupted progress;
+    testing::CancelledAt progress("", 0);
     BakeOptions options;
     options.progress = &progress;
     EXPECT_TRUE(noise::void_and_cluster_ranks({{16, 16, 2}}, options).empty());
