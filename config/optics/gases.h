@@ -55,7 +55,7 @@ WavelengthRange range_of(Gas gas);
 struct GasOptics {
     double scattering_m2 = 0;
     double absorption_m2 = 0;
-    double depolarization = 0;  // of the light that it scatters, see rayleigh_second_moment
+    double depolarization = 0;  // of the light that it scatters
     constexpr double extinction_m2() const { return scattering_m2 + absorption_m2; }
 };
 
@@ -79,15 +79,6 @@ double king_factor(Length wavelength);
 // The depolarisation rho of unpolarised light scattered by 90 degrees: 0.0295 at 400 nm, 0.0283 at
 // 550 nm, 0.0278 at 700 nm.
 double rayleigh_depolarization(Length wavelength);
-
-// The phase function of air is, with mu the cosine of the scattering angle and gamma = rho / (2 -
-// rho),
-//
-//     3 / (16 pi (1 + 2 gamma)) * ((1 + 3 gamma) + (1 - gamma) mu^2)
-//
-// Returns its second Legendre moment, the mean of P2(mu): 0.1 without depolarisation, 0.0959 with
-// 0.0279. Moments 1, 3 and up are 0, and the value at mu is (1 + 5 moment P2(mu)) / (4 pi).
-double rayleigh_second_moment(double depolarization);
 
 // --- Columns: molecules per square metre from the ground to space --------------------------------
 

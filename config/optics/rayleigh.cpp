@@ -86,8 +86,4 @@ double rayleigh_depolarization(Length wavelength) {
     return depolarization_of(king_factor(wavelength));
 }
 
-double rayleigh_second_moment(double depolarization) {
-    return (1 - depolarization) / (2 + depolarization) / 5;
-}
-
 }  // namespace skybake::config

@@ -1,5 +1,4 @@
-// Solved light under a fan of suns, against the same light moment by moment, where light falls too fast
-// for cubics and where it does not.
+// Solved light under a fan of suns against the same light moment by moment, by cubics and by falls.
 #include "bakers/assets/bruneton/bundle_light.h"
 
 #include <gtest/gtest.h>

@@ -38,8 +38,7 @@ SkyColors colors(const config::Parameters& parameters) {
                       {.threads = 2});
 }
 
-// Bounds weights, of which all of one channel add up to about 1, and errors of colours, whose own are
-// 3e-3 in the median: rows read light that was scattered before at three nodes of a piece, rays at five.
+// Bounds weights near 1 and errors near 3e-3: rows read higher orders at three nodes, rays at five.
 constexpr double kRowsAgainstRays = 1e-4;
 
 struct Bar {

@@ -49,21 +49,6 @@ TEST(Air, IsDepolarizedAsBatesPublished) {
     }
 }
 
-TEST(Air, HasThePhaseFunctionOfItsDepolarization) {
-    EXPECT_DOUBLE_EQ(rayleigh_second_moment(0), 0.1);
-    EXPECT_NEAR(rayleigh_second_moment(0.0279), 0.0959, 5e-5);
-    // The mean of P2 over Chandrasekhar's form, by the midpoint rule.
-    const double rho = 0.0283, gamma = rho / (2 - rho);
-    double mean = 0;
-    constexpr int kSteps = 2000;
-    for (int i = 0; i < kSteps; ++i) {
-        const double mu = -1 + (i + 0.5) * 2 / kSteps;
-        const double phase = 3 / (4 * (1 + 2 * gamma)) * (1 + 3 * gamma + (1 - gamma) * mu * mu);
-        mean += phase / 2 * (3 * mu * mu - 1) / 2 * 2 / kSteps;
-    }
-    EXPECT_NEAR(rayleigh_second_moment(rho), mean, 1e-6);
-}
-
 TEST(Air, HasThePublishedColumnAndDepths) {
     EXPECT_NEAR(air_column_per_m2() / 2.148e29, 1, 2e-4);
     EXPECT_DOUBLE_EQ(air_column_per_m2(50000), air_column_per_m2(100000) / 2);

@@ -29,10 +29,10 @@ config::Atmosphere haze(double g, const std::string& scattering, const std::stri
                                                       kMie + "g=" + std::to_string(g)});
 }
 
-config::Atmosphere ground_fog() {
+config::Atmosphere ground_fog(const std::string& extinction = "\"3 /km\"") {
     return test::preset_atmosphere(
         "earth_hillaire",
-        {kMie + "scattering=\"3 /km\"", kMie + "extinction=\"3 /km\"",
+        {kMie + "scattering=" + extinction, kMie + "extinction=" + extinction,
          kMie + "phase=\"henyey_greenstein\"", kMie + "scale_height=\"0.1 km\"", kMie + "g=0.85"});
 }
 
@@ -116,10 +116,8 @@ TEST(PeakedLight, DegreeIsChosenByTheMedium) {
 // kNegligibleLight where it is 35 times thinner. An altitude needs what its neighbours need.
 TEST(PeakedLight, DegreeEndsWhereNothingScattersMore) {
     const SkyMedium fog = make_sky_medium(ground_fog());
-    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2, 50}, 24),
-              (std::vector<int>{24, 24, 24, 3, 3, 3}));
-    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2, 50}, 8),
-              (std::vector<int>{8, 8, 8, 3, 3, 3}));
+    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2}, 24), (std::vector<int>{24, 24, 24, 3, 3}));
+    EXPECT_EQ(needed_degrees(fog, {0, 0.2, 0.6, 1, 2}, 8), (std::vector<int>{8, 8, 8, 3, 3}));
     const SkyMedium air =
         make_sky_medium(test::preset_atmosphere("earth_hillaire", {kMie + "enabled=false"}));
     EXPECT_EQ(needed_degrees(air, {0, 10, 100}, 16), (std::vector<int>{3, 3, 3}));
@@ -127,10 +125,7 @@ TEST(PeakedLight, DegreeEndsWhereNothingScattersMore) {
 
 // Where all but exp(-20) of the light came from all sides.
 TEST(PeakedLight, DegreeFallsDeepWithinFog) {
-    const SkyMedium thick = make_sky_medium(test::preset_atmosphere(
-        "earth_hillaire",
-        {kMie + "scattering=\"300 /km\"", kMie + "extinction=\"300 /km\"",
-         kMie + "phase=\"henyey_greenstein\"", kMie + "scale_height=\"0.1 km\"", kMie + "g=0.85"}));
+    const SkyMedium thick = make_sky_medium(ground_fog("\"300 /km\""));
     EXPECT_EQ(needed_degrees(thick, {0, 0.02, 0.04, 0.34}, 24), (std::vector<int>{8, 8, 24, 24}));
 }
 
