@@ -17,7 +17,7 @@ namespace {
 
 // The accuracy of the phase function, far below the errors of the sky's tables.
 constexpr double kAccuracy = 3e-3;
-// Of spheres between wavelengths of which light is interpolated, for the shapes of spectra.
+// Spheres between whose wavelengths light is interpolated give the shapes of spectra, and need less.
 constexpr double kAccuracyOfSteps = 1e-2;
 
 std::shared_ptr<const SphereScattering> scattering_of(const config::LayerParticles& layer,

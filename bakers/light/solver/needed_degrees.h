@@ -1,6 +1,6 @@
 // The degree of moments that light needs at an altitude: that of the phase functions which scatter it
-// there. Air alone has three moments, haze some ten, and fog as many as a sky is solved for, but deep
-// within it, where light comes from all sides.
+// there. Air alone scatters by moments of degree 2, haze by some ten more, and fog by as many as a sky is
+// solved for, except deep within it, where light comes from all sides.
 #pragma once
 
 #include <vector>
