@@ -6,8 +6,8 @@
 
 #include "bakers/air/medium.h"
 #include "bakers/air/transmittance_field.h"
-#include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/assets/bruneton/bundle_light.h"
+#include "bakers/assets/bruneton/scattering_mapping.h"
 #include "bakers/light/solver/solved_light.h"
 
 namespace skybake {
