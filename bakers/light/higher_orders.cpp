@@ -131,13 +131,8 @@ Spectrum SolvedOrders::scattered(const ScatteringPoint& point,
 HigherOrders::OfSuns SolvedOrders::at(const PointOfRay& point,
                                       const std::vector<Spectrum>& scattering_per_km) const {
     assert(scattering_per_km.size() == phase_moments_.size());
-    std::vector<Spectrum> moments(static_cast<std::size_t>(degree_) + 1);
-    for (std::size_t k = 0; k < scattering_per_km.size(); ++k) {
-        for (std::size_t l = 0; l < moments.size(); ++l) {
-            moments[l] += scattering_per_km[k] * phase_moments_[k][l];
-        }
-    }
-    const auto nearby = std::make_shared<NearbySuns>(light_, point, moments);
+    const auto nearby =
+        std::make_shared<NearbySuns>(light_, point, scattering_per_km, phase_moments_, degree_);
     return [nearby](const SunBundle& suns, double* sums) { nearby->add(suns, sums); };
 }
 

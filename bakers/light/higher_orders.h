@@ -37,9 +37,10 @@ class HigherOrders {
     virtual Spectrum scattered(const ScatteringPoint& point,
                                const std::vector<Spectrum>& scattering_per_km) const = 0;
 
-    // Adds `scattered` at one point of a view ray for each wanted sun to sums[sun * kChannelSlots +
-    // channel]. It must not outlive the object that made it, and only one thread may call it.
+    // Adds `scattered` for each wanted sun to sums[sun * kChannelSlots + channel].
     using OfSuns = std::function<void(const SunBundle& suns, double* sums)>;
+    // Returns that of one point of a view ray. It must not outlive this object, and only one thread may
+    // call it.
     virtual OfSuns at(const PointOfRay& point,
                       const std::vector<Spectrum>& scattering_per_km) const;
 

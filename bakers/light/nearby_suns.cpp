@@ -7,14 +7,30 @@
 #include <algorithm>
 
 #include "bakers/light/solver/sun_axis-inl.h"
+#include "bakers/math/channels-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
+// Computes what the light of one column sends, by azimuthal order: sent[m * kChannelSlots + channel].
+// `factors` multiply the moments up to `degree`, by moment_index.
 void SendColumn(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
                 const Spectrum* factors, double* sent) {
-    send_column(light, at, sun, degree, factors, sent);
+    const double* under = light.light.at(at.level, sun);
+    const double* over = light.light.at(at.level + 1, sun);
+    const Channels near(1 - at.fraction);
+    const Channels far(at.fraction);
+    for (int m = 0; m <= degree; ++m) {
+        Channels sum(0.0);
+        for (int l = m; l <= degree; ++l) {
+            const auto lm = static_cast<std::size_t>(moment_index(l, m));
+            const std::size_t slot = lm * kChannelSlots;
+            sum = sum + Channels(factors[lm]) * (near * Channels::load(under + slot) +
+                                                 far * Channels::load(over + slot));
+        }
+        sum.store(sent + static_cast<std::size_t>(m) * kChannelSlots);
+    }
 }
 
 void PlaceSuns(const SolvedLight& light, const PointOfRay& point, const std::vector<double>& falls,
@@ -49,10 +65,27 @@ void PlaceSuns(const SolvedLight& light, const PointOfRay& point, const std::vec
     }
 }
 
+// Adds the light of the first `count` suns to sums[sun * kChannelSlots + channel]. `rows` has that of
+// columns: [(column * orders + m) * kChannelSlots + channel].
 void AddColumns(const double* rows, const PlacedSuns& placed, std::size_t count, double* sums) {
-    add_columns({rows, placed.orders, placed.columns.data(), placed.weights.data(),
-                 placed.powers.data(), placed.room, count},
-                sums);
+    const std::size_t row_size = placed.orders * kChannelSlots;
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* row = rows + static_cast<std::size_t>(placed.columns[i]) * row_size;
+        const double* weights = placed.weights.data() + 4 * i;
+        const Channels w0(weights[0]);
+        const Channels w1(weights[1]);
+        const Channels w2(weights[2]);
+        const Channels w3(weights[3]);
+        Channels total = Channels::load(sums + i * kChannelSlots);
+        for (std::size_t m = 0; m < placed.orders; ++m) {
+            const double* at = row + m * kChannelSlots;
+            const Channels value =
+                (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
+                (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
+            total = total + Channels(placed.powers[m * placed.room + i]) * value;
+        }
+        total.store(sums + i * kChannelSlots);
+    }
 }
 
 }  // namespace HWY_NAMESPACE
@@ -67,10 +100,11 @@ HWY_EXPORT(PlaceSuns);
 HWY_EXPORT(AddColumns);
 
 NearbySuns::NearbySuns(const SolvedLight& light, const PointOfRay& point,
-                       const std::vector<Spectrum>& scattered_moments)
+                       const std::vector<Spectrum>& scattering,
+                       const std::vector<std::vector<Spectrum>>& phase_moments, int degree)
     : light_(light),
       point_(point),
-      degree_(static_cast<int>(scattered_moments.size()) - 1),
+      degree_(degree),
       at_(light.level_at(point.altitude_km)),
       factors_(static_cast<std::size_t>(moment_count(degree_))),
       known_(static_cast<std::size_t>(light.suns.count())),
@@ -78,9 +112,13 @@ NearbySuns::NearbySuns(const SolvedLight& light, const PointOfRay& point,
     std::vector<double> harmonics(factors_.size());
     harmonics_over_sines(degree_, point.view_cosine, harmonics.data());
     for (int l = 0; l <= degree_; ++l) {
+        Spectrum scattered{};
+        for (std::size_t k = 0; k < scattering.size(); ++k) {
+            scattered += scattering[k] * phase_moments[k][static_cast<std::size_t>(l)];
+        }
         for (int m = 0; m <= l; ++m) {
             const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            factors_[lm] = harmonics[lm] * scattered_moments[static_cast<std::size_t>(l)];
+            factors_[lm] = harmonics[lm] * scattered;
         }
     }
     if (std::ranges::none_of(light.steep, [](double steep) { return steep > 0; })) return;

@@ -24,11 +24,11 @@ struct PlacedSuns {
 
 class NearbySuns {
   public:
-    // `scattered_moments` are, by degree, the sum over layers of what they scatter times the moments
-    // of their phase functions; their number is the moments' degree, at most the solution's, and one.
-    // `light` must outlive this object.
+    // `scattering` has an entry for each layer, and `phase_moments`, [layer][l], end at a degree that is
+    // at most the solution's. `light` must outlive this object.
     NearbySuns(const SolvedLight& light, const PointOfRay& point,
-               const std::vector<Spectrum>& scattered_moments);
+               const std::vector<Spectrum>& scattering,
+               const std::vector<std::vector<Spectrum>>& phase_moments, int degree);
 
     // Adds the light under each wanted sun to sums[sun * kChannelSlots + channel]. One thread at a
     // time.

@@ -117,7 +117,7 @@ SkyRow::SkyRow(const SkyIntegrator& integrator, const SkyMedium& medium,
     for (const Piece& piece : pieces_) add_higher_orders(piece);
 }
 
-// At each coarse node, what all nodes of the piece send of the light there.
+// Each coarse node stands for what all nodes of the piece send of the light there.
 void SkyRow::add_higher_orders(const Piece& piece) {
     for (std::size_t j = 0; j < ray_pieces::kCoarseNodes.size(); ++j) {
         std::vector<Spectrum> sent(medium_.layers.size());

@@ -5,8 +5,8 @@
 // Nodes, transmittances and densities are computed once for the row, which may serve many suns.
 // Sunlight is read from a table for all rays of a node at once, and computed in the skins of abrupt
 // layers. Pieces that the edge of the planet's shadow crosses are integrated over their lit
-// stretches, ray by ray. The light of higher orders is a
-// smooth function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
+// stretches, ray by ray. The light of higher orders is read at three nodes of a piece. It is a smooth
+// function of the azimuth's cosine: with more rays than azimuth_nodes() it is computed at
 // that many Chebyshev nodes of the cosine and interpolated (Berrut & Trefethen 2004).
 //
 // tests/light/sky_rows_test.cpp compares the results with SkyIntegrator's.

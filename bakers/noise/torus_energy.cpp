@@ -17,19 +17,18 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-// Adds weights, in rows of `stride`, to the keys of a tile in rows of kEdge, of which those within
+// Adds weights, in rows of `stride`, to the keys of a tile in rows of kTileEdge, of which those within
 // `width` and `height` count. Returns their least, and the complement of their greatest.
 std::array<std::int64_t, 2> add_weights(const std::int64_t* HWY_RESTRICT weights,
                                         std::size_t stride, std::size_t width, std::size_t height,
                                         std::int64_t* HWY_RESTRICT keys) {
-    constexpr std::size_t kEdge = 8;
-    const hn::CappedTag<std::int64_t, kEdge> d;
+    const hn::CappedTag<std::int64_t, kTileEdge> d;
     auto least = hn::Set(d, std::numeric_limits<std::int64_t>::max());
     auto greatest = hn::Set(d, std::numeric_limits<std::int64_t>::min());
     for (std::size_t x = 0; x < width; x += hn::Lanes(d)) {
         const auto inside = hn::FirstN(d, width - x);
         for (std::size_t y = 0; y < height; ++y) {
-            std::int64_t* at = keys + y * kEdge + x;
+            std::int64_t* at = keys + y * kTileEdge + x;
             const auto key = hn::Add(hn::Load(d, at), hn::LoadU(d, weights + y * stride + x));
             hn::Store(key, d, at);
             least = hn::Min(least, hn::IfThenElse(inside, key, least));
@@ -49,8 +48,7 @@ namespace {
 
 HWY_EXPORT(add_weights);
 
-constexpr std::size_t kEdge = 8;  // of a tile, in pixels
-constexpr std::size_t kTile = kEdge * kEdge;
+constexpr std::size_t kTile = kTileEdge * kTileEdge;
 constexpr std::int64_t kFree = std::numeric_limits<std::int64_t>::min();  // no energy
 
 std::int64_t weight(double squared_distance, double sigma) {
@@ -64,7 +62,7 @@ int reach_of(double sigma) {
     return reach;
 }
 
-std::size_t tiles_along(std::size_t pixels) { return (pixels + kEdge - 1) / kEdge; }
+std::size_t tiles_along(std::size_t pixels) { return (pixels + kTileEdge - 1) / kTileEdge; }
 
 }  // namespace
 
@@ -84,14 +82,15 @@ TorusEnergy::TorusEnergy(const std::array<int, 3>& size, double spatial_sigma,
     const std::size_t rows = std::min(static_cast<std::size_t>(2 * reach + 1), height_);
     across_ = reached(static_cast<std::size_t>(reach), columns, width_);
     down_ = reached(static_cast<std::size_t>(reach), rows, height_);
-    stamp_stride_ = columns + 2 * kEdge;
-    for (Keys& stamp : stamps_) stamp.resize(stamp_stride_ * (rows + 2 * kEdge));
+    stamp_stride_ = columns + 2 * kTileEdge;
+    for (Keys& stamp : stamps_) stamp.resize(stamp_stride_ * (rows + 2 * kTileEdge));
     // On a small torus images of the stamp fall on each other.
     for (int y = 0; y <= 2 * reach; ++y) {
         for (int x = 0; x <= 2 * reach; ++x) {
             const int squared = (x - reach) * (x - reach) + (y - reach) * (y - reach);
-            const std::size_t at = (kEdge + static_cast<std::size_t>(y) % rows) * stamp_stride_ +
-                                   kEdge + static_cast<std::size_t>(x) % columns;
+            const std::size_t at =
+                (kTileEdge + static_cast<std::size_t>(y) % rows) * stamp_stride_ + kTileEdge +
+                static_cast<std::size_t>(x) % columns;
             stamps_[0][at] += weight(squared, spatial_sigma);
             stamps_[1][at] = -stamps_[0][at];
         }
@@ -112,11 +111,11 @@ std::vector<std::vector<TorusEnergy::Reached>> TorusEnergy::reached(std::size_t 
     for (std::size_t middle = 0; middle < size; ++middle) {
         const std::size_t begin = (middle + size - reach % size) % size;
         const std::size_t inside = std::min(count, size - begin);
-        for (std::size_t tile = begin / kEdge; tile * kEdge < begin + inside; ++tile) {
-            reached[middle].push_back({tile, kEdge + tile * kEdge - begin});
+        for (std::size_t tile = begin / kTileEdge; tile * kTileEdge < begin + inside; ++tile) {
+            reached[middle].push_back({tile, kTileEdge + tile * kTileEdge - begin});
         }
-        for (std::size_t tile = 0; tile * kEdge < count - inside; ++tile) {
-            reached[middle].push_back({tile, kEdge + inside + tile * kEdge});
+        for (std::size_t tile = 0; tile * kTileEdge < count - inside; ++tile) {
+            reached[middle].push_back({tile, kTileEdge + inside + tile * kTileEdge});
         }
     }
     return reached;
@@ -125,7 +124,8 @@ std::vector<std::vector<TorusEnergy::Reached>> TorusEnergy::reached(std::size_t 
 std::size_t TorusEnergy::place_of(std::size_t pixel) const {
     const std::size_t x = pixel % width_;
     const std::size_t y = pixel / width_;
-    return (y / kEdge * tile_columns_ + x / kEdge) * kTile + y % kEdge * kEdge + x % kEdge;
+    return (y / kTileEdge * tile_columns_ + x / kTileEdge) * kTile + y % kTileEdge * kTileEdge +
+           x % kTileEdge;
 }
 
 std::uint64_t TorusEnergy::at(std::size_t frame, std::size_t pixel) const {
@@ -133,8 +133,8 @@ std::uint64_t TorusEnergy::at(std::size_t frame, std::size_t pixel) const {
 }
 
 void TorusEnergy::add_to_tile(std::size_t frame, std::size_t tile, const std::int64_t* weights) {
-    const std::size_t width = std::min(kEdge, width_ - tile % tile_columns_ * kEdge);
-    const std::size_t height = std::min(kEdge, height_ - tile / tile_columns_ * kEdge);
+    const std::size_t width = std::min(kTileEdge, width_ - tile % tile_columns_ * kTileEdge);
+    const std::size_t height = std::min(kTileEdge, height_ - tile / tile_columns_ * kTileEdge);
     const std::size_t at = frame * tiles_ + tile;
     extremes_[at] = HWY_DYNAMIC_DISPATCH(add_weights)(weights, stamp_stride_, width, height,
                                                       &keys_[at * kTile]);
@@ -189,8 +189,8 @@ TorusEnergy::Found TorusEnergy::find(std::size_t frame, std::size_t end) const {
         if (extremes[tile][end] != least) continue;
         const std::int64_t* keys = &keys_[(frame * tiles_ + tile) * kTile];
         for (std::size_t i = 0; i < kTile; ++i) {
-            const std::size_t x = tile % tile_columns_ * kEdge + i % kEdge;
-            const std::size_t y = tile / tile_columns_ * kEdge + i / kEdge;
+            const std::size_t x = tile % tile_columns_ * kTileEdge + i % kTileEdge;
+            const std::size_t y = tile / tile_columns_ * kTileEdge + i / kTileEdge;
             if (keys[i] != wanted || x >= width_ || y >= height_) continue;
             found.pixel = std::min(found.pixel, y * width_ + x);
         }

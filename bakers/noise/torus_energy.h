@@ -21,6 +21,8 @@ namespace skybake::noise {
 // bits for sigmas up to 16.
 inline constexpr double kStampUnit = 0x1p52;
 
+inline constexpr std::size_t kTileEdge = 8;  // of a tile of keys, in pixels
+
 // A pixel of a frame and its energy.
 struct Extremum {
     std::uint64_t energy = 0;

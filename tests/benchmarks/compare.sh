@@ -13,7 +13,7 @@ for ((round = 0; round < ${4:-7}; ++round)); do
     for build in "$1" "$2"; do
         side=$([[ $build == "$1" ]] && echo new || echo old)
         "$build/tests/benchmarks/$3" --benchmark_filter="${5:-.}" --benchmark_format=json \
-            >"$results/$side.$round.json" 2>/dev/null
+            >"$results/$side.$round.json"
     done
 done
 python3 - "$results" <<'PYTHON'

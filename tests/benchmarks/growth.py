@@ -74,6 +74,17 @@ TABLE = """preset = "earth_bruneton"
 size = [8, 8]"""
 
 
+def resources(command, **options):
+    """What a run of skybake took."""
+    process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, **options)
+    said = process.stderr.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode != 0:
+        sys.exit(f"skybake ended with {process.returncode}:\n{said}")
+    return usage
+
+
 class Bench:
     """Runs skybake in folders of its own."""
 
@@ -88,14 +99,8 @@ class Bench:
         output = self.folder / str(self.count)
         file = self.folder / "recipe.toml"
         file.write_text(recipe)
-        process = subprocess.Popen([self.skybake, command, file, "-o", output, "-q", "--certify", "off",
-                                    "-j", "1", "--diagnostics", "short", *options],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        said = process.stderr.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode != 0:
-            sys.exit(f"growth.py: skybake ended with {process.returncode}:\n{said}{recipe}")
+        usage = resources([self.skybake, command, file, "-o", output, "-q", "--certify", "off", "-j", "1",
+                           "--diagnostics", "short", *options])
         return usage.ru_utime + usage.ru_stime
 
     def sweep(self, variants, *options):

@@ -13,21 +13,13 @@ import argparse
 import json
 import os
 import statistics
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
+from growth import noise as noise_of, resources
+
 ROOT = Path(__file__).resolve().parents[2]
 STAGES = ("light", "colors", "texels", "certificate", "write")
-NOISE = """[noise.shape]
-preset = "nubis_shape"
-[bake.shape]
-asset = "noise_volume"
-noise = "shape"
-size = [256, 256, 256]
-pixel_type = "half"
-formats = ["bin"]"""
 AIR = """preset = "{}"
 [bake.multiple_scattering]
 [bake.sky_view]
@@ -71,18 +63,11 @@ def recipes():
 
 def bake(program, text, folder, *options):
     """The processor time of a bake in a folder in which nothing was baked, and of its stages."""
-    with tempfile.TemporaryDirectory() as output:
-        process = subprocess.Popen(
-            [program, "bake", "-", "-o", output, "-q", "-j", "1", "--diagnostics", "short", *options],
-            cwd=folder, env={**os.environ, "SKYBAKE_CACHE_DIR": ""}, stdin=subprocess.PIPE,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-        process.stdin.write(text)
-        process.stdin.close()
-        said = process.stderr.read()
-        _, status, usage = os.wait4(process.pid, 0)
-        process.returncode = os.waitstatus_to_exitcode(status)
-        if process.returncode != 0:
-            sys.exit(f"recipes.py: skybake ended with {process.returncode}:\n{said}{text}")
+    with tempfile.TemporaryDirectory() as output, tempfile.TemporaryFile("w+") as recipe:
+        recipe.write(text)
+        recipe.seek(0)
+        usage = resources([program, "bake", "-", "-o", output, "-q", "-j", "1", "--diagnostics", "short", *options],
+                          cwd=folder, env={**os.environ, "SKYBAKE_CACHE_DIR": ""}, stdin=recipe)
         assets = json.loads((Path(output) / "manifest.json").read_text())["assets"]
     stages = [sum(asset["timing"].get(f"{stage}_s", 0) for asset in assets) for stage in STAGES]
     return usage.ru_utime, stages
@@ -90,8 +75,8 @@ def bake(program, text, folder, *options):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("skybake")
-    parser.add_argument("other", nargs="?")
+    parser.add_argument("skybake", type=os.path.abspath)
+    parser.add_argument("other", nargs="?", type=os.path.abspath)
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--only", action="append")
     options = parser.parse_args()
@@ -101,7 +86,7 @@ def main():
     for name, (text, folder) in rows.items():
         ours, noise, theirs = [], [], []
         for _ in range(options.runs):
-            noise.append(bake(options.skybake, NOISE, folder, "--certify", "off")[0])
+            noise.append(bake(options.skybake, noise_of(256), folder, "--certify", "off")[0])
             ours.append(bake(options.skybake, text, folder))
             theirs += [bake(options.other, text, folder)[0]] if options.other else []
         seconds = statistics.median(run[0] for run in ours)

@@ -15,6 +15,7 @@
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/voxel_array.h"
+#include "bakers/noise/torus_energy.h"
 #include "bakers/noise/void_and_cluster.h"
 
 namespace skybake {
@@ -138,7 +139,8 @@ Estimate estimate(const Parameters&, const BlueNoiseBake& asset) {
     constexpr double kSecondsPerVoxel = 2.5e-6;
     constexpr double kBytesPerVoxel = 21;  // energies in tiles of 8 x 8 pixels, twice, and ranks
     std::array<int, 3> tiled = asset.voxels();
-    for (std::size_t i = 0; i < 2; ++i) tiled[i] = (tiled[i] + 7) / 8 * 8;
+    constexpr int kEdge = noise::kTileEdge;
+    for (std::size_t i = 0; i < 2; ++i) tiled[i] = (tiled[i] + kEdge - 1) / kEdge * kEdge;
     Estimate result = estimate_volume(asset, asset.voxels(), 1, kSecondsPerVoxel);
     result.memory_mib += voxels_of(tiled, 1) * kBytesPerVoxel / kMebibyte;
     return result;

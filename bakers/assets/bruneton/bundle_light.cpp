@@ -77,18 +77,12 @@ void add_solved_light(const SolvedLight& light,
                       const std::vector<std::vector<Spectrum>>& phase_moments, const Shell& shell,
                       const ScatteringView& view, const BundlePiece& piece, const SunBundle& suns,
                       double* scattered) {
-    std::vector<Spectrum> moments(static_cast<std::size_t>(light.degree()) + 1);
     for (const BundleNode& node : piece.nodes) {
         if (node.coarse_weights.empty()) continue;
-        for (std::size_t l = 0; l < moments.size(); ++l) {
-            moments[l] = Spectrum(0.0);
-            for (std::size_t k = 0; k < phase_moments.size(); ++k) {
-                moments[l] += node.coarse_weights[k] * phase_moments[k][l];
-            }
-        }
         const PointOfRay point(shell, view.altitude_km, view.s_km, node.distance_km,
                                node.altitude_km);
-        NearbySuns(light, point, moments).add(suns, scattered);
+        NearbySuns(light, point, node.coarse_weights, phase_moments, light.degree())
+            .add(suns, scattered);
     }
 }
 

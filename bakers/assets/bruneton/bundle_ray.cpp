@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t kRayNodes = kBundleNodes;
 static_assert(kRayNodes == ray_pieces::kNodes);
+
 BundlePiece bundle_piece(const SkyMedium& medium, const ray_pieces::Piece& piece) {
     BundlePiece result;
     result.from_km = piece.from_km;

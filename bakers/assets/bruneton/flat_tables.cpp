@@ -147,15 +147,15 @@ FlatTable flat_irradiance(const SkyLight& light, const std::vector<double>& sola
         return [&light, &solar_irradiance, nodes, colours, thickness_km, darkest](
                    double y, const std::vector<double>& x, double* values) {
             std::vector<double> suns;  // each once
+            std::vector<std::size_t> sun_of;
             for (const double at : x) {
                 const double sun = std::max(2 * at - 1, darkest);
                 if (suns.empty() || sun != suns.back()) suns.push_back(sun);
+                sun_of.push_back(suns.size() - 1);
             }
             const std::vector<Spectrum> irradiances =
                 sky_irradiances(light, y * thickness_km, suns, nodes);
-            std::size_t i = 0;
-            for (const double at : x) {
-                if (std::max(2 * at - 1, darkest) != suns[i]) ++i;
+            for (const std::size_t i : sun_of) {
                 for (std::size_t c = 0; c < colours; ++c) {
                     *values++ = irradiances[i][c] * solar_irradiance[c];
                 }

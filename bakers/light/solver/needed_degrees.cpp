@@ -10,7 +10,8 @@
 namespace skybake {
 namespace {
 
-// A layer's scattering depth towards the zenith, if it were all over as dense as at each altitude.
+// Returns a layer's scattering depth towards the zenith, if it were as dense throughout as it is at each
+// altitude.
 std::vector<Spectrum> depths_at(const SkyLayer& layer, const std::vector<double>& altitudes_km) {
     std::vector<Spectrum> depths(altitudes_km.size());
     if (!layer.scatters) return depths;
@@ -46,8 +47,8 @@ Spectrum share_left(const SkyMedium& medium, const std::vector<Spectrum>& beyond
     return exponential(-lost);
 }
 
-// The altitudes at which more than a negligible share of the light is scattered beyond a degree. Who looks
-// at thick air sees an optical depth of 1, of which this is the share.
+// Tells at which altitudes more than a negligible share of the light is scattered beyond a degree. Who
+// looks at thick air sees an optical depth of 1, of which this is the share.
 std::vector<bool> needs_more(const SkyMedium& medium, const std::vector<double>& altitudes_km,
                              const std::vector<std::vector<Spectrum>>& depths,
                              const std::vector<std::vector<Spectrum>>& moments, int degree) {
@@ -71,14 +72,14 @@ std::vector<bool> needs_more(const SkyMedium& medium, const std::vector<double>&
 std::vector<int> needed_degrees(const SkyMedium& medium, const std::vector<double>& altitudes_km,
                                 int degree) {
     const std::size_t count = altitudes_km.size();
-    if (medium.layers.empty()) return std::vector<int>(count, std::min(degree, kDegreeOfAir));
+    if (degree <= kDegreeOfAir) return std::vector<int>(count, degree);  // as for colours
     std::vector<std::vector<Spectrum>> depths;
     std::vector<std::vector<Spectrum>> moments;
     for (const SkyLayer& layer : medium.layers) {
         depths.push_back(depths_at(layer, altitudes_km));
         moments.push_back(scattered_moments(layer, degree + 1));
     }
-    std::vector<int> degrees(count, std::min(degree, kDegreeOfAir));
+    std::vector<int> degrees(count, kDegreeOfAir);
     for (const int enough : {kDegreeOfAir, kDegreeOfHaze}) {
         if (enough >= degree) continue;
         const int next = enough == kDegreeOfAir ? std::min(degree, kDegreeOfHaze) : degree;

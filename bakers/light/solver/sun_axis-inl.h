@@ -1,5 +1,4 @@
-// The functions of sun_axis.h for vectors of suns: their places between the columns of an axis, and
-// the solved light there.
+// The functions of sun_axis.h for vectors of suns: their places between the columns of an axis.
 //
 // The weights here share their products, and multiplications replace the divisions by the axis's
 // width. They therefore differ from sun_stencil's by rounding, and replacing one by the other would
@@ -17,7 +16,6 @@
 
 #include "bakers/light/solver/solved_light.h"
 #include "bakers/light/solver/sun_axis.h"
-#include "bakers/math/channels-inl.h"
 #include "bakers/math/lanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -96,59 +94,6 @@ class AzimuthRecursion {
     Reals squared_sine_;
     Reals twice_cosine_;
 };
-
-// Computes what the light of one column sends, by azimuthal order: sent[m * kChannelSlots + channel].
-// `factors` multiply the moments up to `degree`, by moment_index.
-HWY_INLINE void send_column(const SolvedLight& light, const LevelPlace& at, int sun, int degree,
-                            const Spectrum* factors, double* sent) {
-    const double* under = light.light.at(at.level, sun);
-    const double* over = light.light.at(at.level + 1, sun);
-    const Channels near(1 - at.fraction);
-    const Channels far(at.fraction);
-    for (int m = 0; m <= degree; ++m) {
-        Channels sum(0.0);
-        for (int l = m; l <= degree; ++l) {
-            const auto lm = static_cast<std::size_t>(moment_index(l, m));
-            const std::size_t slot = lm * kChannelSlots;
-            sum = sum + Channels(factors[lm]) * (near * Channels::load(under + slot) +
-                                                 far * Channels::load(over + slot));
-        }
-        sum.store(sent + static_cast<std::size_t>(m) * kChannelSlots);
-    }
-}
-
-// Light by column and azimuthal order, and the suns for which it is looked up between the columns
-// of a sun axis.
-struct ColumnLookup {
-    const double* rows;  // [(column * orders + m) * kChannelSlots + channel]
-    std::size_t orders;
-    const std::int64_t* columns;  // for each sun, the first of its four
-    const double* weights;        // [sun * 4 + k]
-    const double* powers;         // [m * room + sun]: what multiplies order m
-    std::size_t room;
-    std::size_t count;
-};
-
-// Adds the light of each sun to sum[sun * kChannelSlots + channel].
-HWY_INLINE void add_columns(const ColumnLookup& of, double* sum) {
-    const std::size_t row_size = of.orders * kChannelSlots;
-    for (std::size_t i = 0; i < of.count; ++i) {
-        const double* row = of.rows + static_cast<std::size_t>(of.columns[i]) * row_size;
-        const Channels w0(of.weights[i * 4]);
-        const Channels w1(of.weights[i * 4 + 1]);
-        const Channels w2(of.weights[i * 4 + 2]);
-        const Channels w3(of.weights[i * 4 + 3]);
-        Channels total = Channels::load(sum + i * kChannelSlots);
-        for (std::size_t m = 0; m < of.orders; ++m) {
-            const double* at = row + m * kChannelSlots;
-            const Channels value =
-                (w0 * Channels::load(at) + w1 * Channels::load(at + row_size)) +
-                (w2 * Channels::load(at + 2 * row_size) + w3 * Channels::load(at + 3 * row_size));
-            total = total + Channels(of.powers[m * of.room + i]) * value;
-        }
-        total.store(sum + i * kChannelSlots);
-    }
-}
 
 }  // namespace HWY_NAMESPACE
 }  // namespace skybake

@@ -160,8 +160,8 @@ class LevelPass {
         return std::max<std::size_t>(4, orders_of(set)) << set % 2;
     }
     std::size_t orders_of(std::size_t set) const {
-        constexpr std::size_t kMost[] = {1000, kDegreeOfHaze + 1, kDegreeOfAir + 1};
-        return std::min(orders_, kMost[set / 2]);
+        const std::size_t most[] = {orders_, kDegreeOfHaze + 1, kDegreeOfAir + 1};
+        return std::min(orders_, most[set / 2]);
     }
     std::size_t quads_of(std::size_t set) const {
         return quad_count(static_cast<int>(orders_of(set)) - 1);
