@@ -1,5 +1,9 @@
 #include "bakers/air/transmittance_field.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "bakers/air/transmittance_field.cpp"
+#include <hwy/foreach_target.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -7,10 +11,44 @@
 
 #include "bakers/air/optical_depth.h"
 #include "bakers/air/transmittance_mapping.h"
+#include "bakers/math/channels-inl.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 
+HWY_BEFORE_NAMESPACE();
 namespace skybake {
+namespace HWY_NAMESPACE {
+
+// Reads the channels at columns[i] into values[c * count + i]. The next row is `size` numbers on.
+void ReadColumns(const TransmittanceField::Row& row, int size, int channels, const double* columns,
+                 int count, double* values) {
+    for (int i = 0; i < count; ++i) {
+        const int left = static_cast<int>(columns[i]);
+        const Channels t(columns[i] - left);
+        // Beyond the last channel there are numbers of the next column.
+        const auto between = [&](const double* stored) {
+            const double* at = stored + left * channels;
+            const Channels before = Channels::load(at);
+            return before + t * (Channels::load(at + channels) - before);
+        };
+        const Channels value =
+            row.weights[0] * between(row.values) + row.weights[1] * between(row.values + size) +
+            row.weights[2] * between(row.slopes) + row.weights[3] * between(row.slopes + size);
+        for (int c = 0; c < channels; ++c) {
+            values[c * count + i] = value[static_cast<std::size_t>(c)];
+        }
+    }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace skybake
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace skybake {
+
+HWY_EXPORT(ReadColumns);
+
 namespace {
 
 constexpr double kFlat = 32;
@@ -85,12 +123,9 @@ void TransmittanceField::fill_row(const Medium& medium, double x_r, double* row)
     }
     std::vector<double> depth(s.size() * kMaxChannels);
     optical_depth_to_top(medium, altitude, s.data(), columns_, depth.data());
-    for (int c = 0; c < channels_; ++c) {
-        double* channel = row + c * row_stride();
-        for (int x = 0; x < row_stride(); ++x) {
-            const int from = c * columns_ + std::min(x, columns_ - 1);
-            channel[x] = exponential(-depth[static_cast<std::size_t>(from)]);
-        }
+    for (int i = 0; i < row_size(); ++i) {
+        const int from = i % channels_ * columns_ + std::min(i / channels_, columns_ - 1);
+        row[i] = exponential(-depth[static_cast<std::size_t>(from)]);
     }
 }
 
@@ -137,7 +172,6 @@ TransmittanceField::Row TransmittanceField::row_at(double altitude_km) const {
 void TransmittanceField::read(double altitude_km, const double* s_km, int count,
                               double* values) const {
     const Row row = row_at(altitude_km);
-    const int n = row_size();
     const double nearest_km = shell_.thickness_km - altitude_km;
     const double farthest_km =
         horizon_distance_km(shell_, altitude_km) + horizon_distance_km(shell_, shell_.thickness_km);
@@ -148,22 +182,14 @@ void TransmittanceField::read(double altitude_km, const double* s_km, int count,
         const double x_mu = std::max(way_km, 0.0) / (farthest_km - nearest_km);
         return (columns_ - 1) * std::sqrt(std::sqrt(x_mu));
     };
-    for (int i = 0; i < count; ++i) {
+    std::vector<double> columns(static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < columns.size(); ++i) {
         const double way_km = distance_to_top_km(shell_, altitude_km, s_km[i]) - nearest_km;
-        const double column = std::clamp(column_of(way_km), 0.0, columns_ - 1.0);
-        const int left = static_cast<int>(column);
-        const double t = column - left;
-        for (int c = 0; c < channels_; ++c) {
-            const double* at = row.values + c * row_stride() + left;
-            const double* slope = row.slopes + c * row_stride() + left;
-            const auto between = [t](const double* pair) {
-                return pair[0] + t * (pair[1] - pair[0]);
-            };
-            values[c * count + i] =
-                row.weights[0] * between(at) + row.weights[1] * between(at + n) +
-                row.weights[2] * between(slope) + row.weights[3] * between(slope + n);
-        }
+        columns[i] = std::clamp(column_of(way_km), 0.0, columns_ - 1.0);
     }
+    HWY_DYNAMIC_DISPATCH(ReadColumns)
+    (row, row_size(), channels_, columns.data(), count, values);
 }
 
 }  // namespace skybake
+#endif  // HWY_ONCE

@@ -37,7 +37,7 @@ class TransmittanceField {
     // The row at an altitude is a combination of four stored rows of row_size() numbers:
     //   row[i] = weights[0] values[i] + weights[1] values[i + n]
     //          + weights[2] slopes[i] + weights[3] slopes[i + n],   n = row_size().
-    // Channel c at column i is row[c * row_stride() + i]; x_mu there is i / (columns() - 1), or its
+    // Channel c at column i is row[i * channels() + c]; x_mu there is i / (columns() - 1), or its
     // fourth power if is_flat().
     struct Row {
         const double* values;
@@ -54,10 +54,9 @@ class TransmittanceField {
     bool is_flat() const { return is_flat_; }
     int channels() const { return channels_; }
     int columns() const { return columns_; }
-    // The numbers per channel of a row: its columns, a copy of the last column for lookups at x_mu
-    // = 1, and room for whole vectors.
-    int row_stride() const { return columns_ + 8; }
-    int row_size() const { return channels_ * row_stride(); }
+    // A row has its columns, copies of the last column for lookups at x_mu = 1, and room for whole
+    // vectors.
+    int row_size() const { return channels_ * (columns_ + 8); }
 
   private:
     struct Block {

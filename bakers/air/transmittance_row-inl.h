@@ -15,27 +15,26 @@ namespace skybake {
 namespace HWY_NAMESPACE {
 
 // Reads the channels of a TransmittanceField's row at a column in [0, columns - 1].
-HWY_INLINE void read_row(const double* row, int stride, Lanes column, int channels, Lanes* value) {
-    const Lanes shifted = (column - Lanes(0.5)) + Lanes(kRoundToInteger);
-    const Lanes t = column - (shifted - Lanes(kRoundToInteger));
+HWY_INLINE void read_row(const double* row, Lanes column, int channels, Lanes* value) {
+    const Lanes whole = ((column - Lanes(0.5)) + Lanes(kRoundToInteger)) - Lanes(kRoundToInteger);
+    const Lanes t = column - whole;
     const hn::RebindToSigned<Lanes::Tag> integers;
+    const Lanes first = whole * Lanes(channels) + Lanes(kRoundToInteger);
     const auto index =
-        hn::Sub(hn::BitCast(integers, shifted.v), hn::BitCast(integers, Lanes(kRoundToInteger).v));
+        hn::Sub(hn::BitCast(integers, first.v), hn::BitCast(integers, Lanes(kRoundToInteger).v));
     for (int c = 0; c < channels; ++c) {
-        const double* channel = row + c * stride;
-        const Lanes left(hn::GatherIndex(Lanes::Tag(), channel, index));
-        const Lanes right(hn::GatherIndex(Lanes::Tag(), channel + 1, index));
+        const Lanes left(hn::GatherIndex(Lanes::Tag(), row + c, index));
+        const Lanes right(hn::GatherIndex(Lanes::Tag(), row + channels + c, index));
         value[c] = left + t * (right - left);
     }
 }
 
-HWY_INLINE void read_row(const double* row, int stride, double column, int channels,
-                         double* value) {
+HWY_INLINE void read_row(const double* row, double column, int channels, double* value) {
     const double whole = ((column - 0.5) + kRoundToInteger) - kRoundToInteger;
     const double t = column - whole;
     for (int c = 0; c < channels; ++c) {
-        const double* left = row + c * stride + static_cast<int>(whole);
-        value[c] = left[0] + t * (left[1] - left[0]);
+        const double* left = row + static_cast<int>(whole) * channels + c;
+        value[c] = left[0] + t * (left[channels] - left[0]);
     }
 }
 
@@ -57,7 +56,6 @@ HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km,
 // A row made by combine_row, with the numbers that are needed to read it at its altitude.
 struct SunlightRow {
     const double* values;
-    int stride;
     int channels;
     double q;               // R_top^2 - r^2, in km^2
     double nearest_top_km;  // d_min
@@ -74,7 +72,6 @@ HWY_INLINE SunlightRow sunlight_row(const TransmittanceField& field, double alti
         horizon_distance_km(shell, altitude_km) + horizon_distance_km(shell, shell.thickness_km);
     const double last_column = field.columns() - 1.0;
     return {values,
-            field.row_stride(),
             field.channels(),
             square_gain_km2(shell, altitude_km, gain),
             gain,
@@ -101,7 +98,7 @@ HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* 
         column = Real(at.last_column) * square_root(square_root(x_mu));
     }
     const Real inside = minimum(maximum(column, Real(0.0)), Real(at.last_column));
-    read_row(at.values, at.stride, inside, at.channels, value);
+    read_row(at.values, inside, at.channels, value);
 }
 
 }  // namespace HWY_NAMESPACE

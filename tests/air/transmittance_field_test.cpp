@@ -18,7 +18,7 @@ namespace {
 double interpolated(const TransmittanceField& field, int channel, double altitude_km, double x_mu) {
     const TransmittanceField::Row row = field.row_at(altitude_km);
     const auto at = [&](int column) {
-        const int i = channel * field.row_stride() + column;
+        const int i = column * field.channels() + channel;
         return row.weights[0] * row.values[i] + row.weights[1] * row.values[i + field.row_size()] +
                row.weights[2] * row.slopes[i] + row.weights[3] * row.slopes[i + field.row_size()];
     };

@@ -367,7 +367,7 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
             Spectrum grazing{};
             for (int c = 0; c < field_.channels(); ++c) {
                 grazing[static_cast<std::size_t>(c)] =
-                    row_[static_cast<std::size_t>(c * field_.row_stride() + field_.columns() - 1)];
+                    row_[static_cast<std::size_t>((field_.columns() - 1) * field_.channels() + c)];
             }
             const Place place = place_at(r, ray, point.distance_km, point.altitude_km);
             const std::size_t cell = (k - 1) * layers_;
