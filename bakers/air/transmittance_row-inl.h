@@ -88,17 +88,22 @@ HWY_INLINE Real distance_to_top(const SunlightRow& at, Real s_km) {
     return square_root(s_km * s_km + Real(at.q)) - s_km;
 }
 
-// Reads the transmittances towards a sun in whose direction the top is `distance_km` away. For suns
-// below the horizon it reads the row's nearest end.
+// Returns the column, in [0, last_column], of a sun in whose direction the top is `distance_km` away;
+// the nearest end for suns below the horizon.
 template <class Real>
-HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* value) {
+HWY_INLINE Real column_towards(const SunlightRow& at, Real distance_km) {
     Real column = (distance_km - Real(at.nearest_top_km)) * Real(at.columns_per_km);
     if (at.is_flat) {
         const Real x_mu = maximum(column, Real(0.0)) * Real(1 / at.last_column);
         column = Real(at.last_column) * square_root(square_root(x_mu));
     }
-    const Real inside = minimum(maximum(column, Real(0.0)), Real(at.last_column));
-    read_row(at.values, inside, at.channels, value);
+    return minimum(maximum(column, Real(0.0)), Real(at.last_column));
+}
+
+// Reads the transmittances towards such a sun.
+template <class Real>
+HWY_INLINE void sunlight_towards(const SunlightRow& at, Real distance_km, Real* value) {
+    read_row(at.values, column_towards(at, distance_km), at.channels, value);
 }
 
 }  // namespace HWY_NAMESPACE

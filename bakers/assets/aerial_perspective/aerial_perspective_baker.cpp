@@ -185,7 +185,7 @@ void draft(AerialPerspectiveBake& asset, int) {
 }  // namespace
 
 Baker<config::AerialPerspectiveBake> baker(BakerTag<config::AerialPerspectiveBake>) {
-    return {.version = 14,
+    return {.version = 15,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -242,7 +242,7 @@ void draft(BrunetonBake& asset, int) {
 }  // namespace
 
 Baker<BrunetonBake> baker(BakerTag<BrunetonBake>) {
-    return {.version = 14,
+    return {.version = 15,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

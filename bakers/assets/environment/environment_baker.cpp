@@ -208,7 +208,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 17,
+    return {.version = 18,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

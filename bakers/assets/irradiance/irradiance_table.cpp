@@ -220,7 +220,7 @@ void draft(IrradianceBake& asset, int) {
 }  // namespace
 
 Baker<config::IrradianceBake> baker(BakerTag<config::IrradianceBake>) {
-    return {.version = 16,
+    return {.version = 17,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

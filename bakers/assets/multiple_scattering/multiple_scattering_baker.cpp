@@ -209,7 +209,7 @@ void draft(MultipleScatteringBake& asset, int) {
 }  // namespace
 
 Baker<config::MultipleScatteringBake> baker(BakerTag<config::MultipleScatteringBake>) {
-    return {.version = 15,
+    return {.version = 16,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -149,7 +149,7 @@ void draft(SkyViewBake& asset, int) {
 }  // namespace
 
 Baker<config::SkyViewBake> baker(BakerTag<config::SkyViewBake>) {
-    return {.version = 16,
+    return {.version = 17,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

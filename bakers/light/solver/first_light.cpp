@@ -11,7 +11,7 @@
 #include <numbers>
 
 #include "bakers/air/particles/phase_function-inl.h"
-#include "bakers/air/transmittance_row-inl.h"
+#include "bakers/light/solver/ray_cells-inl.h"
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -78,19 +78,19 @@ HWY_INLINE void phases_of_layer(const SplitPhase& layer, Lanes one_minus, Lanes 
     }
 }
 
-// Returns the mean of an exponential between two values, as a share of their arithmetic mean:
-// r / artanh r, where r is half their difference over that mean. Pade's fraction of it is 1e-4 off
-// where the values differ by a factor of 5, and 0.07 off where they differ by 50. It is expanded by
-// the fourth power of the sum, so that there is one division; sums below 1e-70, whose fourth power
-// is no number in double precision, have the share 1.
-HWY_INLINE Lanes exponential_share(Lanes first, Lanes last) {
-    const Lanes difference = last - first;
-    const Lanes sum = maximum(last + first, Lanes(1e-70));
-    const Lanes d2 = difference * difference;
-    const Lanes s2 = sum * sum;
-    const Lanes s4 = Lanes(945.0) * (s2 * s2);
-    return (s4 + d2 * (Lanes(64.0) * d2 - Lanes(735.0) * s2)) /
-           (s4 + d2 * (Lanes(225.0) * d2 - Lanes(1050.0) * s2));
+// Returns the cosines of azimuths amid equal parts of half a turn.
+inline std::vector<double> cosines_of_azimuths(int count) {
+    std::vector<double> cosines;
+    for (int j = 0; j < count; ++j) cosines.push_back(cosine_of_pi((j + 0.5) / count));
+    return cosines;
+}
+
+inline std::vector<double> sines_of(const SunAxis& suns) {
+    std::vector<double> sines;
+    for (const double cosine : suns.cosines) {
+        sines.push_back(square_root((1 - cosine) * (1 + cosine)));
+    }
+    return sines;
 }
 
 // The state of gather_first_light for one level.
@@ -106,18 +106,11 @@ class FirstLightPass {
           suns_(static_cast<std::size_t>(suns.count())),
           layers_(medium.layers.size()),
           azimuths_(first_azimuths(phases, degree)),
-          row_(static_cast<std::size_t>(sunlight.row_size())),
-          sines_(suns_),
-          before_(static_cast<std::size_t>(azimuths_) * (kMaxChannels + 1) * suns_),
-          sums_(static_cast<std::size_t>(azimuths_) * (layers_ + 1) * kMaxChannels * suns_),
+          azimuth_cosines_(cosines_of_azimuths(azimuths_)),
+          sines_(sines_of(suns)),
+          cells_(medium, sunlight, suns.cosines, sines_, azimuth_cosines_),
           moments_(static_cast<std::size_t>(moment_count(degree)) * kMaxChannels * suns_),
           irradiance_(kMaxChannels * suns_) {
-        for (std::size_t i = 0; i < suns_; ++i) {
-            sines_[i] = square_root((1 - suns.cosines[i]) * (1 + suns.cosines[i]));
-        }
-        for (int j = 0; j < azimuths_; ++j) {
-            azimuth_cosines_.push_back(cosine_of_pi((j + 0.5) / azimuths_));
-        }
         for (int m = 0; m <= degree; ++m) {
             for (int j = 0; j < azimuths_; ++j) {
                 const double half_turns = (j + 0.5) * m / azimuths_;
@@ -134,29 +127,9 @@ class FirstLightPass {
     void write(double* out, double* sky_irradiance) const;
     // Finds the light that light from the sun's direction stands for (is_taken_from_sun).
     void set_from_sun(double altitude_km);
+    void add_moments(const FanRay& ray);
     const double* from_sun(std::size_t layer, std::size_t channel) const {
         return from_sun_.data() + (layer * kMaxChannels + channel) * suns_;
-    }
-    struct Place {
-        double along_km;  // r' mu_s' = along mu_s + across sin theta_s cos phi
-        double across_km;
-        double edge_km;  // the sun is up from here on
-        SunlightRow sunlight;
-    };
-    Place place_at(double r_km, const FanRay& ray, double distance_km, double altitude_km) const;
-    void add_cell(const Place& place, double edge_before_km, const Spectrum* near,
-                  const Spectrum* far, const Spectrum& grazing_before, const Spectrum& grazing);
-    void add_ground(const Place& place, const Spectrum& reflected);
-    void add_moments(const FanRay& ray);
-    HWY_INLINE void read_sunlight(const Place& place, Lanes s, Lanes* value) const {
-        for (int c = 0; c < kMaxChannels; ++c) value[c] = Lanes(0.0);
-        sunlight_towards(place.sunlight, distance_to_top(place.sunlight, s), value);
-    }
-    double* sums(int azimuth, std::size_t layer, std::size_t channel) {
-        return sums_.data() +
-               ((static_cast<std::size_t>(azimuth) * (layers_ + 1) + layer) * kMaxChannels +
-                channel) *
-                   suns_;
     }
 
     const SkyMedium& medium_;
@@ -171,10 +144,8 @@ class FirstLightPass {
     int azimuths_;
     std::vector<double> azimuth_cosines_;
     std::vector<double> azimuth_harmonics_;  // [m * azimuths + j]: cos(m phi_j) over their number
-    std::vector<double> row_;                // sunlight at the altitude of the point at hand
     std::vector<double> sines_;
-    std::vector<double> before_;   // of the point before: height over the edge, sunlight
-    std::vector<double> sums_;     // of each layer, then of the ground
+    RayCells cells_;
     std::vector<double> moments_;  // [(lm * channels + c) * suns + sun]
     std::vector<double> irradiance_;
     std::vector<double> from_sun_;  // [(layer * channels + c) * suns + sun]
@@ -194,94 +165,7 @@ void FirstLightPass::set_from_sun(double altitude_km) {
     }
 }
 
-FirstLightPass::Place FirstLightPass::place_at(double r_km, const FanRay& ray, double distance_km,
-                                               double altitude_km) const {
-    return {r_km + distance_km * ray.mu, distance_km * ray.sine,
-            -horizon_distance_km(field_.shell(), altitude_km),
-            sunlight_row(field_, altitude_km, row_.data())};
-}
-
-// The cell that ends at `place`, whose begin is in before_; without weights its end becomes the
-// begin.
-void FirstLightPass::add_cell(const Place& place, double edge_before_km, const Spectrum* near,
-                              const Spectrum* far, const Spectrum& grazing_before,
-                              const Spectrum& grazing) {
-    for (int j = 0; j < azimuths_; ++j) {
-        double* before = before_.data() + static_cast<std::size_t>(j) * (kMaxChannels + 1) * suns_;
-        const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
-        for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
-            const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
-                            Lanes::load(sines_.data() + i) * Lanes(across_km);
-            const Lanes height = s - Lanes(place.edge_km);
-            const LaneMask up = height >= Lanes(0.0);
-            Lanes here[kMaxChannels];
-            for (Lanes& value : here) value = Lanes(0.0);
-            if (any(up)) {
-                read_sunlight(place, s, here);
-                for (Lanes& value : here) value = select(up, value, Lanes(0.0));
-            }
-            const Lanes height_before = Lanes::load(before + i);
-            const LaneMask by_day =
-                (s >= Lanes(0.0)) & (height_before + Lanes(edge_before_km) >= Lanes(0.0));
-            const bool is_day = any(by_day);
-            height.store(before + i);
-            const LaneMask up_before = height_before >= Lanes(0.0);
-            const bool cell = near && (any(up) || any(up_before));
-            // Where just one end is lit, the share of the cell up to the shadow's edge.
-            const Lanes low = minimum(height, height_before);
-            const Lanes high = maximum(height, height_before);
-            const LaneMask edge_inside = low < Lanes(0.0);
-            const bool edge = cell && any(edge_inside);
-            Lanes lit(1.0);
-            if (edge) lit = high / maximum(high - low, Lanes(1e-300));  // 0 / 0 of dark cells
-            for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                double* stored = before + (c + 1) * suns_ + i;
-                Lanes first = Lanes::load(stored);
-                here[c].store(stored);
-                if (!cell) continue;
-                Lanes last = here[c];
-                if (edge) {
-                    const Lanes from_before = Lanes(grazing[c] - grazing_before[c]);
-                    const Lanes share = select(up_before, lit, Lanes(1.0) - lit);
-                    const Lanes at_edge = Lanes(grazing_before[c]) + from_before * share;
-                    const Lanes mean = Lanes(0.5) * lit * (maximum(first, last) + at_edge);
-                    const Lanes partial = select(high >= Lanes(0.0), mean, Lanes(0.0));
-                    first = select(edge_inside, partial, first);
-                    last = select(edge_inside, partial, last);
-                }
-                Lanes bent(1.0);
-                if (is_day) bent = select(by_day, exponential_share(first, last), bent);
-                for (std::size_t k = 0; k < layers_; ++k) {
-                    if (!medium_.layers[k].scatters) continue;
-                    double* sum = sums(j, k, c) + i;
-                    (Lanes::load(sum) +
-                     bent * (Lanes(near[k][c]) * first + Lanes(far[k][c]) * last))
-                        .store(sum);
-                }
-            }
-        }
-    }
-}
-
-void FirstLightPass::add_ground(const Place& place, const Spectrum& reflected) {
-    for (int j = 0; j < azimuths_; ++j) {
-        const double across_km = place.across_km * azimuth_cosines_[static_cast<std::size_t>(j)];
-        for (std::size_t i = first_; i < last_; i += Lanes::kCount) {
-            const Lanes s = Lanes::load(axis_.cosines.data() + i) * Lanes(place.along_km) +
-                            Lanes::load(sines_.data() + i) * Lanes(across_km);
-            const Lanes cosine =
-                maximum(s, Lanes(0.0)) * Lanes(1 / field_.shell().ground_radius_km);
-            Lanes here[kMaxChannels];
-            read_sunlight(place, maximum(s, Lanes(0.0)), here);
-            for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                double* sum = sums(j, layers_, c) + i;
-                (Lanes::load(sum) + Lanes(reflected[c]) * cosine * here[c]).store(sum);
-            }
-        }
-    }
-}
-
-// Adds the moments of the light along a ray, whose parts are in sums_.
+// Adds the moments of the light along a ray, whose parts are in cells_.
 void FirstLightPass::add_moments(const FanRay& ray) {
     std::vector<double> harmonics(static_cast<std::size_t>(moment_count(degree_)));
     zenith_harmonics(degree_, ray.mu, harmonics.data());
@@ -305,17 +189,18 @@ void FirstLightPass::add_moments(const FanRay& ray) {
             const Lanes one_minus = Lanes(0.5) * (up_minus * up_minus + minus * minus + across);
             const Lanes one_plus = Lanes(0.5) * (up_plus * up_plus + plus * plus + across);
             Lanes light[kMaxChannels];
-            for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                light[c] = Lanes::load(sums(j, layers_, c) + i);
-            }
+            cells_.read(static_cast<std::size_t>(j), layers_, i, light);
             for (std::size_t k = 0; k < layers_; ++k) {
                 if (!medium_.layers[k].scatters) continue;
                 Lanes phase[kMaxChannels];
                 phases_of_layer(phases_[k], one_minus, one_plus, phase);
+                Lanes sum[kMaxChannels];
+                cells_.read(static_cast<std::size_t>(j), k, i, sum);
                 for (std::size_t c = 0; c < kMaxChannels; ++c) {
-                    Lanes sum = Lanes::load(sums(j, k, c) + i);
-                    if (phases_[k].is_taken_from_sun) sum = sum - Lanes::load(from_sun(k, c) + i);
-                    light[c] = light[c] + phase[c] * sum;
+                    if (phases_[k].is_taken_from_sun) {
+                        sum[c] = sum[c] - Lanes::load(from_sun(k, c) + i);
+                    }
+                    light[c] = light[c] + phase[c] * sum[c];
                 }
             }
             for (std::size_t m = 0; m <= static_cast<std::size_t>(degree_); ++m) {
@@ -358,28 +243,15 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
     if (first == last) return;
     const double r = field_.shell().ground_radius_km + fan.altitude_km;
     for (const FanRay& ray : fan.rays) {
-        std::ranges::fill(sums_, 0.0);
-        Spectrum grazing_before{};
-        double edge_before_km = 0;
+        cells_.begin(r, ray, first, last);
         for (std::size_t k = 0; k < ray.points.size(); ++k) {
-            const FanPoint& point = ray.points[k];
-            combine_row<Lanes>(field_, point.altitude_km, row_.data());
-            Spectrum grazing{};
-            for (int c = 0; c < field_.channels(); ++c) {
-                grazing[static_cast<std::size_t>(c)] =
-                    row_[static_cast<std::size_t>((field_.columns() - 1) * field_.channels() + c)];
-            }
-            const Place place = place_at(r, ray, point.distance_km, point.altitude_km);
             const std::size_t cell = (k - 1) * layers_;
-            add_cell(place, edge_before_km, k > 0 ? ray.near.data() + cell : nullptr,
-                     k > 0 ? ray.far.data() + cell : nullptr, grazing_before, grazing);
-            grazing_before = grazing;
-            edge_before_km = place.edge_km;
+            cells_.go_on(ray.points[k], k > 0 ? ray.near.data() + cell : nullptr,
+                         k > 0 ? ray.far.data() + cell : nullptr);
         }
         if (ray.hits_ground) {
-            combine_row<Lanes>(field_, 0, row_.data());
-            add_ground(place_at(r, ray, ray.length_km, 0),
-                       ray.end_transmittance * medium_.air.ground_albedo * std::numbers::inv_pi);
+            cells_.add_ground(ray.end_transmittance * medium_.air.ground_albedo *
+                              std::numbers::inv_pi);
         }
         add_moments(ray);
     }

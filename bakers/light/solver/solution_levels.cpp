@@ -27,6 +27,9 @@ constexpr double kMostPerOpticalDepth = 80;  // in all
 constexpr double kPerFoldOfDepth = 2;
 constexpr double kLeastDepth = 0.03;
 constexpr double kThickLayer = 0.25;
+// From this depth on a layer with an abrupt end begins as abruptly on the ground, which sends less light
+// than the layer itself.
+constexpr double kThickOverGround = 1.5;
 constexpr double kAbrupt = 0.5;    // the share of the extinction that is missing on the other side
 constexpr int kBlockSamples = 64;  // of a block, to place its levels
 constexpr std::size_t kLevelsPerSunlightBlock = 3;
@@ -165,6 +168,7 @@ class SampledBlock {
             depths_.push_back(depth() +
                               extinction_per_km_.back() * (altitude_km(i + 1) - altitude_km(i)));
         }
+        if (bottom_km == 0) begins_abruptly_ = ends_abruptly() && depth() > kThickOverGround;
     }
 
     double depth() const { return depths_.back(); }
