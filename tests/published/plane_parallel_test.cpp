@@ -128,7 +128,6 @@ TEST(PlaneParallel, SolverAsItIsUsed) {
 struct FinerCase {
     const char* name;
     double bound;
-    double grazing_bound;  // of light that leaves the bottom at the smallest cosine
     double level_scale = 2;
     int degree = 8;
     int degree_of_all_orders = 8;
@@ -152,34 +151,31 @@ void expect_finer_solver(const FinerCase& of) {
     const SkyLight light(medium, config::SkyOrders::all,
                          std::make_unique<SolvedOrders>(medium, solved, settings.degree));
     double worst = 0;
-    double grazing = 0;
     for (const ViewOfSlab& at : views_of(slab)) {
-        const double error = std::fabs(finely_cut_radiance(light, slab, at.view) / at.radiance - 1);
-        double& most = !at.is_up && at.cosine == slab.cosines[0] ? grazing : worst;
-        most = std::max(most, error);
+        worst =
+            std::max(worst, std::fabs(finely_cut_radiance(light, slab, at.view) / at.radiance - 1));
     }
-    fmt::print("{}: finer solver {:.2e}, grazing {:.2e}\n", slab.name, worst, grazing);
+    fmt::print("{}: finer solver {:.2e}\n", slab.name, worst);
     EXPECT_LT(worst, of.bound) << slab.name;
-    EXPECT_LT(grazing, of.grazing_bound) << slab.name;
 }
 
 TEST(PlaneParallel, FinerSolver) {
-    for (const FinerCase& of : {FinerCase{"1a", 5e-5, 5e-5}, FinerCase{"1b", 2e-4, 2e-4},
-                                FinerCase{"2a", 2e-4, 2e-4}, FinerCase{"2b", 3e-4, 3e-4}}) {
+    for (const FinerCase& of : {FinerCase{"1a", 5e-5}, FinerCase{"1b", 2e-4}, FinerCase{"2a", 2e-4},
+                                FinerCase{"2b", 3e-4}}) {
         expect_finer_solver(of);
     }
 }
 
 TEST(SlowPlaneParallel, FinerSolverInThickAir) {
-    for (const FinerCase& of : {FinerCase{"2c", 3e-4, 3e-3, 3}, FinerCase{"2d", 3e-4, 6e-3, 3}}) {
+    for (const FinerCase& of : {FinerCase{"2c", 3e-4, 3}, FinerCase{"2d", 3e-4, 3}}) {
         expect_finer_solver(of);
     }
 }
 
-TEST(SlowPlaneParallel, FinerSolverInThickestAir) { expect_finer_solver({"1e", 1e-3, 5e-3, 3}); }
+TEST(SlowPlaneParallel, FinerSolverInThickestAir) { expect_finer_solver({"1e", 1e-3, 3}); }
 
 TEST(SlowPlaneParallel, FinerSolverOfPeakedScattering) {
-    expect_finer_solver({"3a", 1e-3, 1e-3, 2, 24, 16, 96, 24});
+    expect_finer_solver({"3a", 1e-3, 2, 24, 16, 96, 24});
 }
 
 TEST(PlaneParallel, PathsFindTheRadiance) {
