@@ -37,7 +37,7 @@ const Row<IrradianceBake> irradiance_table[] = {
     {layers_field, &IrradianceBake::layers},
     {"max_texel_error", Kind::fraction, &IrradianceBake::max_texel_error,
      "quadrature error of a texel, which sets the number of directions", texel_error_range,
-     Default{R"("0.2 %")"}},
+     Default{R"("0.3 %")"}},
     {"mapping", Kind::choice, &IrradianceBake::mapping,
      "which sun angle and altitude a texel stands for", sun_mapping_choices,
      Default{R"("twilight")"}},
