@@ -44,6 +44,14 @@ Outcome<DescribedFile> described(const fs::path& path) {
     return {std::move(found), {}};
 }
 
+// Returns the size by which a lookup finds its place: that of level 0, which a file of another level does not
+// know, but the manifest beside it does. Levels of a grid of occupancy are grids of their own.
+std::vector<int> size_of_lookup(const DescribedFile& file, const Bake& bake, const fs::path& path) {
+    if (file.asset.kind == "occupancy") return size_of(file.asset, file.file);
+    const auto whole = config::files_of(bake).mips > 1 ? described_by_manifest(path) : std::nullopt;
+    return whole ? whole->asset.size : file.asset.size;
+}
+
 // --- What is said of it -------------------------------------------------------------------------
 
 std::string values_line(const ManifestAsset& asset, const ManifestLevel& level) {
@@ -121,6 +129,7 @@ std::string heading(const DescribedFile& described, const fs::path& path, const 
         {"Values", values_line(asset, asset.levels[static_cast<std::size_t>(file.level)])},
         {"Texture", texture_line(asset, file, lookup)},
         {"Sampler", sampler_line(asset)},
+        {"Cost", "at most " + cost_text(cost_of(lookup))},
         {"Levels", levels > 1 ? levels_line(asset, levels) : ""},
     };
     std::string text =
@@ -180,7 +189,7 @@ std::string numbers_glsl(const Parameters& parameters, const Bake& bake, const s
 Outcome<Lookup> lookup_of_file(const fs::path& path, ShadingLanguage language) {
     const auto file = described(path);
     if (!file.value) return {{}, file.diagnostics};
-    const auto& [asset, shape] = *file.value;
+    const ManifestAsset& asset = file.value->asset;
     const auto recipe = config::parse_asset_parameters(asset.parameters, path.string());
     const Bake* own =
         recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
@@ -192,9 +201,9 @@ Outcome<Lookup> lookup_of_file(const fs::path& path, ShadingLanguage language) {
                 fmt::format("`{}`: this release cannot read the parameters that it was baked with",
                             path.string()))}};
     }
-    const AssetLookup lookup =
-        baker_of(*own).lookup(recipe.value->parameters, *own,
-                              {asset.mapping, size_of(asset, shape), asset.channels.size()});
+    const AssetLookup lookup = baker_of(*own).lookup(
+        recipe.value->parameters, *own,
+        {asset.mapping, size_of_lookup(*file.value, *own, path), asset.channels.size()});
     const std::string name = glsl_name(own->name);
     std::string text =
         heading(*file.value, path, *own, lookup, language) + lookup_glsl(lookup, name);

@@ -17,7 +17,7 @@ mode=${1:-}
 if [[ $mode == --tests || $mode == --more || $mode == --all ]]; then
     packages+=(
         glslang-tools libboost-dev libgtest-dev librapidcheck-dev librsvg2-bin libsquish-dev locales-all make
-        openexr python3 python3-jsonschema strace
+        openexr python3 python3-jsonschema spirv-tools strace
     )
     if [[ $mode != --tests ]]; then
         packages+=(chromium clang-14 libbenchmark-dev libclang-rt-14-dev spirv-cross)

@@ -56,6 +56,15 @@ struct Conventions {
     std::string up_axis = {};  // "+z", of assets that lie in space
 };
 
+// What a runtime pays for the lookup of a place, at most: what stands in its code, with all branches.
+struct LookupCost {
+    std::string library;  // "sky_view" of examples/lookups/sky_view.glsl
+    int fetches = 0;      // of texels
+    int operations = 0;   // of scalars, without those below
+    int divisions = 0;
+    int special_functions = 0;  // roots, powers, logarithms, arc tangents
+};
+
 struct ErrorFigures {
     double max = 0;
     double rms = 0;

@@ -60,9 +60,8 @@ struct TextureRow {
     std::string_view name, type, result;
     std::array<std::string_view, kLanguages> forms;
 };
-constexpr std::string_view kSizeCall = "textureSize({0}, {2})";
 constexpr std::string_view kSampleCall = "texture({0}, {2})";
-constexpr std::array<TextureRow, 7> kTextureFunctions = {{
+constexpr std::array<TextureRow, 4> kTextureFunctions = {{
     {"texture",
      "sampler2D",
      "vec4",
@@ -84,21 +83,6 @@ constexpr std::array<TextureRow, 7> kTextureFunctions = {{
      "vec4",
      {"texelFetch({0}, {2}, {3})", "{0}.Load(int4({2}, {3}))", "{0}.read(uint3({2}), {3})",
       "textureLoad({0}, {2}, {3})", "texelFetch({0}, {2}, {3})"}},
-    {"textureSize",
-     "sampler2D",
-     "ivec2",
-     {kSizeCall, "size_of({0})", "int2({0}.get_width(), {0}.get_height())",
-      "vec2i(textureDimensions({0}, {2}))", kSizeCall}},
-    {"textureSize",
-     "sampler2DArray",
-     "ivec3",
-     {kSizeCall, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_array_size())",
-      "vec3i(vec2i(textureDimensions({0}, {2})), i32(textureNumLayers({0})))", kSizeCall}},
-    {"textureSize",
-     "sampler3D",
-     "ivec3",
-     {kSizeCall, "size_of({0})", "int3({0}.get_width(), {0}.get_height(), {0}.get_depth())",
-      "vec3i(textureDimensions({0}, {2}))", kSizeCall}},
 }};
 
 // Names in lookups that a language keeps for itself: WGSL's reserved words, Godot's constants.

@@ -226,7 +226,6 @@ Value ExpressionTranslator::texture_call(Value callee, std::span<const Value> ar
     if (function.form.empty()) refuse(fmt::format("the function `{}`", callee.text));
     const std::string& table = arguments[0].text;
     if (callee.text == "texture") note_that_it_is_sampled(table);
-    uses_size_of_ = uses_size_of_ || callee.text == "textureSize";
     const std::string level = arguments.size() > 2 ? arguments[2].text : "";
     return {callee.before,
             fmt::format(fmt::runtime(function.form), table, sampler_of(table), arguments[1].text,

@@ -63,7 +63,6 @@ class ExpressionTranslator {
     Value postfix();  // "uv.x"
 
     ShadingLanguage to_;
-    bool uses_size_of_ = false;
     std::map<std::string, std::map<std::string, std::string>>
         structures_;  // types of their members
     std::map<std::string, Function> functions_;

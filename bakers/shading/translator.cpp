@@ -15,11 +15,12 @@ class Translator : private ExpressionTranslator {
     Translator(std::string_view glsl, Language to) : ExpressionTranslator(glsl, to) {}
 
     std::string text() {
-        std::string text;
+        std::string text =
+            to_ == Language::msl ? "#include <metal_stdlib>\nusing namespace metal;\n\n" : "";
         while (next().kind != TokenKind::end) {
             text += next_is("struct") ? structure() : function();
         }
-        return prelude() + text + std::string(next().before);
+        return text + std::string(next().before);
     }
 
   private:
@@ -176,30 +177,6 @@ class Translator : private ExpressionTranslator {
         text += as_it_is(take("}"));
         const Token& end = take(";");
         return to_ == Language::wgsl ? text : text + as_it_is(end);
-    }
-
-    // Returns the lines before the functions, for files with several lookups too.
-    std::string prelude() const {
-        if (to_ == Language::msl) return "#include <metal_stdlib>\nusing namespace metal;\n\n";
-        if (to_ != Language::hlsl || !uses_size_of_) return "";
-        return "#ifndef SKYBAKE_SIZE_OF\n"
-               "#define SKYBAKE_SIZE_OF\n"
-               "int2 size_of(Texture2D table) {\n"
-               "    uint x, y;\n"
-               "    table.GetDimensions(x, y);\n"
-               "    return int2(x, y);\n"
-               "}\n"
-               "int3 size_of(Texture2DArray table) {\n"
-               "    uint x, y, layers;\n"
-               "    table.GetDimensions(x, y, layers);\n"
-               "    return int3(x, y, layers);\n"
-               "}\n"
-               "int3 size_of(Texture3D table) {\n"
-               "    uint x, y, z;\n"
-               "    table.GetDimensions(x, y, z);\n"
-               "    return int3(x, y, z);\n"
-               "}\n"
-               "#endif\n\n";
     }
 };
 

@@ -1,8 +1,9 @@
 // Lookups of asset = "aerial_perspective". Use a clamped, trilinear sampler.
 //
 // `picture` is the place in the camera's picture, (0, 0) at its upper left; d is the distance along the
-// view ray, in the unit of view_distance. `squared` is true with slices = "squared" and false with
-// "linear". Before the first slice, light grows from 0 and transmittance falls from 1 with distance.
+// view ray, in the unit of view_distance. `slices` is their number, `squared` is true with slices =
+// "squared" and false with "linear". Before the first slice, light grows from 0 and transmittance falls
+// from 1 with distance.
 
 // The w of the lookup, and the share of its value that is reached at d.
 vec2 aerial_depth(float slices, float d, float view_distance, bool squared) {
@@ -12,27 +13,32 @@ vec2 aerial_depth(float slices, float d, float view_distance, bool squared) {
 
 // content = "in_scatter_and_transmittance": the colour of what is seen becomes colour * a + rgb. With
 // content = "in_scatter" rgb alone are of use.
-vec4 aerial_perspective(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
-    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+// Cost: fetches 1, operations 16, divisions 0, special functions 1
+vec4 aerial_perspective(sampler3D air, float slices, vec2 picture, float d, float view_distance, bool squared) {
+    vec2 depth = aerial_depth(slices, d, view_distance, squared);
     vec4 value = texture(air, vec3(picture, depth.x));
     return mix(vec4(0.0, 0.0, 0.0, 1.0), value, depth.y);
 }
 
 // The same with content = "in_scatter" and four wavelengths.
-vec4 aerial_light_of_4(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
-    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+// Cost: fetches 1, operations 8, divisions 0, special functions 1
+vec4 aerial_light_of_4(sampler3D air, float slices, vec2 picture, float d, float view_distance, bool squared) {
+    vec2 depth = aerial_depth(slices, d, view_distance, squared);
     return depth.y * texture(air, vec3(picture, depth.x));
 }
 
 // These look up content = "transmittance".
-vec4 aerial_transmittance_of_4(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
-    vec2 depth = aerial_depth(float(textureSize(air, 0).z), d, view_distance, squared);
+// Cost: fetches 1, operations 16, divisions 0, special functions 1
+vec4 aerial_transmittance_of_4(sampler3D air, float slices, vec2 picture, float d, float view_distance,
+                               bool squared) {
+    vec2 depth = aerial_depth(slices, d, view_distance, squared);
     vec4 value = texture(air, vec3(picture, depth.x));
     return mix(vec4(1.0), value, depth.y);
 }
 
-vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_distance, bool squared) {
-    return vec3(aerial_transmittance_of_4(air, picture, d, view_distance, squared));
+vec3 aerial_transmittance(sampler3D air, float slices, vec2 picture, float d, float view_distance,
+                          bool squared) {
+    return vec3(aerial_transmittance_of_4(air, slices, picture, d, view_distance, squared));
 }
 
 // With slices_begin = "air", the default of cameras in space, `d` counts from where the view ray enters
@@ -42,6 +48,7 @@ vec3 aerial_transmittance(sampler3D air, vec2 picture, float d, float view_dista
 // Where the slices of a view ray of a camera in space begin, and how far they reach. Rays that miss the
 // air begin where they are nearest to it. `pitch` is the cosine and the sine of the camera's pitch; r,
 // ground and top are the distances of the camera, the ground and the air's top from the planet's centre.
+// Cost: fetches 0, operations 37, divisions 2, special functions 4
 vec2 aerial_way(vec2 picture, vec2 pitch, float tan_half_fov, float aspect, float r, float ground, float top) {
     vec2 at = tan_half_fov * vec2(aspect * (2.0 * picture.x - 1.0), 1.0 - 2.0 * picture.y);
     float mu = (pitch.y + at.y * pitch.x) / sqrt(1.0 + dot(at, at));

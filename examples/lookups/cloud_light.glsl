@@ -3,9 +3,12 @@
 //
 // p is in metres from the lower corner of the tile, z up; `tile` are the edges of the tile, the recipe's
 // extent.
+
+// Cost: fetches 1, operations 6, divisions 0, special functions 0
 vec4 cloud_light(sampler3D light, vec3 p, vec3 tile) { return texture(light, p / tile); }
 
 // A map of one slice, contents = "shadow".
+// Cost: fetches 1, operations 5, divisions 0, special functions 0
 vec4 cloud_shadow(sampler3D light, vec3 p, vec3 tile) {
     return texture(light, vec3(p.x / tile.x, p.y / tile.y, 0.5));
 }

@@ -1,10 +1,11 @@
 // Lookups of asset = "noise_volume". Use a repeating, trilinear sampler. p is a point and `tile` the edges of
 // a tile, in one unit.
+// Cost: fetches 1, operations 6, divisions 3, special functions 0
 vec4 noise_volume(sampler3D table, vec3 p, vec3 tile) { return texture(table, p / tile); }
 
 // The same with sampling = "corners", at any level of detail: size is that of level 0.
-vec4 noise_volume_at_corners(sampler3D table, vec3 p, vec3 tile) {
-    return texture(table, p / tile + 0.5 / vec3(textureSize(table, 0)));
+vec4 noise_volume_at_corners(sampler3D table, vec3 size, vec3 p, vec3 tile) {
+    return texture(table, p / tile + 0.5 / size);
 }
 
 // The four channels of the presets nubis_shape and nubis_detail as one: what pack = "shape" and "detail"

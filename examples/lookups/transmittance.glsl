@@ -4,6 +4,7 @@
 //
 // R is the ground's radius, D the thickness of the air (top_radius - ground_radius), h the altitude,
 // from 0 to D, all in km; mu is the cosine of the ray's zenith angle. The ray must not meet the ground.
+// `size` are the table's texels.
 // A difference of squared radii would lose metres in float: these forms keep the altitude.
 
 // The place in the table from 0 to 1: straight up and the horizon, the ground and the top.
@@ -15,22 +16,20 @@ vec2 transmittance_place(float R, float D, float h, float mu) {
     return vec2((d - d_min) / (d_max - d_min), rho / H);
 }
 
-vec3 transmittance_to_top(sampler2D table, float R, float D, float h, float mu) {
-    vec2 size = vec2(textureSize(table, 0)), x = transmittance_place(R, D, h, mu);
-    return texture(table, (0.5 + x * (size - 1.0)) / size).rgb;
+// Cost: fetches 1, operations 23, divisions 2, special functions 2
+vec4 transmittance_to_top_of_4(sampler2D table, vec2 size, float R, float D, float h, float mu) {
+    vec2 x = transmittance_place(R, D, h, mu);                                      // of four wavelengths
+    return texture(table, x * (1.0 - 1.0 / size) + 0.5 / size);
+}
+vec3 transmittance_to_top(sampler2D table, vec2 size, float R, float D, float h, float mu) {
+    return vec3(transmittance_to_top_of_4(table, size, R, D, h, mu));
 }
 
 // The same with mapping = "ue".
-vec3 transmittance_to_top_ue(sampler2D table, float R, float D, float h, float mu) {
-    return texture(table, transmittance_place(R, D, h, mu)).rgb;
-}
-
-// The same for tables of four wavelengths.
-vec4 transmittance_to_top_of_4(sampler2D table, float R, float D, float h, float mu) {
-    vec2 size = vec2(textureSize(table, 0)), x = transmittance_place(R, D, h, mu);
-    return texture(table, (0.5 + x * (size - 1.0)) / size);
-}
-
+// Cost: fetches 1, operations 19, divisions 2, special functions 2
 vec4 transmittance_to_top_ue_of_4(sampler2D table, float R, float D, float h, float mu) {
     return texture(table, transmittance_place(R, D, h, mu));
+}
+vec3 transmittance_to_top_ue(sampler2D table, float R, float D, float h, float mu) {
+    return vec3(transmittance_to_top_ue_of_4(table, R, D, h, mu));
 }

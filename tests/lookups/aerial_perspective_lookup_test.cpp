@@ -50,12 +50,13 @@ struct AerialTrial {
     }
     gpu::vec4 in_float(const gpu::vec2& picture, float distance_km, float all) const {
         if (bake.content == config::AerialContent::transmittance) {
-            return gpu::vec4(gpu::aerial_lookups::aerial_transmittance({texture}, picture,
-                                                                       distance_km, all, squared),
-                             1);
+            return gpu::vec4(
+                gpu::aerial_lookups::aerial_transmittance({texture}, gpu::size_of(texture).z,
+                                                          picture, distance_km, all, squared),
+                1);
         }
-        return gpu::aerial_lookups::aerial_perspective({texture}, picture, distance_km, all,
-                                                       squared);
+        return gpu::aerial_lookups::aerial_perspective({texture}, gpu::size_of(texture).z, picture,
+                                                       distance_km, all, squared);
     }
     double range(std::size_t channel) const {
         const ValueStatistics& s = baked.asset().levels.front().statistics[channel];

@@ -53,7 +53,7 @@ struct ScatteringTrial {
 
     gpu::vec4 in_float(const ScatteringPlace& at) const {
         return gpu::bruneton_lookups::bruneton_scattering(
-            {texture}, static_cast<float>(shell.ground_radius_km),
+            {texture}, gpu::size_of(texture), static_cast<float>(shell.ground_radius_km),
             static_cast<float>(shell.thickness_km), at.h, at.mu, at.mu_s, at.nu, at.ground,
             static_cast<float>(kDarkestSun), kSubImages);
     }
@@ -185,7 +185,8 @@ TEST(BrunetonIrradianceLookup, FloatLosesLittle) {
         const float h = dice.altitude_km(shell.thickness_km);
         const auto mu_s = static_cast<float>(dice.uniform(-1, 1));
         const gpu::vec3 found = gpu::bruneton_lookups::bruneton_irradiance(
-            {texture}, static_cast<float>(shell.thickness_km), h, mu_s);
+            {texture}, gpu::vec2(gpu::size_of(texture)), static_cast<float>(shell.thickness_km), h,
+            mu_s);
         const std::array<double, 4> wanted = filtered(
             texture,
             {(0.5 + 0.5 * (double{mu_s} + 1) * (texture.size[0] - 1)) / texture.size[0],

@@ -36,9 +36,9 @@ TEST(NoiseLookup, FloatLosesLittle) {
         test::Loss loss;
         for (int i = 0; i < test::kPlaces; ++i) {
             const vec3 p(dice.uniform(-20, 20), dice.uniform(-20, 20), dice.uniform(-20, 20));
-            const gpu::vec4 found =
-                corners ? gpu::cloud_lookups::noise_volume_at_corners({texture}, p, tile)
-                        : gpu::cloud_lookups::noise_volume({texture}, p, tile);
+            const gpu::vec4 found = corners ? gpu::cloud_lookups::noise_volume_at_corners(
+                                                  {texture}, gpu::size_of(texture), p, tile)
+                                            : gpu::cloud_lookups::noise_volume({texture}, p, tile);
             // Voxel i is at (i + 1/2) / size, or at i / size.
             std::array<double, 3> place{};
             for (std::size_t a = 0; a < 3; ++a) {
@@ -127,8 +127,9 @@ struct CloudTrial {
         return ray;
     }
     float march(const Ray& ray, const Texture& with) const {
-        return gpu::cloud_lookups::cloud_march({cloud}, {with}, 4, kUnormLeap, ray.from, ray.ray,
-                                               tile, ray.stride, ray.count);
+        return gpu::cloud_lookups::cloud_march({cloud}, {with}, gpu::size_of(with), 4, kUnormLeap,
+                                               gpu::size_of(cloud), ray.from, ray.ray, tile,
+                                               ray.stride, ray.count);
     }
     // Returns the box that the texels of distances span. Along z, 19 voxels have 10 texels.
     vec3 box() const {
@@ -325,8 +326,9 @@ void expect_leaps_of_probe(const CloudTrial& trial, const Probe& probe, int leap
         const auto i = static_cast<std::size_t>(axis);
         vec3 ray(0);
         ray[axis] = direction % 2 == 0 ? 1.0f : -1.0f;
-        const float found = gpu::cloud_lookups::cloud_leap(
-            {trial.cloud}, {trial.leaps}, 4, kUnormLeap, vec3(place), ray, trial.tile);
+        const float found =
+            gpu::cloud_lookups::cloud_leap({trial.leaps}, gpu::size_of(trial.leaps), 4, kUnormLeap,
+                                           gpu::size_of(trial.cloud), vec3(place), ray, trial.tile);
         const int cells = trial.leaps.size[i];
         const int voxels = trial.cloud.size[i];
         const int face = face_of_box(static_cast<int>(probe.uvw[i] * cells), leap,

@@ -116,8 +116,8 @@ TEST(ColumnLookup, FloatLosesLittleToTheTop) {
         const auto mu = static_cast<float>(std::cos(angle));
         const double s = std::max((shell.ground_radius_km + double{h}) * double{mu},
                                   -horizon_distance_km(shell, double{h}));
-        const gpu::vec4 found =
-            gpu::column_lookups::column_to_top({trial.texture}, trial.air, h, mu);
+        const gpu::vec4 found = gpu::column_lookups::column_to_top(
+            {trial.texture}, gpu::vec2(gpu::size_of(trial.texture)), trial.air, h, mu);
         const ColumnPath path{double{h}, s, distance_to_top_km(shell, double{h}, s)};
         trial.add_errors(found, trial.in_double(path), loss);
     }
@@ -130,10 +130,10 @@ TEST(ColumnLookup, HoldsTheProbesToTheTop) {
         const double h = test::at(probe, "altitude_km");
         const double mu = test::at(probe, "cos_zenith");
         const Shell& shell = trial.geometry.shell;
-        return std::pair(
-            gpu::column_lookups::column_to_top({trial.texture}, trial.air, static_cast<float>(h),
-                                               static_cast<float>(mu)),
-            distance_to_top_km(shell, h, (shell.ground_radius_km + h) * mu));
+        return std::pair(gpu::column_lookups::column_to_top(
+                             {trial.texture}, gpu::vec2(gpu::size_of(trial.texture)), trial.air,
+                             static_cast<float>(h), static_cast<float>(mu)),
+                         distance_to_top_km(shell, h, (shell.ground_radius_km + h) * mu));
     });
 }
 
@@ -143,10 +143,11 @@ TEST(ColumnLookup, HoldsTheProbesBetweenPoints) {
         const double low = test::at(probe, "low_altitude_km");
         const double high = test::at(probe, "high_altitude_km");
         const double length_km = test::length_between_km(trial.geometry.shell, probe);
-        return std::pair(gpu::column_lookups::column_between(
-                             {trial.texture}, trial.air, static_cast<float>(high),
-                             static_cast<float>(low), static_cast<float>(length_km)),
-                         length_km);
+        return std::pair(
+            gpu::column_lookups::column_between(
+                {trial.texture}, gpu::size_of(trial.texture), trial.air, static_cast<float>(high),
+                static_cast<float>(low), static_cast<float>(length_km)),
+            length_km);
     });
 }
 
@@ -156,7 +157,8 @@ TEST(ColumnLookup, HoldsTheProbesAlongRays) {
         const double length_km = test::at(probe, "length_km");
         return std::pair(
             gpu::column_lookups::column_along(
-                {trial.texture}, trial.air, static_cast<float>(test::at(probe, "altitude_km")),
+                {trial.texture}, gpu::size_of(trial.texture), trial.air,
+                static_cast<float>(test::at(probe, "altitude_km")),
                 static_cast<float>(test::at(probe, "cos_zenith")), static_cast<float>(length_km)),
             length_km);
     });
@@ -166,15 +168,15 @@ TEST(ColumnLookup, HoldsTheProbesOfDensitiesAndPhases) {
     const ColumnTrial densities("table = 'density'\nsize = [256, 1, 1]\n");
     for (const Probe& probe : densities.baked.asset().levels.front().probes) {
         const double h = test::at(probe, "altitude_km");
-        test::expect_probe(gpu::column_lookups::column_density({densities.texture}, densities.air,
-                                                               static_cast<float>(h)),
+        test::expect_probe(gpu::column_lookups::column_density(
+                               {densities.texture}, 256, densities.air, static_cast<float>(h)),
                            probe.value, probe.tolerance, "h " + std::to_string(h));
     }
     const ColumnTrial phases("table = 'phase'\nsize = [256, 1, 1]\n");
     for (const Probe& probe : phases.baked.asset().levels.front().probes) {
         const double degrees = test::at(probe, "scattering_angle_deg");
         const double angle = degrees / 180 * std::numbers::pi;
-        test::expect_probe(gpu::column_lookups::column_phase({phases.texture}, {1, 0, 0},
+        test::expect_probe(gpu::column_lookups::column_phase({phases.texture}, 256, {1, 0, 0},
                                                              {std::cos(angle), std::sin(angle), 0}),
                            probe.value, probe.tolerance, std::to_string(degrees) + " degrees");
     }
@@ -187,8 +189,8 @@ TEST(ColumnLookup, FloatLosesLittleBetweenPoints) {
     test::Loss loss;
     for (int i = 0; i < test::kPlaces; ++i) {
         const FloatPath path = trial.any_path(dice);
-        const gpu::vec4 found = gpu::column_lookups::column_between({trial.texture}, trial.air,
-                                                                    path.h, path.end, path.d);
+        const gpu::vec4 found = gpu::column_lookups::column_between(
+            {trial.texture}, gpu::size_of(trial.texture), trial.air, path.h, path.end, path.d);
         // The triangle of both points and the centre, by the altitudes and the distance as floats.
         const double low = std::min(double{path.h}, double{path.end});
         const double gain = std::max(double{path.h}, double{path.end}) - low;
@@ -206,8 +208,8 @@ TEST(ColumnLookup, FloatLosesLittleAlongRays) {
     test::Loss loss;
     for (int i = 0; i < test::kPlaces; ++i) {
         const FloatPath path = trial.any_path(dice);
-        const gpu::vec4 found =
-            gpu::column_lookups::column_along({trial.texture}, trial.air, path.h, path.mu, path.d);
+        const gpu::vec4 found = gpu::column_lookups::column_along(
+            {trial.texture}, gpu::size_of(trial.texture), trial.air, path.h, path.mu, path.d);
         const double h = double{path.h};
         trial.add_errors(found, trial.in_double({h, (R + h) * double{path.mu}, double{path.d}}),
                          loss);
@@ -225,7 +227,7 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
     for (int i = 0; i < test::kPlaces; ++i) {
         const float h = dice.altitude_km(densities.geometry.shell.thickness_km);
         const gpu::vec4 density =
-            gpu::column_lookups::column_density({densities.texture}, densities.air, h);
+            gpu::column_lookups::column_density({densities.texture}, 256, densities.air, h);
         const std::array<double, 4> wanted_density =
             filtered(densities.texture,
                      {x_of_u(scaled_altitude(densities.geometry.scale, double{h}), 256), 0.5, 0.5});
@@ -233,7 +235,7 @@ TEST(ColumnLookup, FloatLosesLittleOfDensitiesAndPhases) {
             dice.angle(dice.one_in(2) ? 0 : std::numbers::pi, 0.5 * std::numbers::pi);
         const gpu::vec3 a(1, 0, 0);
         const gpu::vec3 b(std::cos(angle), std::sin(angle), 0);
-        const gpu::vec4 phase = gpu::column_lookups::column_phase({phases.texture}, a, b);
+        const gpu::vec4 phase = gpu::column_lookups::column_phase({phases.texture}, 256, a, b);
         const glm::dvec3 unit = glm::normalize(glm::dvec3(b));
         const double exact = std::atan2(unit.y, unit.x);
         const std::array<double, 4> wanted_phase =
@@ -266,7 +268,8 @@ TEST(ColumnLookup, IsTheSameOneFloatAboveAndBelowTheHorizon) {
         for (const double part : {0.1, 0.455, 0.9}) {
             const auto d = static_cast<float>(part * rho);
             const auto columns = [&](float mu) {
-                return gpu::column_lookups::column_along({trial.texture}, trial.air, h, mu, d);
+                return gpu::column_lookups::column_along(
+                    {trial.texture}, gpu::size_of(trial.texture), trial.air, h, mu, d);
             };
             const gpu::vec4 wanted = columns(at_horizon);
             for (const float mu :

@@ -60,7 +60,8 @@ double difference(const Texture& book, float later, float flip, const Lookup& lo
     for (int i = 0; i < 20000; ++i) {
         const vec2 uv(dice.uniform(-2, 3), dice.uniform(-2, 3));
         const auto frame = static_cast<float>(dice.uniform(-12, 12));
-        const vec4 wanted = gpu::flipbook_lookups::flipbook({book}, uv, frame);
+        const vec4 wanted =
+            gpu::flipbook_lookups::flipbook({book}, gpu::size_of(book).z, uv, frame);
         const vec4 found = lookup(vec2(flip * uv.x, uv.y), frame + later);
         for (int c = 0; c < 3; ++c) {
             const double apart = std::fabs(double{wanted[c]} - double{found[c]});
@@ -86,7 +87,7 @@ TEST(FlipbookLookup, OfLayersIsThatOfTheTexture) {
     Texture layers = book;
     layers.repeats[2] = false;
     expect_same(book, [&](const vec2& uv, float frame) {
-        return gpu::flipbook_lookups::flipbook_layers({layers}, uv, frame);
+        return gpu::flipbook_lookups::flipbook_layers({layers}, gpu::size_of(layers).z, uv, frame);
     });
 }
 
@@ -99,7 +100,8 @@ TEST(FlipbookLookup, OfASheetIsThatOfTheTexture) {
         const vec2 cells(columns, rows);
         const auto lookup_of = [&](const Texture& sheet) {
             return [&](const vec2& uv, float frame) {
-                return gpu::flipbook_lookups::flipbook_sheet({sheet}, uv, frame, cells, 5);
+                return gpu::flipbook_lookups::flipbook_sheet({sheet}, vec2(gpu::size_of(sheet)), 5,
+                                                             uv, frame, cells);
             };
         };
         const Texture sheet = sheet_of(book, columns, rows);

@@ -26,7 +26,8 @@ TEST(ForwardScatteringLookup, FloatLosesLittle) {
         const double wanted =
             filtered(texture, {texture_coordinate(kConvention, x, texture.size[0]),
                                texture_coordinate(kConvention, y, texture.size[1]), 0.5})[0];
-        const float found = gpu::forward_lookups::forward_scattering({texture}, offset, depth);
+        const float found = gpu::forward_lookups::forward_scattering(
+            {texture}, gpu::vec2(gpu::size_of(texture)), offset, depth);
         loss.add(double{found} - wanted);
     }
     test::expect_little_loss(loss, baked.asset().certificate);
@@ -36,7 +37,9 @@ TEST(ForwardScatteringLookup, IsOneWhereTheSunIsNotHidden) {
     const test::BakedLookup baked = test::bake_all("[bake.a]\nasset = 'forward_scattering'\n");
     const Texture texture = texture_of(baked.asset());
     for (const float offset : {0.0F, 1e-6F, 0.01F, 1.0F, 2.0F}) {
-        EXPECT_NEAR(gpu::forward_lookups::forward_scattering({texture}, offset, 0), 1, 1e-6);
+        EXPECT_NEAR(gpu::forward_lookups::forward_scattering(
+                        {texture}, gpu::vec2(gpu::size_of(texture)), offset, 0),
+                    1, 1e-6);
     }
 }
 

@@ -32,7 +32,6 @@ using glm::clamp;
 using glm::cross;
 using glm::dot;
 using glm::floor;
-using glm::ivec2;
 using glm::ivec3;
 using glm::max;
 using glm::min;
@@ -132,14 +131,9 @@ inline Texel texture(const sampler2DArray& table, const vec3& at) {
 inline Texel texelFetch(const sampler3D& table, const ivec3& at, int /*level*/) {
     return texel_of(fetched(table.texture, {at.x, at.y, at.z}));
 }
-inline ivec2 textureSize(const sampler2D& table, int /*level*/) {
-    return {table.texture.size[0], table.texture.size[1]};
-}
-inline ivec3 textureSize(const sampler2DArray& table, int /*level*/) {
-    return {table.texture.size[0], table.texture.size[1], table.texture.size[2]};
-}
-inline ivec3 textureSize(const sampler3D& table, int /*level*/) {
-    return {table.texture.size[0], table.texture.size[1], table.texture.size[2]};
+// The texels of a texture along each axis, as lookups take them.
+inline vec3 size_of(const Texture& texture) {
+    return {texture.size[0], texture.size[1], texture.size[2]};
 }
 
 }  // namespace skybake::gpu

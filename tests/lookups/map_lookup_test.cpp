@@ -58,7 +58,8 @@ TEST(BlueNoiseLookup, IsTheTexelOfThePixelAroundTheMask) {
                                                    ((y % n[1]) + n[1]) % n[1],
                                                    ((frame % n[2]) + n[2]) % n[2]};
                     const gpu::vec4 found = gpu::map_lookups::blue_noise(
-                        {texture}, vec2(x + 0.5, y + 0.5), static_cast<float>(frame));
+                        {texture}, gpu::size_of(texture), vec2(x + 0.5, y + 0.5),
+                        static_cast<float>(frame));
                     ASSERT_EQ(found.x, texture.texel(at, 0)) << x << " " << y << " " << frame;
                 }
             }

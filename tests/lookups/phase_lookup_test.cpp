@@ -66,7 +66,7 @@ struct PhaseTrial {
                         : spacing == PhaseSpacing::cosine           ? phase_by_cosine(t)
                         : spacing == PhaseSpacing::cosine_from_back ? phase_by_cosine_from_back(t)
                                                                     : phase_by_peaks(t);
-        return gpu::phase_lookups::phase_function({texture}, x);
+        return gpu::phase_lookups::phase_function({texture}, gpu::size_of(texture).x, x);
     }
     template <class Lookup>
     test::Loss loss(const Lookup& lookup) const {
@@ -105,7 +105,8 @@ TEST(PhaseLookup, CosinesWouldBeNoticed) {
     const PhaseTrial trial(PhaseSpacing::peaks);
     const test::Loss loss = trial.loss([&](const Pair& pair) {
         return gpu::phase_lookups::phase_function(
-            {trial.texture}, gpu::phase_by_cosines::phase_by_peaks(pair.a, pair.b));
+            {trial.texture}, gpu::size_of(trial.texture).x,
+            gpu::phase_by_cosines::phase_by_peaks(pair.a, pair.b));
     });
     const ErrorFigures& own = trial.baked.asset().certificate.lookup;
     EXPECT_FALSE(loss.is_a_tenth_of(own)) << loss.text(own);
@@ -123,7 +124,8 @@ TEST(SampledAngleLookup, FloatLosesLittle) {
     };
     for (int i = 0; i < test::kPlaces; ++i) {
         const auto share = static_cast<float>(dice.uniform());
-        const vec3 found = gpu::phase_lookups::sampled_angle({texture}, share);
+        const vec3 found =
+            gpu::phase_lookups::sampled_angle({texture}, gpu::size_of(texture).x, share);
         const std::array<double, 4> wanted = in_double(texture, double{share});
         for (int c = 0; c < 3; ++c) {
             loss.add(half_turns(double{found[c]}) -

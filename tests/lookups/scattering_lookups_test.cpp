@@ -33,6 +33,7 @@ struct SunTable {
         for (const float texel : texture.texels) largest = std::max(largest, double{texel});
     }
     bool twilight() const { return columns.mapping == MultipleScatteringMapping::twilight; }
+    gpu::vec2 size() const { return {texture.size[0], texture.size[1]}; }
     gpu::vec2 crop() const {
         return {static_cast<float>(columns.first),
                 static_cast<float>(columns.last - columns.first)};
@@ -81,7 +82,7 @@ TEST(MultipleScatteringLookup, FloatLosesLittle) {
             const float h = dice.altitude_km(table.shell.thickness_km);
             const float mu = table.sun(dice);
             const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
-                {table.texture}, table.D, h, mu, table.twilight(), table.crop());
+                {table.texture}, table.size(), table.D, h, mu, table.twilight(), table.crop());
             add_relative(found,
                          table.in_double(table.columns.coordinate(double{mu}),
                                          double{h} / table.shell.thickness_km),
@@ -137,7 +138,8 @@ void expect_suns_of_a_cropped_axis(const CroppedMoments& moments) {
         const float h = dice.altitude_km(moments.shell.thickness_km);
         const float mu = moments.sun(dice);
         const gpu::vec3 found = gpu::sun_lookups::multiple_scattering(
-            {texture}, moments.D, h, mu, moments.twilight(), moments.crop());
+            {texture}, gpu::vec2(gpu::size_of(texture)), moments.D, h, mu, moments.twilight(),
+            moments.crop());
         add_relative(found,
                      moments.in_double(moments.columns.coordinate(double{mu}),
                                        double{h} / moments.shell.thickness_km, 0, 6),
@@ -160,8 +162,8 @@ TEST(MomentsLookup, FloatLosesLittle) {
         const auto c = static_cast<float>(dice.uniform(-1, 1));
         const bool rayleigh = dice.one_in(2);
         const gpu::vec3 chi = rayleigh ? gpu::vec3(1, 0, 0.1f) : gpu::vec3(1, 0.8436f, 0.7097f);
-        const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
-                                                               table.twilight(), table.crop(), 6);
+        const gpu::vec2 place = gpu::sun_lookups::moment_place(
+            table.size() / gpu::vec2(1, 6), table.D, h, mu_s, table.twilight(), table.crop());
         const gpu::vec3 found =
             gpu::sun_lookups::scattered_again({table.texture}, place, 6, mu, c, chi);
         const double x = table.columns.coordinate(double{mu_s});
@@ -191,8 +193,8 @@ TEST(MomentsLookup, HoldsTheProbesOfFourWavelengths) {
         const int part = moment_index(static_cast<int>(test::at(probe, "l")),
                                       static_cast<int>(test::at(probe, "m")));
         const std::string where = "h " + std::to_string(h) + ", table " + std::to_string(part);
-        const gpu::vec2 place = gpu::sun_lookups::moment_place({table.texture}, table.D, h, mu_s,
-                                                               table.twilight(), table.crop(), 6);
+        const gpu::vec2 place = gpu::sun_lookups::moment_place(
+            table.size() / gpu::vec2(1, 6), table.D, h, mu_s, table.twilight(), table.crop());
         test::expect_probe(
             gpu::sun_lookups::moment_of_4({table.texture}, place, 6, static_cast<float>(part)),
             probe.value, probe.tolerance, where);
@@ -212,7 +214,8 @@ TEST(IrradianceLookup, FloatLosesLittle) {
             "preset = 'earth_hillaire'\n[bake.irradiance]\ncontent = 'direct'\nmapping = '" +
             std::string(mapping) + "'\n");
         const auto in_float = [&](float h, float mu) {
-            return gpu::sun_lookups::irradiance({table.texture}, table.D, h, mu, table.twilight());
+            return gpu::sun_lookups::irradiance({table.texture}, table.size(), table.D, h, mu,
+                                                table.twilight());
         };
         test::Dice dice;
         test::Loss loss;

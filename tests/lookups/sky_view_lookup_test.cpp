@@ -62,15 +62,15 @@ class SkyViewTrial {
 
     vec3 in_float(const ViewPlace& at) const {
         return gpu::sky_view_lookup::sky_view(
-            {texture_}, static_cast<float>(shell_.ground_radius_km),
+            {texture_}, size_of_one(), static_cast<float>(shell_.ground_radius_km),
             static_cast<float>(shell_.thickness_km), static_cast<float>(altitude_km_), at.dir,
             at.up, at.sun, at.k, 2);
     }
+    gpu::vec2 size_of_one() const { return {texture_.size[0], texture_.size[1] / 2}; }
     vec3 in_float_by_arc_sines(const ViewPlace& at) const {
-        const gpu::vec2 size(texture_.size[0], texture_.size[1] / 2);
         return gpu::sky_view_by_arc_sines::sky_view({texture_}, static_cast<float>(altitude_km_),
                                                     at.dir, at.up, at.sun, static_cast<float>(at.k),
-                                                    2, size);
+                                                    2, size_of_one());
     }
 
     // Above the horizon, in radians, of the direction as floats have it.

@@ -25,7 +25,7 @@ struct TransmittanceTrial {
         const auto R = static_cast<float>(shell.ground_radius_km);
         const auto D = static_cast<float>(shell.thickness_km);
         return ue ? transmittance_to_top_ue({texture}, R, D, h, mu)
-                  : transmittance_to_top({texture}, R, D, h, mu);
+                  : transmittance_to_top({texture}, gpu::vec2(gpu::size_of(texture)), R, D, h, mu);
     }
     std::array<double, 4> in_double(double h, double mu) const {
         const UnitCoordinates x = transmittance_coordinates(shell, h, mu);

@@ -86,33 +86,25 @@ TEST(Translation, KeepsCommentsAndLines) {
 
 TEST(Translation, TakesTheLayerOfAnArrayApartWhereALanguageWantsThat) {
     constexpr const char* kGlsl =
-        "vec4 layer(sampler2DArray t, vec3 p) { return texture(t, p); }\n"
-        "ivec3 edges(sampler2DArray t) { return textureSize(t, 0); }\n";
+        "vec4 layer(sampler2DArray t, vec3 p) { return texture(t, p); }\n";
     expect(kGlsl, Language::hlsl,
            "float4 layer(Texture2DArray t, SamplerState t_sampler, float3 p) { return "
-           "t.SampleLevel(t_sampler, p, 0.0); }\n"
-           "int3 edges(Texture2DArray t) { return size_of(t); }\n");
+           "t.SampleLevel(t_sampler, p, 0.0); }\n");
     expect(kGlsl, Language::msl,
            "inline float4 layer(texture2d_array<float> t, sampler t_sampler, float3 p) { return "
-           "t.sample(t_sampler, float2(p.x, p.y), uint(p.z), metal::level(0.0)); }\n"
-           "inline int3 edges(texture2d_array<float> t) { return int3(t.get_width(), "
-           "t.get_height(), t.get_array_size()); }\n");
+           "t.sample(t_sampler, float2(p.x, p.y), uint(p.z), metal::level(0.0)); }\n");
     expect(kGlsl, Language::wgsl,
            "fn layer(t: texture_2d_array<f32>, t_sampler: sampler, p: vec3f) -> vec4f { return "
-           "textureSampleLevel(t, t_sampler, p.xy, i32(p.z), 0.0); }\n"
-           "fn edges(t: texture_2d_array<f32>) -> vec3i { return "
-           "vec3i(vec2i(textureDimensions(t, 0)), i32(textureNumLayers(t))); }\n");
+           "textureSampleLevel(t, t_sampler, p.xy, i32(p.z), 0.0); }\n");
 }
 
 TEST(Translation, PassesASamplerWhereATextureIsSampled) {
     constexpr const char* kGlsl =
-        "ivec2 edges(sampler2D t) { return textureSize(t, 0); }\n"
         "vec4 inner(sampler3D t, vec3 p) { return texture(t, p); }\n"
         "float outer(sampler3D a, sampler3D b, vec3 p) {\n"
         "    return inner(a, p).r + texelFetch(b, ivec3(p), 0).r;\n"
         "}\n";
     expect(kGlsl, Language::hlsl,
-           "int2 edges(Texture2D t) { return size_of(t); }\n"
            "float4 inner(Texture3D t, SamplerState t_sampler, float3 p) { return "
            "t.SampleLevel(t_sampler, p, 0.0); }\n"
            "float outer(Texture3D a, SamplerState a_sampler, Texture3D b, float3 p) {\n"
@@ -120,7 +112,6 @@ TEST(Translation, PassesASamplerWhereATextureIsSampled) {
            "}\n");
     expect(
         kGlsl, Language::msl,
-        "inline int2 edges(texture2d<float> t) { return int2(t.get_width(), t.get_height()); }\n"
         "inline float4 inner(texture3d<float> t, sampler t_sampler, float3 p) { return "
         "t.sample(t_sampler, p, metal::level(0.0)); }\n"
         "inline float outer(texture3d<float> a, sampler a_sampler, texture3d<float> b, float3 p) "
@@ -128,7 +119,6 @@ TEST(Translation, PassesASamplerWhereATextureIsSampled) {
         "    return inner(a, a_sampler, p).r + b.read(uint3(int3(p)), 0).r;\n"
         "}\n");
     expect(kGlsl, Language::wgsl,
-           "fn edges(t: texture_2d<f32>) -> vec2i { return vec2i(textureDimensions(t, 0)); }\n"
            "fn inner(t: texture_3d<f32>, t_sampler: sampler, p: vec3f) -> vec4f { return "
            "textureSampleLevel(t, t_sampler, p, 0.0); }\n"
            "fn outer(a: texture_3d<f32>, a_sampler: sampler, b: texture_3d<f32>, p: vec3f) -> f32 "

@@ -91,8 +91,9 @@ AssetLookup lookup(const Parameters& parameters, const AerialPerspectiveBake& as
     const std::string distance =
         camera.air() ? fmt::format("distance_km - way.x, min(way.y, {})", view_distance)
                      : fmt::format("distance_km, {}", view_distance);
-    const std::string arguments = fmt::format("air, picture, {}, {}", distance,
-                                              asset.slices == config::SliceSpacing::squared);
+    const std::string arguments =
+        fmt::format("air, {}, picture, {}, {}", glsl_number(stored.size[2]), distance,
+                    asset.slices == config::SliceSpacing::squared);
     GlslFunction function;
     function.comment = fmt::format(
         "Returns {} over a distance of 0 to {} km along the view ray{}. `picture` is the place in "

@@ -161,7 +161,7 @@ AssetLookup lookup(const Parameters&, const BlueNoiseBake&, const StoredTexels& 
         "frame or any number between that and the next. Both may be beyond the mask, which "
         "repeats.";
     function.arguments = "sampler3D table, vec2 pixel, float frame";
-    function.value = "blue_noise(table, pixel, frame)";
+    function.value = fmt::format("blue_noise(table, {}, pixel, frame)", glsl_size(stored.size));
     return {"blue_noise", {with_channels(stored.channels, 4, std::move(function))}};
 }
 

@@ -90,6 +90,7 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
 
 AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const StoredTexels& stored) {
     const std::string thickness_km = glsl_number(shell.thickness_km);
+    const std::string size = glsl_size({stored.size[0], stored.size[1]});
     GlslFunction function;
     if (asset.table == BrunetonTable::transmittance) {
         function.comment = fmt::format(
@@ -97,8 +98,9 @@ AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const Sto
             "a ray of this zenith angle that does not meet the ground.",
             thickness_km);
         function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-        function.value = fmt::format("transmittance_to_top{}(table, {}, altitude_km, cos_zenith)",
-                                     of_4(stored.channels), glsl_shell(shell));
+        function.value =
+            fmt::format("transmittance_to_top{}(table, {}, {}, altitude_km, cos_zenith)",
+                        of_4(stored.channels), size, glsl_shell(shell));
         return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
     }
     function.comment = fmt::format(
@@ -106,8 +108,9 @@ AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const Sto
         "the solar irradiance. altitude_km is from 0 to {}.",
         thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value = fmt::format("bruneton_irradiance{}(table, {}, altitude_km, sun_cos_zenith)",
-                                 of_4(stored.channels), thickness_km);
+    function.value =
+        fmt::format("bruneton_irradiance{}(table, {}, {}, altitude_km, sun_cos_zenith)",
+                    of_4(stored.channels), size, thickness_km);
     return {"bruneton", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
@@ -127,9 +130,10 @@ AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
         "sampler3D table, float altitude_km, float cos_zenith, float sun_cos_zenith, float nu, "
         "bool ground";
     function.value = fmt::format(
-        "bruneton_scattering(table, {}, altitude_km, cos_zenith, sun_cos_zenith, nu, ground, {}, "
-        "{})",
-        glsl_shell(shell), glsl_number(asset.sun_cos_zenith_min), glsl_number(asset.nu_size));
+        "bruneton_scattering(table, {}, {}, altitude_km, cos_zenith, sun_cos_zenith, nu, ground, "
+        "{}, {})",
+        glsl_size(stored.size), glsl_shell(shell), glsl_number(asset.sun_cos_zenith_min),
+        glsl_number(asset.nu_size));
     return {"bruneton", {with_channels(stored.channels, 4, std::move(function))}};
 }
 

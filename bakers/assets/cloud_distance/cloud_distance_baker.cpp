@@ -111,7 +111,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
         "Returns the channels of the texels at x and y in metres and at the altitude z in metres.";
     function.arguments = "sampler3D distances, vec3 p";
     function.before = box;
-    function.value = "texture(distances, (p - corner) / box)";
+    function.value = "cloud_texel(distances, p - corner, box)";
     AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, std::move(function))}};
     lookup.functions.push_back(distance_function(ends, box));
     if (is_marched_as_stored(cloud)) {

@@ -50,7 +50,7 @@ AssetLookup lookup(const Parameters& parameters, const CloudVolumeBake& asset,
     function.arguments = "sampler3D cloud, vec3 p";
     function.before = cloud_box_glsl(cloud);
     function.value = stored.channels == 1 ? "cloud_density(cloud, p - corner, tile)"
-                                          : "texture(cloud, (p - corner) / tile)";
+                                          : "cloud_texel(cloud, p - corner, tile)";
     if (stored.channels == 1) {
         function.result = "float";
     } else {

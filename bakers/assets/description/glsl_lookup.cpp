@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 #include <sstream>
 #include <utility>
 
@@ -93,6 +94,10 @@ std::string glsl_vector(const std::array<double, 3>& values) {
                        glsl_number(values[2]));
 }
 
+std::string glsl_size(const std::vector<int>& size) {
+    return fmt::format("vec{}({}.0)", size.size(), fmt::join(size, ".0, "));
+}
+
 std::string glsl_shell(const Shell& shell) {
     return glsl_number(shell.ground_radius_km) + ", " + glsl_number(shell.thickness_km);
 }
@@ -141,6 +146,26 @@ std::string lookup_glsl(const AssetLookup& lookup, const std::string& name) {
         if (i == 0 || is_needed) text = std::string(paragraphs[i]) + "\n\n" + text;
     }
     return text;
+}
+
+LookupCost cost_of(const AssetLookup& lookup) {
+    static const std::regex line(
+        "// Cost[^:\\n]*: fetches (\\d+), operations (\\d+), divisions (\\d+), special functions "
+        "(\\d+)");
+    const std::string text = lookup_glsl({lookup.library, {lookup.functions.front()}}, "baked");
+    LookupCost cost{.library = std::string(lookup.library)};
+    for (std::sregex_iterator at(text.begin(), text.end(), line), end; at != end; ++at) {
+        cost.fetches += std::stoi((*at)[1]);
+        cost.operations += std::stoi((*at)[2]);
+        cost.divisions += std::stoi((*at)[3]);
+        cost.special_functions += std::stoi((*at)[4]);
+    }
+    return cost;
+}
+
+std::string cost_text(const LookupCost& cost) {
+    return fmt::format("fetches {}, operations {}, divisions {}, special functions {}",
+                       cost.fetches, cost.operations, cost.divisions, cost.special_functions);
 }
 
 std::string color_glsl(const ColorConvention& color, const std::vector<double>& wavelengths_nm,

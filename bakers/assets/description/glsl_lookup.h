@@ -32,6 +32,8 @@ struct AssetLookup {
 std::string glsl_number(double value);
 // "vec3(3000.0, 3200.0, 1000.0)".
 std::string glsl_vector(const std::array<double, 3>& values);
+// Numbers of texels as floats: "vec2(256.0, 64.0)".
+std::string glsl_size(const std::vector<int>& size);
 // The ground's radius and the thickness of the air in km: "6360.0, 100.0".
 std::string glsl_shell(const Shell& shell);
 
@@ -49,6 +51,11 @@ std::string glsl_name(std::string_view asset);
 
 // The functions of the lookup under this name, below what they need of the published file.
 std::string lookup_glsl(const AssetLookup& lookup, const std::string& name);
+
+// What the first function costs at most: the sum of the costs that stand above published functions it needs.
+LookupCost cost_of(const AssetLookup& lookup);
+// "fetches 1, operations 30, divisions 0, special functions 2", as those lines have it.
+std::string cost_text(const LookupCost& cost);
 
 // A function NAME_color that turns light at the wavelengths of a file into colours, with what it does
 // as a comment. If the file holds one packet, its colours are a part of those of all.

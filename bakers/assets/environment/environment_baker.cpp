@@ -144,8 +144,10 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
                   "to the right of ahead.",
                   sun_deg, to_digits(asset.sun_azimuth.radians * kDegreesPerRadian, 9));
     function.arguments = fmt::format("sampler2D table, vec3 dir, vec3 up, vec3 {}", words.ahead);
+    const bool has_edge = asset.mapping != EnvironmentMapping::longitude_latitude;
     function.value =
-        fmt::format("{}{}(table, dir, up, {})", words.function, of_4(stored.channels), words.ahead);
+        fmt::format("{}{}(table, {}dir, up, {})", words.function, of_4(stored.channels),
+                    has_edge ? glsl_number(stored.size[0]) + ", " : "", words.ahead);
     return {"environment", {with_wavelengths(stored.channels, std::move(function))}};
 }
 

@@ -225,8 +225,8 @@ AssetLookup lookup(const Parameters&, const FlipbookBake& asset, const StoredTex
         "frames are blended. All may be any numbers, as frames repeat.";
     function.arguments = fmt::format("{} table, float u, float v, float frame",
                                      are_layers ? "sampler2DArray" : "sampler3D");
-    function.value =
-        fmt::format("flipbook{}(table, vec2(u, v), frame)", are_layers ? "_layers" : "");
+    function.value = fmt::format("flipbook{}(table, {}, vec2(u, v), frame)",
+                                 are_layers ? "_layers" : "", glsl_number(stored.size[2]));
     return {"flipbook", {with_channels(stored.channels, 4, std::move(function))}};
 }
 

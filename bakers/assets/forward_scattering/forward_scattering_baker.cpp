@@ -1,5 +1,7 @@
 // The baker of asset = "forward_scattering".
 
+#include <fmt/format.h>
+
 #include <utility>
 
 #include "bakers/assets/forward_scattering/forward_table.h"
@@ -35,14 +37,15 @@ AssetPlaces places(const Parameters&, const ForwardScatteringBake&, const Stored
     });
 }
 
-AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const StoredTexels&) {
+AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const StoredTexels& stored) {
     GlslFunction function;
     function.comment =
         "Returns the factor of the sunlight that is scattered once. `offset` is 1 - cosine of the "
         "scattering angle, `depth` the optical depth to the sun.";
     function.result = "float";
     function.arguments = "sampler2D table, float offset, float depth";
-    function.value = "forward_scattering(table, offset, depth)";
+    function.value =
+        fmt::format("forward_scattering(table, {}, offset, depth)", glsl_size(stored.size));
     return {"forward_scattering", {std::move(function)}};
 }
 

@@ -191,8 +191,9 @@ AssetLookup lookup(const Parameters& parameters, const IrradianceBake& asset,
         "altitude_km is from 0 to {}.",
         thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value = fmt::format("irradiance{}(table, {}, altitude_km, sun_cos_zenith, {})",
-                                 of_4(stored.channels), thickness_km, twilight);
+    function.value =
+        fmt::format("irradiance{}(table, {}, {}, altitude_km, sun_cos_zenith, {})",
+                    of_4(stored.channels), glsl_size(stored.size), thickness_km, twilight);
     return {"irradiance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 

@@ -92,17 +92,18 @@ SunArguments sun_arguments(const Parameters& parameters, const MultipleScatterin
 
 AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArguments& sun,
                           const StoredTexels& stored) {
-    const std::string tables = glsl_number(moment_count(asset.degree));
+    const int count = moment_count(asset.degree);
+    const std::string tables = glsl_number(count);
     GlslFunction moment;
     moment.comment = fmt::format(
         "Returns the moment M_lm of the light, in 1/sr. `part` is l (l + 1) / 2 + m, from 0 to {}; "
         "altitude_km is from 0 to {}.",
-        moment_count(asset.degree) - 1, sun.thickness_km);
+        count - 1, sun.thickness_km);
     moment.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith, int part";
     moment.before = fmt::format(
-        "    vec2 place = moment_place(table, {}, altitude_km, sun_cos_zenith,\n"
-        "                              {}, {});\n",
-        sun.thickness_km, sun.axis, tables);
+        "    vec2 place = moment_place({}, {}, altitude_km, sun_cos_zenith,\n"
+        "                              {});\n",
+        glsl_size({stored.size[0], stored.size[1] / count}), sun.thickness_km, sun.axis);
     GlslFunction scattered = moment;
     const std::string_view suffix = of_4(stored.channels);
     moment.value = fmt::format("moment{}(table, place, {}, float(part))", suffix, tables);
@@ -135,8 +136,8 @@ AssetLookup lookup(const Parameters& parameters, const MultipleScatteringBake& a
         sun.thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
     function.value =
-        fmt::format("multiple_scattering{}(table, {}, altitude_km, sun_cos_zenith, {})",
-                    of_4(stored.channels), sun.thickness_km, sun.axis);
+        fmt::format("multiple_scattering{}(table, {}, {}, altitude_km, sun_cos_zenith, {})",
+                    of_4(stored.channels), glsl_size(stored.size), sun.thickness_km, sun.axis);
     return {"multiple_scattering", {with_wavelengths(stored.channels, std::move(function))}};
 }
 

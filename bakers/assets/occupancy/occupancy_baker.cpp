@@ -87,20 +87,20 @@ std::string full_leap(const OccupancyBake& asset) {
     return fmt::format("vec4({})", fmt::join(full, ", "));
 }
 
-GlslFunction leap_function(const std::string& cell, const std::string& full,
+GlslFunction leap_function(const std::string& grid, const std::string& voxels,
                            const std::string& box) {
     return {
         .comment =
             "Returns how far the ray goes on from p, in metres, before it leaves the cells that "
-            "are known to be empty; 0 where p is in a cell that is not. `cloud` is the volume.",
+            "are known to be empty; 0 where p is in a cell that is not.",
         .result = "float",
-        .arguments = "sampler3D cloud, sampler3D cells, vec3 p, vec3 ray",
-        .value = fmt::format("cloud_leap(cloud, cells, {}, {}, p - corner, ray, tile)", cell, full),
+        .arguments = "sampler3D cells, vec3 p, vec3 ray",
+        .value = fmt::format("cloud_leap(cells, {}, {}, p - corner, ray, tile)", grid, voxels),
         .before = box,
         .suffix = "_leap"};
 }
 
-GlslFunction march_function(const std::string& cell, const std::string& full,
+GlslFunction march_function(const std::string& grid, const std::string& voxels,
                             const std::string& box) {
     return {
         .comment =
@@ -110,8 +110,9 @@ GlslFunction march_function(const std::string& cell, const std::string& full,
         .arguments =
             "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count",
         .value = fmt::format(
-            "cloud_march(cloud, cells, {}, full, from - corner, ray, tile, stride, count)", cell),
-        .before = box + fmt::format("    vec4 full = {};\n", full),
+            "cloud_march(cloud, cells, {}, {}, from - corner, ray, tile, stride, count)", grid,
+            voxels),
+        .before = box,
         .suffix = "_march"};
 }
 
@@ -120,23 +121,23 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     const Cloud cloud = spanned_cloud(parameters, of);
     const std::string box = cloud_box_glsl(cloud);
-    const std::string cell = glsl_number(cell_of_level(asset, of, stored.size));
+    std::string grid = fmt::format("{}, {}", glsl_size(stored.size),
+                                   glsl_number(cell_of_level(asset, of, stored.size)));
+    const std::string voxels = glsl_size({of.size.begin(), of.size.end()});
     GlslFunction function;
     function.comment =
         "Returns the channels of the cell at x and y in metres and at the altitude z in metres.";
     function.arguments = "sampler3D cells, vec3 p";
-    std::array<double, 3> voxels{};
-    std::ranges::copy(of.size, voxels.begin());
     function.before =
-        box + fmt::format("    ivec3 at = cloud_cell(cells, {}, {}, p - corner, tile);\n", cell,
-                          glsl_vector(voxels));
+        box + fmt::format("    ivec3 at = cloud_cell({}, {}, p - corner, tile);\n", grid, voxels);
     function.value = "texelFetch(cells, at, 0)";
     AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, std::move(function))}};
     const std::string full = full_leap(asset);
     if (full.empty()) return lookup;
-    lookup.functions.push_back(leap_function(cell, full, box));
+    grid += ", " + full;
+    lookup.functions.push_back(leap_function(grid, voxels, box));
     if (is_marched_as_stored(cloud)) {
-        lookup.functions.push_back(march_function(cell, full, box));
+        lookup.functions.push_back(march_function(grid, voxels, box));
     }
     return lookup;
 }

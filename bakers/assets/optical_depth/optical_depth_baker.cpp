@@ -82,14 +82,15 @@ AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
 }
 
 // Returns the lookup of a table over paths.
-GlslFunction column_function(const ColumnTable& table) {
+GlslFunction column_function(const ColumnTable& table, const std::vector<int>& size) {
     GlslFunction function;
     function.comment = "Returns the column of each kind, its density summed over the path in km";
     switch (table.kind()) {
         case ColumnTableKind::to_top:
             function.comment += ", up to the top of the air. The ray must not meet the ground.";
             function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-            function.value = "column_to_top(table, air, altitude_km, cos_zenith)";
+            function.value = fmt::format("column_to_top(table, {}, air, altitude_km, cos_zenith)",
+                                         glsl_size({size[0], size[1]}));
             break;
         case ColumnTableKind::between_altitudes:
             function.comment +=
@@ -97,14 +98,17 @@ GlslFunction column_function(const ColumnTable& table) {
                 "enter the ground.";
             function.arguments =
                 "sampler3D table, float low_altitude_km, float high_altitude_km, float length_km";
-            function.value =
-                "column_between(table, air, low_altitude_km, high_altitude_km, length_km)";
+            function.value = fmt::format(
+                "column_between(table, {}, air, low_altitude_km, high_altitude_km, length_km)",
+                glsl_size(size));
             break;
         case ColumnTableKind::along_distance:
             function.comment += ", from an altitude along a ray.";
             function.arguments =
                 "sampler3D table, float altitude_km, float cos_zenith, float length_km";
-            function.value = "column_along(table, air, altitude_km, cos_zenith, length_km)";
+            function.value =
+                fmt::format("column_along(table, {}, air, altitude_km, cos_zenith, length_km)",
+                            glsl_size(size));
             break;
     }
     return function;
@@ -119,14 +123,16 @@ AssetLookup lookup(const Parameters& parameters, const OpticalDepthBake& asset,
             "Returns the phase functions in 1/sr. The unit vectors point along the view ray and to "
             "the sun.";
         function.arguments = "sampler2D table, vec3 view, vec3 sun";
-        function.value = "column_phase(table, view, sun)";
+        function.value =
+            fmt::format("column_phase(table, {}, view, sun)", glsl_number(stored.size[0]));
     } else if (asset.table == OpticalDepthTable::density) {
         function.comment =
             "Returns the density of each kind, in shares of that which its coefficients are for.";
         function.arguments = "sampler2D table, float altitude_km";
-        function.value = "column_density(table, air, altitude_km)";
+        function.value =
+            fmt::format("column_density(table, {}, air, altitude_km)", glsl_number(stored.size[0]));
     } else {
-        function = column_function(table);
+        function = column_function(table, stored.size);
     }
     function.comment +=
         fmt::format(" The kinds are, channel by channel: {}.", fmt::join(asset.kinds, ", "));

@@ -250,20 +250,22 @@ AssetPlaces places(const Parameters&, const config::PhaseBake& asset, const Stor
 
 AssetLookup lookup(const Parameters&, const config::PhaseBake& asset, const StoredTexels& stored) {
     const std::string_view suffix = of_4(stored.channels);
+    const std::string size = glsl_number(stored.size[0]);
     GlslFunction function;
     if (asset.content == config::PhaseContent::inverse_cumulative) {
         function.comment =
             "Returns 1 - cos(angle). For shares that are uniform in [0, 1] the angles are "
             "distributed as the phase function.";
         function.arguments = "sampler2D table, float share";
-        function.value = fmt::format("sampled_angle{}(table, share)", suffix);
+        function.value = fmt::format("sampled_angle{}(table, {}, share)", suffix, size);
     } else {
         function.comment =
             "Returns the phase function in 1/sr. The unit vectors point along the view ray and to "
             "the sun.";
         function.arguments = "sampler2D table, vec3 view, vec3 sun";
-        function.value = fmt::format("phase_function{}(table, phase_by_{}(half_angle(view, sun)))",
-                                     suffix, stored.mapping);
+        function.value =
+            fmt::format("phase_function{}(table, {}, phase_by_{}(half_angle(view, sun)))", suffix,
+                        size, stored.mapping);
     }
     return {"phase", {with_wavelengths(stored.channels, std::move(function))}};
 }

@@ -169,9 +169,10 @@ AssetLookup lookup(const Parameters& parameters, const config::TransmittanceBake
         "zenith angle that does not meet the ground.",
         is_depth ? "optical depth" : "transmittance", glsl_number(shell.thickness_km));
     function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-    function.value = fmt::format("transmittance_to_top{}{}(table, {}, altitude_km, cos_zenith)",
-                                 asset.mapping == config::TransmittanceMapping::ue ? "_ue" : "",
-                                 of_4(stored.channels), glsl_shell(shell));
+    const bool is_ue = asset.mapping == config::TransmittanceMapping::ue;
+    function.value = fmt::format("transmittance_to_top{}{}(table, {}{}, altitude_km, cos_zenith)",
+                                 is_ue ? "_ue" : "", of_4(stored.channels),
+                                 is_ue ? "" : glsl_size(stored.size) + ", ", glsl_shell(shell));
     return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
 }
 

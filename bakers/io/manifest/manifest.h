@@ -77,9 +77,10 @@ struct ManifestAsset {
     std::vector<ManifestLevel> levels;  // level 0 first
     Conventions conventions;
     Facts details;
-    std::string parameters;    // TOML: the parameters that this asset depends on
-    std::string content_hash;  // of level 0
-    std::string release;       // the release that baked it
+    std::optional<LookupCost> lookup_cost;  // none of releases that did not count it
+    std::string parameters;                 // TOML: the parameters that this asset depends on
+    std::string content_hash;               // of level 0
+    std::string release;                    // the release that baked it
 
     // The inputs of the asset (bakers/workspace/folder_plan.h). These are empty in manifests
     // of releases that did not bake incrementally.

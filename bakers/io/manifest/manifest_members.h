@@ -145,6 +145,11 @@ void members(auto& form, Is<ValueStatistics> auto& statistics) {
     });
 }
 
+void members(auto& form, Is<LookupCost> auto& cost) {
+    form("library", cost.library, "fetches", cost.fetches, "operations", cost.operations,
+         "divisions", cost.divisions, "special_functions", cost.special_functions);
+}
+
 void members(auto& form, Is<ManifestLevel> auto& level) {
     form("size", level.size, "statistics", level.statistics, "probes", level.probes, "catches",
          level.catches, "content_hash", level.content_hash);
@@ -167,8 +172,10 @@ void members(auto& form, Is<ManifestAsset> auto& asset) {
     if (form.of_volume) form("seam_error", asset.seam_error);
     form.each("mips", asset.levels.size() - 1,
               [&](auto& mip, std::size_t i) { members(mip, asset.levels[i + 1]); });
-    form("details", asset.details, "parameters", asset.parameters, "content_hash",
-         asset.content_hash, "release", asset.release);
+    form("details", asset.details);
+    form.when(asset.lookup_cost.has_value(), "lookup_cost", asset.lookup_cost);
+    form("parameters", asset.parameters, "content_hash", asset.content_hash, "release",
+         asset.release);
     if (!form.holds("key", !asset.key.empty())) return;
     form("key", asset.key, "certification", asset.certification, "inputs", asset.inputs);
 }

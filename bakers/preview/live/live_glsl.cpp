@@ -89,7 +89,12 @@ std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
            cloud_values("vec3", "VOXELS", clouds,
                         [](const CloudMedium& medium) {
                             const std::array<int, 3>& size = medium.volume.size;
-                            return glsl_vector({double(size[0]), double(size[1]), double(size[2])});
+                            return glsl_size({size[0], size[1], size[2]});
+                        }) +
+           cloud_values("vec3", "CELLS", clouds,
+                        [](const CloudMedium& medium) {
+                            const std::array<int, 3>& cells = medium.leaps.cells;
+                            return glsl_size({cells[0], cells[1], cells[2]});
                         }) +
            cloud_values("float", "BASE", clouds,
                         [](const CloudMedium& medium) { return glsl_number(medium.base_m); }) +
@@ -121,13 +126,14 @@ std::string live_cloud_glsl(const std::vector<LiveCloud>& clouds) {
                                   return fmt::format("cloud_density(cloud_table_{0}, p, TILE[{0}])",
                                                      i);
                               }) +
-           function_of_layers("float leap_at(int layer, vec3 p, vec3 ray)", clouds,
-                              [](std::size_t i) {
-                                  return fmt::format(
-                                      "cloud_leap(cloud_table_{0}, cells_table_{0}, CELL[{0}], "
-                                      "vec4(255.0, 0.0, 0.0, 0.0), p, ray, TILE[{0}])",
-                                      i);
-                              }) +
+           function_of_layers(
+               "float leap_at(int layer, vec3 p, vec3 ray)", clouds,
+               [](std::size_t i) {
+                   return fmt::format(
+                       "cloud_leap(cells_table_{0}, CELLS[{0}], CELL[{0}], vec4(255.0, "
+                       "0.0, 0.0, 0.0), VOXELS[{0}], p, ray, TILE[{0}])",
+                       i);
+               }) +
            function_of_layers("float density_of(int layer, float value)", clouds,
                               [&](std::size_t i) { return density_glsl(clouds[i].medium.optics); });
 }

@@ -143,7 +143,8 @@ CloudReading reading_of(const RuntimeCloud& cloud) {
                                   at_runtime ? "_density" : "", textures[0]);
     const std::string leaps = cloud.leaps != nullptr ? glsl_name(cloud.leaps->name) : "";
     const std::string given = fmt::format("{}", fmt::join(textures, ", "));
-    reading.leap = leaps.empty() ? "0.0" : fmt::format("{}_leap({}, p, ray)", leaps, given);
+    reading.leap =
+        leaps.empty() ? "0.0" : fmt::format("{}_leap({}, p, ray)", leaps, textures.back());
     if (!leaps.empty() && !at_runtime) {
         reading.sum = fmt::format("return {}_march({}, start, ray, stride, count);", leaps, given);
     } else {
