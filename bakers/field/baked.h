@@ -35,7 +35,6 @@ struct Baked : config::AssetFiles {
     std::string parameters;  // TOML: the resolved parameters that this asset depends on
     Conventions conventions;
     Facts details;  // further facts, for example counts
-    std::optional<LookupCost> lookup_cost;
 
     // These members are for volumes only.
     std::vector<std::string> grid_names;     // VDB: one per channel; empty: density, or R, G, ...

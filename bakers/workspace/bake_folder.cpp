@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <set>
 #include <utility>
@@ -253,16 +254,28 @@ class FolderMaker {
         std::erase_if(pruned_, is_its);
     }
 
+    // Returns the entry of an asset that was made; its lookup is this release's.
+    ManifestAsset entry_of(std::size_t i) const {
+        ManifestAsset entry = result_.assets[i].entry;
+        const Bake& bake = *plan_.assets[i].bake;
+        const std::array<int, 3>& size = entry.levels[0].size;
+        entry.lookup_cost = cost_of(baker_of(bake).lookup(
+            bake_.recipe->parameters, bake,
+            {entry.mapping, {size.begin(), size.end()}, entry.channels.size()}));
+        return entry;
+    }
+
     // Stages the manifest last, so that it gets its name last: whoever sees it sees its files.
     bool stage_manifest() {
         Manifest manifest = new_manifest(*bake_.recipe);
         for (std::size_t i = 0; i < result_.assets.size(); ++i) {
             const bool failed = result_.assets[i].files.empty();
-            const ManifestAsset* entry =
-                failed ? entry_before(plan_.assets[i].bake->name) : &result_.assets[i].entry;
-            if (entry == nullptr) continue;
-            manifest.assets.push_back(*entry);
-            if (failed) keep_files_of(*entry);
+            if (!failed) {
+                manifest.assets.push_back(entry_of(i));
+            } else if (const auto* before = entry_before(plan_.assets[i].bake->name)) {
+                manifest.assets.push_back(*before);
+                keep_files_of(*before);
+            }
         }
         const bool partial = bake_.bakes.size() < bake_.recipe->parameters.bakes.size();
         if (partial && plan_.folder.previous) {
@@ -370,7 +383,7 @@ class FolderMaker {
     void list_named() {
         if (named_.empty()) return journal_.discard();
         Manifest manifest = new_manifest(*bake_.recipe);
-        for (const std::size_t i : named_) manifest.assets.push_back(result_.assets[i].entry);
+        for (const std::size_t i : named_) manifest.assets.push_back(entry_of(i));
         if (plan_.folder.previous) {
             const Manifest& previous = *plan_.folder.previous;
             manifest = merge_manifests(previous, std::move(manifest));

@@ -166,6 +166,7 @@ inline Manifest write_sample_bake(const std::filesystem::path& folder,
         EXPECT_TRUE(stage_files(table, asset, folder, files, 2).value.has_value());
         EXPECT_TRUE(files.commit().empty());
         asset.timing.bake.texels = 0.004;
+        asset.lookup_cost = LookupCost{"sky_view", 1, 70, 2, 6};
         manifest.assets.push_back(std::move(asset));
     }
     EXPECT_TRUE(

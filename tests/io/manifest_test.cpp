@@ -38,6 +38,7 @@ TEST(Manifest, ReadsBackAsItWasWritten) {
     ASSERT_EQ(manifest.value->assets.size(), 2u);
     EXPECT_EQ(manifest.value->assets[0].levels[0].probes.size(), 16u);
     EXPECT_FALSE(manifest.value->assets[1].error.has_value());
+    EXPECT_EQ(manifest.value->assets[0].lookup_cost.value().operations, 70);
     EXPECT_EQ(text.back(), '\n');
 }
 

@@ -62,6 +62,7 @@ def main():
         "an axis without end points": (("assets", 0, "mapping", "u", "end_points"), None),
         "constants in an object": (("assets", 0, "mapping", "u", "constants", "a"), {"b": 1}),
         "a list of words in details": (("assets", 0, "details", "nodes"), ["12"]),
+        "a lookup that fetches nothing": (("assets", 0, "lookup_cost", "fetches"), 0),
         "a table in another format": (("assets", 0, "files", 0, "format"), "vdb"),
         "a table with the probes of a volume": (("assets", 0, "probes"), manifest["assets"][2]["probes"]),
         "a volume with the probes of a table": (("assets", 2, "probes"), manifest["assets"][0]["probes"]),

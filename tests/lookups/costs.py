@@ -1,12 +1,14 @@
 """Counts what printed lookups cost, in SPIR-V that is optimised, and compares it with what they say.
 
-    costs.py FOLDER...     folders with what `skybake info --lookup` prints as GLSL
+    costs.py FOLDER        FOLDER/glsl has what `skybake info --lookup` prints of the bakes FOLDER/*, and
+                           their manifests say the same (print_lookups.cmake)
 
 A printed lookup may cost at most what it says, and of those that call the same published functions some
 cost as much. A figure that is wrong is printed with the right one. No two lookups of a group need agree:
 a camera on the ground saves what one in space pays.
 """
 
+import json
 import pathlib
 import re
 import shutil
@@ -76,8 +78,9 @@ def main():
     if not shutil.which("spirv-opt") or not shutil.which("glslangValidator"):
         print("SKIPPED: spirv-opt or glslangValidator is missing (Debian's spirv-tools, glslang-tools)")
         sys.exit(77)
-    groups, failures = {}, 0
-    for file in sorted(file for folder in sys.argv[1:] for file in pathlib.Path(folder).glob("*.glsl")):
+    folder = pathlib.Path(sys.argv[1])
+    groups, printed, failures = {}, {}, 0
+    for file in sorted(folder.glob("glsl/*.glsl")):
         text = file.read_text()
         said = re.match(r"(?://.*\n)*?// Cost: at most " + SAID.pattern, text)
         if not said:
@@ -85,13 +88,22 @@ def main():
         called = re.search(r"^\w+ baked_\w+\([^)]*\) \{(.*?)^\}", text, re.M | re.S).group(1)
         published = frozenset(re.sub("_of_4$", "", word) for word in re.findall(r"(\w+)\(", called))
         group = groups.setdefault(published - {"vec2", "vec3", "vec4", "float"}, [set(), set(), []])
-        group[0].add(tuple(map(int, said.groups())))
+        printed[file.stem] = tuple(map(int, said.groups()))
+        group[0].add(printed[file.stem])
         group[1].add(cost(optimised(text)))
         group[2].append(file.stem)
     for published, (says, counted, files) in groups.items():
         most = tuple(map(max, zip(*counted)))
         failures += says != {most}
         print(*sorted(published), most, *(f"but it says {one}" for one in says if one != most), f"({len(files)} files)")
+    for manifest in sorted(folder.glob("*/manifest.json")):
+        prefix = "" if manifest.parent.name == "colours" else manifest.parent.name + "_"
+        for asset in json.loads(manifest.read_text())["assets"]:
+            said = printed[re.sub(r"\W", "_", prefix + asset["files"][0]["path"])]
+            stated = tuple(asset["lookup_cost"][figure.replace(" ", "_")] for figure in FIGURES)
+            failures += stated != said
+            if stated != said:
+                print(f"{manifest.parent.name}: {asset['name']} says {stated}, printed as {said}")
     if failures or len(groups) < 30:
         sys.exit(f"{len(groups)} groups, {failures} say what is wrong")
 

@@ -231,8 +231,6 @@ Outcome<Baked> bake_asset(const Recipe& recipe, const Bake& bake, const BakeOpti
     add_colors(recipe.parameters, bake, options, outcome.value);
     compare_with_paths(baker, recipe.parameters, bake, options, outcome.value);
     if (outcome.value) {
-        outcome.value->lookup_cost =
-            cost_of(baker.lookup(recipe.parameters, bake, stored_texels(*outcome.value)));
         for (Diagnostic& warning : warn_of_large_errors(recipe.parameters, *outcome.value)) {
             outcome.diagnostics.push_back(std::move(warning));
         }

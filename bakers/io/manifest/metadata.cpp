@@ -118,7 +118,6 @@ ManifestAsset describe(const Baked& baked) {
     asset.range = baked.range;
     asset.conventions = baked.conventions;
     asset.details = baked.details;
-    asset.lookup_cost = baked.lookup_cost;
     asset.parameters = baked.parameters;
     asset.release = release();
     asset.seam_error = baked.seam_error;
