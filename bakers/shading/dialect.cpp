@@ -61,17 +61,12 @@ struct TextureRow {
     std::array<std::string_view, kLanguages> forms;
 };
 constexpr std::string_view kSampleCall = "texture({0}, {2})";
+constexpr std::array<std::string_view, kLanguages> kSampleForms = {
+    kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
+    "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall};
 constexpr std::array<TextureRow, 4> kTextureFunctions = {{
-    {"texture",
-     "sampler2D",
-     "vec4",
-     {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
-      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall}},
-    {"texture",
-     "sampler3D",
-     "vec4",
-     {kSampleCall, "{0}.SampleLevel({1}, {2}, 0.0)", "{0}.sample({1}, {2}, metal::level(0.0))",
-      "textureSampleLevel({0}, {1}, {2}, 0.0)", kSampleCall}},
+    {"texture", "sampler2D", "vec4", kSampleForms},
+    {"texture", "sampler3D", "vec4", kSampleForms},
     {"texture",
      "sampler2DArray",
      "vec4",

@@ -561,36 +561,22 @@ void expect_leaping_march(const std::string& name, const Leap& leap, const March
     EXPECT_LT(looked, 2 * 3 * steps / 4) << name;  // in two languages
 }
 
+// The grid of a file, whose functions begin with this name.
+#define SKYBAKE_MARCHES(path, file, name)                                                    \
+    expect_leaping_march(                                                                    \
+        path,                                                                                \
+        [](const Texture& cells, const vec3& p, const vec3& ray) {                           \
+            return SKYBAKE_CALL(file, name##_leap, cells, p, ray);                           \
+        },                                                                                   \
+        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,    \
+           float stride, int count) {                                                        \
+            return SKYBAKE_CALL(file, name##_march, cloud, cells, from, ray, stride, count); \
+        })
+
 TEST(PrintedLookups, MarchesByLeaps) {
-    const auto leap = [](const Texture& cells, const vec3& p, const vec3& ray) {
-        return SKYBAKE_CALL(cells_exr, baked_cells_leap, cells, p, ray);
-    };
-    expect_leaping_march("cells.exr", leap,
-                         [](const Texture& cloud, const Texture& cells, const vec3& from,
-                            const vec3& ray, float stride, int count) {
-                             return SKYBAKE_CALL(cells_exr, baked_cells_march, cloud, cells, from,
-                                                 ray, stride, count);
-                         });
-    expect_leaping_march(
-        "cells.mip1.exr",
-        [](const Texture& cells, const vec3& p, const vec3& ray) {
-            return SKYBAKE_CALL(cells_mip1_exr, baked_cells_leap, cells, p, ray);
-        },
-        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
-           float stride, int count) {
-            return SKYBAKE_CALL(cells_mip1_exr, baked_cells_march, cloud, cells, from, ray, stride,
-                                count);
-        });
-    expect_leaping_march(
-        "leaps.bin",
-        [](const Texture& cells, const vec3& p, const vec3& ray) {
-            return SKYBAKE_CALL(leaps_bin, baked_leaps_leap, cells, p, ray);
-        },
-        [](const Texture& cloud, const Texture& cells, const vec3& from, const vec3& ray,
-           float stride, int count) {
-            return SKYBAKE_CALL(leaps_bin, baked_leaps_march, cloud, cells, from, ray, stride,
-                                count);
-        });
+    SKYBAKE_MARCHES("cells.exr", cells_exr, baked_cells);
+    SKYBAKE_MARCHES("cells.mip1.exr", cells_mip1_exr, baked_cells);
+    SKYBAKE_MARCHES("leaps.bin", leaps_bin, baked_leaps);
 }
 
 TEST(PrintedLookups, MarchesByDistances) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -90,7 +91,7 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
 
 AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const StoredTexels& stored) {
     const std::string thickness_km = glsl_number(shell.thickness_km);
-    const std::string size = glsl_size({stored.size[0], stored.size[1]});
+    const std::string size = glsl_size(std::span(stored.size).first(2));
     GlslFunction function;
     if (asset.table == BrunetonTable::transmittance) {
         function.comment = fmt::format(

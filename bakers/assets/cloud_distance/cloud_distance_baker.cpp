@@ -79,21 +79,6 @@ GlslFunction distance_function(const std::string& ends, const std::string& box) 
             .suffix = "_distance"};
 }
 
-GlslFunction trace_function(const std::string& ends, const std::string& box) {
-    return {
-        .comment =
-            "Returns the sum of densities times metres over `count` samples, all of them within "
-            "the layer, at from, from + ray * stride and so on. `cloud` is the volume.",
-        .result = "float",
-        .arguments =
-            "sampler3D cloud, sampler3D distances, vec3 from, vec3 ray, float stride, int count",
-        .value = fmt::format(
-            "cloud_trace(cloud, distances, {}, box, from - corner, ray, tile, stride, count)",
-            ends),
-        .before = box,
-        .suffix = "_trace"};
-}
-
 AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
                    const StoredTexels& stored) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
@@ -117,7 +102,9 @@ AssetLookup lookup(const Parameters& parameters, const CloudDistanceBake& asset,
     if (is_marched_as_stored(cloud)) {
         const std::string tile =
             fmt::format("    vec3 tile = {};\n", glsl_vector(extent_m_of(cloud)));
-        lookup.functions.push_back(trace_function(ends, box + tile));
+        lookup.functions.push_back(march_function(
+            "distances", fmt::format("cloud_trace(cloud, distances, {}, box", ends), box + tile));
+        lookup.functions.back().suffix = "_trace";
     }
     return lookup;
 }

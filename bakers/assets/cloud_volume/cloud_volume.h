@@ -87,4 +87,8 @@ Uvw corner_m_of(const Cloud& cloud);
 // A statement of GLSL that declares its lower corner and its edges, `corner` and `tile`, in metres.
 std::string cloud_box_glsl(const Cloud& cloud);
 
+// The function of a march through a volume that `cells` tell about: a `call` up to the place, and what
+// stands before it.
+GlslFunction march_function(std::string_view cells, const std::string& call, std::string before);
+
 }  // namespace skybake

@@ -49,14 +49,8 @@ AssetLookup lookup(const Parameters& parameters, const CloudVolumeBake& asset,
                     at_runtime || stored.channels > 1 ? "" : " " + extinction);
     function.arguments = "sampler3D cloud, vec3 p";
     function.before = cloud_box_glsl(cloud);
-    function.value = stored.channels == 1 ? "cloud_density(cloud, p - corner, tile)"
-                                          : "cloud_texel(cloud, p - corner, tile)";
-    if (stored.channels == 1) {
-        function.result = "float";
-    } else {
-        function = with_channels(stored.channels, 4, std::move(function));
-    }
-    AssetLookup lookup = {"clouds", {function}};
+    function.value = "cloud_texel(cloud, p - corner, tile)";
+    AssetLookup lookup = {"clouds", {with_channels(stored.channels, 4, function)}};
     if (at_runtime) {
         function.comment = "Returns the density. " + extinction;
         function.result = "float";
@@ -129,6 +123,18 @@ Uvw corner_m_of(const Cloud& cloud) {
 std::string cloud_box_glsl(const Cloud& cloud) {
     return fmt::format("    vec3 corner = {}, tile = {};\n", glsl_vector(corner_m_of(cloud)),
                        glsl_vector(extent_m_of(cloud)));
+}
+
+GlslFunction march_function(std::string_view cells, const std::string& call, std::string before) {
+    return {
+        .comment =
+            "Returns the sum of densities times metres over `count` samples, all of them within "
+            "the layer, at from, from + ray * stride and so on. `cloud` is the volume.",
+        .result = "float",
+        .arguments = fmt::format(
+            "sampler3D cloud, sampler3D {}, vec3 from, vec3 ray, float stride, int count", cells),
+        .value = call + ", from - corner, ray, tile, stride, count)",
+        .before = std::move(before)};
 }
 
 Baker<CloudVolumeBake> baker(BakerTag<CloudVolumeBake>) {

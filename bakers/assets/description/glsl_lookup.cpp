@@ -94,7 +94,7 @@ std::string glsl_vector(const std::array<double, 3>& values) {
                        glsl_number(values[2]));
 }
 
-std::string glsl_size(const std::vector<int>& size) {
+std::string glsl_size(std::span<const int> size) {
     return fmt::format("vec{}({}.0)", size.size(), fmt::join(size, ".0, "));
 }
 

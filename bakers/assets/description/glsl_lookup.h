@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,7 @@ std::string glsl_number(double value);
 // "vec3(3000.0, 3200.0, 1000.0)".
 std::string glsl_vector(const std::array<double, 3>& values);
 // Numbers of texels as floats: "vec2(256.0, 64.0)".
-std::string glsl_size(const std::vector<int>& size);
+std::string glsl_size(std::span<const int> size);
 // The ground's radius and the thickness of the air in km: "6360.0, 100.0".
 std::string glsl_shell(const Shell& shell);
 

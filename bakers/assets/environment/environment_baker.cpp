@@ -105,27 +105,9 @@ AssetPlaces places(const Parameters&, const EnvironmentBake& asset, const Stored
             }};
 }
 
-// The beginning of the lookup's name, and the argument from which azimuths are counted.
-struct LookupWords {
-    std::string function;
-    std::string ahead;
-};
-
-LookupWords lookup_words(const EnvironmentBake& asset) {
-    switch (asset.mapping) {
-        case EnvironmentMapping::cube:
-            return {"environment_cube", "ahead"};
-        case EnvironmentMapping::octahedral:
-            return {"environment_octahedral", "ahead"};
-        case EnvironmentMapping::equal_area:
-            return {"environment_equal_area", "ahead"};
-        default:
-            return {"environment", looks_to_the_sun(asset) ? "sun" : "ahead"};
-    }
-}
-
 AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const StoredTexels& stored) {
-    const LookupWords words = lookup_words(asset);
+    const bool is_square = asset.mapping != EnvironmentMapping::longitude_latitude;
+    const std::string_view ahead = is_square || !looks_to_the_sun(asset) ? "ahead" : "sun";
     const double sun_deg = to_digits(asset.sun_elevation.radians * kDegreesPerRadian, 9);
     GlslFunction function;
     function.comment = fmt::format(
@@ -137,17 +119,16 @@ AssetLookup lookup(const Parameters&, const EnvironmentBake& asset, const Stored
                                        : "the bake's solar_irradiance/sr",
         glsl_number(asset.altitude.kilometers()));
     function.comment +=
-        words.ahead == "sun"
+        ahead == "sun"
             ? fmt::format("to the sun, which is at an elevation of {} degrees.", sun_deg)
             : fmt::format(
                   "straight ahead. The sun is at an elevation of {} degrees and {} degrees "
                   "to the right of ahead.",
                   sun_deg, to_digits(asset.sun_azimuth.radians * kDegreesPerRadian, 9));
-    function.arguments = fmt::format("sampler2D table, vec3 dir, vec3 up, vec3 {}", words.ahead);
-    const bool has_edge = asset.mapping != EnvironmentMapping::longitude_latitude;
-    function.value =
-        fmt::format("{}{}(table, {}dir, up, {})", words.function, of_4(stored.channels),
-                    has_edge ? glsl_number(stored.size[0]) + ", " : "", words.ahead);
+    function.arguments = fmt::format("sampler2D table, vec3 dir, vec3 up, vec3 {}", ahead);
+    function.value = fmt::format("environment{}{}(table, {}dir, up, {})",
+                                 is_square ? "_" + stored.mapping : "", of_4(stored.channels),
+                                 is_square ? glsl_number(stored.size[0]) + ", " : "", ahead);
     return {"environment", {with_wavelengths(stored.channels, std::move(function))}};
 }
 

@@ -1,7 +1,5 @@
 // The baker of asset = "forward_scattering".
 
-#include <fmt/format.h>
-
 #include <utility>
 
 #include "bakers/assets/forward_scattering/forward_table.h"
@@ -44,8 +42,7 @@ AssetLookup lookup(const Parameters&, const ForwardScatteringBake&, const Stored
         "scattering angle, `depth` the optical depth to the sun.";
     function.result = "float";
     function.arguments = "sampler2D table, float offset, float depth";
-    function.value =
-        fmt::format("forward_scattering(table, {}, offset, depth)", glsl_size(stored.size));
+    function.value = "forward_scattering(table, " + glsl_size(stored.size) + ", offset, depth)";
     return {"forward_scattering", {std::move(function)}};
 }
 

@@ -103,7 +103,7 @@ AssetLookup moment_lookup(const MultipleScatteringBake& asset, const SunArgument
     moment.before = fmt::format(
         "    vec2 place = moment_place({}, {}, altitude_km, sun_cos_zenith,\n"
         "                              {});\n",
-        glsl_size({stored.size[0], stored.size[1] / count}), sun.thickness_km, sun.axis);
+        glsl_size(std::array{stored.size[0], stored.size[1] / count}), sun.thickness_km, sun.axis);
     GlslFunction scattered = moment;
     const std::string_view suffix = of_4(stored.channels);
     moment.value = fmt::format("moment{}(table, place, {}, float(part))", suffix, tables);

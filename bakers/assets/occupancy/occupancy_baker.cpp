@@ -100,22 +100,6 @@ GlslFunction leap_function(const std::string& grid, const std::string& voxels,
         .suffix = "_leap"};
 }
 
-GlslFunction march_function(const std::string& grid, const std::string& voxels,
-                            const std::string& box) {
-    return {
-        .comment =
-            "Returns the sum of densities times metres over `count` samples, all of them within "
-            "the layer, at from, from + ray * stride and so on.",
-        .result = "float",
-        .arguments =
-            "sampler3D cloud, sampler3D cells, vec3 from, vec3 ray, float stride, int count",
-        .value = fmt::format(
-            "cloud_march(cloud, cells, {}, {}, from - corner, ray, tile, stride, count)", grid,
-            voxels),
-        .before = box,
-        .suffix = "_march"};
-}
-
 AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
                    const StoredTexels& stored) {
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
@@ -123,7 +107,7 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
     const std::string box = cloud_box_glsl(cloud);
     std::string grid = fmt::format("{}, {}", glsl_size(stored.size),
                                    glsl_number(cell_of_level(asset, of, stored.size)));
-    const std::string voxels = glsl_size({of.size.begin(), of.size.end()});
+    const std::string voxels = glsl_size(of.size);
     GlslFunction function;
     function.comment =
         "Returns the channels of the cell at x and y in metres and at the altitude z in metres.";
@@ -137,7 +121,9 @@ AssetLookup lookup(const Parameters& parameters, const OccupancyBake& asset,
     grid += ", " + full;
     lookup.functions.push_back(leap_function(grid, voxels, box));
     if (is_marched_as_stored(cloud)) {
-        lookup.functions.push_back(march_function(grid, voxels, box));
+        lookup.functions.push_back(march_function(
+            "cells", fmt::format("cloud_march(cloud, cells, {}, {}", grid, voxels), box));
+        lookup.functions.back().suffix = "_march";
     }
     return lookup;
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -82,33 +83,32 @@ AssetPlaces places(const Parameters& parameters, const OpticalDepthBake& asset,
 }
 
 // Returns the lookup of a table over paths.
-GlslFunction column_function(const ColumnTable& table, const std::vector<int>& size) {
+GlslFunction column_function(const ColumnTable& table, std::span<const int> size) {
     GlslFunction function;
     function.comment = "Returns the column of each kind, its density summed over the path in km";
+    const auto set = [&](std::string_view comment, std::string_view arguments,
+                         std::string_view name, std::string_view given) {
+        function.comment += comment;
+        function.arguments = arguments;
+        function.value = fmt::format("{}(table, {}, air, {})", name, glsl_size(size), given);
+    };
     switch (table.kind()) {
         case ColumnTableKind::to_top:
-            function.comment += ", up to the top of the air. The ray must not meet the ground.";
-            function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-            function.value = fmt::format("column_to_top(table, {}, air, altitude_km, cos_zenith)",
-                                         glsl_size({size[0], size[1]}));
+            size = size.first(2);
+            set(", up to the top of the air. The ray must not meet the ground.",
+                "sampler2D table, float altitude_km, float cos_zenith", "column_to_top",
+                "altitude_km, cos_zenith");
             break;
         case ColumnTableKind::between_altitudes:
-            function.comment +=
-                ", between points at two altitudes that are length_km apart. The path must not "
-                "enter the ground.";
-            function.arguments =
-                "sampler3D table, float low_altitude_km, float high_altitude_km, float length_km";
-            function.value = fmt::format(
-                "column_between(table, {}, air, low_altitude_km, high_altitude_km, length_km)",
-                glsl_size(size));
+            set(", between points at two altitudes that are length_km apart. The path must not "
+                "enter the ground.",
+                "sampler3D table, float low_altitude_km, float high_altitude_km, float length_km",
+                "column_between", "low_altitude_km, high_altitude_km, length_km");
             break;
         case ColumnTableKind::along_distance:
-            function.comment += ", from an altitude along a ray.";
-            function.arguments =
-                "sampler3D table, float altitude_km, float cos_zenith, float length_km";
-            function.value =
-                fmt::format("column_along(table, {}, air, altitude_km, cos_zenith, length_km)",
-                            glsl_size(size));
+            set(", from an altitude along a ray.",
+                "sampler3D table, float altitude_km, float cos_zenith, float length_km",
+                "column_along", "altitude_km, cos_zenith, length_km");
             break;
     }
     return function;

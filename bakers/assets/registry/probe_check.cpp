@@ -63,18 +63,12 @@ void check_places(const ManifestAsset& asset, const AssetPlaces& places, Checked
     }
 }
 
-// Null where there is none of this name.
-const Bake* bake_of(const Parameters& parameters, std::string_view name) {
-    const std::vector<Bake>& bakes = parameters.bakes;
-    const auto own = std::ranges::find(bakes, name, &Bake::name);
-    return own != bakes.end() ? &*own : nullptr;
-}
-
 std::vector<std::string> check(const ManifestAsset& asset, int& checks) {
     // The parameters that an asset carries are themselves a recipe; a grid of occupancy has its
     // volume's too.
     const auto recipe = config::parse_asset_parameters(asset.parameters, asset.name);
-    const Bake* own = recipe.value ? bake_of(recipe.value->parameters, asset.name) : nullptr;
+    const Bake* own =
+        recipe.value ? config::own_bake(recipe.value->parameters, asset.name) : nullptr;
     if (own == nullptr) {
         ++checks;
         return {"its parameters cannot be read as a recipe"};

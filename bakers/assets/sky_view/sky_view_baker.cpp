@@ -115,7 +115,7 @@ AssetLookup lookup(const Parameters& parameters, const SkyViewBake& asset,
     if (suns > 1) function.arguments += ", int k";
     function.value =
         fmt::format("sky_view{}(table, {}, {}, {}, dir, up, sun, {}, {})", of_4(stored.channels),
-                    glsl_size({stored.size[0], stored.size[1] / static_cast<int>(suns)}),
+                    glsl_size(std::array{stored.size[0], stored.size[1] / static_cast<int>(suns)}),
                     glsl_shell(shell_of(parameters.atmosphere)),
                     glsl_number(asset.altitude.kilometers()), suns > 1 ? "k" : "0", suns);
     return {"sky_view", {with_wavelengths(stored.channels, std::move(function))}};

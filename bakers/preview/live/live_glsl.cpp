@@ -87,15 +87,9 @@ std::string cloud_constants(const std::vector<LiveCloud>& clouds) {
     return cloud_values("vec3", "TILE", clouds,
                         [](const CloudMedium& medium) { return glsl_vector(medium.extent_m); }) +
            cloud_values("vec3", "VOXELS", clouds,
-                        [](const CloudMedium& medium) {
-                            const std::array<int, 3>& size = medium.volume.size;
-                            return glsl_size({size[0], size[1], size[2]});
-                        }) +
+                        [](const CloudMedium& medium) { return glsl_size(medium.volume.size); }) +
            cloud_values("vec3", "CELLS", clouds,
-                        [](const CloudMedium& medium) {
-                            const std::array<int, 3>& cells = medium.leaps.cells;
-                            return glsl_size({cells[0], cells[1], cells[2]});
-                        }) +
+                        [](const CloudMedium& medium) { return glsl_size(medium.leaps.cells); }) +
            cloud_values("float", "BASE", clouds,
                         [](const CloudMedium& medium) { return glsl_number(medium.base_m); }) +
            cloud_values("float", "EXTINCTION", clouds,

@@ -26,8 +26,7 @@ namespace {
 
 bool has_section(const config::Recipe& recipe, const PreviewAsset& asset) {
     const auto& bakes = recipe.parameters.bakes;
-    return std::any_of(bakes.begin(), bakes.end(),
-                       [&](const config::Bake& bake) { return bake.name == asset.entry.name; });
+    return std::ranges::find(bakes, asset.entry.name, &config::Bake::name) != bakes.end();
 }
 
 // Returns the section of the first asset that the folder holds and that `is_wanted`, or null. A recipe
