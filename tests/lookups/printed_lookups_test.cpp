@@ -269,6 +269,13 @@ TEST(PrintedLookups, Environment) {
     // Azimuths count from straight ahead, which is not where the sun is.
     SKYBAKE_HOLDS(panorama_turned, exr, SKYBAKE_VIEW(0));
     SKYBAKE_HOLDS(faces, exr, SKYBAKE_VIEW(0));
+    // Half a texel before the edge of a face the lookup stays where it is, as the next face follows.
+    const BakedFile faces("faces.exr");
+    const auto ahead_and_down = [&](float down) {
+        return SKYBAKE_CALL(faces_exr, baked_faces, faces.texture(), vec3(1, 0, -down),
+                            vec3(0, 0, 1), vec3(1, 0, 0));
+    };
+    EXPECT_EQ(ahead_and_down(0.999F), ahead_and_down(15.0F / 16));
     SKYBAKE_HOLDS(octahedron, exr, SKYBAKE_VIEW(0));
 }
 

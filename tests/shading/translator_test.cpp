@@ -85,8 +85,7 @@ TEST(Translation, KeepsCommentsAndLines) {
 }
 
 TEST(Translation, TakesTheLayerOfAnArrayApartWhereALanguageWantsThat) {
-    constexpr const char* kGlsl =
-        "vec4 layer(sampler2DArray t, vec3 p) { return texture(t, p); }\n";
+    constexpr auto kGlsl = "vec4 layer(sampler2DArray t, vec3 p) { return texture(t, p); }\n";
     expect(kGlsl, Language::hlsl,
            "float4 layer(Texture2DArray t, SamplerState t_sampler, float3 p) { return "
            "t.SampleLevel(t_sampler, p, 0.0); }\n");

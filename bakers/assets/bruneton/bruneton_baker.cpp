@@ -24,6 +24,7 @@
 #include "bakers/light/sky_radiance.h"
 #include "bakers/light/sky_view_mapping.h"
 #include "config/assets/bruneton.h"
+#include "config/assets/transmittance.h"
 
 namespace skybake {
 namespace {
@@ -89,44 +90,35 @@ AssetPlaces places(const Parameters& parameters, const BrunetonBake& asset, cons
                        }};
 }
 
-AssetLookup flat_lookup(const Shell& shell, const BrunetonBake& asset, const StoredTexels& stored) {
-    const std::string thickness_km = glsl_number(shell.thickness_km);
-    const std::string size = glsl_size(std::span(stored.size).first(2));
+AssetLookup irradiance_lookup(const std::string& thickness_km, const StoredTexels& stored) {
     GlslFunction function;
-    if (asset.table == BrunetonTable::transmittance) {
-        function.comment = fmt::format(
-            "Returns the transmittance from an altitude of 0 to {} km to the top of the air, along "
-            "a ray of this zenith angle that does not meet the ground.",
-            thickness_km);
-        function.arguments = "sampler2D table, float altitude_km, float cos_zenith";
-        function.value =
-            fmt::format("transmittance_to_top{}(table, {}, {}, altitude_km, cos_zenith)",
-                        of_4(stored.channels), size, glsl_shell(shell));
-        return {"transmittance", {with_wavelengths(stored.channels, std::move(function))}};
-    }
     function.comment = fmt::format(
         "Returns the irradiance by the sky without the sun of a level surface that faces up, times "
         "the solar irradiance. altitude_km is from 0 to {}.",
         thickness_km);
     function.arguments = "sampler2D table, float altitude_km, float sun_cos_zenith";
-    function.value =
-        fmt::format("bruneton_irradiance{}(table, {}, {}, altitude_km, sun_cos_zenith)",
-                    of_4(stored.channels), size, thickness_km);
+    function.value = fmt::format(
+        "bruneton_irradiance{}(table, {}, {}, altitude_km, sun_cos_zenith)", of_4(stored.channels),
+        glsl_size(std::span(stored.size).first(2)), thickness_km);
     return {"bruneton", {with_wavelengths(stored.channels, std::move(function))}};
 }
 
 AssetLookup lookup(const Parameters& parameters, const BrunetonBake& asset,
                    const StoredTexels& stored) {
     const Shell shell = shell_of(parameters.atmosphere);
-    if (asset.table == BrunetonTable::transmittance || asset.table == BrunetonTable::irradiance) {
-        return flat_lookup(shell, asset, stored);
+    const std::string thickness_km = glsl_number(shell.thickness_km);
+    if (asset.table == BrunetonTable::transmittance) {
+        return baker(BakerTag<config::TransmittanceBake>{})
+            .lookup(parameters, {},
+                    {stored.mapping, {stored.size[0], stored.size[1]}, stored.channels});
     }
+    if (asset.table == BrunetonTable::irradiance) return irradiance_lookup(thickness_km, stored);
     GlslFunction function;
     function.comment = fmt::format(
         "Returns the table's channels, of which the first lines above say what the sky is. "
         "altitude_km is from 0 to {}, nu is the cosine of the angle between the view ray and the "
         "direction to the sun, and `ground` says that the view ray meets the ground.",
-        glsl_number(shell.thickness_km));
+        thickness_km);
     function.arguments =
         "sampler3D table, float altitude_km, float cos_zenith, float sun_cos_zenith, float nu, "
         "bool ground";
