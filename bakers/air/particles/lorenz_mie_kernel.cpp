@@ -1,3 +1,5 @@
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -37,41 +39,44 @@ constexpr std::size_t kBlockSpheres = 64;
 constexpr std::size_t kVectors = kTileAngles / Lanes::kCount;
 constexpr std::size_t kFunctions = 2 * Lanes::kCount;  // of one term and vector of angles
 
+constexpr std::size_t kRow = kBlockTerms * kFunctions;  // of a block of terms
+// Vectors whose recurrences run side by side, since a step waits for the step before.
+constexpr std::size_t kTogether = 4;
+
 // Where the recurrence of one vector of angles stands: pi_n, pi_(n-1) and their difference.
-struct AngularState {
-    std::array<double, Lanes::kCount> pi, before, step;
-};
+struct Recurrence {
+    Lanes one_minus, pi, before, step;
 
-AngularState angular_start() {
-    AngularState state;
-    Lanes(1.0).store(state.pi.data());
-    Lanes(0.0).store(state.before.data());
-    Lanes(1.0).store(state.step.data());
-    return state;
-}
-
-// pi_n + tau_n and pi_n - tau_n of one vector of angles, n = first + 1 ... end, one after the other.
-// `first` is even; for even n the differences have the other sign, as those of MieTerms.
-void angular_functions(Lanes one_minus, std::size_t first, std::size_t end, AngularState& state,
-                       double* out) {
-    Lanes pi = Lanes::load(state.pi.data());
-    Lanes before = Lanes::load(state.before.data());
-    Lanes step = Lanes::load(state.step.data());
-    for (std::size_t i = first; i < end; ++i) {
-        const double n = static_cast<double>(i + 1);
+    // Writes pi_n + tau_n, and pi_n - tau_n or for even n its negative, as MieTerms have it.
+    template <bool kEven>
+    HWY_INLINE void advance(double n, double* out) {
         const Lanes drop = one_minus * pi;
         const Lanes t = step - drop;
         const Lanes tau = Lanes(n) * t - before;
         (pi + tau).store(out);
-        (i % 2 == 0 ? pi - tau : tau - pi).store(out + Lanes::kCount);
-        out += kFunctions;
+        (kEven ? tau - pi : pi - tau).store(out + Lanes::kCount);
         step = t * Lanes(1 + 1 / n) - drop;
         before = pi;
         pi = pi + step;
     }
-    pi.store(state.pi.data());
-    before.store(state.before.data());
-    step.store(state.step.data());
+};
+
+// Writes a row of functions for each of kTogether vectors of angles: n = first + 1 ... end, and one
+// more if that leaves an odd one. `first` is even.
+void angular_functions(std::size_t first, std::size_t end, Recurrence* states, double* out) {
+    Recurrence local[kTogether];  // in registers
+    for (std::size_t v = 0; v < kTogether; ++v) local[v] = states[v];
+    for (std::size_t i = first; i < end; i += 2) {
+        const double n = static_cast<double>(i + 1);
+        for (std::size_t v = 0; v < kTogether; ++v) {
+            local[v].advance<false>(n, out + v * kRow);
+        }
+        for (std::size_t v = 0; v < kTogether; ++v) {
+            local[v].advance<true>(n + 1, out + v * kRow + kFunctions);
+        }
+        out += 2 * kFunctions;
+    }
+    for (std::size_t v = 0; v < kTogether; ++v) states[v] = local[v];
 }
 
 // S_1 + S_2, S_1 - S_2, and both at 180 degrees - theta, real and imaginary parts.
@@ -134,25 +139,35 @@ void add_intensities(const Amplitudes& amplitudes, double weight, std::size_t k,
     add_intensity(quarter, at(4) - at(6), at(5) - at(7), sums[3] + k);
 }
 
+// Fetches terms into the cache while those of another sphere are added.
+void prefetch(const MieTerms& terms, std::size_t first, std::size_t end) {
+    for (std::size_t i = first; i < std::min(end, terms.size()); i += 2) hwy::Prefetch(&terms[i]);
+}
+
 // The first `vectors` vectors of angles of one tile, for one block of spheres.
 void add_block(std::span<const MieTerms> spheres, std::span<const double> weights,
                const double* one_minus_cosines, std::size_t vectors, double* const* sums) {
     std::size_t most = 0;
     for (const MieTerms& terms : spheres) most = std::max(most, terms.size());
-    std::array<AngularState, kVectors> states;
-    states.fill(angular_start());
+    Recurrence states[kVectors];
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        states[v] = {Lanes::load(one_minus_cosines + v * Lanes::kCount), 1.0, 0.0, 1.0};
+    }
     std::vector<Amplitudes> amplitudes(spheres.size() * vectors, Amplitudes{});
-    std::vector<double> functions(kBlockTerms * kFunctions);
+    alignas(64) std::array<double, kTogether * kRow> functions;
     for (std::size_t first = 0; first < most; first += kBlockTerms) {
         const std::size_t last = std::min(first + kBlockTerms, most);
-        for (std::size_t v = 0; v < vectors; ++v) {
-            angular_functions(Lanes::load(one_minus_cosines + v * Lanes::kCount), first, last,
-                              states[v], functions.data());
+        for (std::size_t v = 0; v < vectors; v += kTogether) {
+            angular_functions(first, last, states + v, functions.data());
+            const std::size_t used = std::min(kTogether, vectors - v);
             for (std::size_t s = 0; s < spheres.size(); ++s) {
+                if (s + 1 < spheres.size()) prefetch(spheres[s + 1], first, last);
                 const std::size_t end = std::min(last, spheres[s].size());
                 if (first >= end) continue;
-                add_terms(spheres[s], first, end, functions.data(),
-                          amplitudes[s * vectors + v].data());
+                for (std::size_t i = 0; i < used; ++i) {
+                    add_terms(spheres[s], first, end, functions.data() + i * kRow,
+                              amplitudes[s * vectors + v + i].data());
+                }
             }
         }
     }
