@@ -92,13 +92,15 @@ void blend_slice(const GradientOctave& octave, int slice, std::size_t begin, std
     }
 }
 
-// Blends the two lattice rows about a row of voxels.
-HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, GradientLattice& lattice,
-                          float* HWY_RESTRICT value, float* HWY_RESTRICT slope) {
+// Blends the two lattice rows about a row of voxels, for `points` points along x from `first` on.
+HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, std::size_t first,
+                          std::size_t points, const GradientLattice& lattice,
+                          float* HWY_RESTRICT value) {
     const auto at = static_cast<std::size_t>(voxel_row);
     const std::size_t near =
         static_cast<std::size_t>(octave.cells[1].cell[at] - lattice.planes.first[1]) *
-        lattice.planes.stride;
+            lattice.planes.stride +
+        first;
     const std::size_t far = near + lattice.planes.stride;
     const AxisBasis& basis = octave.basis[1];
     const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
@@ -108,16 +110,15 @@ HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, GradientL
     const float* HWY_RESTRICT distance = lattice.blended_distance.data();
     const float* HWY_RESTRICT x = lattice.blended_x.data();
     const float* HWY_RESTRICT y = lattice.blended_y.data();
-    const auto points = static_cast<std::size_t>(lattice.planes.count[0]);
     for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
-        const auto first = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + near + i), weight_0),
+        const auto close = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + near + i), weight_0),
                                    hn::Mul(hn::LoadU(kFloats, y + near + i), distance_0));
-        const auto second = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + far + i), weight_1),
-                                    hn::Mul(hn::LoadU(kFloats, y + far + i), distance_1));
-        hn::StoreU(hn::Add(first, second), kFloats, value + i);
+        const auto distant = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + far + i), weight_1),
+                                     hn::Mul(hn::LoadU(kFloats, y + far + i), distance_1));
+        hn::StoreU(hn::Add(close, distant), kFloats, value + i);
         hn::StoreU(hn::Add(hn::Mul(hn::LoadU(kFloats, x + near + i), weight_0),
                            hn::Mul(hn::LoadU(kFloats, x + far + i), weight_1)),
-                   kFloats, slope + i);
+                   kFloats, value + kSlopes + i);
     }
 }
 
@@ -128,122 +129,133 @@ HWY_INLINE FloatVector shaped(FloatVector octave, FloatVector weight) {
     return hn::Mul(hn::Sub(hn::Set(kFloats, 1.0f), hn::Abs(octave)), weight);
 }
 
-// Some rows of an octave on their way to the sums.
-struct Rows {
-    const float* value;  // blends along z and y, a row every lattice.planes.stride
-    const float* slope;
-    float* out;
-    std::size_t stride;
-    float scale;  // of the finished sum
-    float offset;
+// What sums of a piece of rows take from an octave, from the piece's first voxel on.
+struct OctavePiece {
+    const GradientOctave* octave;
+    GradientLattice* lattice;
+    const float *weight_0, *weight_1, *distance_0, *distance_1;  // along x
+    const std::int32_t* cells;
+    float* blends;  // of the first row, from the first voxel's cell on
+    float weight;
 };
 
-// Adds an octave to kRows rows of `size` voxels, or sets them.
-template <OctaveShape kShape, int kRows, bool kSet, bool kFinish>
-HWY_INLINE void add_rows(const GradientOctave& octave, int first_voxel, int size, float weight_,
-                         const GradientLattice& lattice, const Rows& rows) {
+struct Piece {
+    int x;  // in the chunk
+    std::size_t size;
+    std::vector<OctavePiece> octaves;
+};
+
+std::vector<Piece> pieces_of(const GradientStack& stack, const VoxelBox& chunk,
+                             std::vector<GradientLattice>& lattices) {
+    std::vector<Piece> pieces;
+    for (int x = 0; x < chunk.size[0]; x += kVoxelsAtOnce) {
+        const auto from = static_cast<std::size_t>(chunk.origin[0] + x);
+        const int size = std::min(kVoxelsAtOnce, chunk.size[0] - x);
+        pieces.push_back({x, static_cast<std::size_t>(size), {}});
+        for (std::size_t i = 0; i < lattices.size(); ++i) {
+            const GradientOctave& octave = stack.octaves[i];
+            const AxisBasis& basis = octave.basis[0];
+            pieces.back().octaves.push_back(
+                {&octave, &lattices[i], basis.weight_0.data() + from, basis.weight_1.data() + from,
+                 basis.distance_0.data() + from, basis.distance_1.data() + from,
+                 octave.cells[0].cell.data() + from, lattices[i].rows.data(),
+                 stack.weights.empty() ? 1 : stack.weights[i]});
+        }
+    }
+    return pieces;
+}
+
+// Blends lattice rows for `count` rows of a piece from voxel row `first_row` on.
+void blend_rows(const OctavePiece& piece, std::size_t size, int first_row, int count) {
+    const std::int32_t cell = piece.cells[0];
+    const auto first = static_cast<std::size_t>(cell - piece.lattice->planes.first[0]);
+    const auto points = static_cast<std::size_t>(piece.cells[size - 1] - cell + 2);
+    float* blends = piece.blends;
+    for (int row = 0; row < count; ++row, blends += kBlendStride) {
+        blend_row(*piece.octave, first_row + row, first, points, *piece.lattice, blends);
+    }
+}
+
+// Adds an octave to the voxels from number i on of kRows rows.
+template <OctaveShape kShape, std::size_t kRows>
+HWY_INLINE void add_octave(const OctavePiece& octave, std::size_t first_row, std::size_t i,
+                           FloatVector (&sums)[kRows]) {
     const Integers integers;
     constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
-    const AxisBasis& basis = octave.basis[0];
-    const auto from = static_cast<std::size_t>(first_voxel);
-    const float* HWY_RESTRICT weight_0 = basis.weight_0.data() + from;
-    const float* HWY_RESTRICT weight_1 = basis.weight_1.data() + from;
-    const float* HWY_RESTRICT distance_0 = basis.distance_0.data() + from;
-    const float* HWY_RESTRICT distance_1 = basis.distance_1.data() + from;
-    const std::int32_t* HWY_RESTRICT cells = octave.cells[0].cell.data() + from;
-    const auto first_cell = static_cast<std::int32_t>(lattice.planes.first[0]);
-    const std::size_t stride = lattice.planes.stride;
-    const auto weight = hn::Set(kFloats, weight_);
-    const auto scale = hn::Set(kFloats, rows.scale);
-    const auto offset = hn::Set(kFloats, rows.offset);
-    // For all that compilers know, a store of a vector changes any float or pointer, and what the
-    // loop reads through a reference is read again after it.
-    const float* HWY_RESTRICT row_values = rows.value;
-    const float* HWY_RESTRICT row_slopes = rows.slope;
-    float* HWY_RESTRICT out = rows.out;
-    const std::size_t out_stride = rows.stride;
-    for (std::size_t i = 0; i < static_cast<std::size_t>(size); i += kLanes) {
-        const auto w0 = hn::LoadU(kFloats, weight_0 + i);
-        const auto w1 = hn::LoadU(kFloats, weight_1 + i);
-        const auto d0 = hn::LoadU(kFloats, distance_0 + i);
-        const auto d1 = hn::LoadU(kFloats, distance_1 + i);
-        const auto base = static_cast<std::size_t>(cells[i] - first_cell);
-        const auto store = [&](std::size_t row, FloatVector v0, FloatVector v1, FloatVector s0,
-                               FloatVector s1) HWY_ATTR {
-            const auto octave_value = hn::Add(hn::Add(hn::Mul(v0, w0), hn::Mul(v1, w1)),
-                                              hn::Add(hn::Mul(s0, d0), hn::Mul(s1, d1)));
-            float* target = out + row * out_stride + i;
-            const auto before = kSet ? hn::Zero(kFloats) : hn::LoadU(kFloats, target);
-            auto sum = hn::Add(before, shaped<kShape>(octave_value, weight));
-            if (kFinish) sum = hn::Add(hn::Mul(sum, scale), offset);
-            hn::StoreU(sum, kFloats, target);
-        };
-        if (cells[i] == cells[i + kLanes - 1]) {  // the whole vector in one cell
-            for (std::size_t row = 0; row < kRows; ++row) {
-                const float* values = row_values + row * stride + base;
-                const float* slopes = row_slopes + row * stride + base;
-                store(row, hn::Set(kFloats, values[0]), hn::Set(kFloats, values[1]),
-                      hn::Set(kFloats, slopes[0]), hn::Set(kFloats, slopes[1]));
-            }
-            continue;
-        }
-        const auto lanes = hn::IndicesFromVec(
-            kFloats, hn::Sub(hn::LoadU(integers, cells + i), hn::Set(integers, cells[i])));
-        const auto look_up = [&](const float* table) HWY_ATTR {
-            return hn::TableLookupLanes(hn::LoadU(kFloats, table), lanes);
-        };
+    const auto w0 = hn::LoadU(kFloats, octave.weight_0 + i);
+    const auto w1 = hn::LoadU(kFloats, octave.weight_1 + i);
+    const auto d0 = hn::LoadU(kFloats, octave.distance_0 + i);
+    const auto d1 = hn::LoadU(kFloats, octave.distance_1 + i);
+    const auto weight = hn::Set(kFloats, octave.weight);
+    const std::int32_t cell = octave.cells[i];
+    const float* blends = octave.blends + first_row * kBlendStride + (cell - octave.cells[0]);
+    const auto add = [&](std::size_t row, FloatVector v0, FloatVector v1, FloatVector s0,
+                         FloatVector s1) HWY_ATTR {
+        const auto value = hn::Add(hn::Add(hn::Mul(v0, w0), hn::Mul(v1, w1)),
+                                   hn::Add(hn::Mul(s0, d0), hn::Mul(s1, d1)));
+        sums[row] = hn::Add(sums[row], shaped<kShape>(value, weight));
+    };
+    if (cell == octave.cells[i + kLanes - 1]) {  // the whole vector in one cell
         for (std::size_t row = 0; row < kRows; ++row) {
-            const float* values = row_values + row * stride + base;
-            const float* slopes = row_slopes + row * stride + base;
-            store(row, look_up(values), look_up(values + 1), look_up(slopes), look_up(slopes + 1));
+            const float* v = blends + row * kBlendStride;
+            const float* s = v + kSlopes;
+            add(row, hn::Set(kFloats, v[0]), hn::Set(kFloats, v[1]), hn::Set(kFloats, s[0]),
+                hn::Set(kFloats, s[1]));
+        }
+        return;
+    }
+    const auto lanes = hn::IndicesFromVec(
+        kFloats, hn::Sub(hn::LoadU(integers, octave.cells + i), hn::Set(integers, cell)));
+    const auto look_up = [&](const float* table) HWY_ATTR {
+        return hn::TableLookupLanes(hn::LoadU(kFloats, table), lanes);
+    };
+    for (std::size_t row = 0; row < kRows; ++row) {
+        const float* v = blends + row * kBlendStride;
+        const float* s = v + kSlopes;
+        add(row, look_up(v), look_up(v + 1), look_up(s), look_up(s + 1));
+    }
+}
+
+// Writes kRows rows of a piece. The sums stay in registers from octave to octave, so that stores are far
+// enough apart to wait for no memory. Inlined, the loop would lack registers.
+template <OctaveShape kShape, std::size_t kRows>
+HWY_NOINLINE void write_rows(const Piece& piece, std::size_t first_row, const SumTarget& target,
+                             float* out) {
+    const auto scale = hn::Set(kFloats, target.scale);
+    const auto offset = hn::Set(kFloats, target.offset);
+    // For all that compilers know, a store of a vector changes any number, and what the loop reads
+    // through a reference is read again after it.
+    const std::size_t size = piece.size;
+    const std::size_t stride = target.row_stride;
+    const OctavePiece* const begin = piece.octaves.data();
+    const OctavePiece* const end = begin + piece.octaves.size();
+    for (std::size_t i = 0; i < size; i += hn::MaxLanes(kFloats)) {
+        FloatVector sums[kRows];
+        for (auto& sum : sums) sum = hn::Zero(kFloats);
+        for (const OctavePiece* octave = begin; octave < end; ++octave) {
+            add_octave<kShape>(*octave, first_row, i, sums);
+        }
+        for (std::size_t row = 0; row < kRows; ++row) {
+            hn::StoreU(hn::Add(hn::Mul(sums[row], scale), offset), kFloats, out + row * stride + i);
         }
     }
 }
 
-template <OctaveShape kShape, int kRows>
-void add_octave(const GradientOctave& octave, const VoxelBox& chunk, float weight, bool set,
-                bool finish, const GradientLattice& lattice, const Rows& rows) {
-    const auto add =
-        set ? (finish ? add_rows<kShape, kRows, true, true> : add_rows<kShape, kRows, true, false>)
-            : (finish ? add_rows<kShape, kRows, false, true>
-                      : add_rows<kShape, kRows, false, false>);
-    add(octave, chunk.origin[0], chunk.size[0], weight, lattice, rows);
-}
-
+// All rows of a piece in one slice.
 template <OctaveShape kShape>
-void fill_rows(const GradientStack& stack, const VoxelBox& chunk, int slice,
-               std::vector<GradientLattice>& lattices, const SumTarget& target) {
+void fill_rows(const Piece& piece, const VoxelBox& chunk, const SumTarget& target, float* out) {
     for (int y = 0; y < chunk.size[1]; y += kRowsAtOnce) {
         const int count = std::min(kRowsAtOnce, chunk.size[1] - y);
-        float* out = target.out + (static_cast<std::size_t>(slice) * target.slice_stride +
-                                   static_cast<std::size_t>(y) * target.row_stride);
-        for (std::size_t i = 0; i < lattices.size(); ++i) {
-            const GradientOctave& octave = stack.octaves[i];
-            GradientLattice& lattice = lattices[i];
-            Rows rows{lattice.row_value.data(),
-                      lattice.row_slope.data(),
-                      out,
-                      target.row_stride,
-                      target.scale,
-                      target.offset};
-            for (int row = 0; row < count; ++row) {
-                const std::size_t at = static_cast<std::size_t>(row) * lattice.planes.stride;
-                blend_row(octave, chunk.origin[1] + y + row, lattice, lattice.row_value.data() + at,
-                          lattice.row_slope.data() + at);
-            }
-            const float weight = stack.weights.empty() ? 1 : stack.weights[i];
-            const bool finish = i + 1 == lattices.size() && target.finishes();
-            if (count == kRowsAtOnce) {
-                add_octave<kShape, kRowsAtOnce>(octave, chunk, weight, i == 0, finish, lattice,
-                                                rows);
-                continue;
-            }
-            for (int row = 0; row < count; ++row) {
-                add_octave<kShape, 1>(octave, chunk, weight, i == 0, finish, lattice, rows);
-                rows.value += lattice.planes.stride;
-                rows.slope += lattice.planes.stride;
-                rows.out += target.row_stride;
-            }
+        for (const OctavePiece& octave : piece.octaves) {
+            blend_rows(octave, piece.size, chunk.origin[1] + y, count);
+        }
+        if (count == kRowsAtOnce) {
+            write_rows<kShape, kRowsAtOnce>(piece, 0, target, out);
+            out += kRowsAtOnce * target.row_stride;
+            continue;
+        }
+        for (int row = 0; row < count; ++row, out += target.row_stride) {
+            write_rows<kShape, 1>(piece, static_cast<std::size_t>(row), target, out);
         }
     }
 }
@@ -254,6 +266,11 @@ void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
                 std::vector<GradientLattice>& lattices, const SumTarget& target) {
     const auto first_row = static_cast<std::size_t>(chunk.origin[1]);
     const auto last_row = first_row + static_cast<std::size_t>(chunk.size[1]) - 1;
+    const std::vector<Piece> pieces = pieces_of(stack, chunk, lattices);
+    const auto fill = stack.shape == OctaveShape::plain ? fill_rows<OctaveShape::plain>
+                      : stack.shape == OctaveShape::absolute
+                          ? fill_rows<OctaveShape::absolute>
+                          : fill_rows<OctaveShape::one_minus_absolute>;
     for (int slice = 0; slice < chunk.size[2]; ++slice) {
         for (std::size_t i = 0; i < lattices.size(); ++i) {
             const auto& cell = stack.octaves[i].cells[1].cell;
@@ -264,17 +281,8 @@ void fill_stack(const GradientStack& stack, const VoxelBox& chunk,
                   static_cast<std::size_t>(cell[first_row] - origin),
                   static_cast<std::size_t>(cell[last_row] - origin) + 2, lattices[i]);
         }
-        switch (stack.shape) {
-            case OctaveShape::plain:
-                fill_rows<OctaveShape::plain>(stack, chunk, slice, lattices, target);
-                break;
-            case OctaveShape::absolute:
-                fill_rows<OctaveShape::absolute>(stack, chunk, slice, lattices, target);
-                break;
-            case OctaveShape::one_minus_absolute:
-                fill_rows<OctaveShape::one_minus_absolute>(stack, chunk, slice, lattices, target);
-                break;
-        }
+        float* out = target.out + static_cast<std::size_t>(slice) * target.slice_stride;
+        for (const Piece& piece : pieces) fill(piece, chunk, target, out + piece.x);
     }
 }
 
@@ -300,8 +308,7 @@ std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, 
              {&lattice.blended_distance, &lattice.blended_x, &lattice.blended_y}) {
             values->resize(lattice.planes.row(1, 0));
         }
-        lattice.row_value.resize(kRowsAtOnce * lattice.planes.stride);
-        lattice.row_slope.resize(kRowsAtOnce * lattice.planes.stride);
+        lattice.rows.resize(kRowsAtOnce * kBlendStride);
     }
     return lattices;
 }

@@ -15,22 +15,26 @@
 
 namespace skybake::noise {
 
+// Sums are made for so many rows at a time, in pieces of so many voxels. A row of blends has a value
+// for each lattice point, and kSlopes floats further a slope.
+inline constexpr int kRowsAtOnce = 8;
+inline constexpr int kVoxelsAtOnce = 256;
+inline constexpr std::size_t kSlopes = kVoxelsAtOnce + 2 * kLanePadding;
+inline constexpr std::size_t kBlendStride = 2 * kSlopes;
+
 // The gradients of one octave that a box needs, and the blends made of them. They are kept from
 // chunk to chunk while a box is filled, by one thread at a time.
 struct GradientLattice {
     LatticePlanes planes;
     // Blends along z for the current slice: [y][x].
     AlignedFloats blended_distance, blended_x, blended_y;
-    // Blends along z and y for the current rows.
-    AlignedFloats row_value, row_slope;
+    AlignedFloats rows;  // blends along z and y for kRowsAtOnce rows of voxels
 };
 
 // Makes one lattice for each of the first `octaves` octaves, for chunks within `box` of at most
 // `chunk_depth` slices.
 std::vector<GradientLattice> make_gradient_lattices(const GradientStack& stack, std::size_t octaves,
                                                     const VoxelBox& box, int chunk_depth);
-
-inline constexpr int kRowsAtOnce = 8;
 
 // Describes where sums are written: voxel (x, y, z) of a chunk goes to out[z * slice_stride + y *
 // row_stride + x], multiplied by scale plus offset. Rows are written in whole vectors of up to
