@@ -48,6 +48,12 @@ TEST(NoiseField, EqualsTheSpecificationWhereRowsAreWholeVectors) {
                      {32, 32, 32}, {{0, 3, 5}, {32, 17, 11}});
 }
 
+// Rows are made in pieces, here of up to as many cells as voxels.
+TEST(NoiseField, EqualsTheSpecificationWhereRowsAreLong) {
+    expect_specified(test::noise_of({test::perlin({{75, 4, 2}, {620, 5, 3}, {3, 2, 1}})}),
+                     {620, 20, 3}, {{13, 1, 0}, {607, 13, 3}});
+}
+
 TEST(NoiseField, EqualsTheSpecificationInASmallBox) {
     for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
         expect_specified(noise, {33, 20, 11}, {{29, 1, 6}, {4, 5, 3}});
