@@ -23,6 +23,19 @@ struct Basis {
     FloatVector weight_0, weight_1, distance_0, distance_1;
 };
 
+// Those of one voxel, and of the voxels from one on.
+HWY_INLINE Basis basis_at(const AxisBasis& axis, std::size_t voxel) {
+    return {hn::Set(kFloats, axis.weight_0[voxel]), hn::Set(kFloats, axis.weight_1[voxel]),
+            hn::Set(kFloats, axis.distance_0[voxel]), hn::Set(kFloats, axis.distance_1[voxel])};
+}
+
+HWY_INLINE Basis bases_from(const AxisBasis& axis, std::size_t voxel) {
+    return {hn::LoadU(kFloats, axis.weight_0.data() + voxel),
+            hn::LoadU(kFloats, axis.weight_1.data() + voxel),
+            hn::LoadU(kFloats, axis.distance_0.data() + voxel),
+            hn::LoadU(kFloats, axis.distance_1.data() + voxel)};
+}
+
 struct CellBasis {
     Basis x, y, z;
 };
@@ -40,18 +53,13 @@ struct BlendedAlongYZ {
     FloatVector value, slope;
 };
 
-HWY_INLINE BlendedAlongZ along_z(const GradientVector& near, const GradientVector& far,
-                                 const Basis& z) {
-    return {blend(near.z, z.distance_0, far.z, z.distance_1),
-            blend(near.x, z.weight_0, far.x, z.weight_1),
-            blend(near.y, z.weight_0, far.y, z.weight_1)};
-}
-
-HWY_INLINE BlendedAlongZ along_z(const MovingGradientVector& near, const MovingGradientVector& far,
-                                 const Basis& z) {
-    return {hn::Add(blend(near.z, z.distance_0, far.z, z.distance_1),
-                    blend(near.rest, z.weight_0, far.rest, z.weight_1)),
-            blend(near.x, z.weight_0, far.x, z.weight_1),
+template <class Gradient>
+HWY_INLINE BlendedAlongZ along_z(const Gradient& near, const Gradient& far, const Basis& z) {
+    auto distance = blend(near.z, z.distance_0, far.z, z.distance_1);
+    if constexpr (requires { near.rest; }) {
+        distance = hn::Add(distance, blend(near.rest, z.weight_0, far.rest, z.weight_1));
+    }
+    return {distance, blend(near.x, z.weight_0, far.x, z.weight_1),
             blend(near.y, z.weight_0, far.y, z.weight_1)};
 }
 

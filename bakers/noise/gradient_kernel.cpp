@@ -8,9 +8,9 @@
 #include <cassert>
 #include <type_traits>
 
+#include "bakers/noise/gradient_blend-inl.h"
 #include "bakers/noise/gradient_kernel.h"
 #include "bakers/noise/lattice_planes-inl.h"
-#include "bakers/noise/moving_gradient-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
@@ -65,28 +65,24 @@ void blend_slice(const GradientOctave& octave, int slice, std::size_t begin, std
     const Gradients gradients(octave);
     const std::size_t near = planes.row(slot_of_plane(plane, planes, gradients), 0);
     const std::size_t far = planes.row(slot_of_plane(plane + 1, planes, gradients), 0);
-    const AxisBasis& basis = octave.basis[2];
-    const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
-    const auto weight_1 = hn::Set(kFloats, basis.weight_1[at]);
-    const auto distance_0 = hn::Set(kFloats, basis.distance_0[at]);
-    const auto distance_1 = hn::Set(kFloats, basis.distance_1[at]);
-    const auto blend = [&](const AlignedFloats& values, std::size_t p, FloatVector a,
-                           FloatVector b) HWY_ATTR {
-        return hn::Add(hn::Mul(hn::LoadU(kFloats, values.data() + near + p), a),
-                       hn::Mul(hn::LoadU(kFloats, values.data() + far + p), b));
+    const Basis z = basis_at(octave.basis[2], at);
+    const auto blended = [&](const AlignedFloats& values, std::size_t p, FloatVector a,
+                             FloatVector b) HWY_ATTR {
+        return blend(hn::LoadU(kFloats, values.data() + near + p), a,
+                     hn::LoadU(kFloats, values.data() + far + p), b);
     };
-    const auto points = static_cast<std::size_t>(lattice.planes.count[0]);
+    const auto points = static_cast<std::size_t>(planes.count[0]);
     for (std::size_t j = begin; j < end; ++j) {
         for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
-            const std::size_t p = j * lattice.planes.stride + i;
-            auto distance = blend(planes.z, p, distance_0, distance_1);
+            const std::size_t p = j * planes.stride + i;
+            auto distance = blended(planes.z, p, z.distance_0, z.distance_1);
             if constexpr (kMoves) {
-                distance = hn::Add(distance, blend(planes.rest, p, weight_0, weight_1));
+                distance = hn::Add(distance, blended(planes.rest, p, z.weight_0, z.weight_1));
             }
             hn::StoreU(distance, kFloats, lattice.blended_distance.data() + p);
-            hn::StoreU(blend(planes.x, p, weight_0, weight_1), kFloats,
+            hn::StoreU(blended(planes.x, p, z.weight_0, z.weight_1), kFloats,
                        lattice.blended_x.data() + p);
-            hn::StoreU(blend(planes.y, p, weight_0, weight_1), kFloats,
+            hn::StoreU(blended(planes.y, p, z.weight_0, z.weight_1), kFloats,
                        lattice.blended_y.data() + p);
         }
     }
@@ -102,23 +98,18 @@ HWY_INLINE void blend_row(const GradientOctave& octave, int voxel_row, std::size
             lattice.planes.stride +
         first;
     const std::size_t far = near + lattice.planes.stride;
-    const AxisBasis& basis = octave.basis[1];
-    const auto weight_0 = hn::Set(kFloats, basis.weight_0[at]);
-    const auto weight_1 = hn::Set(kFloats, basis.weight_1[at]);
-    const auto distance_0 = hn::Set(kFloats, basis.distance_0[at]);
-    const auto distance_1 = hn::Set(kFloats, basis.distance_1[at]);
-    const float* HWY_RESTRICT distance = lattice.blended_distance.data();
-    const float* HWY_RESTRICT x = lattice.blended_x.data();
-    const float* HWY_RESTRICT y = lattice.blended_y.data();
+    const Basis y = basis_at(octave.basis[1], at);
+    const float* HWY_RESTRICT distances = lattice.blended_distance.data();
+    const float* HWY_RESTRICT xs = lattice.blended_x.data();
+    const float* HWY_RESTRICT ys = lattice.blended_y.data();
     for (std::size_t i = 0; i < points; i += hn::Lanes(kFloats)) {
-        const auto close = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + near + i), weight_0),
-                                   hn::Mul(hn::LoadU(kFloats, y + near + i), distance_0));
-        const auto distant = hn::Add(hn::Mul(hn::LoadU(kFloats, distance + far + i), weight_1),
-                                     hn::Mul(hn::LoadU(kFloats, y + far + i), distance_1));
-        hn::StoreU(hn::Add(close, distant), kFloats, value + i);
-        hn::StoreU(hn::Add(hn::Mul(hn::LoadU(kFloats, x + near + i), weight_0),
-                           hn::Mul(hn::LoadU(kFloats, x + far + i), weight_1)),
-                   kFloats, value + kSlopes + i);
+        const auto from = [&](const float* row) HWY_ATTR { return hn::LoadU(kFloats, row + i); };
+        const auto sum =
+            hn::Add(blend(from(distances + near), y.weight_0, from(ys + near), y.distance_0),
+                    blend(from(distances + far), y.weight_1, from(ys + far), y.distance_1));
+        hn::StoreU(sum, kFloats, value + i);
+        hn::StoreU(blend(from(xs + near), y.weight_0, from(xs + far), y.weight_1), kFloats,
+                   value + kSlopes + i);
     }
 }
 
@@ -129,13 +120,14 @@ HWY_INLINE FloatVector shaped(FloatVector octave, FloatVector weight) {
     return hn::Mul(hn::Sub(hn::Set(kFloats, 1.0f), hn::Abs(octave)), weight);
 }
 
-// What sums of a piece of rows take from an octave, from the piece's first voxel on.
+// What sums of a piece of rows take from an octave.
 struct OctavePiece {
     const GradientOctave* octave;
     GradientLattice* lattice;
-    const float *weight_0, *weight_1, *distance_0, *distance_1;  // along x
-    const std::int32_t* cells;
-    float* blends;  // of the first row, from the first voxel's cell on
+    std::size_t voxel;          // the first
+    const AxisBasis* basis;     // along x
+    const std::int32_t* cells;  // of voxels from the first on
+    float* blends;              // of the first row, from the first voxel's cell on
     float weight;
 };
 
@@ -154,12 +146,9 @@ std::vector<Piece> pieces_of(const GradientStack& stack, const VoxelBox& chunk,
         pieces.push_back({x, static_cast<std::size_t>(size), {}});
         for (std::size_t i = 0; i < lattices.size(); ++i) {
             const GradientOctave& octave = stack.octaves[i];
-            const AxisBasis& basis = octave.basis[0];
             pieces.back().octaves.push_back(
-                {&octave, &lattices[i], basis.weight_0.data() + from, basis.weight_1.data() + from,
-                 basis.distance_0.data() + from, basis.distance_1.data() + from,
-                 octave.cells[0].cell.data() + from, lattices[i].rows.data(),
-                 stack.weights.empty() ? 1 : stack.weights[i]});
+                {&octave, &lattices[i], from, &octave.basis[0], octave.cells[0].cell.data() + from,
+                 lattices[i].rows.data(), stack.weights.empty() ? 1 : stack.weights[i]});
         }
     }
     return pieces;
@@ -182,17 +171,14 @@ HWY_INLINE void add_octave(const OctavePiece& octave, std::size_t first_row, std
                            FloatVector (&sums)[kRows]) {
     const Integers integers;
     constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
-    const auto w0 = hn::LoadU(kFloats, octave.weight_0 + i);
-    const auto w1 = hn::LoadU(kFloats, octave.weight_1 + i);
-    const auto d0 = hn::LoadU(kFloats, octave.distance_0 + i);
-    const auto d1 = hn::LoadU(kFloats, octave.distance_1 + i);
+    const Basis x = bases_from(*octave.basis, octave.voxel + i);
     const auto weight = hn::Set(kFloats, octave.weight);
     const std::int32_t cell = octave.cells[i];
     const float* blends = octave.blends + first_row * kBlendStride + (cell - octave.cells[0]);
     const auto add = [&](std::size_t row, FloatVector v0, FloatVector v1, FloatVector s0,
                          FloatVector s1) HWY_ATTR {
-        const auto value = hn::Add(hn::Add(hn::Mul(v0, w0), hn::Mul(v1, w1)),
-                                   hn::Add(hn::Mul(s0, d0), hn::Mul(s1, d1)));
+        const auto value = hn::Add(blend(v0, x.weight_0, v1, x.weight_1),
+                                   blend(s0, x.distance_0, s1, x.distance_1));
         sums[row] = hn::Add(sums[row], shaped<kShape>(value, weight));
     };
     if (cell == octave.cells[i + kLanes - 1]) {  // the whole vector in one cell
@@ -249,13 +235,11 @@ void fill_rows(const Piece& piece, const VoxelBox& chunk, const SumTarget& targe
         for (const OctavePiece& octave : piece.octaves) {
             blend_rows(octave, piece.size, chunk.origin[1] + y, count);
         }
-        if (count == kRowsAtOnce) {
-            write_rows<kShape, kRowsAtOnce>(piece, 0, target, out);
-            out += kRowsAtOnce * target.row_stride;
-            continue;
-        }
-        for (int row = 0; row < count; ++row, out += target.row_stride) {
-            write_rows<kShape, 1>(piece, static_cast<std::size_t>(row), target, out);
+        const bool whole = count == kRowsAtOnce;
+        const auto write = whole ? write_rows<kShape, kRowsAtOnce> : write_rows<kShape, 1>;
+        for (int row = 0; row < count; row += whole ? kRowsAtOnce : 1) {
+            const std::size_t at = static_cast<std::size_t>(y + row) * target.row_stride;
+            write(piece, static_cast<std::size_t>(row), target, out + at);
         }
     }
 }

@@ -19,18 +19,6 @@ namespace {
 
 // --- Gradient noise -----------------------------------------------------------------------------
 
-HWY_INLINE Basis basis_at(const AxisBasis& axis, std::size_t voxel) {
-    return {hn::Set(kFloats, axis.weight_0[voxel]), hn::Set(kFloats, axis.weight_1[voxel]),
-            hn::Set(kFloats, axis.distance_0[voxel]), hn::Set(kFloats, axis.distance_1[voxel])};
-}
-
-HWY_INLINE Basis bases_from(const AxisBasis& axis, std::size_t voxel) {
-    return {hn::LoadU(kFloats, axis.weight_0.data() + voxel),
-            hn::LoadU(kFloats, axis.weight_1.data() + voxel),
-            hn::LoadU(kFloats, axis.distance_0.data() + voxel),
-            hn::LoadU(kFloats, axis.distance_1.data() + voxel)};
-}
-
 template <class Row>
 void gradient_row(const GradientOctave& octave, int first_voxel, int size, std::size_t row,
                   std::size_t slice, float* out) {

@@ -210,10 +210,6 @@ void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const doub
                          const std::vector<double>& one_minus_cosines, int threads,
                          MieIntensities& sums) {
     assert(spheres.size() == weights.size());
-    assert(sums.perpendicular.size() == one_minus_cosines.size() &&
-           sums.parallel.size() == one_minus_cosines.size() &&
-           sums.back_perpendicular.size() == one_minus_cosines.size() &&
-           sums.back_parallel.size() == one_minus_cosines.size());
     const std::size_t angles = one_minus_cosines.size();
     const std::array<std::vector<double>*, 4> outputs = {
         &sums.perpendicular, &sums.parallel, &sums.back_perpendicular, &sums.back_parallel};
@@ -225,6 +221,7 @@ void add_mie_intensities(std::span<const MieTerms> spheres, std::span<const doub
         std::copy_n(one_minus_cosines.data() + first, used, padded.data());
         std::array<double*, 4> rows{};
         for (std::size_t i = 0; i < rows.size(); ++i) {
+            assert(outputs[i]->size() == angles);
             rows[i] = padded.data() + (i + 1) * kTileAngles;
             std::copy_n(outputs[i]->data() + first, used, rows[i]);
         }
