@@ -169,7 +169,6 @@ void blend_rows(const OctavePiece& piece, std::size_t size, int first_row, int c
 template <OctaveShape kShape, std::size_t kRows>
 HWY_INLINE void add_octave(const OctavePiece& octave, std::size_t first_row, std::size_t i,
                            FloatVector (&sums)[kRows]) {
-    const Integers integers;
     constexpr std::size_t kLanes = hn::MaxLanes(kFloats);
     const Basis x = bases_from(*octave.basis, octave.voxel + i);
     const auto weight = hn::Set(kFloats, octave.weight);
@@ -191,7 +190,7 @@ HWY_INLINE void add_octave(const OctavePiece& octave, std::size_t first_row, std
         return;
     }
     const auto lanes = hn::IndicesFromVec(
-        kFloats, hn::Sub(hn::LoadU(integers, octave.cells + i), hn::Set(integers, cell)));
+        kFloats, hn::Sub(hn::LoadU(Integers(), octave.cells + i), hn::Set(Integers(), cell)));
     const auto look_up = [&](const float* table) HWY_ATTR {
         return hn::TableLookupLanes(hn::LoadU(kFloats, table), lanes);
     };
@@ -211,11 +210,10 @@ HWY_NOINLINE void write_rows(const Piece& piece, std::size_t first_row, const Su
     const auto offset = hn::Set(kFloats, target.offset);
     // For all that compilers know, a store of a vector changes any number, and what the loop reads
     // through a reference is read again after it.
-    const std::size_t size = piece.size;
     const std::size_t stride = target.row_stride;
     const OctavePiece* const begin = piece.octaves.data();
     const OctavePiece* const end = begin + piece.octaves.size();
-    for (std::size_t i = 0; i < size; i += hn::MaxLanes(kFloats)) {
+    for (std::size_t i = 0; i < piece.size; i += hn::MaxLanes(kFloats)) {
         FloatVector sums[kRows];
         for (auto& sum : sums) sum = hn::Zero(kFloats);
         for (const OctavePiece* octave = begin; octave < end; ++octave) {

@@ -118,17 +118,6 @@ void perlin_pointwise(benchmark::State& state, int size, int octaves) {
     count_octaves(state, size, octaves);
 }
 
-void worley_pointwise(benchmark::State& state, int size, int frequency) {
-    const NoisePlan plan = worley_plan(size, frequency);
-    Cube cube(size, 1);
-    for (auto _ : state) {
-        fill_cell_field_pointwise(plan.fields[0], cube.box(), static_cast<std::size_t>(size),
-                                  cube.voxels.data());
-        benchmark::ClobberMemory();
-    }
-    count_octaves(state, size, 1);
-}
-
 // No kernel can undercut this: the voxels' memory is written once.
 void stores(benchmark::State& state, int size, int channels) {
     Cube cube(size, channels);
@@ -158,20 +147,19 @@ void on_threads(benchmark::State& state, int threads) {
 
 void register_all() {
     using benchmark::RegisterBenchmark;
-    const auto milliseconds = [](benchmark::internal::Benchmark* b) {
-        b->Unit(benchmark::kMillisecond);
+    const auto add = [](const std::string& name, const auto&... arguments) {
+        RegisterBenchmark(name.c_str(), arguments...)->Unit(benchmark::kMillisecond);
     };
-    milliseconds(RegisterBenchmark("perlin_fbm5_256", fill, perlin_plan(256, 5), 256, 5));
-    milliseconds(RegisterBenchmark("perlin_fbm5_256_pointwise", perlin_pointwise, 256, 5));
-    milliseconds(RegisterBenchmark("perlin_fbm5_256_stores", stores, 256, 1));
-    milliseconds(RegisterBenchmark("perlin_1_128", fill, perlin_plan(128, 1), 128, 1));
-    milliseconds(RegisterBenchmark("perlin_1_128_pointwise", perlin_pointwise, 128, 1));
-    milliseconds(RegisterBenchmark("perlin_1_128_stores", stores, 128, 1));
+    add("perlin_fbm5_256", fill, perlin_plan(256, 5), 256, 5);
+    add("perlin_fbm5_256_pointwise", perlin_pointwise, 256, 5);
+    add("perlin_fbm5_256_stores", stores, 256, 1);
+    add("perlin_1_128", fill, perlin_plan(128, 1), 128, 1);
+    add("perlin_1_128_pointwise", perlin_pointwise, 128, 1);
+    add("perlin_1_128_stores", stores, 128, 1);
     for (const int frequency : {4, 8, 16, 32, 64, 128, 192, 2048}) {
-        const std::string name = "worley_f1_128_cells" + std::to_string(frequency);
-        milliseconds(RegisterBenchmark(name.c_str(), fill, worley_plan(128, frequency), 128, 1));
+        add("worley_f1_128_cells" + std::to_string(frequency), fill, worley_plan(128, frequency),
+            128, 1);
     }
-    milliseconds(RegisterBenchmark("worley_f1_128_cells4_pointwise", worley_pointwise, 128, 4));
     // Noises of 128³ voxels with one octave each.
     const std::string warp = "warp_strength = 0.1\n";
     const std::string moving = "period = 48\ntime = 5\n";
@@ -184,24 +172,18 @@ void register_all() {
              {"moving_perlin_128", channel_plan("type = \"perlin\"\n", moving)},
              {"moving_worley_128", channel_plan("type = \"worley\"\n", moving)},
          }) {
-        milliseconds(RegisterBenchmark(name, fill, plan, 128, 1));
+        add(name, fill, plan, 128, 1);
     }
-    milliseconds(
-        RegisterBenchmark("nubis_shape_128", fill, preset_plan("nubis_shape", 128), 128, 7));
-    milliseconds(
-        RegisterBenchmark("nubis_detail_32", fill, preset_plan("nubis_detail", 32), 32, 3));
+    add("nubis_shape_128", fill, preset_plan("nubis_shape", 128), 128, 7);
+    add("nubis_detail_32", fill, preset_plan("nubis_detail", 32), 32, 3);
     for (const auto& [name, target] :
          {std::pair<const char*, std::int64_t>{"avx512", HWY_AVX3}, {"avx2", HWY_AVX2}}) {
         if ((hwy::SupportedTargets() & target) == 0) continue;
         const std::string on = std::string("_on_") + name;
-        milliseconds(RegisterBenchmark(("perlin_fbm5_256" + on).c_str(), fill_on, target,
-                                       perlin_plan(256, 5), 256, 5));
-        milliseconds(RegisterBenchmark(("worley_f1_128_cells4" + on).c_str(), fill_on, target,
-                                       worley_plan(128, 4), 128, 1));
-        milliseconds(RegisterBenchmark(("worley_f1_128_cells192" + on).c_str(), fill_on, target,
-                                       worley_plan(128, 192), 128, 1));
-        milliseconds(RegisterBenchmark(("nubis_shape_128" + on).c_str(), fill_on, target,
-                                       preset_plan("nubis_shape", 128), 128, 7));
+        add("perlin_fbm5_256" + on, fill_on, target, perlin_plan(256, 5), 256, 5);
+        add("worley_f1_128_cells4" + on, fill_on, target, worley_plan(128, 4), 128, 1);
+        add("worley_f1_128_cells192" + on, fill_on, target, worley_plan(128, 192), 128, 1);
+        add("nubis_shape_128" + on, fill_on, target, preset_plan("nubis_shape", 128), 128, 7);
     }
     for (const int threads : {1, 2}) {
         const std::string name = "nubis_shape_256_wall_threads" + std::to_string(threads);

@@ -30,6 +30,7 @@ TEST(NoiseField, EqualsTheSpecificationOnEveryTarget) {
     EXPECT_GE(targets, 2);
     for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
         expect_specified(noise, {33, 20, 11}, {{}, {33, 20, 11}});
+        expect_specified(noise, {33, 20, 11}, {{29, 1, 6}, {4, 5, 3}});  // few voxels
     }
 }
 
@@ -46,18 +47,9 @@ TEST(NoiseField, EqualsTheSpecificationWhereRowsAreWholeVectors) {
                                      test::perlin({{8, 3, 5}}, NoiseFractal::billow),
                                      test::curl({{4, 4, 4}}, config::CurlComponent::z)}),
                      {32, 32, 32}, {{0, 3, 5}, {32, 17, 11}});
-}
-
-// Rows are made in pieces, here of up to as many cells as voxels.
-TEST(NoiseField, EqualsTheSpecificationWhereRowsAreLong) {
+    // Long rows are made in pieces, here of up to as many cells as voxels.
     expect_specified(test::noise_of({test::perlin({{75, 4, 2}, {620, 5, 3}, {3, 2, 1}})}),
                      {620, 20, 3}, {{13, 1, 0}, {607, 13, 3}});
-}
-
-TEST(NoiseField, EqualsTheSpecificationInASmallBox) {
-    for (const config::Noise& noise : test::noises_of_all_kinds({{4, 4, 4}, {9, 5, 7}})) {
-        expect_specified(noise, {33, 20, 11}, {{29, 1, 6}, {4, 5, 3}});
-    }
 }
 
 // From the widest cells, of 64 voxels, to cells of one voxel, whose blocks differ in shape.

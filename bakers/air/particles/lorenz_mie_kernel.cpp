@@ -159,12 +159,11 @@ void add_block(std::span<const MieTerms> spheres, std::span<const double> weight
         const std::size_t last = std::min(first + kBlockTerms, most);
         for (std::size_t v = 0; v < vectors; v += kTogether) {
             angular_functions(first, last, states + v, functions.data());
-            const std::size_t used = std::min(kTogether, vectors - v);
             for (std::size_t s = 0; s < spheres.size(); ++s) {
                 if (s + 1 < spheres.size()) prefetch(spheres[s + 1], first, last);
                 const std::size_t end = std::min(last, spheres[s].size());
                 if (first >= end) continue;
-                for (std::size_t i = 0; i < used; ++i) {
+                for (std::size_t i = 0; i < std::min(kTogether, vectors - v); ++i) {
                     add_terms(spheres[s], first, end, functions.data() + i * kRow,
                               amplitudes[s * vectors + v + i].data());
                 }
