@@ -23,7 +23,7 @@ struct Basis {
     FloatVector weight_0, weight_1, distance_0, distance_1;
 };
 
-// Those of one voxel, and of the voxels from one on.
+// basis_at has those of one voxel, bases_from those of the voxels from one on.
 HWY_INLINE Basis basis_at(const AxisBasis& axis, std::size_t voxel) {
     return {hn::Set(kFloats, axis.weight_0[voxel]), hn::Set(kFloats, axis.weight_1[voxel]),
             hn::Set(kFloats, axis.distance_0[voxel]), hn::Set(kFloats, axis.distance_1[voxel])};

@@ -120,7 +120,7 @@ HWY_INLINE FloatVector shaped(FloatVector octave, FloatVector weight) {
     return hn::Mul(hn::Sub(hn::Set(kFloats, 1.0f), hn::Abs(octave)), weight);
 }
 
-// What sums of a piece of rows take from an octave.
+// Holds what sums of a piece of rows take from an octave.
 struct OctavePiece {
     const GradientOctave* octave;
     GradientLattice* lattice;
@@ -225,7 +225,7 @@ HWY_NOINLINE void write_rows(const Piece& piece, std::size_t first_row, const Su
     }
 }
 
-// All rows of a piece in one slice.
+// Writes all rows of a piece in one slice.
 template <OctaveShape kShape>
 void fill_rows(const Piece& piece, const VoxelBox& chunk, const SumTarget& target, float* out) {
     for (int y = 0; y < chunk.size[1]; y += kRowsAtOnce) {
