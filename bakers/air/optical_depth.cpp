@@ -8,7 +8,6 @@
 #include <hwy/foreach_target.h>
 
 #include "bakers/air/optical_depth-inl.h"
-#include "bakers/air/ray.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake {
@@ -24,22 +23,26 @@ HWY_INLINE void store_depths(const Lanes* tau, int channels, int count, int firs
     }
 }
 
+// Loads the numbers of rays, that of ray i at values[i * stride], from ray `first` of `count` on; lanes
+// beyond the last ray repeat it.
+HWY_INLINE Lanes load_rays(const double* values, int stride, int first, int count) {
+    double rays[Lanes::kCount];
+    for (int i = 0; i < static_cast<int>(Lanes::kCount); ++i) {
+        rays[i] = values[std::min(first + i, count - 1) * stride];
+    }
+    return Lanes::load(rays);
+}
+
 // Altitude i is altitudes_km[i * stride].
 void OpticalDepthRow(const Medium& medium, const double* altitudes_km, int stride,
                      const double* s_km, int count, double* optical_depth) {
     constexpr int kLanes = static_cast<int>(Lanes::kCount);
     for (int first = 0; first < count; first += kLanes) {
-        const int used = count - first < kLanes ? count - first : kLanes;
-        double s[kLanes];  // lanes beyond the last ray repeat it
-        double altitudes[kLanes];
-        for (int i = 0; i < kLanes; ++i) {
-            const int ray = first + (i < used ? i : used - 1);
-            s[i] = s_km[ray];
-            altitudes[i] = altitudes_km[ray * stride];
-        }
         Lanes tau[kMaxChannels];
-        optical_depth_to_top(medium, Lanes::load(altitudes), Lanes::load(s), tau);
-        store_depths(tau, medium.channels, count, first, used, optical_depth);
+        optical_depth_to_top(medium, load_rays(altitudes_km, stride, first, count),
+                             load_rays(s_km, 1, first, count), tau);
+        store_depths(tau, medium.channels, count, first, std::min(kLanes, count - first),
+                     optical_depth);
     }
 }
 
@@ -52,32 +55,44 @@ HWY_INLINE Real gain_over(Real r_km, Real s_km, Real x_km) {
 
 // Adds the depth of a stretch x of a ray that rises all along, or falls all along.
 template <class Real>
-HWY_INLINE void add_stretch(const Medium& medium, const ClimbStart<double>& from, Real x_km,
-                            Real* tau) {
-    ClimbStart<Real> start{Real(from.altitude_km), Real(from.r_km), Real(from.s_km)};
-    if (from.s_km < 0) {
+HWY_INLINE void add_stretch(const Medium& medium, ClimbStart<Real> start, Real x_km, Real* tau) {
+    const auto falls = start.s_km < Real(0.0);
+    if (any(falls)) {
         const Real gain = gain_over(start.r_km, start.s_km, x_km);
-        start = {start.altitude_km + gain, start.r_km + gain, -(start.s_km + x_km)};
+        start = {select(falls, start.altitude_km + gain, start.altitude_km),
+                 select(falls, start.r_km + gain, start.r_km),
+                 select(falls, -(start.s_km + x_km), start.s_km)};
     }
     const Real climbed = gain_over(start.r_km, start.s_km, x_km);
     add_climb(medium, start, maximum(climbed, Real(0.0)), tau);
 }
 
-// Computes the depths of rays that rise, or of stretches that fall all along.
-void OpticalDepthsAlong(const Medium& medium, double altitude_km, double s_km,
-                        const double* distances_km, int count, double* optical_depth) {
-    const ClimbStart<double> from = {altitude_km, medium.ground_radius_km + altitude_km, s_km};
+// Adds the depth of a path, which may fall to the ray's nearest point (drop_to_nearest_km) and rise from there.
+template <class Real>
+HWY_INLINE void add_path(const Medium& medium, Real altitude_km, Real s_km, Real length_km,
+                         Real* tau) {
+    const Real zero(0.0);
+    const Real r = Real(medium.ground_radius_km) + altitude_km;
+    const auto turns = (s_km < zero) & (s_km + length_km > zero);
+    if (!any(turns)) return add_stretch(medium, {altitude_km, r, s_km}, length_km, tau);
+    const Real drop = select(turns, s_km * s_km / (r + square_root((r - s_km) * (r + s_km))), zero);
+    const ClimbStart<Real> start = {altitude_km - drop, r - drop, select(turns, zero, s_km)};
+    add_stretch(medium, start, select(turns, -s_km, length_km), tau);
+    add_stretch(medium, start, select(turns, s_km + length_km, zero), tau);
+}
+
+// Path i begins at altitudes_km[i * stride] with s_km[i * stride].
+void OpticalDepthsAlong(const Medium& medium, const double* altitudes_km, const double* s_km,
+                        int stride, const double* lengths_km, int count, double* optical_depth) {
     constexpr int kLanes = static_cast<int>(Lanes::kCount);
     for (int first = 0; first < count; first += kLanes) {
-        const int used = count - first < kLanes ? count - first : kLanes;
-        double distances[kLanes];  // lanes beyond the last one repeat it
-        for (int i = 0; i < kLanes; ++i) {
-            distances[i] = distances_km[first + (i < used ? i : used - 1)];
-        }
         Lanes tau[kMaxChannels];
         for (Lanes& of_channel : tau) of_channel = Lanes(0.0);
-        add_stretch(medium, from, Lanes::load(distances), tau);
-        store_depths(tau, medium.channels, count, first, used, optical_depth);
+        add_path(medium, load_rays(altitudes_km, stride, first, count),
+                 load_rays(s_km, stride, first, count), load_rays(lengths_km, 1, first, count),
+                 tau);
+        store_depths(tau, medium.channels, count, first, std::min(kLanes, count - first),
+                     optical_depth);
     }
 }
 
@@ -112,36 +127,27 @@ Spectrum optical_depth_to_top(const Medium& medium, double altitude_km, double s
 
 Spectrum optical_depth_along(const Medium& medium, double altitude_km, double cos_zenith,
                              double distance_km) {
-    namespace kernel = HWY_NAMESPACE;
     Spectrum tau{};
-    const double r = medium.ground_radius_km + altitude_km;
-    const double s = r * cos_zenith;
-    if (s >= 0 || s + distance_km <= 0) {
-        kernel::add_stretch(medium, {altitude_km, r, s}, distance_km, data(tau));
-        return tau;
-    }
-    const double drop = drop_to_nearest_km(shell_of(medium), altitude_km, s);
-    kernel::add_stretch(medium, {altitude_km - drop, r - drop, 0}, -s, data(tau));
-    kernel::add_stretch(medium, {altitude_km - drop, r - drop, 0}, s + distance_km, data(tau));
+    const double s = (medium.ground_radius_km + altitude_km) * cos_zenith;
+    HWY_NAMESPACE::add_path(medium, altitude_km, s, distance_km, data(tau));
     return tau;
+}
+
+void optical_depth_along(const Medium& medium, std::span<const double> altitudes_km,
+                         std::span<const double> s_km, std::span<const double> lengths_km,
+                         double* optical_depth) {
+    assert(altitudes_km.size() == s_km.size() && s_km.size() == lengths_km.size());
+    HWY_DYNAMIC_DISPATCH(OpticalDepthsAlong)
+    (medium, altitudes_km.data(), s_km.data(), 1, lengths_km.data(), static_cast<int>(s_km.size()),
+     optical_depth);
 }
 
 void optical_depth_along(const Medium& medium, double altitude_km, double cos_zenith,
                          std::span<const double> distances_km, double* optical_depth) {
-    const auto count = static_cast<int>(distances_km.size());
     const double s = (medium.ground_radius_km + altitude_km) * cos_zenith;
-    const bool turns =
-        s < 0 && std::ranges::any_of(distances_km, [s](double x) { return s + x > 0; });
-    if (!turns) {
-        HWY_DYNAMIC_DISPATCH(OpticalDepthsAlong)
-        (medium, altitude_km, s, distances_km.data(), count, optical_depth);
-        return;
-    }
-    for (int i = 0; i < count; ++i) {
-        const Spectrum depth = optical_depth_along(medium, altitude_km, cos_zenith,
-                                                   distances_km[static_cast<std::size_t>(i)]);
-        for (int c = 0; c < medium.channels; ++c) optical_depth[c * count + i] = data(depth)[c];
-    }
+    HWY_DYNAMIC_DISPATCH(OpticalDepthsAlong)
+    (medium, &altitude_km, &s, 0, distances_km.data(), static_cast<int>(distances_km.size()),
+     optical_depth);
 }
 
 }  // namespace skybake

@@ -36,6 +36,11 @@ Spectrum optical_depth_along(const Medium& medium, double altitude_km, double co
 void optical_depth_along(const Medium& medium, double altitude_km, double cos_zenith,
                          std::span<const double> distances_km, double* optical_depth);
 
+// Computes the same for paths of which each has an altitude, s = r mu and a length of its own.
+void optical_depth_along(const Medium& medium, std::span<const double> altitudes_km,
+                         std::span<const double> s_km, std::span<const double> lengths_km,
+                         double* optical_depth);
+
 // --- Reference -----------------------------------------------------------------------------------
 
 // Optical depth by adaptive quadrature of the definition: extinction integrated over distance. It

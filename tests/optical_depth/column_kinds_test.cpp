@@ -35,10 +35,18 @@ RC_GTEST_PROP(ColumnKinds, ExactColumnsAreThoseOfAdaptiveQuadrature, ()) {
     const auto kinds = make_column_kinds(atmosphere, names_of(atmosphere));
     const ColumnGeometry geometry = column_geometry(kinds);
     const auto kind = static_cast<RayKind>(*rc::gen::inRange(0, 3));
-    const ColumnPath path =
-        path_along(geometry, {kind, uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+    const auto any_path = [&](RayKind kind) {
+        return path_along(geometry, {kind, uniform(0, 1), uniform(0, 1), uniform(0, 1)});
+    };
+    const ColumnPath path = any_path(kind);
+    std::vector<ColumnPath> paths(3, path);
+    for (int i = 0; i < 3; ++i) paths.push_back(any_path(static_cast<RayKind>(i)));
     for (const ColumnKind& kind : kinds) {
         const double exact = mean_density(kind, path);
+        const std::vector<double> means = mean_densities(kind, paths);
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            RC_ASSERT(means[i] == mean_density(kind, paths[i]));
+        }
         const double reference = reference_mean_density(kind, path);
         // Adaptive quadrature leaves out what no transmittance shows.
         RC_ASSERT(std::fabs(exact - reference) <=

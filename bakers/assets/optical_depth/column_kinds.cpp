@@ -108,6 +108,22 @@ double mean_density(const ColumnKind& kind, const ColumnPath& path) {
            path.length_km;
 }
 
+std::vector<double> mean_densities(const ColumnKind& kind, const std::vector<ColumnPath>& paths) {
+    std::vector<double> altitudes, s, lengths;
+    for (const ColumnPath& path : paths) {
+        const double r = kind.unit.ground_radius_km + path.altitude_km;
+        altitudes.push_back(path.altitude_km);
+        s.push_back(r * (path.s_km / r));
+        lengths.push_back(path.length_km);
+    }
+    std::vector<double> means(paths.size());
+    optical_depth_along(kind.unit, altitudes, s, lengths, means.data());
+    for (std::size_t i = 0; i < means.size(); ++i) {
+        means[i] = lengths[i] > 0 ? means[i] / lengths[i] : density_of(kind, altitudes[i]);
+    }
+    return means;
+}
+
 double reference_mean_density(const ColumnKind& kind, const ColumnPath& path) {
     constexpr double kRelative = 1e-10;
     if (path.length_km <= 0) return density_of(kind, path.altitude_km);

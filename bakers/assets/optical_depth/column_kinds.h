@@ -43,6 +43,9 @@ double density_of(const ColumnKind& kind, double altitude_km);
 // relative error is about 1e-14.
 double mean_density(const ColumnKind& kind, const ColumnPath& path);
 
+// Returns the same for many paths, in vectors.
+std::vector<double> mean_densities(const ColumnKind& kind, const std::vector<ColumnPath>& paths);
+
 // Returns the same by adaptive quadrature of the definition, with a relative error of 1e-10.
 double reference_mean_density(const ColumnKind& kind, const ColumnPath& path);
 

@@ -31,12 +31,14 @@ namespace {
 constexpr auto kColumnTexels = TexelConvention::end_points_on_texel_centres;
 constexpr const char* kCentres = "end points on texel centres; lookups are clamped";
 
-// A texel's value in the channel of a kind.
-using ChannelValue = std::function<double(std::size_t kind, const std::array<int, 3>& texel)>;
+// The values of some texels along x, from `first` on, in the channel of a kind.
+using ChannelValues = std::function<std::vector<double>(
+    std::size_t kind, const std::array<int, 3>& first, int count)>;
 
 class TexelSource : public VoxelSource {
   public:
-    TexelSource(std::size_t kinds, ChannelValue value) : kinds_(kinds), value_(std::move(value)) {}
+    TexelSource(std::size_t kinds, ChannelValues values)
+        : kinds_(kinds), values_(std::move(values)) {}
 
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override {
         for (std::size_t c = 0; c < channels.size(); ++c) {
@@ -44,10 +46,10 @@ class TexelSource : public VoxelSource {
             if (out == nullptr) continue;
             for (int z = box.origin[2]; z < box.origin[2] + box.size[2]; ++z) {
                 for (int y = box.origin[1]; y < box.origin[1] + box.size[1]; ++y) {
-                    for (int x = box.origin[0]; x < box.origin[0] + box.size[0]; ++x) {
-                        // The third channel of two kinds is 0.
-                        *out++ = c < kinds_ ? static_cast<float>(value_(c, {x, y, z})) : 0.0f;
-                    }
+                    std::vector<double> row(static_cast<std::size_t>(box.size[0]));
+                    // The third channel of two kinds is 0.
+                    if (c < kinds_) row = values_(c, {box.origin[0], y, z}, box.size[0]);
+                    for (const double value : row) *out++ = static_cast<float>(value);
                 }
             }
         }
@@ -55,7 +57,7 @@ class TexelSource : public VoxelSource {
 
   private:
     std::size_t kinds_;
-    ChannelValue value_;
+    ChannelValues values_;
 };
 
 std::vector<std::string> channel_names(std::size_t kinds) {
@@ -72,7 +74,7 @@ std::vector<double> as_channels(std::vector<double> values) {
 
 // One table: its texels, and how they are measured.
 struct Contents {
-    ChannelValue value;
+    ChannelValues values;
     VolumeFinish finish;
     double largest = 1;  // value, about: where histograms end
 };
@@ -82,17 +84,23 @@ bool has_paths(const OpticalDepthBake& bake) {
 }
 
 // Mean densities as the bake finds them.
-using MeanDensity = std::function<double(const ColumnKind& kind, const ColumnPath& path)>;
+using MeanDensities = std::function<std::vector<double>(const ColumnKind& kind,
+                                                        const std::vector<ColumnPath>& paths)>;
 
-MeanDensity mean_density_of(const OpticalDepthBake& bake, const std::vector<ColumnKind>& kinds) {
-    if (bake.sampling == DepthSampling::exact) return mean_density;
+MeanDensities mean_densities_of(const OpticalDepthBake& bake,
+                                const std::vector<ColumnKind>& kinds) {
+    if (bake.sampling == DepthSampling::exact) return mean_densities;
     const double top_km = bake.max_altitude.kilometers();
     const std::vector<double> shells =
         bake.sampling == DepthSampling::uniform
             ? uniform_shells_km(top_km, bake.shells)
             : equal_attenuation_shells_km(mean_scale_height_km(kinds), top_km, bake.shells);
-    return [shells](const ColumnKind& kind, const ColumnPath& path) {
-        return sampled_mean_density(kind, shells, path);
+    return [shells](const ColumnKind& kind, const std::vector<ColumnPath>& paths) {
+        std::vector<double> means;
+        for (const ColumnPath& path : paths) {
+            means.push_back(sampled_mean_density(kind, shells, path));
+        }
+        return means;
     };
 }
 
@@ -101,9 +109,15 @@ using Kinds = std::shared_ptr<const std::vector<ColumnKind>>;
 Contents columns(const Kinds& kinds, int channels, const OpticalDepthBake& bake,
                  const ColumnTable& table) {
     Contents result;
-    result.value = [kinds, table, mean = mean_density_of(bake, *kinds)](
-                       std::size_t k, const std::array<int, 3>& texel) {
-        return stored_of_mean_density(mean((*kinds)[k], table.path_of_texel(texel)));
+    result.values = [kinds, table, means = mean_densities_of(bake, *kinds)](
+                        std::size_t k, const std::array<int, 3>& first, int count) {
+        std::vector<ColumnPath> paths;
+        for (int i = 0; i < count; ++i) {
+            paths.push_back(table.path_of_texel({first[0] + i, first[1], first[2]}));
+        }
+        std::vector<double> stored = means((*kinds)[k], paths);
+        for (double& value : stored) value = stored_of_mean_density(value);
+        return stored;
     };
     result.finish.reference = [kinds, table](const std::array<double, 3>& uvw) {
         const ColumnPath path = table.path_at(uvw);
@@ -152,8 +166,12 @@ using AxisPlace = std::function<std::pair<std::string, double>(double x)>;
 
 Contents along_axis(std::size_t kinds, int size, AlongAxis value, AxisPlace place) {
     Contents result;
-    result.value = [value, size](std::size_t k, const std::array<int, 3>& texel) {
-        return value(k, texel_coordinate(kColumnTexels, texel[0], size));
+    result.values = [value, size](std::size_t k, const std::array<int, 3>& first, int count) {
+        std::vector<double> values;
+        for (int x = first[0]; x < first[0] + count; ++x) {
+            values.push_back(value(k, texel_coordinate(kColumnTexels, x, size)));
+        }
+        return values;
     };
     result.finish.reference = [kinds, value, size](const std::array<double, 3>& uvw) {
         std::vector<double> values;
@@ -403,7 +421,7 @@ ColumnVoxels column_voxels(const config::Atmosphere& atmosphere, const OpticalDe
     const Kinds kinds = kinds_of(atmosphere, bake);
     const ColumnTable table(bake, column_geometry(*kinds));
     Contents contents = contents_of(kinds, channels_of(atmosphere), bake, table);
-    return {std::make_shared<TexelSource>(kinds->size(), std::move(contents.value)),
+    return {std::make_shared<TexelSource>(kinds->size(), std::move(contents.values)),
             std::move(contents.finish.reference), std::move(contents.finish.comparison)};
 }
 
@@ -417,7 +435,7 @@ Outcome<Baked> bake_columns(const config::Atmosphere& atmosphere, const OpticalD
     contents.finish.histogram_ranges.assign(volume.channel_names.size(), {0, contents.largest});
     add_voxels(
         bake.size,
-        kept_if_small(std::make_shared<TexelSource>(kinds->size(), std::move(contents.value)),
+        kept_if_small(std::make_shared<TexelSource>(kinds->size(), std::move(contents.values)),
                       bake.size, static_cast<int>(volume.channel_names.size()), options),
         volume);
     add_mip_levels(bake.mips, options, volume);
