@@ -263,6 +263,12 @@ HWY_INLINE void add_climb(const Medium& medium, const ClimbStart<Real>& start, R
     }
 }
 
+// Returns drop_to_nearest_km (ray.h) of a ray with s <= 0.
+template <class Real>
+HWY_INLINE Real drop_to_nearest(Real r_km, Real s_km) {
+    return s_km * s_km / (r_km + square_root((r_km - s_km) * (r_km + s_km)));
+}
+
 // Computes the optical depth from (altitude, s = r mu) to the top of the shell. The ray must not
 // hit the ground. A downward ray is twice the climb from its lowest point to its start, plus the
 // climb from there to the top.
@@ -272,8 +278,7 @@ HWY_INLINE void optical_depth_to_top(const Medium& medium, Real altitude_km, Rea
     const Real r = altitude_km + Real(medium.ground_radius_km);
     for (int c = 0; c < medium.channels; ++c) tau[c] = zero;
     if (any(s_km < zero)) {
-        const Real p = square_root((r - s_km) * (r + s_km));
-        const Real drop = select(s_km < zero, s_km * s_km / (r + p), zero);
+        const Real drop = select(s_km < zero, drop_to_nearest(r, s_km), zero);
         const Real lowest = maximum(altitude_km - drop, zero);  // grazing rays touch the ground
         add_climb(medium, ClimbStart<Real>{lowest, r - drop, zero}, drop, tau);
         for (int c = 0; c < medium.channels; ++c) tau[c] = tau[c] + tau[c];

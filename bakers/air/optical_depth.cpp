@@ -13,9 +13,10 @@ HWY_BEFORE_NAMESPACE();
 namespace skybake {
 namespace HWY_NAMESPACE {
 
-// Stores what one vector of rays has, of which `used` are asked for, in the columns from `first` on.
-HWY_INLINE void store_depths(const Lanes* tau, int channels, int count, int first, int used,
+// Stores what one vector of rays has, in the columns from `first` to at most `count`.
+HWY_INLINE void store_depths(const Lanes* tau, int channels, int count, int first,
                              double* optical_depth) {
+    const int used = std::min(static_cast<int>(Lanes::kCount), count - first);
     for (int c = 0; c < channels; ++c) {
         double values[Lanes::kCount];
         tau[c].store(values);
@@ -41,8 +42,7 @@ void OpticalDepthRow(const Medium& medium, const double* altitudes_km, int strid
         Lanes tau[kMaxChannels];
         optical_depth_to_top(medium, load_rays(altitudes_km, stride, first, count),
                              load_rays(s_km, 1, first, count), tau);
-        store_depths(tau, medium.channels, count, first, std::min(kLanes, count - first),
-                     optical_depth);
+        store_depths(tau, medium.channels, count, first, optical_depth);
     }
 }
 
@@ -67,7 +67,7 @@ HWY_INLINE void add_stretch(const Medium& medium, ClimbStart<Real> start, Real x
     add_climb(medium, start, maximum(climbed, Real(0.0)), tau);
 }
 
-// Adds the depth of a path, which may fall to the ray's nearest point (drop_to_nearest_km) and rise from there.
+// Adds the depth of a path, which may fall to the ray's nearest point and rise from there.
 template <class Real>
 HWY_INLINE void add_path(const Medium& medium, Real altitude_km, Real s_km, Real length_km,
                          Real* tau) {
@@ -75,7 +75,7 @@ HWY_INLINE void add_path(const Medium& medium, Real altitude_km, Real s_km, Real
     const Real r = Real(medium.ground_radius_km) + altitude_km;
     const auto turns = (s_km < zero) & (s_km + length_km > zero);
     if (!any(turns)) return add_stretch(medium, {altitude_km, r, s_km}, length_km, tau);
-    const Real drop = select(turns, s_km * s_km / (r + square_root((r - s_km) * (r + s_km))), zero);
+    const Real drop = select(turns, drop_to_nearest(r, s_km), zero);
     const ClimbStart<Real> start = {altitude_km - drop, r - drop, select(turns, zero, s_km)};
     add_stretch(medium, start, select(turns, -s_km, length_km), tau);
     add_stretch(medium, start, select(turns, s_km + length_km, zero), tau);
@@ -91,8 +91,7 @@ void OpticalDepthsAlong(const Medium& medium, const double* altitudes_km, const 
         add_path(medium, load_rays(altitudes_km, stride, first, count),
                  load_rays(s_km, stride, first, count), load_rays(lengths_km, 1, first, count),
                  tau);
-        store_depths(tau, medium.channels, count, first, std::min(kLanes, count - first),
-                     optical_depth);
+        store_depths(tau, medium.channels, count, first, optical_depth);
     }
 }
 

@@ -56,7 +56,7 @@ struct Conventions {
     std::string up_axis = {};  // "+z", of assets that lie in space
 };
 
-// What a runtime pays for the lookup of a place, at most: what stands in its code, with all branches.
+// The most that a runtime pays for the lookup of a place: all that stands in its code counts, with all branches.
 struct LookupCost {
     std::string library;  // "sky_view" of examples/lookups/sky_view.glsl
     int fetches = 0;      // of texels

@@ -53,7 +53,7 @@ std::string glsl_name(std::string_view asset);
 // The functions of the lookup under this name, below what they need of the published file.
 std::string lookup_glsl(const AssetLookup& lookup, const std::string& name);
 
-// What the first function costs at most: the sum of the costs that stand above published functions it needs.
+// Returns the cost of the first function: the sum of those that stand above the published functions it needs.
 LookupCost cost_of(const AssetLookup& lookup);
 // "fetches 1, operations 30, divisions 0, special functions 2", as those lines have it.
 std::string cost_text(const LookupCost& cost);

@@ -113,7 +113,7 @@ std::vector<double> mean_densities(const ColumnKind& kind, const std::vector<Col
     for (const ColumnPath& path : paths) {
         const double r = kind.unit.ground_radius_km + path.altitude_km;
         altitudes.push_back(path.altitude_km);
-        s.push_back(r * (path.s_km / r));
+        s.push_back(r * (path.s_km / r));  // rounded as mean_density has it, by way of the cosine
         lengths.push_back(path.length_km);
     }
     std::vector<double> means(paths.size());

@@ -243,16 +243,7 @@ void FirstLightPass::gather_columns(const RayFan& fan, std::size_t first, std::s
     if (first == last) return;
     const double r = field_.shell().ground_radius_km + fan.altitude_km;
     for (const FanRay& ray : fan.rays) {
-        cells_.begin(r, ray, first, last);
-        for (std::size_t k = 0; k < ray.points.size(); ++k) {
-            const std::size_t cell = (k - 1) * layers_;
-            cells_.go_on(ray.points[k], k > 0 ? ray.near.data() + cell : nullptr,
-                         k > 0 ? ray.far.data() + cell : nullptr);
-        }
-        if (ray.hits_ground) {
-            cells_.add_ground(ray.end_transmittance * medium_.air.ground_albedo *
-                              std::numbers::inv_pi);
-        }
+        cells_.sum(r, ray, first, last);
         add_moments(ray);
     }
 }

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <vector>
 
 #include "bakers/air/transmittance_row-inl.h"
@@ -49,7 +50,8 @@ class RayCells {
     RayCells(const SkyMedium& medium, const TransmittanceField& sunlight,
              const std::vector<double>& cosines, const std::vector<double>& sines,
              const std::vector<double>& azimuth_cosines)
-        : layers_(medium.layers),
+        : medium_(medium),
+          layers_(medium.layers),
           field_(sunlight),
           cosines_(cosines),
           sines_(sines),
@@ -64,41 +66,23 @@ class RayCells {
           light_before_(azimuth_cosines_.size() * suns_ * kChannelSlots),
           sums_(azimuth_cosines_.size() * (layers_.size() + 1) * suns_ * kChannelSlots) {}
 
-    // Begins a ray from a radius with the suns from `first` to before `last`, whole vectors of them.
-    void begin(double r_km, const FanRay& ray, std::size_t first, std::size_t last) {
+    // Sums what a ray from a radius brings from the suns from `first` to before `last`, whole vectors of
+    // them.
+    void sum(double r_km, const FanRay& ray, std::size_t first, std::size_t last) {
         first_ = first;
         last_ = last;
-        r_km_ = r_km;
-        ray_ = &ray;
         std::ranges::fill(sums_, 0.0F);
-    }
-
-    // Goes on to the ray's next point, and adds the cell up to it: near and far are the weights of the
-    // sunlight at both ends, for each layer, or null for the ray's first point.
-    void go_on(const FanPoint& point, const Spectrum* near, const Spectrum* far) {
-        const double edge_before_km = end_.edge_km;
-        const ChannelFloats grazing_before = grazing_;
-        place_end(point.distance_km, point.altitude_km);
-        set_weights(near, far);
-        for (std::size_t j = 0; j < azimuth_cosines_.size(); ++j) {
-            place_suns(j, false);
-            add_cell(j, static_cast<float>(edge_before_km), grazing_before);
-        }
-    }
-
-    // Adds what the ground sends where the ray ends.
-    void add_ground(const Spectrum& reflected) {
-        place_end(ray_->length_km, 0);
-        const ChannelFloats sent = floats_of(reflected);
-        for (std::size_t j = 0; j < azimuth_cosines_.size(); ++j) {
-            place_suns(j, true);
-            float* sum = sums(j, layers_.size(), 0);
-            for (std::size_t n = begin_number(); n < end_number(); n += FloatLanes::kCount) {
-                (FloatLanes::load(sum + n) +
-                 for_all_suns(sent, n) * for_all_channels(heights_.data(), n) * sunlight_of(n))
-                    .store(sum + n);
+        for (std::size_t k = 0; k < ray.points.size(); ++k) {
+            const double edge_before_km = end_.edge_km;
+            const ChannelFloats grazing_before = grazing_;
+            place_end(r_km, ray, ray.points[k].distance_km, ray.points[k].altitude_km);
+            set_weights(ray, k);
+            for (std::size_t j = 0; j < azimuth_cosines_.size(); ++j) {
+                place_suns(j, false);
+                add_cell(j, static_cast<float>(edge_before_km), grazing_before);
             }
         }
+        if (ray.hits_ground) add_ground(r_km, ray);
     }
 
     // Reads the sums of a layer, or after the last one of the ground, for a vector of suns.
@@ -113,7 +97,23 @@ class RayCells {
     }
 
   private:
-    void place_end(double distance_km, double altitude_km) {
+    // Adds what the ground sends where the ray ends.
+    void add_ground(double r_km, const FanRay& ray) {
+        place_end(r_km, ray, ray.length_km, 0);
+        const ChannelFloats sent =
+            floats_of(ray.end_transmittance * medium_.air.ground_albedo * std::numbers::inv_pi);
+        for (std::size_t j = 0; j < azimuth_cosines_.size(); ++j) {
+            place_suns(j, true);
+            float* sum = sums(j, layers_.size(), 0);
+            for (std::size_t n = begin_number(); n < end_number(); n += FloatLanes::kCount) {
+                (FloatLanes::load(sum + n) +
+                 for_all_suns(sent, n) * for_all_channels(heights_.data(), n) * sunlight_of(n))
+                    .store(sum + n);
+            }
+        }
+    }
+
+    void place_end(double r_km, const FanRay& ray, double distance_km, double altitude_km) {
         combine_row<Lanes>(field_, altitude_km, row_.data());
         const auto channels = static_cast<std::size_t>(field_.channels());
         for (std::size_t c = 0; c < channels; ++c) {
@@ -123,18 +123,19 @@ class RayCells {
         }
         const auto last = static_cast<std::size_t>(field_.columns() - 1) * kChannelSlots;
         std::copy_n(table_.data() + last, kChannelSlots, grazing_.values.data());
-        end_ = {r_km_ + distance_km * ray_->mu, distance_km * ray_->sine,
+        end_ = {r_km + distance_km * ray.mu, distance_km * ray.sine,
                 -horizon_distance_km(field_.shell(), altitude_km),
                 sunlight_row(field_, altitude_km, row_.data())};
     }
 
-    void set_weights(const Spectrum* near, const Spectrum* far) {
+    // Takes the weights of sunlight at both ends of the cell up to a point, for each layer; none at the
+    // first point.
+    void set_weights(const FanRay& ray, std::size_t point) {
         near_.clear();
         far_.clear();
-        if (near == nullptr) return;
-        for (std::size_t k = 0; k < layers_.size(); ++k) {
-            near_.push_back(floats_of(near[k]));
-            far_.push_back(floats_of(far[k]));
+        for (std::size_t k = 0; point > 0 && k < layers_.size(); ++k) {
+            near_.push_back(floats_of(ray.near[(point - 1) * layers_.size() + k]));
+            far_.push_back(floats_of(ray.far[(point - 1) * layers_.size() + k]));
         }
     }
 
@@ -230,6 +231,7 @@ class RayCells {
                ((azimuth * (layers_.size() + 1) + layer) * suns_ + sun) * kChannelSlots;
     }
 
+    const SkyMedium& medium_;
     const std::vector<SkyLayer>& layers_;
     const TransmittanceField& field_;
     const std::vector<double>& cosines_;
@@ -238,8 +240,6 @@ class RayCells {
     std::size_t suns_;
     std::size_t first_ = 0;
     std::size_t last_ = 0;
-    double r_km_ = 0;
-    const FanRay* ray_ = nullptr;
     CellEnd end_{};
     ChannelFloats grazing_{};          // sunlight that grazes the ground, at the end
     std::vector<ChannelFloats> near_;  // by layer; empty at the ray's beginning
