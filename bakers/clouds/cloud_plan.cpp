@@ -59,7 +59,7 @@ float bound_of(const Noise& base, int shaped_channels) {
 // Fills in all of a plan but what gives its n.
 void plan_shape(const Cloud& cloud, const Noise* detail, CloudMaps maps, CloudPlan& plan) {
     plan.towers = TowerField(living_towers(cloud));
-    if (detail != nullptr) {
+    if (detail != nullptr && std::max(cloud.erosion[0], cloud.erosion[1]) > 0) {
         const Noise frays = cloud_noise(*detail, cloud.detail_scale, CloudChannels::density);
         plan.detail =
             std::make_shared<const noise::NoiseField>(noise::make_noise_plan(frays, plan.size));

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "bakers/clouds/cloud_plan.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/math/wrapped.h"
 
@@ -36,11 +38,86 @@ VoxelBox part_within(const VoxelBox& box, int depth) {
     return inside;
 }
 
+// Returns a row of cells. Below the base and above the top they go on as the outermost cells are.
+const float* row_of(const std::vector<float>& field, const std::array<int, 3>& cells, int y,
+                    int z) {
+    const auto at = static_cast<std::size_t>(std::clamp(z, 0, cells[2] - 1)) *
+                        static_cast<std::size_t>(cells[1]) +
+                    static_cast<std::size_t>(skybake::wrapped(y, cells[1]));
+    return field.data() + at * static_cast<std::size_t>(cells[0]);
+}
+
+// Returns `value(at, x, y, z)` for each cell, where at(x, y, z) is the field.
+template <class Value>
+std::vector<float> made_of(const std::vector<float>& field, const std::array<int, 3>& cells,
+                           const Value& value) {
+    const auto at = [&](int x, int y, int z) {
+        return double{row_of(field, cells, y, z)[skybake::wrapped(x, cells[0])]};
+    };
+    std::vector<float> made;
+    for (int z = 0; z < cells[2]; ++z) {
+        for (int y = 0; y < cells[1]; ++y) {
+            for (int x = 0; x < cells[0]; ++x) {
+                made.push_back(static_cast<float>(value(at, x, y, z)));
+            }
+        }
+    }
+    return made;
+}
+
+std::vector<float> slopes_of(const convection::GrownCloud& cloud,
+                             const std::array<double, 3>& cell_m) {
+    std::vector<float> slopes =
+        made_of(cloud.water, cloud.cells, [&](const auto& at, int x, int y, int z) {
+            const double along_x = (at(x + 1, y, z) - at(x - 1, y, z)) / (2 * cell_m[0]);
+            const double along_y = (at(x, y + 1, z) - at(x, y - 1, z)) / (2 * cell_m[1]);
+            const double along_z = (at(x, y, z + 1) - at(x, y, z - 1)) / (2 * cell_m[2]);
+            return std::sqrt(along_x * along_x + along_y * along_y + along_z * along_z);
+        });
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::array<int, 3> step = {axis == 0, axis == 1, axis == 2};
+        slopes = made_of(slopes, cloud.cells, [&](const auto& at, int x, int y, int z) {
+            return (at(x - step[0], y - step[1], z - step[2]) + 2 * at(x, y, z) +
+                    at(x + step[0], y + step[1], z + step[2])) /
+                   4;
+        });
+    }
+    return slopes;
+}
+
+// The width of the largest billows that a cloud's detail noise has, along its narrowest axis.
+double width_of_billows(const Cloud& cloud, const Noise& noise) {
+    const auto& frequencies = noise.channels.front().octaves.frequencies;
+    double width = cloud.extent[0].meters;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        int fewest = cloud.detail_scale[axis];  // a constant noise has no octaves
+        if (!frequencies.empty()) {
+            fewest *=
+                std::ranges::min(frequencies, {}, [&](const auto& f) { return f[axis]; })[axis];
+        }
+        width = std::min(width, cloud.extent[axis].meters / fewest);
+    }
+    return width;
+}
+
+Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 3>& cells,
+                 const std::array<int, 3>& size) {
+    Relief relief;
+    if (detail == nullptr || cloud.convection.relief == 0) return relief;
+    const Noise scaled = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
+    relief.noise = std::make_shared<const noise::NoiseField>(noise::make_noise_plan(scaled, size));
+    relief.width_m = width_of_billows(cloud, *detail);
+    relief.height_m = cloud.convection.relief * relief.width_m;
+    for (std::size_t i = 0; i < 3; ++i) relief.cell_m[i] = cloud.extent[i].meters / cells[i];
+    return relief;
+}
+
 }  // namespace
 
 GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
-                         const std::array<int, 3>& size)
-    : cloud_(std::move(cloud)), size_(size) {
+                         const std::array<int, 3>& size, Relief relief)
+    : cloud_(std::move(cloud)), size_(size), relief_(std::move(relief)) {
+    if (relief_.noise) slopes_ = slopes_of(*cloud_, relief_.cell_m);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < size[axis]; ++i) {
             const double at = (i + 0.5) * cloud_->cells[axis] / size[axis] - 0.5;
@@ -53,15 +130,6 @@ GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
 GrownVolume::Cells GrownVolume::cells_of(std::size_t axis, const VoxelBox& box) const {
     const int first = taps_at(axis, box.origin[axis]).first;
     return {first, taps_at(axis, box.origin[axis] + box.size[axis] - 1).first + 4 - first};
-}
-
-// Below the base and above the top it goes on as the outermost cells are.
-const float* GrownVolume::row(int y, int z) const {
-    const auto& cells = cloud_->cells;
-    const auto at = static_cast<std::size_t>(std::clamp(z, 0, cells[2] - 1)) *
-                        static_cast<std::size_t>(cells[1]) +
-                    static_cast<std::size_t>(skybake::wrapped(y, cells[1]));
-    return cloud_->water.data() + at * static_cast<std::size_t>(cells[0]);
 }
 
 void GrownVolume::along_x(const VoxelBox& box, const float* cells, float* out) const {
@@ -88,12 +156,8 @@ void GrownVolume::along(std::size_t axis, const VoxelBox& box, std::size_t width
     }
 }
 
-void GrownVolume::fill(const VoxelBox& asked, const std::vector<float*>& channels) const {
-    float* out = channels.front();
-    if (out == nullptr) return;
-    std::fill_n(out, asked.count(), 0.0F);
-    const VoxelBox box = part_within(asked, size_[2]);
-    if (box.count() == 0) return;
+void GrownVolume::interpolate(const std::vector<float>& field, const VoxelBox& box,
+                              float* out) const {
     const auto width = static_cast<std::size_t>(box.size[0]);
     const std::size_t plane = width * static_cast<std::size_t>(box.size[1]);
     const Cells rows = cells_of(1, box);
@@ -102,13 +166,43 @@ void GrownVolume::fill(const VoxelBox& asked, const std::vector<float*>& channel
     std::vector<float> made(plane * static_cast<std::size_t>(slices.count));
     for (int z = 0; z < slices.count; ++z) {
         for (int y = 0; y < rows.count; ++y) {
-            along_x(box, row(rows.first + y, slices.first + z),
+            along_x(box, row_of(field, cloud_->cells, rows.first + y, slices.first + z),
                     slice.data() + static_cast<std::size_t>(y) * width);
         }
         along(1, box, width, slice.data(), made.data() + static_cast<std::size_t>(z) * plane);
     }
-    float* first = out + static_cast<std::size_t>(box.origin[2] - asked.origin[2]) * plane;
-    along(2, box, plane, made.data(), first);
+    along(2, box, plane, made.data(), out);
+}
+
+double GrownVolume::relief_m(double z) const {
+    const double nearer_end = std::min(z + 0.5, size_[2] - (z + 0.5)) / size_[2];
+    const double distance_m = nearer_end * cloud_->cells[2] * relief_.cell_m[2];
+    return relief_.height_m * std::min(1.0, distance_m / relief_.width_m);
+}
+
+void GrownVolume::add_relief(const VoxelBox& box, float* water) const {
+    const auto count = static_cast<std::size_t>(box.count());
+    std::vector<float> slopes(count);
+    std::vector<float> noise(count);
+    interpolate(slopes_, box, slopes.data());
+    relief_.noise->fill(box, {noise.data()});
+    const std::size_t plane = count / static_cast<std::size_t>(box.size[2]);
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto z = static_cast<double>(i / plane) + box.origin[2];
+        const float outwards = 2 * std::clamp(noise[i], 0.0F, 1.0F) - 1;
+        water[i] += slopes[i] * static_cast<float>(relief_m(z)) * outwards;
+    }
+}
+
+void GrownVolume::fill(const VoxelBox& asked, const std::vector<float*>& channels) const {
+    float* out = channels.front();
+    if (out == nullptr) return;
+    std::fill_n(out, asked.count(), 0.0F);
+    const VoxelBox box = part_within(asked, size_[2]);
+    if (box.count() == 0) return;
+    float* first = out + std::int64_t{box.origin[2] - asked.origin[2]} * box.size[0] * box.size[1];
+    interpolate(cloud_->water, box, first);
+    if (relief_.noise) add_relief(box, first);
     for (std::int64_t i = 0; i < box.count(); ++i) {
         first[i] = density_of_water(first[i], cloud_->full_water);
     }
@@ -118,26 +212,38 @@ bool GrownVolume::is_empty(const VoxelBox& asked) const {
     const VoxelBox box = part_within(asked, size_[2]);
     if (box.count() == 0) return true;
     const std::array<Cells, 3> cells = {cells_of(0, box), cells_of(1, box), cells_of(2, box)};
-    for (int z = 1; z + 1 < cells[2].count; ++z) {  // the outermost cells add no water of their own
-        for (int y = 1; y + 1 < cells[1].count; ++y) {
-            const float* water = row(cells[1].first + y, cells[2].first + z);
-            for (int x = 1; x + 1 < cells[0].count; ++x) {
-                if (water[skybake::wrapped(cells[0].first + x, cloud_->cells[0])] > 0) return false;
+    // The outermost cells add nothing of their own: values lie between those of the inner ones.
+    const auto greatest = [&](const std::vector<float>& field) {
+        float most = field.empty() ? 0 : -std::numeric_limits<float>::infinity();
+        for (int z = 1; z + 1 < cells[2].count && !field.empty(); ++z) {
+            for (int y = 1; y + 1 < cells[1].count; ++y) {
+                const float* values =
+                    row_of(field, cloud_->cells, cells[1].first + y, cells[2].first + z);
+                for (int x = 1; x + 1 < cells[0].count; ++x) {
+                    most = std::max(most,
+                                    values[skybake::wrapped(cells[0].first + x, cloud_->cells[0])]);
+                }
             }
         }
-    }
-    return true;
+        return double{most};
+    };
+    const double water = greatest(cloud_->water);
+    if (water > 0 || !relief_.noise) return water <= 0;
+    constexpr double kRoom = 1e-5;  // for what kernels round
+    return water + (1 + kRoom) * greatest(slopes_) * relief_.height_m <= 0;
 }
 
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const Cloud& cloud, const std::array<int, 3>& size) {
+                            const Cloud& cloud, const Noise* detail,
+                            const std::array<int, 3>& size) {
     CloudVolume volume;
     SourceVoxels& source = volume.source;
     for (std::size_t i = 0; i < 3; ++i) {
         source.size[i] = std::max(size[i], grown->cells[i]);
         source.voxel_size_m[i] = cloud.extent[i].meters / source.size[i];
     }
-    source.voxels = std::make_shared<const GrownVolume>(grown, source.size);
+    source.voxels = std::make_shared<const GrownVolume>(
+        grown, source.size, relief_of(cloud, detail, grown->cells, source.size));
     source.largest = 1;
     volume.wrap = config::VolumeWrap::repeat;
     return volume;

@@ -6,6 +6,15 @@
 // a parcel holds at the inversion without mixing. Between cells q is Catmull and Rom's cubic along x, then y,
 // then z, kept within the two cells that it lies between, and what dry air lacks counts below 0: an edge of
 // the cloud lies where q passes 0, not where a cell ends.
+//
+// Relief is the shape that is finer than cells. Noise d in [0, 1] moves the edge by r (2 d - 1), outwards
+// where that is positive, since q falls by its slope per metre on the way out:
+//
+//   q + |grad q| r (2 d - 1),   r = R min(1, z / W)
+//
+// for R, a share of the width W of the largest billows of the noise, and the distance z from the base, where
+// clouds are flat, or from the top, which nothing may leave, whichever is nearer. Slopes are central differences of cells, smoothed by (1, 2, 1) / 4 along each axis,
+// so that an edge may move by more than a cell.
 #pragma once
 
 #include <array>
@@ -15,14 +24,23 @@
 #include "bakers/clouds/resampled_volume.h"
 #include "bakers/convection/convection.h"
 #include "bakers/field/level.h"
+#include "bakers/noise/noise_field.h"
+#include "config/sections/noise.h"
 
 namespace skybake::cloud {
+
+struct Relief {
+    std::shared_ptr<const noise::NoiseField> noise;  // at the voxels of the volume; null: no relief
+    double height_m = 0;                             // R
+    double width_m = 1;                              // W
+    std::array<double, 3> cell_m{};                  // edges of the cells
+};
 
 class GrownVolume : public VoxelSource {
   public:
     // `size` is at least as large as the cells along each axis.
-    GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
-                const std::array<int, 3>& size);
+    GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud, const std::array<int, 3>& size,
+                Relief relief = {});
 
     // Boxes may reach below and above the size, where there is nothing.
     void fill(const VoxelBox& box, const std::vector<float*>& channels) const override;
@@ -43,7 +61,10 @@ class GrownVolume : public VoxelSource {
         return taps_[axis][static_cast<std::size_t>(voxel)];
     }
     Cells cells_of(std::size_t axis, const VoxelBox& box) const;
-    const float* row(int y, int z) const;
+    // Makes voxels of q or of its slopes, which are numbers at the centres of cells.
+    void interpolate(const std::vector<float>& field, const VoxelBox& box, float* out) const;
+    void add_relief(const VoxelBox& box, float* water) const;
+    double relief_m(double z) const;  // r at the middle of slice z
     void along_x(const VoxelBox& box, const float* cells, float* out) const;
     // Makes the voxels of an axis from rows or slices of `width` numbers.
     void along(std::size_t axis, const VoxelBox& box, std::size_t width, const float* from,
@@ -52,10 +73,14 @@ class GrownVolume : public VoxelSource {
     std::shared_ptr<const convection::GrownCloud> cloud_;
     std::array<int, 3> size_;
     std::array<std::vector<Taps>, 3> taps_;
+    Relief relief_;
+    std::vector<float> slopes_;  // g/kg per metre, at the centres of cells; empty without relief
 };
 
-// Returns the volume that a cloud of this extent takes its density from, for a bake of a size.
+// Returns the volume that a cloud of this extent takes its density from, for a bake of a size. `detail` is
+// the noise of its relief, or null.
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
-                            const Cloud& cloud, const std::array<int, 3>& size);
+                            const Cloud& cloud, const Noise* detail,
+                            const std::array<int, 3>& size);
 
 }  // namespace skybake::cloud

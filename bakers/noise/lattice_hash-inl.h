@@ -134,12 +134,17 @@ HWY_INLINE FloatVector unit_float(WordVector bits) {
     return hn::Mul(hn::ConvertTo(df, hn::BitCast(di, bits)), hn::Set(df, 0x1p-24f));
 }
 
-HWY_INLINE FloatVector moved_float(WordVector h, std::uint32_t shift) {
+HWY_INLINE FloatVector moved_float(WordVector h, PathShift shift) {
     const Words d;
-    if (shift == 0) return unit_float(hn::ShiftRight<8>(h));  // what the rest comes to, in a third
-    const auto backwards = hn::Eq(hn::And(h, hn::Set(d, 1u)), hn::Set(d, 1u));
+    // What the rest comes to, in a third of the time.
+    if (shift == PathShift{}) return unit_float(hn::ShiftRight<8>(h));
+    const auto has_bit = [&](std::uint32_t bit) HWY_ATTR {
+        return hn::Eq(hn::And(h, hn::Set(d, bit)), hn::Set(d, bit));
+    };
+    const WordVector forwards =
+        hn::IfThenElse(has_bit(2), hn::Set(d, shift.fast), hn::Set(d, shift.slow));
     const WordVector steps =
-        hn::IfThenElse(backwards, hn::Set(d, kPathSteps - shift), hn::Set(d, shift));
+        hn::IfThenElse(has_bit(1), hn::Sub(hn::Set(d, kPathSteps), forwards), forwards);
     const WordVector last = hn::Set(d, kPathSteps - 1);
     const WordVector phase = hn::And(hn::Add(hn::ShiftRight<8>(h), steps), last);
     return unit_float(hn::Min(phase, hn::Sub(last, phase)));
@@ -153,7 +158,7 @@ struct CellPointVector {
 // for the steps of one.
 template <std::size_t kCount>
 HWY_INLINE void cell_points(const RowKeyVector& row, const WordVector (&scaled_x)[kCount],
-                            std::uint32_t shift, CellPointVector (&points)[kCount]) {
+                            PathShift shift, CellPointVector (&points)[kCount]) {
     const WordVector golden = hn::Set(Words(), kGolden32);
     WordVector a[kCount], b[kCount], c[kCount], e[kCount];
     const auto hash = [&](WordVector first, WordVector second, WordVector(&h)[kCount]) HWY_ATTR {
@@ -179,7 +184,7 @@ HWY_INLINE void cell_points(const RowKeyVector& row, const WordVector (&scaled_x
 }
 
 HWY_INLINE CellPointVector cell_point(const RowKeyVector& row, WordVector scaled_x,
-                                      std::uint32_t shift) {
+                                      PathShift shift) {
     const WordVector one[1] = {scaled_x};
     CellPointVector point[1];
     cell_points(row, one, shift, point);

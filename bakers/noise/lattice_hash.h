@@ -125,19 +125,19 @@ struct CellPoint {
 
 inline float unit_float(std::uint32_t h) { return static_cast<float>(h >> 8) * 0x1p-24f; }
 
-// A point's offset along one axis after `shift` steps along its path, of 2^25 steps. It moves to and
-// fro between the faces of its cell at constant speed, one way first or the other, so that its
-// offset is equally distributed at every time, and it is where it was after the whole path.
+// A point's offset along one axis, on a path of 2^25 steps. It moves to and fro between the faces of
+// its cell at constant speed, slow or fast, one way first or the other, so that its offset is
+// equally distributed at every time, and it is where it was after the whole path.
 inline constexpr std::uint32_t kPathSteps = 1u << 25;
 
-inline float moved_float(std::uint32_t h, std::uint32_t shift) {
-    const std::uint32_t steps = (h & 1) != 0 ? kPathSteps - shift : shift;
+inline float moved_float(std::uint32_t h, PathShift shift) {
+    const std::uint32_t forwards = (h & 2) != 0 ? shift.fast : shift.slow;
+    const std::uint32_t steps = (h & 1) != 0 ? kPathSteps - forwards : forwards;
     const std::uint32_t phase = ((h >> 8) + steps) & (kPathSteps - 1);
     return unit_float(std::min(phase, kPathSteps - 1 - phase) << 8);
 }
 
-// `shift` is in [0, kPathSteps).
-inline CellPoint cell_point(RowKey row, std::uint32_t x, std::uint32_t shift = 0) {
+inline CellPoint cell_point(RowKey row, std::uint32_t x, PathShift shift = {}) {
     const std::uint32_t a = mix32(mix32(x * kGolden32 + row.low) ^ row.high);
     const std::uint32_t b = mix32(mix32(x * kGolden32 + row.high) ^ row.low);
     const std::uint32_t c = mix32((a + kGolden32) ^ (b << 1));

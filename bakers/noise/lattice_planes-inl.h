@@ -51,7 +51,7 @@ class CellPoints {
 
   private:
     std::uint64_t key_;
-    std::uint32_t shift_;
+    PathShift shift_;
 };
 
 // Hashes a plane into its slot. points.keys(y, z) returns what the points of a lattice row share,

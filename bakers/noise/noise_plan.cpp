@@ -35,8 +35,8 @@ std::vector<WeightedField> cell_fields(const NoiseChannel& channel, const NoiseO
         CellField field;
         field.kind = alligator ? CellKind::alligator : CellKind::worley;
         field.warp = warp;
-        field.shift = maker.shift();
         field.frequency = octaves.frequencies[i];
+        field.shift = maker.shift(field.frequency);
         field.key = maker.keys(alligator ? Purpose::alligator : Purpose::cells, octaves, i);
         field.feature = channel.feature;
         field.value_form = channel.value_form;
@@ -91,8 +91,8 @@ int warp_index(const Noise& noise, const NoiseChannel& channel, const OctaveMake
 }
 
 ChannelPlan channel_plan(const Noise& noise, const NoiseChannel& channel, NoisePlan& plan) {
-    const OctaveMaker maker{
-        plan.axes, {noise.seed, channel.seed}, noise.period, noise.time, noise.time_cells};
+    const OctaveMaker maker{plan.axes,  {noise.seed, channel.seed}, noise.period,
+                            noise.time, noise.time_cells,           lowest_cells(noise)};
     ChannelPlan result;
     result.type = channel.type;
     result.value = static_cast<float>(channel.value);

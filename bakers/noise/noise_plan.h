@@ -144,11 +144,19 @@ using WarpPlan = std::array<GradientStack, 3>;
 // The functions that an octave may make of the points of cells.
 enum class CellKind { worley, alligator };
 
+// How far points are along their paths, in [0, kPathSteps) each (lattice_hash.h). A loop in time has n
+// slow paths and n + 1 fast ones, so that no part of it is played twice.
+struct PathShift {
+    std::uint32_t slow = 0;
+    std::uint32_t fast = 0;
+    bool operator==(const PathShift&) const = default;
+};
+
 // One octave of cellular noise. Channels that use equal octaves share one field.
 struct CellField {
     CellKind kind = CellKind::worley;
-    int warp = -1;            // index in NoisePlan::warps; -1: voxels are read where they are
-    std::uint32_t shift = 0;  // of points along their paths (lattice_hash.h)
+    int warp = -1;    // index in NoisePlan::warps; -1: voxels are read where they are
+    PathShift shift;  // of points along their paths
     std::array<int, 3> frequency{};
     std::uint64_t key = 0;
     config::WorleyFeature feature = config::WorleyFeature::f1;

@@ -30,6 +30,21 @@ int frame_of(const Noise& noise) {
     return (noise.time % noise.period + noise.period) % noise.period;
 }
 
+// Returns how many times smaller the cells of an octave are than the noise's largest, by their volumes.
+double times_smaller(const Noise& noise, const Frequency& octave) {
+    const auto cells = [](const Frequency& of) { return double{1} * of[0] * of[1] * of[2]; };
+    double fewest = cells(octave);
+    for (const NoiseChannel& channel : noise.channels) {
+        for (const Frequency& other : channel.octaves.frequencies)
+            fewest = std::min(fewest, cells(other));
+        for (const Frequency& other : channel.worley_octaves.frequencies)
+            fewest = std::min(fewest, cells(other));
+        for (const Frequency& other : channel.warp_octaves.frequencies)
+            fewest = std::min(fewest, cells(other));
+    }
+    return cells(octave) / fewest;
+}
+
 Lattice lattice_of(const Noise& noise, const NoiseChannel& channel, Purpose purpose,
                    const OctaveName& octave) {
     Lattice lattice;
@@ -37,7 +52,9 @@ Lattice lattice_of(const Noise& noise, const NoiseChannel& channel, Purpose purp
     lattice.key =
         octave_key(noise.seed, channel.seed, purpose, octave.frequency, octave.repetition);
     if (noise.period > 0) {
-        lattice.time_period = noise.time_cells;
+        const double size = 1 / std::cbrt(times_smaller(noise, octave.frequency));
+        lattice.time_period =
+            static_cast<int>(std::lround(noise.time_cells / std::pow(size, 2.0 / 3)));
         lattice.loops = static_cast<double>(frame_of(noise)) / noise.period;
     }
     return lattice;

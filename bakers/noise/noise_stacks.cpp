@@ -1,7 +1,11 @@
 #include "bakers/noise/noise_stacks.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
+
+#include "bakers/math/transcendental.h"
 
 namespace skybake::noise {
 namespace {
@@ -36,11 +40,12 @@ LatticePosition place_in_time(int period, int cells, int time) {
     return lattice_position({period, 0}, cells, time);
 }
 
-std::optional<TimeStep> time_step(const OctaveMaker& maker, std::uint64_t key) {
+std::optional<TimeStep> time_step(const OctaveMaker& maker, const GradientOctave& octave) {
     if (maker.period == 0) return std::nullopt;
-    const LatticePosition at = place_in_time(maker.period, maker.time_cells, maker.time);
+    const int cells = maker.cells_in_time(octave.frequency);
+    const LatticePosition at = place_in_time(maker.period, cells, maker.time);
     const auto key_of = [&](std::int64_t cell) {
-        return time_key(key, wrapped_cell(cell, maker.time_cells));
+        return time_key(octave.key, wrapped_cell(cell, cells));
     };
     return TimeStep{{key_of(at.cell), key_of(at.cell + 1)}, gradient_basis(at)};
 }
@@ -60,6 +65,19 @@ AxisCells axis_cells(const TileAxis& axis, int frequency) {
     std::fill(cells.cell.begin() + axis.size, cells.cell.end(),
               cells.cell[static_cast<std::size_t>(axis.size - 1)]);
     return cells;
+}
+
+double lowest_cells(const Noise& noise) {
+    double lowest = std::numeric_limits<double>::max();
+    for (const NoiseChannel& channel : noise.channels) {
+        for (const NoiseOctaves* octaves :
+             {&channel.octaves, &channel.worley_octaves, &channel.warp_octaves}) {
+            for (const auto& [x, y, z] : octaves->frequencies) {
+                lowest = std::min(lowest, double{1} * x * y * z);
+            }
+        }
+    }
+    return lowest;
 }
 
 std::vector<double> weights_of(const NoiseOctaves& octaves) {
@@ -84,7 +102,7 @@ GradientOctave OctaveMaker::octave(const NoiseOctaves& octaves, std::size_t i, P
     octave.key = keys(purpose, octaves, i);
     octave.derivative_axis = derivative_axis;
     octave.amplitude = static_cast<float>(amplitude);
-    octave.time = time_step(*this, octave.key);
+    octave.time = time_step(*this, octave);
     for (std::size_t axis = 0; axis < 3; ++axis) {
         octave.cells[axis] = axis_cells(axes[axis], octave.frequency[axis]);
         octave.basis[axis] =
@@ -94,13 +112,23 @@ GradientOctave OctaveMaker::octave(const NoiseOctaves& octaves, std::size_t i, P
     return octave;
 }
 
-// A point goes its whole path, to and fro, once per two cells of the lattice along time, so that it
-// crosses a cell while gradients change from one lattice to the next. Odd numbers are rounded up.
-std::uint32_t OctaveMaker::shift() const {
-    if (period == 0) return 0;
-    const LatticePosition at = place_in_time(period, (time_cells + 1) / 2, time);
-    return static_cast<std::uint32_t>(static_cast<std::uint64_t>(at.numerator) * kPathSteps /
-                                      static_cast<std::uint64_t>(at.denominator));
+int OctaveMaker::cells_in_time(const std::array<int, 3>& frequency) const {
+    const double ratio = double{1} * frequency[0] * frequency[1] * frequency[2] / lowest_cells;
+    const double faster = exponential(2.0 / 9 * logarithm(ratio));
+    return static_cast<int>(std::lround(time_cells * faster));
+}
+
+// A slow point goes its whole path, to and fro, once per two cells of the lattice along time, so that it
+// crosses a cell while gradients change from one lattice to the next. Odd numbers are rounded down.
+PathShift OctaveMaker::shift(const std::array<int, 3>& frequency) const {
+    if (period == 0) return {};
+    const int paths = std::max(1, cells_in_time(frequency) / 2);
+    const auto along = [&](int count) {
+        const LatticePosition at = place_in_time(period, count, time);
+        return static_cast<std::uint32_t>(static_cast<std::uint64_t>(at.numerator) * kPathSteps /
+                                          static_cast<std::uint64_t>(at.denominator));
+    };
+    return {along(paths), along(paths + 1)};
 }
 
 GradientStack gradient_stack(const NoiseChannel& channel, const OctaveMaker& maker) {

@@ -14,6 +14,9 @@ namespace skybake::noise {
 
 AxisCells axis_cells(const TileAxis& axis, int frequency);
 
+// Returns the cells that a tile of a noise's coarsest octave has.
+double lowest_cells(const Noise& noise);
+
 // The weights over their sum.
 std::vector<double> weights_of(const NoiseOctaves& octaves);
 
@@ -33,12 +36,16 @@ struct OctaveMaker {
     int period = 0;
     int time = 0;
     int time_cells = 1;
+    double lowest_cells = 1;  // of the noise's coarsest octave, in a tile
 
     // Returns octave i, or its derivative along an axis.
     GradientOctave octave(const NoiseOctaves& octaves, std::size_t i, Purpose purpose,
                           double amplitude, int derivative_axis = -1) const;
-    // Returns the steps of the points of cells along their paths.
-    std::uint32_t shift() const;
+    // Returns the cells of an octave along time. Small eddies turn over faster than large ones, in a time
+    // that is their size to the power 2/3 (Kolmogorov 1941); sizes are the means of the axes.
+    int cells_in_time(const std::array<int, 3>& frequency) const;
+    // Returns how far the points of an octave's cells are along their paths.
+    PathShift shift(const std::array<int, 3>& frequency) const;
 };
 
 // Returns the sum of octaves of gradient noise for a channel.

@@ -69,10 +69,14 @@ void for_points(const Lattice& lattice, const glm::dvec3& place, const Take& tak
 }  // namespace
 
 CellPoint Lattice::point(double x, double y, double z) const {
-    std::uint32_t shift = 0;
+    PathShift shift;
     if (loops) {
-        const double paths = *loops * ((time_period + 1) / 2);
-        shift = static_cast<std::uint32_t>((paths - std::floor(paths)) * kPathSteps);
+        const auto along = [&](int count) {
+            const double paths = *loops * count;
+            return static_cast<std::uint32_t>((paths - std::floor(paths)) * kPathSteps);
+        };
+        const int slow = time_period < 4 ? 1 : time_period / 2;
+        shift = {along(slow), along(slow + 1)};
     }
     return cell_point(row_key(key, wrap(y, 1), wrap(z, 2)), wrap(x, 0), shift);
 }

@@ -91,6 +91,7 @@ struct Convection {
     double warmth = 0;  // K
     std::uint64_t seed = 0;
     double minutes = 0;  // for which the cloud grows
+    double relief = 0;   // of its detail noise, as a share of the width of its largest billows
 
     bool operator==(const Convection&) const = default;
 };

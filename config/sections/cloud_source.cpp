@@ -88,6 +88,8 @@ void resolve_cloud_source(DecodedSection& section, const Table& table, const Clo
     if (is_of_volume) check_name(section.at("volume"), section.path, decoder);
     if (is_of_volume || section.at("shape").source != nullptr) {
         check_noise_keys(section, is_of_volume ? "volume" : "shape", table, decoder);
+        DecodedField& erosion = section.at("erosion");
+        if (!is_of_volume && erosion.value) derive(erosion, std::array{0.0, 0.0});
         derive(section.at("edge_softness"), 0.0);
     }
     const DecodedField& extent = section.at("extent");

@@ -60,6 +60,7 @@ constexpr Range wind_range{-200, 200};
 constexpr Range patches_range{0, 10000};
 constexpr Range width_range{1, 1e6};
 constexpr Range warmth_range{0, 20};
+constexpr Range relief_range{0, 1};
 constexpr Range minutes_range{.minimum = 0, .maximum = 600, .open_minimum = true};
 
 const ConvectionField convection_table[] = {
@@ -95,6 +96,11 @@ const ConvectionField convection_table[] = {
     {"seed", Kind::seed, &Convection::seed, "another seed gives other patches", Default{"1"}},
     {"minutes", Kind::number, &Convection::minutes, "minutes for which the cloud grows",
      minutes_range, Default{"20"}},
+    {"relief", Kind::number, &Convection::relief,
+     "how far the cloud's detail noise moves its edge, outwards where the noise is 1 and inwards "
+     "where it is 0, as a share of the width of the largest billows of the noise",
+     relief_range, Default{"0.5"},
+     Hint{"it is less near the base, which stays flat, and near the top"}},
 };
 
 }  // namespace

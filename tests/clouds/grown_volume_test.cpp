@@ -6,6 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "bakers/clouds/cloud_plan.h"
+#include "bakers/noise/noise_reference.h"
+#include "config/recipe/recipe.h"
+
 namespace skybake::cloud {
 namespace {
 
@@ -48,35 +52,99 @@ double cubic(const std::array<double, 4>& p, double t) {
     return std::clamp(value, std::min(p[1], p[2]), std::max(p[1], p[2]));
 }
 
-// Water at a place in cells, along the axes from x on.
-double water_at(const GrownCloud& cloud, std::array<int, 3> cell, const std::array<double, 3>& at,
-                int axes) {
+double water_of(const GrownCloud& cloud, const std::array<int, 3>& cell) {
     const auto& [nx, ny, nz] = cloud.cells;
-    if (axes == 0) {
-        const int x = (cell[0] + 2 * nx) % nx, y = (cell[1] + 2 * ny) % ny;
-        const int z = std::clamp(cell[2], 0, nz - 1);
-        return double{cloud.water[static_cast<std::size_t>((z * ny + y) * nx + x)]};
-    }
+    const int x = (cell[0] + 2 * nx) % nx, y = (cell[1] + 2 * ny) % ny;
+    const int z = std::clamp(cell[2], 0, nz - 1);
+    return double{cloud.water[static_cast<std::size_t>((z * ny + y) * nx + x)]};
+}
+
+// A field at a place in cells, along the axes from x on.
+template <class Field>
+double between_cells(const Field& field, std::array<int, 3> cell, const std::array<double, 3>& at,
+                     int axes) {
+    if (axes == 0) return field(cell);
     const auto axis = static_cast<std::size_t>(axes - 1);
     const int below = static_cast<int>(std::floor(at[axis]));
     std::array<double, 4> values{};
     for (int i = 0; i < 4; ++i) {
         cell[axis] = below - 1 + i;
-        values[static_cast<std::size_t>(i)] = water_at(cloud, cell, at, axes - 1);
+        values[static_cast<std::size_t>(i)] = between_cells(field, cell, at, axes - 1);
     }
     return cubic(values, at[axis] - below);
 }
 
-TEST(GrownVolume, IsCubicBetweenCells) {
-    const auto cloud = random_cloud({6, 4, 5});
-    const std::array<int, 3> size = {15, 9, 20};
-    const std::vector<float> values = filled(GrownVolume(cloud, size), {{}, size});
+// The water that relief adds where noise is 1 and r is 1 m: the steepness of cells, by differences of two
+// cells, smoothed by (1, 2, 1) / 4 along each axis.
+double slope_of(const GrownCloud& cloud, std::array<int, 3> cell,
+                const std::array<double, 3>& cell_m) {
+    cell[2] = std::clamp(cell[2], 0, cloud.cells[2] - 1);  // it goes on as the outermost cells are
+    double sum = 0;
+    for (int i = 0; i < 27; ++i) {
+        const std::array<int, 3> step = {i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+        std::array<int, 3> near = cell;
+        for (std::size_t axis = 0; axis < 3; ++axis) near[axis] += step[axis];
+        near[2] = std::clamp(near[2], 0, cloud.cells[2] - 1);
+        double square = 0, weight = 1;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            std::array<int, 3> before = near, after = near;
+            --before[axis];
+            ++after[axis];
+            const double along =
+                (water_of(cloud, after) - water_of(cloud, before)) / (2 * cell_m[axis]);
+            square += along * along;
+            weight *= step[axis] == 0 ? 0.5 : 0.25;
+        }
+        sum += weight * std::sqrt(square);
+    }
+    return sum;
+}
+
+// A cloud of a tile of 60 m x 40 m x 50 m, whose detail is Worley noise with cells of 10 m.
+config::Cloud cloud_with_relief(double relief) {
+    config::Cloud cloud;
+    cloud.extent = {config::Length{60}, config::Length{40}, config::Length{50}};
+    cloud.detail_scale = {3, 2, 1};
+    cloud.convection.relief = relief;
+    return cloud;
+}
+
+config::Noise detail_noise(const std::string& type) {
+    const auto recipe = config::parse_recipe(
+        "[noise.n]\nsize = [8, 8, 8]\n[noise.n.channels.Y]\n" + type, "recipe");
+    return recipe.value->parameters.noises.at(0);
+}
+
+const config::Noise& billows() {
+    static const auto noise = detail_noise("type = 'worley'\nfrequency = [2, 2, 5]");
+    return noise;
+}
+
+void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::array<int, 3>& size,
+                       double relief) {
+    const config::Cloud keys = cloud_with_relief(relief);
+    const std::array<double, 3> cell_m = {10, 10, 10};
+    const std::vector<float> values =
+        filled(*volume_of_grown(cloud, keys, &billows(), size).source.voxels, {{}, size});
+    const config::Noise detail =
+        cloud_noise(billows(), keys.detail_scale, config::CloudChannels::density);
     for (int z = 0; z < size[2]; ++z) {
         for (int y = 0; y < size[1]; ++y) {
             for (int x = 0; x < size[0]; ++x) {
-                const std::array<double, 3> at = {(x + 0.5) * 6 / 15 - 0.5, (y + 0.5) * 4 / 9 - 0.5,
-                                                  (z + 0.5) * 5 / 20 - 0.5};
-                const double water = water_at(*cloud, {}, at, 3);
+                const std::array<double, 3> place = {(x + 0.5) / size[0], (y + 0.5) / size[1],
+                                                     (z + 0.5) / size[2]};
+                const std::array<double, 3> at = {6 * place[0] - 0.5, 4 * place[1] - 0.5,
+                                                  5 * place[2] - 0.5};
+                const auto water_field = [&](const auto& cell) { return water_of(*cloud, cell); };
+                const auto slope_field = [&](const auto& cell) {
+                    return slope_of(*cloud, cell, cell_m);
+                };
+                const double noise = noise::noise_reference(detail, place)[0];
+                const double moved_m = 10 * relief *
+                                       std::min({1.0, 5 * place[2], 5 * (1 - place[2])}) *
+                                       (2 * noise - 1);
+                const double water = between_cells(water_field, {}, at, 3) +
+                                     moved_m * between_cells(slope_field, {}, at, 3);
                 const auto i = static_cast<std::size_t>((z * size[1] + y) * size[0] + x);
                 if (std::abs(water) < 1e-4) continue;  // the power is steep there
                 ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6)
@@ -86,10 +154,45 @@ TEST(GrownVolume, IsCubicBetweenCells) {
     }
 }
 
-TEST(GrownVolume, DoesNotDependOnTheBox) {
-    const auto cloud = random_cloud({6, 4, 5});
-    const std::array<int, 3> size = {15, 9, 20};
-    const GrownVolume volume(cloud, size);
+TEST(GrownVolume, IsCubicBetweenCells) {
+    expect_definition(random_cloud({6, 4, 5}), {15, 9, 20}, 0);
+}
+
+TEST(GrownVolume, HasTheReliefOfItsNoise) {
+    expect_definition(random_cloud({6, 4, 5}), {15, 9, 20}, 0.45);
+    expect_definition(random_cloud({6, 4, 5}), {12, 8, 10}, 1);
+}
+
+// A front that falls by 0.1 g/kg per metre along x, and rises again over the second half of the tile.
+TEST(GrownVolume, NoiseMovesAFrontByMetres) {
+    auto cloud = std::make_shared<GrownCloud>();
+    cloud->cells = {60, 4, 5};
+    cloud->full_water = 100;
+    for (int i = 0; i < 60 * 4 * 5; ++i) {
+        cloud->water.push_back(0.1F * static_cast<float>(std::abs(i % 60 - 30) - 15));
+    }
+    config::Cloud keys = cloud_with_relief(0.5);
+    keys.extent[1] = config::Length{4};
+    keys.extent[2] = config::Length{5};
+    keys.detail_scale = {60, 4, 5};  // a noise without octaves counts as one billow a repeat: 1 m
+    const std::array<int, 3> size = {600, 4, 5};
+    const auto front_m = [&](const char* value, int z) {
+        const config::Noise noise =
+            detail_noise(std::string("type = 'constant'\nvalue = ") + value);
+        const std::vector<float> row = filled(
+            *volume_of_grown(cloud, keys, &noise, size).source.voxels, {{0, 0, z}, {300, 1, 1}});
+        return 0.1 * static_cast<double>(std::count_if(row.begin(), row.end(),
+                                                       [](float value) { return value > 0; }));
+    };
+    EXPECT_NEAR(front_m("0.5", 2), 15.5, 0.1);
+    EXPECT_NEAR(front_m("1", 2), 16, 0.1);
+    EXPECT_NEAR(front_m("0.8", 2), 15.8, 0.1);
+    EXPECT_NEAR(front_m("0", 2), 15, 0.1);
+    EXPECT_NEAR(front_m("1", 0), 15.75, 0.1) << "half as far, half a metre above the base";
+    EXPECT_NEAR(front_m("1", 4), 15.75, 0.1) << "half as far, half a metre below the top";
+}
+
+void expect_equal_in_boxes(const VoxelSource& volume, const std::array<int, 3>& size) {
     const std::vector<float> all = filled(volume, {{}, size});
     int empty = 0;
     std::mt19937 random(2);
@@ -121,6 +224,15 @@ TEST(GrownVolume, DoesNotDependOnTheBox) {
     EXPECT_GT(empty, 0);
 }
 
+TEST(GrownVolume, DoesNotDependOnTheBox) {
+    const std::array<int, 3> size = {15, 9, 20};
+    for (const double relief : {0.0, 0.1, 0.5}) {
+        const CloudVolume volume =
+            volume_of_grown(random_cloud({6, 4, 5}), cloud_with_relief(relief), &billows(), size);
+        expect_equal_in_boxes(*volume.source.voxels, size);
+    }
+}
+
 TEST(GrownVolume, IsEmptyBelowAndAbove) {
     const GrownVolume volume(random_cloud({6, 4, 5}), {12, 8, 10});
     for (const int z : {-1, 10}) {
@@ -132,9 +244,7 @@ TEST(GrownVolume, IsEmptyBelowAndAbove) {
 // A bake of fewer voxels than cells takes their means.
 TEST(GrownVolume, OfFewVoxelsIsAMean) {
     const auto cloud = random_cloud({6, 4, 5});
-    config::Cloud extent;
-    extent.extent = {config::Length{60}, config::Length{40}, config::Length{50}};
-    const CloudVolume volume = volume_of_grown(cloud, extent, {3, 4, 10});
+    const CloudVolume volume = volume_of_grown(cloud, cloud_with_relief(0.5), nullptr, {3, 4, 10});
     EXPECT_EQ(volume.source.size, (std::array{6, 4, 10}));
     EXPECT_EQ(volume.source.voxel_size_m, (std::array{10.0, 10.0, 5.0}));
     const std::vector<float> fine = filled(*volume.source.voxels, {{}, {6, 4, 10}});

@@ -115,6 +115,7 @@ std::string any_grown_cloud() {
     if (coin()) text += "patch_width = ['3 m', '3 km']\n";
     if (coin()) text += fmt::format("warmth = {}\n", any_number(0, 20));
     if (coin()) text += fmt::format("seed = {}\n", *rc::gen::inRange(0, 1 << 30));
+    if (coin()) text += fmt::format("relief = {}\n", any_number(0, 1));
     return text + (coin() ? fmt::format("minutes = {}\n", any_number(0.1, 600)) : "");
 }
 

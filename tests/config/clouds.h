@@ -45,11 +45,11 @@ inline std::string to_string(const Tower& tower) {
 }
 
 inline std::string to_string(const Convection& air) {
-    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {}", air.cells,
+    return fmt::format("{} {} {} {} {} {} {} {} {} {} {} {} {} {} {}", air.cells,
                        air.mixed_layer.meters, air.inversion.meters, air.instability,
                        air.temperature, air.humidity, air.wind, air.wind_above, air.patches,
                        air.patch_width[0].meters, air.patch_width[1].meters, air.warmth, air.seed,
-                       air.minutes);
+                       air.minutes, air.relief);
 }
 
 // Every member, so that equal texts mean equal clouds.

@@ -48,14 +48,14 @@ TEST(SectionPresetMerge, EachNoiseHasItsOwn) {
 
 TEST(SectionPresetMerge, CloudsHaveTheirOwn) {
     const std::string noises =
-        "[noise.shape]\npreset = 'nubis_shape'\n[noise.detail]\npreset = 'nubis_detail'\n";
+        "[noise.shape]\npreset = 'nubis_shape'\n[noise.billows]\npreset = 'billows'\n";
     const auto cloud = [&](const std::string& keys) {
         return valid(noises + "[clouds.c]\n" + keys).parameters.clouds.at(0);
     };
     const Cloud plain = cloud("preset = 'cumulus_congestus'\n");
     const Cloud changed =
         cloud("preset = 'cumulus_congestus'\nwisp_height = 1\nconvection.seed = 5\n");
-    EXPECT_EQ(changed.detail, "detail");
+    EXPECT_EQ(changed.detail, "billows");
     EXPECT_EQ(changed.wisp_height, 1);
     EXPECT_EQ(changed.convection.seed, 5u);
     EXPECT_EQ(changed.convection.cells, plain.convection.cells);

@@ -125,7 +125,42 @@ TEST(MovingNoise, ChangesSteadilyAllAround) {
 TEST(MovingNoise, OfCellsBeginsWithTheNoiseThatStandsStill) {
     const Noise noise = test::noise_of({test::worley(kOctaves), test::alligator(kOctaves)});
     EXPECT_EQ(frame(at_time(noise, 48, 0)), frame(noise));
-    EXPECT_EQ(frame(at_time(noise, 48, 24, 4)), frame(noise)) << "a whole path";
+}
+
+// No part of a loop is played twice, whatever the cells along time: all frames are far from the first but
+// its neighbours.
+TEST(MovingNoise, PlaysALoopOnce) {
+    constexpr int kPeriod = 24;
+    for (const int cells : {2, 4, 6, 8}) {
+        for (const Noise& noise :
+             {test::noise_of({test::worley({{8, 8, 8}}), test::alligator({{8, 8, 8}})}),
+              test::noise_of({test::worley(kOctaves), test::perlin(kOctaves)})}) {
+            const test::Planes first = frame(at_time(noise, kPeriod, 0, cells));
+            for (int time = 3; time <= kPeriod - 3; ++time) {
+                const test::Planes later = frame(at_time(noise, kPeriod, time, cells));
+                for (std::size_t c = 0; c < first.size(); ++c) {
+                    EXPECT_GT(rms_difference(first[c], later[c]), 0.03)
+                        << c << " at " << time << " of " << cells << " cells";
+                }
+            }
+        }
+    }
+}
+
+// Octaves whose cells are 8 times smaller change 4 times as much in a short time, for their size 8^(2/3).
+TEST(MovingNoise, TurnsSmallEddiesOverFaster) {
+    for (const Noise& both :
+         {test::noise_of({test::worley({{2, 2, 2}}), test::worley({{16, 16, 16}})}),
+          test::noise_of({test::alligator({{2, 2, 2}}), test::alligator({{16, 16, 16}})})}) {
+        const std::array<int, 3> size = {64, 64, 64};
+        const auto at = [&](int time) {
+            const NoiseField field(make_noise_plan(at_time(both, 1000, time, 4), size));
+            return test::filled(field, {{}, size}, 2);
+        };
+        const test::Planes here = at(300), next = at(301);
+        const double coarse = rms_difference(here[0], next[0]);
+        EXPECT_NEAR(rms_difference(here[1], next[1]) / coarse, 4, 1);
+    }
 }
 
 // --- Points of cells ----------------------------------------------------------------------------
@@ -141,8 +176,9 @@ TEST(CellPath, GoesToAndFroAtConstantSpeed) {
         double mean = 0;
         for (int i = 0; i < kSteps; ++i) {
             const auto shift = static_cast<std::uint32_t>(i) * kStep;
-            const double here = cell_point(row, x, shift).x;
-            const double next = cell_point(row, x, (shift + kStep) % kPathSteps).x;
+            const std::uint32_t then = (shift + kStep) % kPathSteps;
+            const double here = cell_point(row, x, {shift, shift}).x;
+            const double next = cell_point(row, x, {then, then}).x;
             EXPECT_GE(here, 0);
             EXPECT_LT(here, 1);
             mean += here / kSteps;
@@ -155,7 +191,7 @@ TEST(CellPath, GoesToAndFroAtConstantSpeed) {
             if (i == 0 && !turns && next > here) ++forwards;
         }
         EXPECT_NEAR(mean, 0.5, 1e-3);
-        EXPECT_EQ(cell_point(row, x, 0).height, cell_point(row, x, kStep).height);
+        EXPECT_EQ(cell_point(row, x).height, cell_point(row, x, {kStep, kStep}).height);
     }
     EXPECT_NEAR(forwards, 32, 16) << "half of them begin one way";
 }

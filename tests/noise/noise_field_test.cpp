@@ -209,7 +209,7 @@ TEST(Alligator, EqualsTheSpecificationWhereCellsAreWide) {
           Case{{31, 32, 32}, {8, 8, 8}, {{}, {31, 32, 32}}}}) {  // 3.9 voxels: not shared
         NoisePlan plan =
             make_noise_plan(test::noise_of({test::alligator({any.frequency})}), any.size);
-        for (const std::uint32_t shift : {0U, 12345678U}) {
+        for (const PathShift shift : {PathShift{}, {12345678, 0}, {12345678, 23456789}}) {
             plan.fields[0].shift = shift;
             const test::Mismatches mismatches = test::unlike_specification(plan, any.box);
             EXPECT_EQ(mismatches.count, 0) << mismatches.first;

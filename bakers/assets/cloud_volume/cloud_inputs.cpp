@@ -62,8 +62,9 @@ std::optional<cloud::CloudVolume> read_volume(const VolumeFile& file, Facts& det
 }
 
 // Adds what has grown. None after an interruption.
-std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const std::array<int, 3>& size,
-                                               Facts& details, const BakeOptions& options) {
+std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const Noise* detail,
+                                               const std::array<int, 3>& size, Facts& details,
+                                               const BakeOptions& options) {
     const convection::Specification wanted = convection::specification_of(cloud);
     Intermediates* shared = options.intermediates;
     const auto grown = shared_or_made<convection::GrownCloud>(shared, NeedKey(wanted), [&] {
@@ -71,7 +72,7 @@ std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const std::ar
     });
     if (!grown) return std::nullopt;
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});
-    return cloud::volume_of_grown(grown, cloud, size);
+    return cloud::volume_of_grown(grown, cloud, detail, size);
 }
 
 // Returns null after an interruption.
@@ -120,15 +121,15 @@ Outcome<CloudInputs> cloud_inputs(const Parameters& parameters, const CloudVolum
     const Cloud& cloud = cloud_named(parameters, bake.cloud);
     CloudInputs inputs;
     inputs.base = noise_of(parameters, cloud);
+    if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     if (cloud.shape == config::CloudShape::convection) {
-        inputs.volume = grown_volume(cloud, bake.size, details, options);
+        inputs.volume = grown_volume(cloud, inputs.detail, bake.size, details, options);
         if (!inputs.volume) return {};
     } else if (inputs.base == nullptr) {
         inputs.file = &volume_named(parameters, cloud.volume);
         inputs.volume =
             read_volume(*inputs.file, details, options.intermediates, outcome.diagnostics);
     }
-    if (!cloud.detail.empty()) inputs.detail = &noise_named(parameters, cloud.detail);
     inputs.maps.coverage =
         read_map(cloud.coverage_map, "coverage_map", details, outcome.diagnostics);
     inputs.maps.type = read_map(cloud.type_map, "type_map", details, outcome.diagnostics);

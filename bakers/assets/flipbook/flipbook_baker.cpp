@@ -238,7 +238,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const FlipbookBake& 
 }  // namespace
 
 Baker<FlipbookBake> baker(BakerTag<FlipbookBake>) {
-    return {.version = 1,
+    return {.version = 2,
             .bake = bake,
             .estimate = estimate,
             .places = places,

@@ -235,7 +235,7 @@ void draft(NoiseVolumeBake& asset, int most_voxels) {
 }  // namespace
 
 Baker<config::NoiseVolumeBake> baker(BakerTag<config::NoiseVolumeBake>) {
-    return {.version = 3,
+    return {.version = 4,
             .bake = bake,
             .estimate = estimate,
             .places = places,

@@ -78,7 +78,7 @@ void draft(WeatherMapBake& asset, int most_texels) {
 }  // namespace
 
 Baker<WeatherMapBake> baker(BakerTag<WeatherMapBake>) {
-    return {.version = 3,
+    return {.version = 4,
             .bake = bake,
             .estimate = estimate,
             .places = places,
