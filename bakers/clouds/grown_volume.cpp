@@ -85,30 +85,33 @@ std::vector<float> slopes_of(const convection::GrownCloud& cloud,
     return slopes;
 }
 
-// The width of the largest billows that a cloud's detail noise has, along its narrowest axis.
-double width_of_billows(const Cloud& cloud, const Noise& noise) {
-    const auto& frequencies = noise.channels.front().octaves.frequencies;
-    double width = cloud.extent[0].meters;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        int fewest = cloud.detail_scale[axis];  // a constant noise has no octaves
-        if (!frequencies.empty()) {
-            fewest *=
-                std::ranges::min(frequencies, {}, [&](const auto& f) { return f[axis]; })[axis];
-        }
-        width = std::min(width, cloud.extent[axis].meters / fewest);
+// Leaves out the octaves that voxels cannot show, but never all.
+void leave_out_fine(NoiseOctaves& octaves, const std::array<int, 3>& size) {
+    for (std::size_t i = octaves.frequencies.size(); i-- > 0 && octaves.frequencies.size() > 1;) {
+        if (!config::is_coarse(octaves.frequencies[i], size)) continue;
+        octaves.frequencies.erase(octaves.frequencies.begin() + static_cast<std::ptrdiff_t>(i));
+        octaves.gains.erase(octaves.gains.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    return width;
 }
 
 Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 3>& cells,
                  const std::array<int, 3>& size) {
     Relief relief;
     if (detail == nullptr || cloud.convection.relief == 0) return relief;
-    const Noise scaled = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
+    Noise scaled = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
+    for (NoiseChannel& channel : scaled.channels) {
+        leave_out_fine(channel.octaves, size);
+        leave_out_fine(channel.worley_octaves, size);
+    }
     relief.noise = std::make_shared<const noise::NoiseField>(noise::make_noise_plan(scaled, size));
-    relief.width_m = width_of_billows(cloud, *detail);
+    const auto& octaves = scaled.channels.front().octaves.frequencies;
+    const std::array<int, 3>& billows = octaves.empty() ? cloud.detail_scale : octaves.front();
+    relief.width_m = cloud.extent[0].meters;
+    for (std::size_t i = 0; i < 3; ++i) {
+        relief.width_m = std::min(relief.width_m, cloud.extent[i].meters / billows[i]);
+        relief.cell_m[i] = cloud.extent[i].meters / cells[i];
+    }
     relief.height_m = cloud.convection.relief * relief.width_m;
-    for (std::size_t i = 0; i < 3; ++i) relief.cell_m[i] = cloud.extent[i].meters / cells[i];
     return relief;
 }
 

@@ -12,9 +12,9 @@
 //
 //   q + |grad q| r (2 d - 1),   r = R min(1, z / W)
 //
-// for R, a share of the width W of the largest billows of the noise, and the distance z from the base, where
-// clouds are flat, or from the top, which nothing may leave, whichever is nearer. Slopes are central differences of cells, smoothed by (1, 2, 1) / 4 along each axis,
-// so that an edge may move by more than a cell.
+// for R, a share of the width W of the noise's first octave along its narrowest axis, and the distance z from
+// the base, where clouds are flat, or from the top, which nothing may leave, whichever is nearer. Slopes are central differences of cells, smoothed by (1, 2, 1) / 4 along each axis,
+// so that an edge may move by more than a cell. Octaves that voxels cannot show are left out.
 #pragma once
 
 #include <array>
@@ -77,8 +77,7 @@ class GrownVolume : public VoxelSource {
     std::vector<float> slopes_;  // g/kg per metre, at the centres of cells; empty without relief
 };
 
-// Returns the volume that a cloud of this extent takes its density from, for a bake of a size. `detail` is
-// the noise of its relief, or null.
+// Returns the volume that a cloud takes its density from, for a bake of a size; `detail` may be null.
 CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>& grown,
                             const Cloud& cloud, const Noise* detail,
                             const std::array<int, 3>& size);

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "bakers/convection/hartley.h"
-#include "bakers/convection/hartley_block.h"
+#include "bakers/convection/kernel_rows.h"
 #include "bakers/math/transcendental.h"
 
 HWY_BEFORE_NAMESPACE();

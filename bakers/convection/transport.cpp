@@ -8,8 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "bakers/convection/kernel_rows.h"
 #include "bakers/convection/transport.h"
-#include "bakers/convection/transport_row.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::convection {

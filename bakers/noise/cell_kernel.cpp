@@ -48,9 +48,9 @@ std::size_t gather(const CellPoints& points, const std::array<Extent, 3>& block,
             const std::size_t row = planes.row(slot, line) + column;
             for (std::size_t i = 0; i < static_cast<std::size_t>(across); i += kLanes) {
                 const std::size_t to = count + i;
-                const auto copy = [&](const AlignedFloats& from, AlignedFloats& points) HWY_ATTR {
+                const auto copy = [&](const AlignedFloats& from, AlignedFloats& into) HWY_ATTR {
                     hn::StoreU(hn::LoadU(kFloats, from.data() + row + i), kFloats,
-                               points.data() + to);
+                               into.data() + to);
                 };
                 copy(planes.x, candidates.point_x);
                 copy(planes.y, candidates.point_y);

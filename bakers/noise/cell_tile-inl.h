@@ -1,4 +1,5 @@
-// Least squared distances of a tile of voxels: vectors along x in some rows and slices.
+// Least squared distances of a tile of voxels: vectors along x in some rows and slices. And the values of
+// cellular noise that they make (cell_value.h).
 #if defined(SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
@@ -11,7 +12,7 @@
 #include <cstddef>
 #include <limits>
 
-#include "bakers/noise/cell_value-inl.h"
+#include "bakers/noise/cell_value.h"
 #include "bakers/noise/lattice_hash-inl.h"
 #include "bakers/noise/noise_plan.h"
 
@@ -20,6 +21,63 @@ namespace skybake::noise {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+template <class V>
+HWY_INLINE V cell_value(config::WorleyFeature feature, config::WorleyValue form, V first,
+                        V second) {
+    const hn::DFromV<V> d;
+    const V one = hn::Set(d, 1.0f);
+    if (needs_no_root(feature, form)) {
+        const V squared = feature == config::WorleyFeature::f1 ? first : second;
+        return hn::Max(hn::Zero(d), hn::Sub(one, squared));
+    }
+    V distance = hn::Sqrt(feature == config::WorleyFeature::f1 ? first : second);
+    if (feature == config::WorleyFeature::f2_minus_f1) {
+        distance = hn::Sub(distance, hn::Sqrt(first));
+    }
+    switch (form) {
+        case config::WorleyValue::distance:
+            return distance;
+        case config::WorleyValue::one_minus_distance:
+            return hn::Max(hn::Zero(d), hn::Sub(one, distance));
+        case config::WorleyValue::one_minus_distance_over_sqrt3:
+            return hn::Sub(one, hn::Mul(distance, hn::Set(d, kOneOverSqrt3)));
+        case config::WorleyValue::one_minus_distance_squared:
+            return hn::Max(hn::Zero(d), hn::Sub(one, hn::Mul(distance, distance)));
+    }
+    return distance;
+}
+
+// Distances of samples, at fractions of their cells along an axis, to the nearer face.
+template <class V>
+HWY_INLINE V distance_to_face(V fraction) {
+    return hn::Min(fraction, hn::Sub(hn::Set(hn::DFromV<V>(), 1.0f), fraction));
+}
+
+// True if no point beyond `rings` rings of cells can be nearer to samples at a distance of `to_face`
+// to the faces of their cells than points at these squared distances are. The slack is far above what
+// rounding does.
+template <class V>
+HWY_INLINE bool is_within_rings(V squared, int rings, V to_face) {
+    const hn::DFromV<V> d;
+    const V reach = hn::Add(hn::Set(d, static_cast<float>(rings)), to_face);
+    return hn::AllTrue(d, hn::Le(hn::Mul(squared, hn::Set(d, 1.00001f)), hn::Mul(reach, reach)));
+}
+
+template <class V>
+struct GreatestBumpsVector {
+    V first, second;
+
+    HWY_INLINE void add(V squared_distance, V height) {
+        const hn::DFromV<V> d;
+        const V t = hn::Max(hn::Zero(d), hn::Sub(hn::Set(d, 1.0f), hn::Sqrt(squared_distance)));
+        const V rise = hn::Mul(hn::Mul(t, t), hn::Sub(hn::Set(d, 3.0f), hn::Add(t, t)));
+        const V bump = hn::Mul(height, rise);
+        second = hn::Max(second, hn::Min(first, bump));
+        first = hn::Max(first, bump);
+    }
+    HWY_INLINE V value() const { return hn::Sub(first, second); }
+};
 
 // Squared distance of voxels to points along one axis: the specification's
 // ((fraction - point) - offset)^2, where `offset` is minus that of the points' cells.

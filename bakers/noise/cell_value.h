@@ -1,4 +1,4 @@
-// Computes the value of cellular noise from distances. cell_value-inl.h does the same for vectors.
+// Computes the value of cellular noise from distances. cell_tile-inl.h does the same for vectors.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // Blends the gradients of the eight corners of a vector of samples' cells, in the order of
-// noise_specification.h.
+// noise_specification.h, and the functions of moving_gradient.h for vectors of lattice points along x.
 #if defined(SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
@@ -10,13 +10,31 @@
 #include <hwy/highway.h>
 
 #include "bakers/noise/lattice_hash-inl.h"
-#include "bakers/noise/moving_gradient-inl.h"
+#include "bakers/noise/moving_gradient.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace skybake::noise {
 namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
+
+struct MovingGradientVector {
+    FloatVector x, y, z, rest;
+};
+
+HWY_INLINE MovingGradientVector gradient_at(const GradientBasis& time, const RowKeyVector& before,
+                                            const RowKeyVector& after, WordVector scaled_x) {
+    const Floats d;
+    const Gradient4Vector near = lattice_gradient_4(before, scaled_x);
+    const Gradient4Vector far = lattice_gradient_4(after, scaled_x);
+    const auto blend = [](FloatVector a, FloatVector weight_a, FloatVector b, FloatVector weight_b)
+                           HWY_ATTR { return hn::Add(hn::Mul(a, weight_a), hn::Mul(b, weight_b)); };
+    const auto weight_0 = hn::Set(d, time.weight_0);
+    const auto weight_1 = hn::Set(d, time.weight_1);
+    return {blend(near.x, weight_0, far.x, weight_1), blend(near.y, weight_0, far.y, weight_1),
+            blend(near.z, weight_0, far.z, weight_1),
+            blend(near.t, hn::Set(d, time.distance_0), far.t, hn::Set(d, time.distance_1))};
+}
 
 // The functions of GradientBasis.
 struct Basis {

@@ -7,7 +7,7 @@
 //
 // t_k the distance to lattice k and W_k its weight. So it is noise of three dimensions whose corners
 // have the gradient sum_k W_k (gx, gy, gz) and beside it the value sum_k W_k t_k gt, which needs no
-// more work per voxel. moving_gradient-inl.h computes the same for vectors.
+// more work per voxel. gradient_blend-inl.h computes the same for vectors.
 #pragma once
 
 #include <array>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bakers/math/transcendental.h"
 #include "bakers/math/vectors.h"
 #include "bakers/noise/lattice_hash.h"
 #include "bakers/noise/reference_lattice.h"
@@ -52,9 +53,9 @@ Lattice lattice_of(const Noise& noise, const NoiseChannel& channel, Purpose purp
     lattice.key =
         octave_key(noise.seed, channel.seed, purpose, octave.frequency, octave.repetition);
     if (noise.period > 0) {
-        const double size = 1 / std::cbrt(times_smaller(noise, octave.frequency));
-        lattice.time_period =
-            static_cast<int>(std::lround(noise.time_cells / std::pow(size, 2.0 / 3)));
+        const double faster =
+            exponential(logarithm(times_smaller(noise, octave.frequency)) / 3 * 2 / 3);
+        lattice.time_period = static_cast<int>(std::lround(noise.time_cells * faster));
         lattice.loops = static_cast<double>(frame_of(noise)) / noise.period;
     }
     return lattice;

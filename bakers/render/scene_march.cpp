@@ -178,7 +178,7 @@ void SceneMarch::add_far_light(const SceneLayer& layer, double length_m, int thr
     double begin_m = kNearLight * layer.light_step_m;
     double step_m = layer.light_step_m;
     if (begin_m >= length_m) return;
-    march.own_samples = layer.solved != nullptr ? kNearSolvedLight : kNearLight;
+    march.own_samples = static_cast<float>(layer.solved != nullptr ? kNearSolvedLight : kNearLight);
     const CloudMedium* finer = layer.medium;
     std::array<float, 3> direction = march.light_direction;
     while (begin_m < length_m) {

@@ -167,6 +167,7 @@ struct CloudVolumeResolver {
             }
             if (noise.name == cloud.detail) {
                 if (cloud.detail != cloud.noise) motions.push_back(motion_of(noise));
+                if (cloud.erosion == std::array{0.0, 0.0}) continue;  // relief drops fine octaves
                 checks.add(noise, used_channels(noise, CloudChannels::density),
                            {.scale = cloud.detail_scale});
             }

@@ -10,7 +10,6 @@
 #include "config/fields/fields.h"
 #include "config/presets/presets.h"
 #include "config/recipe/merge.h"
-#include "config/recipe/table_files.h"
 #include "config/sections/towers.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"

@@ -46,4 +46,10 @@ Source& add_setting(RecipeSources& sources, const std::string& name);
 // that source.
 void add_setting_tree(RecipeSources& sources, const Source& source, Table root);
 
+// Replaces the `table` of each layer of the tree that names a file by the file's pairs, which stand
+// at the place of the name. Appends the files to `inputs`. Reports E0300 for a file that cannot be
+// read, and E0114 for one that holds no such table.
+void read_table_files(Table& root, const std::filesystem::path& folder,
+                      std::vector<std::filesystem::path>& inputs, DiagnosticList& diagnostics);
+
 }  // namespace skybake::config

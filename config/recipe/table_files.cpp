@@ -1,5 +1,14 @@
-#include "config/recipe/table_files.h"
-
+// Tables of densities from files: `table = "ozone.csv"`, or ["afglus.dat", "o3"] of a file with
+// several columns.
+//
+// The first column has altitudes. Columns stand between commas, semicolons, tabs or blanks. The last
+// line above the numbers names the columns with their units, as in
+//
+//   # z(km)  p(mb)  T(K)  air(cm-3)  o3(cm-3)
+//   altitude [km], ozone [/cm3]
+//
+// Altitudes need a unit of length. Values have none, or one per volume, of which only ratios count.
+// Rows rise or fall; lines that begin with # and empty lines do not count.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,6 +21,7 @@
 #include <utility>
 
 #include "config/fields/section_decoder.h"
+#include "config/recipe/recipe_sources.h"
 #include "config/text/key_path.h"
 #include "config/text/text.h"
 #include "config/text/units.h"

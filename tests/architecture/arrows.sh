@@ -143,7 +143,7 @@ formats='bakers/io/formats'
 forbid 'toml\+\+' 'config bakers cli' 'config/diagnostics/toml_source\.cpp'
 forbid '(OpenEXR|Imf)' 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp|$formats/exr/exr_(library|stream)\.h"
 forbid "$formats/exr/exr_library\.h" 'config bakers cli' "$formats/exr/exr(_[a-z]+)?\.cpp"
-forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_(checksum|zip)\.cpp|bakers/preview/live/zlib_bytes\.cpp"
+forbid 'libdeflate' 'config bakers cli' "$formats/exr/exr_chunks\.cpp|$formats/nvdb/nvdb_(checksum|input)\.cpp|bakers/preview/live/zlib_bytes\.cpp"
 forbid 'zstd\.h' 'config bakers cli' "$formats/ktx2/zstd_stream\.cpp"
 forbid 'nanovdb/' 'config bakers cli' "$formats/nvdb/nvdb_layout\.h"
 forbid 'openvdb/' 'config bakers cli' "$formats/vdb/vdb_(decoder|encoder|grid_tree|grid_voxels|input)\.cpp|$formats/vdb/vdb_(library|input)\.h"

@@ -192,6 +192,21 @@ TEST(GrownVolume, NoiseMovesAFrontByMetres) {
     EXPECT_NEAR(front_m("1", 4), 15.75, 0.1) << "half as far, half a metre below the top";
 }
 
+TEST(GrownVolume, LeavesOutOctavesThatVoxelsCannotShow) {
+    const auto noise_of = [](const char* octaves) {
+        return detail_noise(
+            std::string("type = 'worley'\nfrequency = 1\nlacunarity = 4\noctaves = ") + octaves);
+    };
+    const auto made = [](const config::Noise& noise, const std::array<int, 3>& size) {
+        const CloudVolume volume =
+            volume_of_grown(random_cloud({6, 4, 5}), cloud_with_relief(0.5), &noise, size);
+        return filled(*volume.source.voxels, {{}, size});
+    };
+    const config::Noise one = noise_of("1"), two = noise_of("2");
+    EXPECT_EQ(made(one, {12, 8, 10}), made(two, {12, 8, 10}));
+    EXPECT_NE(made(one, {48, 32, 16}), made(two, {48, 32, 16}));
+}
+
 void expect_equal_in_boxes(const VoxelSource& volume, const std::array<int, 3>& size) {
     const std::vector<float> all = filled(volume, {{}, size});
     int empty = 0;

@@ -1,4 +1,4 @@
-#include "bakers/io/formats/bin/bin.h"
+#include "bakers/io/formats/format.h"
 
 #include <cmath>
 #include <cstring>

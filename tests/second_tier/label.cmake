@@ -1,5 +1,5 @@
 set_tests_properties(
-    CloudPresets.WhatGrowsIsAsThickAsNature
+    CloudPresets.WhatGrowsIsAsThickAndAsRoughAsNature
     HonestClaims.HoldOnTwelveAtmospheres
     TablesOfColors.OfFourWavelengthsLookLikeThoseOfEight
     bytes.compilers

@@ -88,6 +88,22 @@ struct Format {
     std::optional<config::Diagnostic> (*obstacle)(const std::filesystem::path& path) = nullptr;
 };
 
+// Each format has a folder here, where the head of NAME.cpp or of a header says what its files hold.
+Format exr_format();
+Format vdb_format();
+Format bin_format();
+Format png_format();
+Format dds_format();
+Format ktx2_format();
+Format nvdb_format();
+Format vol_format();
+Format npy_format();
+Format tga_format();
+Format usda_format();
+Format tif_format();
+Format f32_format();
+Format hdr_format();
+
 // Returns all formats in the order of config::file_formats.
 std::span<const Format> formats();
 

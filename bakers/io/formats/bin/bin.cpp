@@ -1,8 +1,10 @@
-#include "bakers/io/formats/bin/bin.h"
-
+// Assets as files of bare texels: little-endian, without a header, x fastest, then y, then z,
+// channels interleaved. The manifest says what they mean. Values are float, half, unorm8 (v * 255)
+// or unorm16 (v * 65535), rounded to nearest.
 #include <fmt/format.h>
 
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 #include "config/sections/file_formats.h"
 
 namespace skybake {

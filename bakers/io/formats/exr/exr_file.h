@@ -55,8 +55,6 @@ class ExrRows {
     std::unique_ptr<File> file_;
 };
 
-Format exr_format();
-
 // The result refers to `file`, which must not be moved.
 RowSource rows_of(ExrRows& file);
 

@@ -11,8 +11,6 @@
 
 namespace skybake {
 
-Format hdr_format();
-
 // A picture of any program, held in memory, and the asset's entry behind it, or "".
 struct HdrPicture {
     RowSource rows;  // R, G and B

@@ -1,5 +1,8 @@
-#include "bakers/io/formats/npy/npy.h"
-
+// Assets as arrays of NumPy, which `numpy.load` reads and maps into memory: a head that tells the
+// type and the shape, then texels as in bin files (bin.cpp). The shape is (z, y, x, channels), of a
+// table (y, x, channels). unorm8 and unorm16 are integers, to be divided by 255 or 65535.
+//
+// Source: NumPy, "numpy.lib.format", version 1.0 of the format.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +11,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 
 namespace skybake {
 namespace {

@@ -1,5 +1,7 @@
 #include "bakers/io/formats/nvdb/nvdb_input.h"
 
+#include <libdeflate.h>
+
 #include <algorithm>
 #include <cstring>
 #include <iterator>
@@ -7,7 +9,6 @@
 
 #include "bakers/field/leaf_codes.h"
 #include "bakers/io/formats/format.h"
-#include "bakers/io/formats/nvdb/nvdb_zip.h"
 
 namespace skybake {
 namespace {
@@ -22,6 +23,19 @@ constexpr std::uint64_t most_deflated = 1032;  // no byte of a deflated stream m
 constexpr std::uint64_t inflated_at = std::uint64_t{1} << 62;
 constexpr const char* nvdb_way_on =
     "`nanovdb_convert FILE.nvdb FILE.vdb` makes an OpenVDB file of it, for format = \"vdb\"";
+
+// Returns the bytes that a stream of zlib makes, or null if it is damaged or makes more or fewer of them.
+// Memory is taken as it is written to.
+std::unique_ptr<char[]> inflated_stream(std::string_view stream, std::size_t bytes) {
+    auto made = std::make_unique_for_overwrite<char[]>(bytes);
+    const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)>
+        inflater(libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
+    if (!inflater) throw std::bad_alloc();
+    // Without a place for the number of bytes, all of them must be made.
+    const auto result = libdeflate_zlib_decompress(inflater.get(), stream.data(), stream.size(),
+                                                   made.get(), bytes, nullptr);
+    return result == LIBDEFLATE_SUCCESS ? std::move(made) : nullptr;
+}
 
 }  // namespace
 

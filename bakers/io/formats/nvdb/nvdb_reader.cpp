@@ -4,6 +4,9 @@
 
 #include "bakers/io/formats/format.h"
 #include "bakers/io/formats/nvdb/nvdb_input.h"
+#include "bakers/io/formats/nvdb/nvdb_writer.h"
+#include "bakers/io/volumes/grid_files.h"
+#include "config/sections/file_formats.h"
 
 namespace skybake {
 namespace {
@@ -44,6 +47,14 @@ Outcome<VdbFile> read_nvdb_facts(const fs::path& path) {
         if (!description.empty()) facts.attributes.emplace_back(metadata_name, description);
         return {std::move(facts), {}};
     });
+}
+
+Format nvdb_format() {
+    return {.format = config::FileFormat::nvdb,
+            .write = write_nvdb,
+            .inspect = inspect_grids,
+            .read = read_grid_voxels,
+            .grids = vdb_grid_names};
 }
 
 }  // namespace skybake

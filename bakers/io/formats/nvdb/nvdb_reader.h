@@ -1,4 +1,19 @@
-// Reads what NanoVDB files say of themselves.
+// Volumes as NanoVDB files, written and read in bounded memory.
+//
+// A file has one grid per channel, with the names of the VDB file's (vdb_file.h), in one segment
+// without a codec. Grids are fog volumes with background 0. Float and half are stored as float, which
+// holds both exactly; fp8 and fp16 as the grid types Fp8 and Fp16, each leaf of 8 x 8 x 8 voxels in
+// equal steps between its least and its largest value. Voxel i is centred on
+// minimum_m + (i + 1/2) h in metres, as in VDB files, and the same voxels are active.
+//
+// The version of the files is that of the library with which skybake is built, 32.4.2 on Debian 12,
+// and their magic number is `NanoVDB0`, which pbrt-v4 and OpenVDB 8 to 11 read. NanoVDB of OpenVDB 12
+// writes `NanoVDB1` and `NanoVDB2`, and reads these files too.
+//
+// Nodes are stored breadth-first, children in the order of their parent's table, with the bounds and
+// the extremes of their active values, but without means and deviations. The checksum covers
+// grid, tree, root and every node. Behind the leaves of the first grid is a blind datum named skybake/asset: the
+// description of the asset, as text.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// Writes NanoVDB files (nvdb_file.h): leaves as they are made, and what points to them afterwards.
+// Writes NanoVDB files (nvdb_reader.h): leaves as they are made, and what points to them afterwards.
 #pragma once
 
 #include <filesystem>

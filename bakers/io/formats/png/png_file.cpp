@@ -1,5 +1,8 @@
-#include "bakers/io/formats/png/png_file.h"
-
+// Assets as PNG images of 8 or 16 bits per channel: grey, grey with alpha, RGB or RGBA.
+//
+// Samples are the stored numbers, unorm8 or unorm16, not colours. The file names no gamma and no
+// colour space, so readers do not convert the samples. Alpha is unassociated, a number like the
+// others. The slices of volumes are arranged in the image as sheet.h says.
 #include <fmt/format.h>
 #include <png.h>
 
@@ -13,6 +16,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/png/png_chunks.h"
 
 namespace skybake {

@@ -1,5 +1,9 @@
-#include "bakers/io/formats/tif/tif.h"
-
+// Assets as TIFF images of 32-bit floats, a page for each slice, which libtiff and most image programs
+// read: the texels of all pages, the asset's description, and a directory for each page. Channels are
+// interleaved, without compression; the first page carries what the file says of itself as its
+// ImageDescription.
+//
+// Source: Adobe, "TIFF Revision 6.0" (1992). Files are smaller than 4 GiB.
 #include <fmt/format.h>
 
 #include <cstring>
@@ -10,6 +14,7 @@
 
 #include "bakers/field/baked.h"
 #include "bakers/io/files/file_io.h"
+#include "bakers/io/formats/format.h"
 #include "bakers/io/formats/little_endian.h"
 
 namespace skybake {

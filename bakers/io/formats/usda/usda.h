@@ -20,8 +20,6 @@
 
 namespace skybake {
 
-Format usda_format();
-
 // Returns the text of a matrix4d that turns x, y and z to the columns of `axes` and moves 0 to `place`.
 std::string usd_matrix(const glm::dmat3& axes, const glm::dvec3& place);
 

@@ -38,8 +38,6 @@ struct Baked;
 // Returns the names of the grids in a volume's files, one per channel.
 std::vector<std::string> vdb_grid_names(const Baked& volume);
 
-Format vdb_format();
-
 // The most memory for encoded voxels of a sparse volume: enough for a 1024^3 cloud in half of which
 // an eighth is active.
 inline constexpr std::size_t vdb_most_kept_bytes = 256 << 20;
