@@ -1,5 +1,5 @@
-// Least squared distances of a tile of voxels: vectors along x in some rows and slices. And the values of
-// cellular noise that they make (cell_value.h).
+// Finds least squared distances of a tile of voxels, in vectors along x in some rows and slices, and the
+// values of cellular noise that they make (cell_value.h).
 #if defined(SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_CELL_TILE_INL_H_

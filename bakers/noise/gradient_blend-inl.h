@@ -1,5 +1,5 @@
 // Blends the gradients of the eight corners of a vector of samples' cells, in the order of
-// noise_specification.h, and the functions of moving_gradient.h for vectors of lattice points along x.
+// noise_specification.h. It has the functions of moving_gradient.h for vectors, too.
 #if defined(SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
 #undef SKYBAKE_BAKERS_NOISE_GRADIENT_BLEND_INL_H_
