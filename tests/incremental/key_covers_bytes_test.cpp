@@ -265,8 +265,9 @@ TEST(KeyCoversBytes, AClearSkyIsOfItsAirAndItsSun) {
 
 // Minutes: whatever does not change an environment has it made anew.
 TEST(SlowKeyCoversBytes, WhateverChangesOfCloudySkies) {
-    change_every_value("cloudy_sky", {"format", "profile", "asset", "cloud", "clouds", "channels",
-                                      "noise", "pack"});
+    change_every_value(
+        "cloudy_sky", {"flip", "format", "profile", "asset", "cloud", "clouds", "channels", "noise",
+                       "of", "pack", "part", "bake.sky_light.mips"});
 }
 
 TEST(KeyCoversBytes, WhateverChangesOfParticles) {
