@@ -185,15 +185,15 @@ double GrownVolume::relief_m(double z) const {
 
 void GrownVolume::add_relief(const VoxelBox& box, float* water) const {
     const auto count = static_cast<std::size_t>(box.count());
-    std::vector<float> slopes(count);
-    std::vector<float> noise(count);
+    std::vector<float> slopes(count), noise(count);
     interpolate(slopes_, box, slopes.data());
     relief_.noise->fill(box, {noise.data()});
     const std::size_t plane = count / static_cast<std::size_t>(box.size[2]);
-    for (std::size_t i = 0; i < count; ++i) {
-        const auto z = static_cast<double>(i / plane) + box.origin[2];
-        const float outwards = 2 * std::clamp(noise[i], 0.0F, 1.0F) - 1;
-        water[i] += slopes[i] * static_cast<float>(relief_m(z)) * outwards;
+    for (std::size_t z = 0, i = 0; i < count; ++z) {
+        const auto r_m = static_cast<float>(relief_m(static_cast<double>(z) + box.origin[2]));
+        for (const std::size_t end = i + plane; i < end; ++i) {
+            water[i] += slopes[i] * r_m * (2 * std::clamp(noise[i], 0.0F, 1.0F) - 1);
+        }
     }
 }
 
