@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <vector>
 
+#include "bakers/assets/cloud_light/coarser_cells.h"
 #include "bakers/assets/cloud_light/radiance_kernel.h"
+#include "bakers/assets/cloud_light/radiance_levels.h"
 #include "bakers/assets/cloud_light/radiance_solver.h"
 #include "bakers/assets/cloud_light/radiance_volume.h"
 #include "tests/cloud_light/layers.h"
@@ -136,7 +139,8 @@ TEST(RadianceSweep, CarriesLightAwayFromWhatSendsItOut) {
     CellFields sources(size, 4);
     sources.row(0, 4, 4)[4] = 1;
     const RadianceSweep sweep(cells, 1, on(2));
-    const CellFields light = sweep.radiance(sources, {});
+    CellFields light(size, 4);
+    sweep.find_radiance(sources, {}, light);
     constexpr std::array<std::size_t, 3> kAlong = {3, 1, 2};  // coefficients of x, y, z
     for (std::size_t a = 0; a < 3; ++a) {
         for (const int side : {-2, 2}) {
@@ -148,6 +152,164 @@ TEST(RadianceSweep, CarriesLightAwayFromWhatSendsItOut) {
     }
     // Within the cell light is that which it sends out, for it is thick.
     EXPECT_NEAR(light.row(0, 4, 4)[4], 1, 0.2);
+}
+
+// Adds orders of scattering, one after the other, until one is nothing beside their sum.
+CellFields sum_of_orders(const RadianceSweep& sweep, const std::vector<double>& returned,
+                         const CellFields& first, const EnteringLight& entering) {
+    CellFields sum(first.size(), first.count());
+    CellFields order(first.size(), first.count());
+    CellFields sent_out = first;
+    EnteringLight light = entering;
+    double largest = 1;
+    double largest_of_sum = 0;
+    while (largest > 1e-6 * largest_of_sum) {
+        sweep.find_radiance(sent_out, light, order);
+        light = {};  // it has entered
+        largest = 0;
+        for_each_plane(first, on(1), [&](int z) {
+            for_each_row(first, [&](std::size_t c, int y) {
+                for (int x = 0; x < first.size()[0]; ++x) {
+                    const double value = returned[c == 0 ? 0 : 1] * order.row(c, z, y)[x];
+                    sent_out.row(c, z, y)[x] = static_cast<float>(value);
+                    sum.row(c, z, y)[x] += static_cast<float>(value);
+                    largest = std::max(largest, std::fabs(value));
+                    largest_of_sum = std::max(largest_of_sum, double{sum.row(c, z, y)[x]});
+                }
+            });
+        });
+    }
+    return sum;
+}
+
+TEST(Radiance, IsTheSumOfAllOrders) {
+    struct Case {
+        const char* what;
+        CloudLayer layer;
+        double extinction_per_m;
+    };
+    const std::vector<Case> cases = {
+        {"thin", test::rough_layer({20, 12, 10}, 0.3), 0.02},
+        {"odd sizes", test::rough_layer({14, 11, 9}, 0.4), 0.1},
+        {"thick", test::lone_cloud({16, 16, 12}, {3, 4, 2}, {12, 13, 10}), 0.2},
+        {"a slab", test::layer_of({8, 12, 16}, 1), 0.05},
+    };
+    for (const Case& one : cases) {
+        SCOPED_TRACE(one.what);
+        LayerCells cells{CellFields(one.layer.size, 1), one.layer.voxel_m};
+        CellFields first(one.layer.size, 4);
+        for_each_plane(first, on(1), [&](int z) {
+            for (int y = 0; y < first.size()[1]; ++y) {
+                for (int x = 0; x < first.size()[0]; ++x) {
+                    cells.extinction.row(0, z, y)[x] =
+                        static_cast<float>(one.extinction_per_m) * one.layer.value(x, y, z);
+                    first.row(0, z, y)[x] = static_cast<float>(z + 1);
+                }
+            }
+        });
+        const std::vector<double> returned = {1, 0.7};
+        const RadianceLevels levels(cells, returned, on(1));
+        const ScatteredLight found = levels.solve(first, {0.5}, {1e-5, 200}, on(1));
+        EXPECT_LE(found.sweeps, 12);
+        const std::vector<float> light = values_of(found.light, 0);
+        const std::vector<float> sums =
+            values_of(sum_of_orders(levels.sweep(), returned, first, {0.5}), 0);
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            ASSERT_NEAR(light[i], sums[i], 2e-3 * sums[i]) << i;
+        }
+    }
+}
+
+// Light that is even stays so, and cells send out as much together as apart.
+TEST(CoarserCells, SendOutWhatTheyTake) {
+    const std::array<int, 3> size = {15, 14, 11};
+    const CellFactors factors = coarser_factors(size);
+    EXPECT_EQ(factors, (CellFactors{3, 2, 2}));
+    EXPECT_EQ(coarser_factors({7, 2, 1}), kSameCells);
+    const CloudLayer layer = test::rough_layer(size, 0.7);
+    LayerCells cells{CellFields(size, 1), {10, 10, 10}};
+    CellFields light(size, 1);
+    double sent_out = 0;
+    for (int z = 0; z < size[2]; ++z) {
+        for (int y = 0; y < size[1]; ++y) {
+            for (int x = 0; x < size[0]; ++x) {
+                cells.extinction.row(0, z, y)[x] = layer.value(x, y, z);
+                light.row(0, z, y)[x] = static_cast<float>(x + 2 * y + 3 * z);
+                sent_out += double{layer.value(x, y, z)} * light.row(0, z, y)[x];
+            }
+        }
+    }
+    const LayerCells coarser = coarser_cells(cells, factors);
+    EXPECT_EQ(coarser.extinction.size(), (std::array<int, 3>{5, 7, 6}));
+    EXPECT_EQ(coarser.edge_m, (std::array<double, 3>{30, 20, 20}));
+    const CellFields mean = mean_light(light, cells.extinction, factors, on(2));
+    double together = 0;
+    for (int z = 0; z < 6; ++z) {
+        for (int y = 0; y < 7; ++y) {
+            for (int x = 0; x < 5; ++x) {
+                together += 12 * double{coarser.extinction.row(0, z, y)[x]} * mean.row(0, z, y)[x];
+            }
+        }
+    }
+    EXPECT_NEAR(together, sent_out, 1e-5 * sent_out);
+
+    CellFields even({5, 7, 6}, 1);
+    for (int z = 0; z < 6; ++z) {
+        for (int y = 0; y < 7; ++y) std::fill_n(even.row(0, z, y), 5, static_cast<float>(z));
+    }
+    CellFields fine(size, 1);
+    add_interpolated(even, factors, 2, fine, on(2));
+    // Centres of coarser cells are at 1, 3, 5 ... finer ones.
+    EXPECT_EQ(fine.row(0, 0, 3)[4], 0);
+    EXPECT_EQ(fine.row(0, 1, 13)[14], 2 * 0.25F);
+    EXPECT_EQ(fine.row(0, 2, 0)[0], 2 * 0.75F);
+    EXPECT_EQ(fine.row(0, 10, 5)[7], 2 * 4.75F);
+}
+
+TEST(RadianceKernel, PairsOfDirectionsHaveTheHarmonicsOfBoth) {
+    constexpr std::size_t kCount = 21;
+    for (const std::size_t coefficients : {1U, 4U, 9U, 16U}) {
+        std::vector<std::vector<float>> rows;
+        CoefficientRows<const float> of{};
+        for (std::size_t c = 0; c < coefficients; ++c) {
+            rows.emplace_back();
+            for (std::size_t i = 0; i < kCount + kRowSlack; ++i) {
+                rows[c].push_back(static_cast<float>((i * 5 + c * 3) % 13) / 13);
+            }
+            of[c] = rows[c].data();
+        }
+        const glm::dvec3 one = glm::normalize(glm::dvec3(0.4, -0.7, 0.3));
+        const std::array<Harmonics, 2> values = {harmonics(one),
+                                                 harmonics({-one.x, -one.y, one.z})};
+        PairHarmonics pair{{}, coefficients};
+        for (std::size_t c = 0; c < coefficients; ++c) {
+            pair.values[c] = static_cast<float>(values[0][c]);
+        }
+        std::vector<float> first(kCount + kRowSlack), second(kCount + kRowSlack);
+        send_out(pair, of, kCount, first.data(), second.data());
+        std::vector<std::vector<float>> sums(coefficients,
+                                             std::vector<float>(kCount + kRowSlack, 1));
+        CoefficientRows<float> into{};
+        for (std::size_t c = 0; c < coefficients; ++c) into[c] = sums[c].data();
+        const std::array<PairLight, 2> pairs = {PairLight{pair, first.data(), second.data()},
+                                                PairLight{pair, rows[0].data(), first.data()}};
+        gather(pairs, kCount, into);
+        for (std::size_t i = 0; i < kCount; ++i) {
+            double a = 0;
+            double b = 0;
+            for (std::size_t c = 0; c < coefficients; ++c) {
+                a += values[0][c] * double{rows[c][i]};
+                b += values[1][c] * double{rows[c][i]};
+            }
+            ASSERT_NEAR(first[i], a, 1e-5);
+            ASSERT_NEAR(second[i], b, 1e-5);
+            for (std::size_t c = 0; c < coefficients; ++c) {
+                const double wanted =
+                    1 + values[0][c] * (a + double{rows[0][i]}) + values[1][c] * (b + a);
+                ASSERT_NEAR(sums[c][i], wanted, 2e-5) << c;
+            }
+        }
+    }
 }
 
 TEST(RadianceKernel, StepsAsTheFormulaSays) {

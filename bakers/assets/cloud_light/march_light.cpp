@@ -14,6 +14,8 @@ namespace {
 // The cloud is scaled alike for all light. Of the sky's and the ground's, which is smooth, degree 1 is kept.
 constexpr int kDegree = 3;
 constexpr double kAlbedo = 1;
+// What is left to change then is half of this share of the light: a code of 255 is 0.9 % of light, at most.
+constexpr double kSeenChange = 2e-3;
 constexpr std::array<int, 2> kForwardTexels = {64, 128};  // along the angle and along the depth
 constexpr int kForwardSteps = 8;                          // of the integral, between two rows
 
@@ -152,8 +154,8 @@ MarchLight::MarchLight(const CloudMedium& medium, double most_cells, const BakeO
     ground.ground = 1;
     std::size_t first = LightInCloud::kSun;
     for (const LayerSources& source : {sky, ground}) {
-        write(solver_->solve(source, options), margin_, first, LightInCloud::kHemisphere,
-              without_sun_);
+        write(solver_->solve(source, options, kSeenChange), margin_, first,
+              LightInCloud::kHemisphere, without_sun_);
         first += LightInCloud::kHemisphere;
     }
 }
@@ -164,7 +166,7 @@ std::optional<LightInCloud> MarchLight::under(const SunDirection& sun,
     LayerSources source;
     source.sun = 1;
     source.sun_direction = direction_of(sun.elevation_degrees, sun.azimuth_degrees);
-    const SolvedRadiance solved = solver_->solve(source, options);
+    const SolvedRadiance solved = solver_->solve(source, options, kSeenChange);
     if (options.cancelled()) return std::nullopt;
     LightInCloud light = without_sun_;
     write(solved, margin_, 0, LightInCloud::kSun, light);

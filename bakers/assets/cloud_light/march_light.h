@@ -19,7 +19,7 @@ namespace skybake::cloud_light {
 inline constexpr double kLowestSolvedSun_deg = 1;
 
 // The most cells for which light is solved: those of pictures, and of drafts.
-inline constexpr double kCellsOfPicture = 1 << 18;
+inline constexpr double kCellsOfPicture = 1 << 20;
 inline constexpr double kCellsOfDraft = 1 << 14;
 
 // What the light of a layer of so many voxels takes, for pictures under one sun.

@@ -21,11 +21,64 @@ constexpr std::size_t kRowLanes = hn::MaxLanes(kRowFloats);
 
 }  // namespace
 
-void add_scaled_here(const float* values, float weight, std::size_t count, float* sums) {
-    const RowVector factor = hn::Set(kRowFloats, weight);
+void send_out_here(const PairHarmonics& pair, const CoefficientRows<const float>& rows,
+                   std::size_t count, float* first, float* second) {
+    const auto sum_from = [&](std::size_t c, std::size_t i) {
+        RowVector sum = hn::Zero(kRowFloats);
+        for (; c < pair.count; c += 2) {
+            sum = hn::Add(sum, hn::Mul(hn::Set(kRowFloats, pair.values[c]),
+                                       hn::LoadU(kRowFloats, rows[c] + i)));
+        }
+        return sum;
+    };
     for (std::size_t i = 0; i < count; i += kRowLanes) {
-        const RowVector product = hn::Mul(factor, hn::LoadU(kRowFloats, values + i));
-        hn::StoreU(hn::Add(hn::LoadU(kRowFloats, sums + i), product), kRowFloats, sums + i);
+        const RowVector even = sum_from(0, i);
+        const RowVector odd = sum_from(1, i);
+        hn::StoreU(hn::Add(even, odd), kRowFloats, first + i);
+        hn::StoreU(hn::Sub(even, odd), kRowFloats, second + i);
+    }
+}
+
+// Light of pairs: of even orders, the sum of both directions, and of odd ones the difference.
+using LightOfOrders = std::array<std::array<RowVector, kMostPairs>, 2>;
+
+// Adds to the rows of coefficients c, c + 2, ..., of as many as there are sums: chains of additions that do not wait
+// for each other.
+template <std::size_t kSums>
+void gather_coefficients(std::span<const PairLight> pairs, const LightOfOrders& light,
+                         std::size_t c, std::size_t i, const CoefficientRows<float>& rows) {
+    std::array<RowVector, kSums> sums;
+    for (std::size_t k = 0; k < kSums; ++k) sums[k] = hn::LoadU(kRowFloats, rows[c + 2 * k] + i);
+    for (std::size_t n = 0; n < pairs.size(); ++n) {
+        for (std::size_t k = 0; k < kSums; ++k) {
+            const RowVector weight = hn::Set(kRowFloats, pairs[n].weights.values[c + 2 * k]);
+            sums[k] = hn::Add(sums[k], hn::Mul(weight, light[c % 2][n]));
+        }
+    }
+    for (std::size_t k = 0; k < kSums; ++k) {
+        hn::StoreU(sums[k], kRowFloats, rows[c + 2 * k] + i);
+    }
+}
+
+void gather_here(std::span<const PairLight> pairs, std::size_t count,
+                 const CoefficientRows<float>& rows) {
+    constexpr std::size_t kTogether = 4;
+    const std::size_t coefficients = pairs.front().weights.count;
+    LightOfOrders light;
+    for (std::size_t i = 0; i < count; i += kRowLanes) {
+        for (std::size_t n = 0; n < pairs.size(); ++n) {
+            const RowVector first = hn::LoadU(kRowFloats, pairs[n].first + i);
+            const RowVector second = hn::LoadU(kRowFloats, pairs[n].second + i);
+            light[0][n] = hn::Add(first, second);
+            light[1][n] = hn::Sub(first, second);
+        }
+        for (const std::size_t parity : {0, 1}) {
+            std::size_t c = parity;
+            for (; c + 2 * kTogether <= coefficients + 1; c += 2 * kTogether) {
+                gather_coefficients<kTogether>(pairs, light, c, i, rows);
+            }
+            for (; c < coefficients; c += 2) gather_coefficients<1>(pairs, light, c, i, rows);
+        }
     }
 }
 
@@ -54,11 +107,18 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace skybake::cloud_light {
 
-HWY_EXPORT(add_scaled_here);
+HWY_EXPORT(send_out_here);
+HWY_EXPORT(gather_here);
 HWY_EXPORT(step_row_here);
 
-void add_scaled(const float* values, float weight, std::size_t count, float* sums) {
-    HWY_DYNAMIC_DISPATCH(add_scaled_here)(values, weight, count, sums);
+void send_out(const PairHarmonics& pair, const CoefficientRows<const float>& rows,
+              std::size_t count, float* first, float* second) {
+    HWY_DYNAMIC_DISPATCH(send_out_here)(pair, rows, count, first, second);
+}
+
+void gather(std::span<const PairLight> pairs, std::size_t count,
+            const CoefficientRows<float>& rows) {
+    HWY_DYNAMIC_DISPATCH(gather_here)(pairs, count, rows);
 }
 
 void step_row(const RowStep& step, std::size_t count, float* after, float* mean) {

@@ -4,14 +4,41 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
+
+#include "bakers/math/harmonics.h"
 
 namespace skybake::cloud_light {
 
 // Rows are followed by so many floats more, which kernels may read and write.
 inline constexpr std::size_t kRowSlack = 16;
 
-// sums[i] += weight * values[i], for i < count.
-void add_scaled(const float* values, float weight, std::size_t count, float* sums);
+// A row of each coefficient.
+template <class Float>
+using CoefficientRows = std::array<Float*, kMostHarmonics>;
+
+// Harmonics of the first of two directions whose azimuths are opposite. Coefficient l^2 + l + m has the other sign
+// in the second where its index, and so its order m, is odd.
+struct PairHarmonics {
+    std::array<float, kMostHarmonics> values{};
+    std::size_t count = 0;
+};
+
+// Writes the sums of coefficients times harmonics for both directions.
+void send_out(const PairHarmonics& pair, const CoefficientRows<const float>& rows,
+              std::size_t count, float* first, float* second);
+
+// What rays in the directions of a pair meet in a row, and its weight in each coefficient.
+struct PairLight {
+    PairHarmonics weights;
+    const float* first = nullptr;
+    const float* second = nullptr;
+};
+inline constexpr std::size_t kMostPairs = 16;
+
+// Adds the light of 1 to kMostPairs pairs times its weights.
+void gather(std::span<const PairLight> pairs, std::size_t count,
+            const CoefficientRows<float>& rows);
 
 // One step of a row of rays. `light` are four rows before the step, of which the weights are shares.
 struct RowStep {

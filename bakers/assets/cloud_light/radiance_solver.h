@@ -14,7 +14,7 @@
 #include "bakers/assets/cloud_light/cloud_paths.h"
 #include "bakers/assets/cloud_light/cloud_scattering.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
-#include "bakers/assets/cloud_light/radiance_sweep.h"
+#include "bakers/assets/cloud_light/radiance_levels.h"
 #include "bakers/math/bake_options.h"
 
 namespace skybake::cloud_light {
@@ -41,7 +41,8 @@ class RadianceSolver {
                    const CloudScattering& scattering, int degree, const BakeOptions& options);
 
     // The light is incomplete once options.progress is cancelled.
-    SolvedRadiance solve(const LayerSources& sources, const BakeOptions& options) const;
+    SolvedRadiance solve(const LayerSources& sources, const BakeOptions& options,
+                         double largest_change = kLargestChange) const;
 
     // s of the scaled cloud.
     double extinction_share() const { return scaled_.extinction_share; }
@@ -49,9 +50,8 @@ class RadianceSolver {
   private:
     const CloudLayer& layer_;
     PlaceGrid places_;
-    int degree_;
     ScaledScattering scaled_;
-    LayerCells cells_;
+    RadianceLevels levels_;
 };
 
 // Solves for the light of some sources alone.

@@ -22,6 +22,22 @@ glm::dvec3 half_a_step_on(const glm::dvec3& direction) {
             turn.sine * direction.x + turn.cosine * direction.y, direction.z};
 }
 
+// Calls use(first, second) for the ordinates whose azimuths are opposite, of all zenith angles.
+template <class Use>
+void for_each_pair(const Use& use) {
+    for (std::size_t n = 0; n < kZenithNodes * kAzimuths; ++n) {
+        if (n % kAzimuths < kAzimuths / 2) use(n, n + kAzimuths / 2);
+    }
+}
+
+PairHarmonics pair_harmonics(const Harmonics& harmonics, double weight, std::size_t count) {
+    PairHarmonics pair{{}, count};
+    for (std::size_t c = 0; c < count; ++c) {
+        pair.values[c] = static_cast<float>(weight * harmonics[c]);
+    }
+    return pair;
+}
+
 }  // namespace
 
 CellFields::CellFields(const std::array<int, 3>& size, std::size_t count)
@@ -78,7 +94,8 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
       coefficients_(static_cast<std::size_t>((degree + 1) * (degree + 1))),
       options_(options),
       passing_(size_, kZenithNodes),
-      mean_passing_(size_, kZenithNodes) {
+      mean_passing_(size_, kZenithNodes),
+      own_share_(size_, 1) {
     for (const SkyDirection& sky : sky_directions(kZenithNodes, kAzimuths)) {
         const std::size_t node = downward_.size() / kAzimuths;
         if (downward_.size() % kAzimuths == 0) {
@@ -86,7 +103,7 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
             const double tangent = std::sqrt(1 - cosine * cosine) / cosine;
             const double cells_across = tangent * edge_m_[2] / std::min(edge_m_[0], edge_m_[1]);
             nodes_.push_back({std::max(1, static_cast<int>(std::ceil(cells_across))), tangent});
-            fill_passing(cells, node, cosine);
+            fill_passing(cells, node, cosine, sky.solid_angle * kAzimuths / (2 * std::numbers::pi));
         }
         const glm::dvec3 direction = node % 2 == 0 ? sky.direction : half_a_step_on(sky.direction);
         downward_.push_back({{direction.x, direction.y, -direction.z}, sky.solid_angle, node});
@@ -101,18 +118,21 @@ std::vector<SkyDirection> RadianceSweep::sky_ordinates() const {
     return ordinates;
 }
 
-void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine) {
+void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine,
+                                 double share_of_sphere) {
     const double length = edge_m_[2] / (cosine * nodes_[node].steps);
     parallel_for(size_[2], options_.threads, [&](int z) {
         for (int y = 0; y < size_[1]; ++y) {
             const float* extinction = cells.extinction.row(0, z, y);
             float* passing = passing_.row(node, z, y);
             float* mean = mean_passing_.row(node, z, y);
+            float* own = own_share_.row(0, z, y);
             for (int x = 0; x < size_[0]; ++x) {
                 const double depth = double{extinction[x]} * length;
                 const double share = exponential(-depth);
                 passing[x] = static_cast<float>(share);
                 mean[x] = static_cast<float>(mean_of_exponential(depth, share));
+                own[x] += static_cast<float>(share_of_sphere) * (1 - mean[x]);
             }
         }
     });
@@ -137,17 +157,20 @@ void RadianceSweep::step(const Ordinate& ordinate, int z, int y, Rays& rays) con
     after[count] = after[0];
 }
 
-void RadianceSweep::cross_plane(const CellFields& sources, int z, Rays& rays) const {
-    const Ordinate& ordinate = rays.ordinate;
+void RadianceSweep::send_out_row(const CellFields& sources, int z, int y,
+                                 std::vector<Rays>& rays) const {
+    CoefficientRows<const float> rows{};
+    for (std::size_t c = 0; c < coefficients_; ++c) rows[c] = sources.row(c, z, y);
     const auto count = static_cast<std::size_t>(size_[0]);
-    for (int y = 0; y < size_[1]; ++y) {
-        float* source = rays.source.row(0, 0, y);
-        std::fill_n(source, count, 0.0F);
-        std::fill_n(rays.mean.row(0, 0, y), count, 0.0F);
-        for (std::size_t c = 0; c < coefficients_; ++c) {
-            add_scaled(sources.row(c, z, y), static_cast<float>(rays.harmonics[c]), count, source);
-        }
-    }
+    for_each_pair([&](std::size_t first, std::size_t second) {
+        send_out(pair_harmonics(rays[first].harmonics, 1, coefficients_), rows, count,
+                 rays[first].source.row(0, 0, y), rays[second].source.row(0, 0, y));
+    });
+}
+
+void RadianceSweep::cross_plane(int z, Rays& rays) const {
+    const Ordinate& ordinate = rays.ordinate;
+    for (int y = 0; y < size_[1]; ++y) std::fill_n(rays.mean.row(0, 0, y), size_[0], 0.0F);
     const Node& node = nodes_[ordinate.node];
     std::array<double, 2> moved{};  // cells in a step
     for (std::size_t a = 0; a < 2; ++a) {
@@ -166,14 +189,17 @@ void RadianceSweep::cross_plane(const CellFields& sources, int z, Rays& rays) co
     }
 }
 
-void RadianceSweep::add_rows(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const {
-    for (const Rays& one : rays) {
-        const float* mean = one.mean.row(0, 0, y);
-        for (std::size_t c = 0; c < coefficients_; ++c) {
-            const auto weight = static_cast<float>(one.ordinate.solid_angle * one.harmonics[c]);
-            add_scaled(mean, weight, static_cast<std::size_t>(size_[0]), sums.row(c, z, y));
-        }
-    }
+void RadianceSweep::gather_row(const std::vector<Rays>& rays, int z, int y,
+                               CellFields& sums) const {
+    std::vector<PairLight> pairs;
+    for_each_pair([&](std::size_t first, std::size_t second) {
+        const Ordinate& ordinate = rays[first].ordinate;
+        pairs.push_back({pair_harmonics(rays[first].harmonics, ordinate.solid_angle, coefficients_),
+                         rays[first].mean.row(0, 0, y), rays[second].mean.row(0, 0, y)});
+    });
+    CoefficientRows<float> rows{};
+    for (std::size_t c = 0; c < coefficients_; ++c) rows[c] = sums.row(c, z, y);
+    gather(pairs, static_cast<std::size_t>(size_[0]), rows);
 }
 
 void RadianceSweep::sweep(const CellFields& sources, const std::vector<double>& entering,
@@ -185,19 +211,20 @@ void RadianceSweep::sweep(const CellFields& sources, const std::vector<double>& 
     }
     for (int i = 0; i < size_[2] && !options_.cancelled(); ++i) {
         const int z = rises ? i : size_[2] - 1 - i;
+        parallel_for(size_[1], options_.threads, [&](int y) { send_out_row(sources, z, y, rays); });
         parallel_for(static_cast<int>(rays.size()), options_.threads,
-                     [&](int n) { cross_plane(sources, z, rays[static_cast<std::size_t>(n)]); });
-        parallel_for(size_[1], options_.threads, [&](int y) { add_rows(rays, z, y, sums); });
+                     [&](int n) { cross_plane(z, rays[static_cast<std::size_t>(n)]); });
+        parallel_for(size_[1], options_.threads, [&](int y) { gather_row(rays, z, y, sums); });
     }
 }
 
-CellFields RadianceSweep::radiance(const CellFields& sources, const EnteringLight& entering) const {
-    CellFields sums(size_, coefficients_);
+void RadianceSweep::find_radiance(const CellFields& sources, const EnteringLight& entering,
+                                  CellFields& radiance) const {
+    radiance.clear();
     std::vector<double> sky(downward_.size(), entering.sky);
     for (std::size_t n = 0; n < entering.sky_shape.size(); ++n) sky[n] *= entering.sky_shape[n];
-    sweep(sources, sky, false, sums);
-    sweep(sources, std::vector<double>(downward_.size(), entering.ground), true, sums);
-    return sums;
+    sweep(sources, sky, false, radiance);
+    sweep(sources, std::vector<double>(downward_.size(), entering.ground), true, radiance);
 }
 
 }  // namespace skybake::cloud_light

@@ -13,6 +13,7 @@
 // directions it was followed (ray effects: Lathrop 1968).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>
@@ -20,6 +21,7 @@
 #include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/math/bake_options.h"
 #include "bakers/math/memory.h"
+#include "bakers/math/parallel.h"
 
 namespace skybake::cloud_light {
 
@@ -32,6 +34,7 @@ class CellFields {
 
     std::size_t count() const { return count_; }
     const std::array<int, 3>& size() const { return size_; }
+    void clear() { std::ranges::fill(values_, 0.0F); }
     float* row(std::size_t field, int z, int y) { return values_.data() + at(field, z, y); }
     const float* row(std::size_t field, int z, int y) const {
         return values_.data() + at(field, z, y);
@@ -48,6 +51,20 @@ class CellFields {
 
 // Returns the values of one field, x fastest.
 std::vector<float> values_of(const CellFields& fields, std::size_t field);
+
+// Calls use(z) for all planes at once.
+template <class Use>
+void for_each_plane(const CellFields& fields, const BakeOptions& options, const Use& use) {
+    parallel_for(fields.size()[2], options.threads, use);
+}
+
+// Calls use(c, y) for the rows of a plane.
+template <class Use>
+void for_each_row(const CellFields& fields, const Use& use) {
+    for (std::size_t c = 0; c < fields.count(); ++c) {
+        for (int y = 0; y < fields.size()[1]; ++y) use(c, y);
+    }
+}
 
 // The cells of a layer: extinction in 1/m of a single field, and edges in metres.
 struct LayerCells {
@@ -67,10 +84,13 @@ class RadianceSweep {
     // Cells must outlive it.
     RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options);
 
-    // Returns the coefficients of the mean radiance in each cell. `sources` are those of the light per
-    // extinction that cells send out. They are incomplete once options.progress
-    // is cancelled.
-    CellFields radiance(const CellFields& sources, const EnteringLight& entering) const;
+    // Writes the coefficients of the mean radiance in each cell. `sources` are those of the light per
+    // extinction that cells send out. They are incomplete once options.progress is cancelled.
+    void find_radiance(const CellFields& sources, const EnteringLight& entering,
+                       CellFields& radiance) const;
+
+    // The share of what a cell sends out that its own mean radiance takes back, in all directions alike.
+    const CellFields& own_share() const { return own_share_; }
 
     // Directions in which rays go.
     std::size_t directions() const { return 2 * downward_.size(); }
@@ -91,12 +111,14 @@ class RadianceSweep {
     };
     struct Rays;
 
-    void fill_passing(const LayerCells& cells, std::size_t node, double cosine);
+    void fill_passing(const LayerCells& cells, std::size_t node, double cosine,
+                      double share_of_sphere);
     void sweep(const CellFields& sources, const std::vector<double>& entering, bool rises,
                CellFields& sums) const;
-    void cross_plane(const CellFields& sources, int z, Rays& rays) const;
+    void send_out_row(const CellFields& sources, int z, int y, std::vector<Rays>& rays) const;
+    void cross_plane(int z, Rays& rays) const;
     void step(const Ordinate& ordinate, int z, int y, Rays& rays) const;
-    void add_rows(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const;
+    void gather_row(const std::vector<Rays>& rays, int z, int y, CellFields& sums) const;
 
     std::array<int, 3> size_;
     std::array<double, 3> edge_m_;
@@ -106,6 +128,7 @@ class RadianceSweep {
     std::vector<Ordinate> downward_;  // of the lower hemisphere
     CellFields passing_;              // one field for each node
     CellFields mean_passing_;
+    CellFields own_share_;
 };
 
 }  // namespace skybake::cloud_light
