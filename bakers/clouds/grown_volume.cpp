@@ -12,6 +12,10 @@
 namespace skybake::cloud {
 namespace {
 
+// Cells blur the edges of what grows in them over so much of them.
+constexpr double kBlur_cells = 1;
+constexpr float kSharpness = 6;
+
 std::array<float, 4> cubic_weights(double t) {
     const double t2 = t * t;
     const double t3 = t2 * t;
@@ -94,8 +98,7 @@ void leave_out_fine(NoiseOctaves& octaves, const std::array<int, 3>& size) {
     }
 }
 
-Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 3>& cells,
-                 const std::array<int, 3>& size) {
+Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 3>& size) {
     Relief relief;
     if (detail == nullptr || cloud.convection.relief == 0) return relief;
     Noise scaled = cloud_noise(*detail, cloud.detail_scale, config::CloudChannels::density);
@@ -109,7 +112,6 @@ Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 
     relief.width_m = cloud.extent[0].meters;
     for (std::size_t i = 0; i < 3; ++i) {
         relief.width_m = std::min(relief.width_m, cloud.extent[i].meters / billows[i]);
-        relief.cell_m[i] = cloud.extent[i].meters / cells[i];
     }
     relief.height_m = cloud.convection.relief * relief.width_m;
     return relief;
@@ -118,9 +120,13 @@ Relief relief_of(const Cloud& cloud, const Noise* detail, const std::array<int, 
 }  // namespace
 
 GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
-                         const std::array<int, 3>& size, Relief relief)
-    : cloud_(std::move(cloud)), size_(size), relief_(std::move(relief)) {
-    if (relief_.noise) slopes_ = slopes_of(*cloud_, relief_.cell_m);
+                         const std::array<double, 3>& cell_m, const std::array<int, 3>& size,
+                         Relief relief)
+    : cloud_(std::move(cloud)),
+      size_(size),
+      cell_m_(cell_m),
+      relief_(std::move(relief)),
+      slopes_(slopes_of(*cloud_, cell_m)) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < size[axis]; ++i) {
             const double at = (i + 0.5) * cloud_->cells[axis] / size[axis] - 0.5;
@@ -179,14 +185,14 @@ void GrownVolume::interpolate(const std::vector<float>& field, const VoxelBox& b
 
 double GrownVolume::relief_m(double z) const {
     const double nearer_end = std::min(z + 0.5, size_[2] - (z + 0.5)) / size_[2];
-    const double distance_m = nearer_end * cloud_->cells[2] * relief_.cell_m[2];
+    const double distance_m = nearer_end * cloud_->cells[2] * cell_m_[2];
     return relief_.height_m * std::min(1.0, distance_m / relief_.width_m);
 }
 
-void GrownVolume::add_relief(const VoxelBox& box, float* water) const {
-    const auto count = static_cast<std::size_t>(box.count());
-    std::vector<float> slopes(count), noise(count);
-    interpolate(slopes_, box, slopes.data());
+void GrownVolume::add_relief(const VoxelBox& box, const std::vector<float>& slopes,
+                             float* water) const {
+    const std::size_t count = slopes.size();
+    std::vector<float> noise(count);
     relief_.noise->fill(box, {noise.data()});
     const std::size_t plane = count / static_cast<std::size_t>(box.size[2]);
     for (std::size_t z = 0, i = 0; i < count; ++z) {
@@ -194,6 +200,13 @@ void GrownVolume::add_relief(const VoxelBox& box, float* water) const {
         for (const std::size_t end = i + plane; i < end; ++i) {
             water[i] += slopes[i] * r_m * (2 * std::clamp(noise[i], 0.0F, 1.0F) - 1);
         }
+    }
+}
+
+void GrownVolume::sharpen_edges(const std::vector<float>& slopes, float* water) const {
+    const auto deeper_m = static_cast<float>(kBlur_cells * *std::ranges::min_element(cell_m_));
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        water[i] = std::min(kSharpness * water[i], water[i] + slopes[i] * deeper_m);
     }
 }
 
@@ -205,7 +218,10 @@ void GrownVolume::fill(const VoxelBox& asked, const std::vector<float*>& channel
     if (box.count() == 0) return;
     float* first = out + std::int64_t{box.origin[2] - asked.origin[2]} * box.size[0] * box.size[1];
     interpolate(cloud_->water, box, first);
-    if (relief_.noise) add_relief(box, first);
+    std::vector<float> slopes(static_cast<std::size_t>(box.count()));
+    interpolate(slopes_, box, slopes.data());
+    if (relief_.noise) add_relief(box, slopes, first);
+    sharpen_edges(slopes, first);
     for (std::int64_t i = 0; i < box.count(); ++i) {
         first[i] = density_of_water(first[i], cloud_->full_water);
     }
@@ -217,8 +233,8 @@ bool GrownVolume::is_empty(const VoxelBox& asked) const {
     const std::array<Cells, 3> cells = {cells_of(0, box), cells_of(1, box), cells_of(2, box)};
     // The outermost cells add nothing of their own: values lie between those of the inner ones.
     const auto greatest = [&](const std::vector<float>& field) {
-        float most = field.empty() ? 0 : -std::numeric_limits<float>::infinity();
-        for (int z = 1; z + 1 < cells[2].count && !field.empty(); ++z) {
+        float most = -std::numeric_limits<float>::infinity();
+        for (int z = 1; z + 1 < cells[2].count; ++z) {
             for (int y = 1; y + 1 < cells[1].count; ++y) {
                 const float* values =
                     row_of(field, cloud_->cells, cells[1].first + y, cells[2].first + z);
@@ -241,12 +257,14 @@ CloudVolume volume_of_grown(const std::shared_ptr<const convection::GrownCloud>&
                             const std::array<int, 3>& size) {
     CloudVolume volume;
     SourceVoxels& source = volume.source;
+    std::array<double, 3> cell_m{};
     for (std::size_t i = 0; i < 3; ++i) {
         source.size[i] = std::max(size[i], grown->cells[i]);
         source.voxel_size_m[i] = cloud.extent[i].meters / source.size[i];
+        cell_m[i] = cloud.extent[i].meters / grown->cells[i];
     }
-    source.voxels = std::make_shared<const GrownVolume>(
-        grown, source.size, relief_of(cloud, detail, grown->cells, source.size));
+    source.voxels = std::make_shared<const GrownVolume>(grown, cell_m, source.size,
+                                                        relief_of(cloud, detail, source.size));
     source.largest = 1;
     volume.wrap = config::VolumeWrap::repeat;
     return volume;

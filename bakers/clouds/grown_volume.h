@@ -13,8 +13,14 @@
 //   q + |grad q| r (2 d - 1),   r = R min(1, z / W)
 //
 // for R, a share of the width W of the noise's first octave along its narrowest axis, and the distance z from
-// the base, where clouds are flat, or from the top, which nothing may leave, whichever is nearer. Slopes are central differences of cells, smoothed by (1, 2, 1) / 4 along each axis,
-// so that an edge may move by more than a cell. Octaves that voxels cannot show are left out.
+// the base, where clouds are flat, or from the top, which nothing may leave, whichever is nearer. Slopes are
+// central differences of cells, smoothed by (1, 2, 1) / 4 along each axis, so that an edge may move by more than a
+// cell. Octaves that voxels cannot show are left out.
+//
+// Cells blur edges, which are some metres wide in nature and white down to their last metre. So water rises s times
+// as steeply from an edge inwards, until it is what cells have b deeper within:
+//
+//   min(s q, q + |grad q| b),   s = 6, b = 1 cell
 #pragma once
 
 #include <array>
@@ -33,13 +39,13 @@ struct Relief {
     std::shared_ptr<const noise::NoiseField> noise;  // at the voxels of the volume; null: no relief
     double height_m = 0;                             // R
     double width_m = 1;                              // W
-    std::array<double, 3> cell_m{};                  // edges of the cells
 };
 
 class GrownVolume : public VoxelSource {
   public:
-    // `size` is at least as large as the cells along each axis.
-    GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud, const std::array<int, 3>& size,
+    // `cell_m` are the edges of the cells. `size` is at least as large as the cells along each axis.
+    GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
+                const std::array<double, 3>& cell_m, const std::array<int, 3>& size,
                 Relief relief = {});
 
     // Boxes may reach below and above the size, where there is nothing.
@@ -63,7 +69,8 @@ class GrownVolume : public VoxelSource {
     Cells cells_of(std::size_t axis, const VoxelBox& box) const;
     // Makes voxels of q or of its slopes, which are numbers at the centres of cells.
     void interpolate(const std::vector<float>& field, const VoxelBox& box, float* out) const;
-    void add_relief(const VoxelBox& box, float* water) const;
+    void add_relief(const VoxelBox& box, const std::vector<float>& slopes, float* water) const;
+    void sharpen_edges(const std::vector<float>& slopes, float* water) const;
     double relief_m(double z) const;  // r at the middle of slice z
     void along_x(const VoxelBox& box, const float* cells, float* out) const;
     // Makes the voxels of an axis from rows or slices of `width` numbers.
@@ -72,9 +79,10 @@ class GrownVolume : public VoxelSource {
 
     std::shared_ptr<const convection::GrownCloud> cloud_;
     std::array<int, 3> size_;
+    std::array<double, 3> cell_m_;
     std::array<std::vector<Taps>, 3> taps_;
     Relief relief_;
-    std::vector<float> slopes_;  // g/kg per metre, at the centres of cells; empty without relief
+    std::vector<float> slopes_;  // g/kg per metre, at the centres of cells
 };
 
 // Returns the volume that a cloud takes its density from, for a bake of a size; `detail` may be null.

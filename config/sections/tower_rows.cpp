@@ -99,7 +99,7 @@ const ConvectionField convection_table[] = {
     {"relief", Kind::number, &Convection::relief,
      "how far the cloud's detail noise moves its edge, outwards where the noise is 1 and inwards "
      "where it is 0, as a share of the width of the largest billows of the noise",
-     relief_range, Default{"0.5"},
+     relief_range, Default{"0.7"},
      Hint{"it is less near the base, which stays flat, and near the top"}},
 };
 

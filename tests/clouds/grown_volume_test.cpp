@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -36,11 +37,15 @@ double density(double water, double full) {
     return water <= 0 ? 0 : std::min(1.0, std::pow(water / full, 2.0 / 3));
 }
 
+// Where water is even, edges have no slope and cells are what they hold.
 TEST(GrownVolume, IsTheDensityOfItsCells) {
-    const auto cloud = random_cloud({6, 4, 5});
-    const std::vector<float> values = filled(GrownVolume(cloud, {6, 4, 5}), {{}, {6, 4, 5}});
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        EXPECT_NEAR(double{values[i]}, density(double{cloud->water[i]}, 2), 1e-6);
+    for (const float water : {-0.5F, 0.0F, 0.3F, 1.0F, 3.0F}) {
+        const auto cloud = random_cloud({6, 4, 5});
+        std::ranges::fill(cloud->water, water);
+        const GrownVolume volume(cloud, {10, 10, 10}, {6, 4, 5});
+        for (const float value : filled(volume, {{}, {6, 4, 5}})) {
+            EXPECT_NEAR(double{value}, density(double{water}, 2), 1e-6);
+        }
     }
 }
 
@@ -143,8 +148,9 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                 const double moved_m = 10 * relief *
                                        std::min({1.0, 5 * place[2], 5 * (1 - place[2])}) *
                                        (2 * noise - 1);
-                const double water = between_cells(water_field, {}, at, 3) +
-                                     moved_m * between_cells(slope_field, {}, at, 3);
+                const double slope = between_cells(slope_field, {}, at, 3);
+                const double moved = between_cells(water_field, {}, at, 3) + moved_m * slope;
+                const double water = std::min(6 * moved, moved + 2 * 10 * slope);
                 const auto i = static_cast<std::size_t>((z * size[1] + y) * size[0] + x);
                 if (std::abs(water) < 1e-4) continue;  // the power is steep there
                 ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6)
@@ -163,14 +169,31 @@ TEST(GrownVolume, HasTheReliefOfItsNoise) {
     expect_definition(random_cloud({6, 4, 5}), {12, 8, 10}, 1);
 }
 
-// A front that falls by 0.1 g/kg per metre along x, and rises again over the second half of the tile.
-TEST(GrownVolume, NoiseMovesAFrontByMetres) {
+// A front at 15.5 m, in cells of 1 m: water falls by 0.1 g/kg per metre along x, and rises again over the second
+// half of the tile.
+std::shared_ptr<GrownCloud> front() {
     auto cloud = std::make_shared<GrownCloud>();
     cloud->cells = {60, 4, 5};
     cloud->full_water = 100;
     for (int i = 0; i < 60 * 4 * 5; ++i) {
         cloud->water.push_back(0.1F * static_cast<float>(std::abs(i % 60 - 30) - 15));
     }
+    return cloud;
+}
+
+TEST(GrownVolume, IsSixTimesAsSteepAtAnEdge) {
+    const std::array<int, 3> size = {600, 4, 5};
+    const std::vector<float> row =
+        filled(GrownVolume(front(), {1, 1, 1}, size), {{0, 0, 2}, {300, 1, 1}});
+    const auto water = [&](std::size_t x) { return 100 * std::pow(double{row[x]}, 1.5); };
+    EXPECT_EQ(row[155], 0) << "0.05 m outside";
+    EXPECT_NEAR(water(154), 6 * 0.005, 1e-4) << "0.05 m within";
+    EXPECT_NEAR(water(152), 6 * 0.025, 1e-4) << "0.25 m within";
+    EXPECT_NEAR(water(150), 0.045 + 0.2, 1e-4) << "what lies 2 m deeper";
+    EXPECT_NEAR(water(100), 0.545 + 0.2, 1e-4);
+}
+
+TEST(GrownVolume, NoiseMovesAFrontByMetres) {
     config::Cloud keys = cloud_with_relief(0.5);
     keys.extent[1] = config::Length{4};
     keys.extent[2] = config::Length{5};
@@ -180,7 +203,7 @@ TEST(GrownVolume, NoiseMovesAFrontByMetres) {
         const config::Noise noise =
             detail_noise(std::string("type = 'constant'\nvalue = ") + value);
         const std::vector<float> row = filled(
-            *volume_of_grown(cloud, keys, &noise, size).source.voxels, {{0, 0, z}, {300, 1, 1}});
+            *volume_of_grown(front(), keys, &noise, size).source.voxels, {{0, 0, z}, {300, 1, 1}});
         return 0.1 * static_cast<double>(std::count_if(row.begin(), row.end(),
                                                        [](float value) { return value > 0; }));
     };
@@ -250,7 +273,7 @@ TEST(GrownVolume, DoesNotDependOnTheBox) {
 }
 
 TEST(GrownVolume, IsEmptyBelowAndAbove) {
-    const GrownVolume volume(random_cloud({6, 4, 5}), {12, 8, 10});
+    const GrownVolume volume(random_cloud({6, 4, 5}), {10, 10, 10}, {12, 8, 10});
     for (const int z : {-1, 10}) {
         EXPECT_EQ(filled(volume, {{3, 2, z}, {1, 1, 1}})[0], 0);
         EXPECT_TRUE(volume.is_empty({{0, 0, z}, {12, 8, 1}}));

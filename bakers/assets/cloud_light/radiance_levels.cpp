@@ -15,7 +15,15 @@ constexpr std::size_t kFewCells = 512;
 // Errors of finer cells need not be known better than this. Of the finest cells two sweeps in each pay best.
 constexpr SolutionEnd kEndOfError = {0.02, 2};
 constexpr int kSweepsOfFewCells = 24;
+// Planes of fewer cells are done before threads have begun.
+constexpr std::size_t kCellsOfThreads = 1 << 15;
 constexpr SolutionEnd kEndOfFewCells = {0.02, 24};
+
+BakeOptions with_threads_for(const CellFields& fields, const BakeOptions& options) {
+    BakeOptions own = options;
+    if (occupancy::count_of(fields.size()) < kCellsOfThreads) own.threads = 1;
+    return own;
+}
 
 float sum_of(float a, float b) { return a + b; }
 float difference_of(float a, float b) { return a - b; }
@@ -52,7 +60,7 @@ RadianceLevels::RadianceLevels(const LayerCells& cells, const std::vector<double
                                const BakeOptions& options)
     : extinction_(cells.extinction),
       returned_(returned),
-      sweep_(cells, static_cast<int>(returned.size()) - 1, options),
+      sweep_(cells, static_cast<int>(returned.size()) - 1, with_threads_for(extinction_, options)),
       factors_(coarser_factors(extinction_.size())) {
     if (occupancy::count_of(extinction_.size()) <= kFewCells || factors_ == kSameCells) return;
     coarser_ =
@@ -74,26 +82,27 @@ void RadianceLevels::add_later_orders(CellFields& rest, const BakeOptions& optio
 
 ScatteredLight RadianceLevels::solve(const CellFields& first, const EnteringLight& entering,
                                      const SolutionEnd& end, const BakeOptions& options) const {
+    const BakeOptions own = with_threads_for(first, options);
     const int most_sweeps = coarser_ ? end.sweeps : std::max(end.sweeps, kSweepsOfFewCells);
     const CellFields nothing(first.size(), first.count());
-    AndersonGuesses guesses(options);
+    AndersonGuesses guesses(own);
     Guess guess{nothing, nothing};
     CellFields sent_out = nothing;
     ScatteredLight result{{}, 0, 1};
-    while (result.change > end.change && result.sweeps < most_sweeps && !options.cancelled()) {
+    while (result.change > end.change && result.sweeps < most_sweeps && !own.cancelled()) {
         if (result.sweeps > 0) guess = guesses.next(std::move(guess));
         combine(guess.light, first, sent_out, options, sum_of);
         sweep_.find_radiance(sent_out, entering, guess.change);
-        scatter(returned_, guess.change, options);
+        scatter(returned_, guess.change, own);
         ++result.sweeps;
-        const double size = inner_product(guess.change, guess.change, options);
+        const double size = inner_product(guess.change, guess.change, own);
         combine(guess.change, guess.light, guess.change, options, difference_of);
-        const double changed = inner_product(guess.change, guess.change, options);
+        const double changed = inner_product(guess.change, guess.change, own);
         result.change = changed > 0 ? std::sqrt(changed / size) : 0;
-        add_later_orders(guess.change, options);
+        add_later_orders(guess.change, own);
     }
     result.light = std::move(guess.light);
-    combine(result.light, guess.change, result.light, options, sum_of);
+    combine(result.light, guess.change, result.light, own, sum_of);
     return result;
 }
 
