@@ -41,20 +41,12 @@ constexpr Choice convention_choices[] = {
     {BrunetonConvention::calcmysky, "calcmysky", "the sun's axis of CalcMySky and Stellarium"},
 };
 
-constexpr Choice bruneton_method_choices[] = {
-    {BrunetonMethod::solved, "solved", "orders from the second on, from a solution of all light"},
-    {BrunetonMethod::iterated, "iterated",
-     "order after order on the table's own grid, as published"},
-};
-
 constexpr std::string_view by_nu[] = {"scattering", "single_mie", "higher_orders"};
 constexpr std::string_view scattering[] = {"scattering"};
 constexpr std::string_view with_light[] = {"scattering", "single_mie", "higher_orders",
                                            "irradiance"};
 
 constexpr std::string_view with_orders[] = {"scattering", "higher_orders", "irradiance"};
-
-constexpr std::string_view with_method[] = {"scattering", "higher_orders"};
 
 const Row<BrunetonBake> bruneton_table[] = {
     {"table", Kind::choice, &BrunetonBake::table, "which of the tables to bake",
@@ -75,9 +67,6 @@ const Row<BrunetonBake> bruneton_table[] = {
     {"orders", Kind::levels, &BrunetonBake::orders,
      "number of orders of scattering, with the first", orders_range, Default{R"("all")"},
      Hint{"Bruneton uses 4"}, When{"table", with_orders}},
-    {"method", Kind::choice, &BrunetonBake::method,
-     "where the higher orders come from; for iterated, \"all\" orders are 4",
-     bruneton_method_choices, Default{R"("solved")"}, When{"table", with_method}},
     {"sun_cos_zenith_min", Kind::number, &BrunetonBake::sun_cos_zenith_min,
      "where the sun's axis begins; by default -0.5 for takram, as its loader expects, -R / (2 "
      "R_top) for calcmysky, which takes no other, and else cos 102 deg",

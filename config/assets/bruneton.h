@@ -12,7 +12,6 @@ namespace skybake::config {
 
 enum class BrunetonTable { transmittance, scattering, single_mie, higher_orders, irradiance };
 enum class BrunetonConvention { bruneton, takram, calcmysky };
-enum class BrunetonMethod { solved, iterated };
 
 // This is one table of the precomputed scattering of Bruneton & Neyret 2008, in the form that
 // Bruneton's implementation of 2017 gives it.
@@ -25,7 +24,6 @@ struct BrunetonBake : LightFiles {
     int nu_size = 0;        // for tables of scattering: sub-images along u; it divides size[0]
     bool combined = false;  // for scattering: A holds the first order of Mie layers, red only
     int orders = 0;         // orders of scattering; 0: all
-    BrunetonMethod method = BrunetonMethod::solved;
     BrunetonConvention convention = BrunetonConvention::bruneton;
     double sun_cos_zenith_min = 0;         // the least cosine on the sun's axis
     std::vector<std::string> mie_layers;   // layers whose single scattering is kept apart

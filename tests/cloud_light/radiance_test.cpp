@@ -102,10 +102,12 @@ TEST(Radiance, HasTheSameBitsForAnyNumberOfThreads) {
 TEST(Radiance, OfHardCasesIsFinite) {
     CloudLayer opaque = test::rough_layer({7, 5, 6});
     opaque.optics.extinction_per_m = 1e4;
+    CloudLayer wall = test::lone_cloud({12, 12, 12}, {2, 3, 4}, {9, 10, 11});
+    wall.optics.extinction_per_m = 1e9;
     CloudLayer edge = test::rough_layer({6, 6, 6});
     test::add_edge(0.3, 0.1, edge);
     const std::vector<CloudLayer> layers = {test::layer_of({4, 4, 4}, 0),
-                                            test::layer_of({1, 1, 1}, 0.5F), opaque, edge};
+                                            test::layer_of({1, 1, 1}, 0.5F), opaque, wall, edge};
     for (const CloudLayer& layer : layers) {
         for (const auto contents :
              {CloudLightContents::sun_radiance, CloudLightContents::sky_radiance}) {

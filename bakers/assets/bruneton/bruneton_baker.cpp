@@ -247,7 +247,7 @@ Baker<BrunetonBake> baker(BakerTag<BrunetonBake>) {
             .lookup = lookup,
             .traced = traced,
             .draft = draft,
-            .variants = {{"size"}, {"pixel_type"}, {"method", "iterated", "Bruneton 2017"}}};
+            .variants = {{"size"}, {"pixel_type"}}};
 }
 
 }  // namespace skybake

@@ -9,7 +9,6 @@
 
 #include "bakers/air/forward_peak.h"
 #include "bakers/assets/bruneton/flat_tables.h"
-#include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/scattering_volume.h"
 #include "bakers/assets/bruneton/table_content.h"
@@ -35,18 +34,11 @@ bool has_higher_orders(const BrunetonBake& bake) {
            bake.table != BrunetonTable::transmittance;
 }
 
-// The iterated method ends after some orders.
-int last_order(const BrunetonBake& bake) {
-    const bool iterated = bake.method == config::BrunetonMethod::iterated;
-    return iterated && bake.orders == 0 ? kIteratedOrders : bake.orders;
-}
-
 // None: there are no higher orders.
 std::optional<LightRequest> light_request(const config::Atmosphere& atmosphere,
                                           const BrunetonBake& bake) {
     if (!has_higher_orders(bake)) return std::nullopt;
-    const int last = last_order(bake);
-    return LightRequest{.atmosphere = atmosphere, .orders = last > 0 ? last - 1 : 0};
+    return LightRequest{.atmosphere = atmosphere, .orders = std::max(bake.orders - 1, 0)};
 }
 
 std::vector<std::string> channel_names(const PacketsOfAir& air, const BrunetonBake& bake) {
@@ -218,16 +210,14 @@ std::vector<Need> needs_of_bruneton(const config::Atmosphere& atmosphere,
         needs.push_back(need_of(SunlightRequest{atmosphere}));
         if (!is_flat) needs.push_back(need_of(parts_request(atmosphere, bake, 1)));
     }
-    if (request && !is_flat && bake.method != config::BrunetonMethod::iterated) {
+    if (request && !is_flat) {
         needs.push_back(need_of(parts_request(atmosphere, bake, bake.orders)));
     }
     return needs;
 }
 
-Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& asked,
+Outcome<Baked> bake_bruneton(const PacketsOfAir& air, const BrunetonBake& bake,
                              const BakeOptions& options, Baked volume) {
-    BrunetonBake bake = asked;
-    bake.orders = last_order(bake);
     std::vector<Packet> packets;
     for (const config::Atmosphere& atmosphere : air.packets) {
         SkyMedium medium = make_sky_medium(atmosphere);

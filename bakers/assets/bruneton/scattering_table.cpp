@@ -162,26 +162,6 @@ TableParts shared_parts(const config::Atmosphere& atmosphere, const BrunetonBake
     return parts;
 }
 
-HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
-                               const ScatteringMapping& mapping) {
-    HigherOrderParts parts(light.size());
-    const auto width = static_cast<std::size_t>(mapping.size()[0]);
-    const auto height = static_cast<std::size_t>(mapping.size()[1]);
-    for (std::size_t i = 0; i < light.size(); ++i) {
-        const auto u = static_cast<int>(i % width);
-        const ScatteringView view = mapping.view_of_texel(static_cast<int>(i / width % height),
-                                                          static_cast<int>(i / width / height));
-        const double mu = std::clamp(
-            view.s_km / (mapping.shell().ground_radius_km + view.altitude_km), -1.0, 1.0);
-        const FeasibleCosines feasible = feasible_cosines(mu, mapping.sun_of_texel(u));
-        const double nu = std::clamp(mapping.nu_of_texel(u), feasible.low, feasible.high);
-        for (std::size_t c = 0; c < kMaxChannels; ++c) {
-            parts[i][c] = static_cast<float>(light[i][c] / rayleigh_phase(nu));
-        }
-    }
-    return parts;
-}
-
 LightAtPlaces sky_of_scattering(std::vector<std::shared_ptr<const TracedAir>> packets,
                                 const BrunetonBake& asset, AssetPlaces places,
                                 const std::vector<SkySample>& samples) {

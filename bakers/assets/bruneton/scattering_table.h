@@ -105,12 +105,6 @@ VoxelArray scattering_texels(const ScatteringContent& content, const ScatteringM
 Texel look_up(const VoxelArray& table, const ScatteringMapping& mapping,
               const ScatteringCoordinates& x, PixelType type);
 
-// Converts light of all texels, u fastest, in 1/sr, into the form that tables of scattering hold:
-// divided by Rayleigh's phase function at the texel's nu or, if no directions have that nu, at the
-// nearest one that some have, as in iterated_scattering.
-HigherOrderParts over_rayleigh(const std::vector<Spectrum>& light,
-                               const ScatteringMapping& mapping);
-
 // Returns the radiance of the air at the samples, for a solar irradiance of 1. `packets` are the airs
 // of the packets of wavelengths, and `places` those of the asset's probes.
 LightAtPlaces sky_of_scattering(std::vector<std::shared_ptr<const TracedAir>> packets,

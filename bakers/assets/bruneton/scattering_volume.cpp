@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "bakers/air/ray.h"
-#include "bakers/assets/bruneton/iterated_scattering.h"
 #include "bakers/assets/bruneton/scattering_error.h"
 #include "bakers/assets/bruneton/scattering_table.h"
 #include "bakers/assets/bruneton/table_content.h"
@@ -101,12 +100,8 @@ struct PacketTable {
         if (content.wants_single()) {
             sunlight = sunlight_of({packet.atmosphere}, medium.air, options);
         }
-        const bool iterated = bake.method == config::BrunetonMethod::iterated;
-        parts = shared_parts(packet.atmosphere, bake, medium, iterated ? nullptr : light, sunlight,
-                             content, mapping, options);
-        if (!iterated || light == nullptr || options.cancelled()) return;
-        parts.higher = std::make_shared<const HigherOrderParts>(
-            over_rayleigh(iterated_scattering(medium, mapping, bake.orders, options), mapping));
+        parts = shared_parts(packet.atmosphere, bake, medium, light, sunlight, content, mapping,
+                             options);
     }
 
     void make_reference(const SkyMedium& medium) {
@@ -176,12 +171,8 @@ Outcome<Baked> bake_scattering(const std::vector<ScatteringPacket>& packets,
         tables[p]->make_parts(packets[p], bake, mapping, options);
         if (options.cancelled()) return {};
     }
-    // The baseline's texels stay as they are.
-    const bool fits = !(content.first().wants_higher() && packets.front().light &&
-                        bake.method == config::BrunetonMethod::iterated);
-    const auto table = std::make_shared<VoxelArray>(
-        table_texels(content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }),
-                     fits, options));
+    const auto table = std::make_shared<VoxelArray>(table_texels(
+        content, mapping, of_each(tables, [](PacketTable& one) { return one.parts; }), options));
     for (std::size_t p = 0; p < packets.size(); ++p) tables[p]->make_reference(packets[p].medium);
     VolumeFinish finish;
     for (std::size_t c = 0; c < content.channels(); ++c) {

@@ -244,17 +244,17 @@ Spectrum TableContent::radiance(const Texel& texel, double nu) const {
 }
 
 VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
-                        std::span<const TableParts> parts, bool fits, const BakeOptions& options) {
+                        std::span<const TableParts> parts, const BakeOptions& options) {
     const std::vector<const ScatteringContent*>& packets = content.packets();
     if (!content.is_colored()) {
         VoxelArray table = scattering_texels(*packets.front(), mapping, parts.front());
-        if (fits) fit_lookups(mapping, packets.front()->measured_channels(), options, table);
+        fit_lookups(mapping, packets.front()->measured_channels(), options, table);
         return table;
     }
     std::vector<VoxelArray> light;
     for (std::size_t p = 0; p < packets.size(); ++p) {
         light.push_back(packet_texels(*packets[p], mapping, parts[p]));
-        if (fits) fit_lookups(mapping, light[p].channels(), options, light[p]);
+        fit_lookups(mapping, light[p].channels(), options, light[p]);
     }
     VoxelArray table(mapping.size(), content.channels());
     const std::array<int, 3>& size = mapping.size();

@@ -86,9 +86,9 @@ class TableContent {
     Spectrum mie_colours_{};
 };
 
-// Returns the texels, u fastest. If `fits`, they are moved so that lookups between them are right
-// (fit_lookups), wavelength by wavelength, since colours need not be above 0.
+// Returns the texels, u fastest, moved so that lookups between them are right (fit_lookups), wavelength by
+// wavelength, since colours need not be above 0.
 VoxelArray table_texels(const TableContent& content, const ScatteringMapping& mapping,
-                        std::span<const TableParts> parts, bool fits, const BakeOptions& options);
+                        std::span<const TableParts> parts, const BakeOptions& options);
 
 }  // namespace skybake

@@ -115,7 +115,7 @@ void draft(CloudDistanceBake& asset, int) { asset.cell = 1; }
 }  // namespace
 
 Baker<CloudDistanceBake> baker(BakerTag<CloudDistanceBake>) {
-    return {.version = 4,
+    return {.version = 5,
             .bake = bake,
             .estimate = estimate,
             .needs = needs_of_source<CloudDistanceBake>,

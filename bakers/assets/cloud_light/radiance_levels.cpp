@@ -1,5 +1,6 @@
 #include "bakers/assets/cloud_light/radiance_levels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -17,7 +18,8 @@ constexpr SolutionEnd kEndOfError = {0.02, 2};
 constexpr int kSweepsOfFewCells = 24;
 // Planes of fewer cells are done before threads have begun.
 constexpr std::size_t kCellsOfThreads = 1 << 15;
-constexpr SolutionEnd kEndOfFewCells = {0.02, 24};
+// A rest is known to 1e-7 of the light. Where less than this leaves a cell, the sum of its orders would be rounding.
+constexpr float kLeastLeaving = 1e-3F;
 
 BakeOptions with_threads_for(const CellFields& fields, const BakeOptions& options) {
     BakeOptions own = options;
@@ -40,16 +42,18 @@ void scatter(const std::vector<double>& returned, CellFields& radiance,
     });
 }
 
-// Adds to a change those that follow from it within each cell: what a cell sends out more than before it
-// takes back in part, and sends out again. Thick cells would need many sweeps for that.
-void add_own_orders(const CellFields& own_share, const std::vector<double>& returned,
-                    CellFields& change, const BakeOptions& options) {
-    for_each_plane(change, options, [&](int z) {
-        for_each_row(change, [&](std::size_t c, int y) {
-            const auto factor = static_cast<float>(returned[degree_of_harmonic(c)]);
-            const float* share = own_share.row(0, z, y);
-            float* row = change.row(c, z, y);
-            for (int x = 0; x < change.size()[0]; ++x) row[x] /= 1 - factor * share[x];
+// Adds to a rest what follows from it within each cell: what a cell sends out and does not leave it, it sends out
+// again. Thick cells would need many sweeps for that.
+void add_own_orders(const CellFields& leaving, const std::vector<double>& returned,
+                    CellFields& rest, const BakeOptions& options) {
+    for_each_plane(rest, options, [&](int z) {
+        for_each_row(rest, [&](std::size_t c, int y) {
+            const auto again = static_cast<float>(returned[degree_of_harmonic(c)]);
+            const float* leaves = leaving.row(0, z, y);
+            float* row = rest.row(c, z, y);
+            for (int x = 0; x < rest.size()[0]; ++x) {
+                row[x] /= 1 - again + again * std::max(leaves[x], kLeastLeaving);
+            }
         });
     });
 }
@@ -69,14 +73,14 @@ RadianceLevels::RadianceLevels(const LayerCells& cells, const std::vector<double
 
 void RadianceLevels::add_later_orders(CellFields& rest, const BakeOptions& options) const {
     if (!coarser_) {
-        add_own_orders(sweep_.own_share(), returned_, rest, options);
+        add_own_orders(sweep_.leaving(), returned_, rest, options);
         return;
     }
     CellFields smooth = mean_light(rest, extinction_, factors_, options);
     CellFields more = coarser_->solve(smooth, {}, kEndOfError, options).light;
     combine(more, smooth, more, options, sum_of);
     add_interpolated(smooth, factors_, -1, rest, options);
-    add_own_orders(sweep_.own_share(), returned_, rest, options);
+    add_own_orders(sweep_.leaving(), returned_, rest, options);
     add_interpolated(more, factors_, 1, rest, options);
 }
 

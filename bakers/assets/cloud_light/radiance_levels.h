@@ -8,7 +8,7 @@
 //   r = K (J + J_1) + J_e - J
 //
 // and J lacks r + e, where e = K (e + r). Coarser cells know that but for what is finer in r, which the cell that
-// sends it out takes back in part: the sum of r + K r + ... within each cell is r / (1 - k) for the share k
+// sends it out takes back in part: within each cell r + K r + ... is r / (1 - k) for the share k that K takes back
 // (multigrid methods: Brandt 1977; of the second kind: Hackbusch 1981). Anderson's method makes the best of the
 // last few guesses.
 #pragma once

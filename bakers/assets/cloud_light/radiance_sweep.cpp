@@ -95,7 +95,7 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
       options_(options),
       passing_(size_, kZenithNodes),
       mean_passing_(size_, kZenithNodes),
-      own_share_(size_, 1) {
+      leaving_(size_, 1) {
     for (const SkyDirection& sky : sky_directions(kZenithNodes, kAzimuths)) {
         const std::size_t node = downward_.size() / kAzimuths;
         if (downward_.size() % kAzimuths == 0) {
@@ -126,13 +126,13 @@ void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, doub
             const float* extinction = cells.extinction.row(0, z, y);
             float* passing = passing_.row(node, z, y);
             float* mean = mean_passing_.row(node, z, y);
-            float* own = own_share_.row(0, z, y);
+            float* leaving = leaving_.row(0, z, y);
             for (int x = 0; x < size_[0]; ++x) {
                 const double depth = double{extinction[x]} * length;
                 const double share = exponential(-depth);
                 passing[x] = static_cast<float>(share);
                 mean[x] = static_cast<float>(mean_of_exponential(depth, share));
-                own[x] += static_cast<float>(share_of_sphere) * (1 - mean[x]);
+                leaving[x] += static_cast<float>(share_of_sphere) * mean[x];
             }
         }
     });

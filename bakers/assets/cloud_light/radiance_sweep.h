@@ -89,8 +89,8 @@ class RadianceSweep {
     void find_radiance(const CellFields& sources, const EnteringLight& entering,
                        CellFields& radiance) const;
 
-    // The share of what a cell sends out that its own mean radiance takes back, in all directions alike.
-    const CellFields& own_share() const { return own_share_; }
+    // The share of what a cell sends out, in all directions alike, that its own mean radiance lacks.
+    const CellFields& leaving() const { return leaving_; }
 
     // Directions in which rays go.
     std::size_t directions() const { return 2 * downward_.size(); }
@@ -128,7 +128,7 @@ class RadianceSweep {
     std::vector<Ordinate> downward_;  // of the lower hemisphere
     CellFields passing_;              // one field for each node
     CellFields mean_passing_;
-    CellFields own_share_;
+    CellFields leaving_;
 };
 
 }  // namespace skybake::cloud_light

@@ -191,7 +191,7 @@ std::vector<InputFile> inputs(const Parameters& parameters, const EnvironmentBak
 }  // namespace
 
 Baker<EnvironmentBake> baker(BakerTag<EnvironmentBake>) {
-    return {.version = 18,
+    return {.version = 19,
             .bake = bake,
             .estimate = estimate,
             .needs = needs,

@@ -133,7 +133,7 @@ void draft(OccupancyBake& asset, int) { asset.mips = 1; }
 }  // namespace
 
 Baker<OccupancyBake> baker(BakerTag<OccupancyBake>) {
-    return {.version = 6,
+    return {.version = 7,
             .bake = bake,
             .estimate = estimate,
             .needs = needs_of_source<OccupancyBake>,
