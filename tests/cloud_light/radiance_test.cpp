@@ -211,7 +211,7 @@ TEST(Radiance, IsTheSumOfAllOrders) {
         });
         const std::vector<double> returned = {1, 0.7};
         const RadianceLevels levels(cells, returned, on(1));
-        const ScatteredLight found = levels.solve(first, {0.5}, {1e-5, 200}, on(1));
+        const ScatteredLight found = levels.solve(first, {0.5}, {1e-5}, on(1));
         EXPECT_LE(found.sweeps, 12);
         const std::vector<float> light = values_of(found.light, 0);
         const std::vector<float> sums =

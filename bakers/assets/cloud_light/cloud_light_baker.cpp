@@ -69,9 +69,9 @@ std::vector<Need> needs(const Parameters& parameters, const CloudLightBake& asse
     return needs;
 }
 
-// Guesses of the solver and what it makes of them.
+// What the solver holds.
 double memory_mib_of_radiance(const std::array<int, 3>& cells, int degree) {
-    constexpr double kFields = 10;
+    constexpr double kFields = 6;
     return kFields * (degree + 1) * (degree + 1) * voxels_of(cells, 1) * sizeof(float) / kMebibyte;
 }
 
@@ -81,7 +81,7 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     constexpr double kRaysPerChannel = 8;
     constexpr double kDirections =
         150;  // of harmonics, those near the horizon counted several times
-    constexpr double kRadiance = 2000;  // of radiance, over all sweeps
+    constexpr double kRadiance = 700;  // of radiance, over all sweeps
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     // Larger cells that do not meet max_error cost twice as much as the one that does, all together.
     const double trials = asset.max_error ? 3 : 1;

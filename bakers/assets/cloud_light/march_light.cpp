@@ -14,7 +14,7 @@ namespace {
 // The cloud is scaled alike for all light. Of the sky's and the ground's, which is smooth, degree 1 is kept.
 constexpr int kDegree = 3;
 constexpr double kAlbedo = 1;
-// What is left to change then is half of this share of the light: a code of 255 is 0.9 % of light, at most.
+// A code of 255 of a picture is 0.9 % of light.
 constexpr double kSeenChange = 2e-3;
 constexpr std::array<int, 2> kForwardTexels = {64, 128};  // along the angle and along the depth
 constexpr int kForwardSteps = 8;                          // of the integral, between two rows
@@ -120,8 +120,8 @@ void write(const SolvedRadiance& solved, const std::array<int, 3>& margin, std::
 }  // namespace
 
 Estimate march_light_estimate(double voxels) {
-    constexpr double kSecondsPerCell = 4e-5;  // of sun, sky and ground
-    constexpr double kFieldsOfSolver = 9;     // of all coefficients, as guesses and their changes
+    constexpr double kSecondsPerCell = 8e-6;  // of sun, sky and ground
+    constexpr double kFieldsOfSolver = 5;     // of all coefficients
     const double cells = std::min(voxels / 8, kCellsOfPicture);
     const double fields = (kFieldsOfSolver * kMostHarmonics + LightInCloud::kAll + 1) * cells;
     Estimate result;

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <functional>
+#include <numeric>
 
-#include "bakers/assets/cloud_light/anderson_guesses.h"
 #include "bakers/math/harmonics.h"
+#include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::cloud_light {
 namespace {
 
 // A sweep over fewer cells costs no more than its overhead.
-constexpr std::size_t kFewCells = 512;
+constexpr std::size_t kFewCells = 64;
 // Errors of finer cells need not be known better than this. Of the finest cells two sweeps in each pay best.
 constexpr SolutionEnd kEndOfError = {0.02, 2};
 constexpr int kSweepsOfFewCells = 24;
@@ -27,9 +28,37 @@ BakeOptions with_threads_for(const CellFields& fields, const BakeOptions& option
     return own;
 }
 
-float sum_of(float a, float b) { return a + b; }
-float difference_of(float a, float b) { return a - b; }
+// The sum does not depend on the number of threads.
+double sum_of_squares(const CellFields& fields, const BakeOptions& options) {
+    constexpr std::size_t kChains = 8;  // of additions, which do not wait for each other
+    std::vector<double> sums(static_cast<std::size_t>(fields.size()[2]));
+    for_each_plane(fields, options, [&](int z) {
+        std::array<double, kChains> chains{};
+        for_each_row(fields, [&](std::size_t c, int y) {
+            const float* row = fields.row(c, z, y);
+            const auto count = static_cast<std::size_t>(fields.size()[0]);
+            for (std::size_t x = 0; x < count; ++x) {
+                chains[x % kChains] += double{row[x]} * double{row[x]};
+            }
+        });
+        sums[static_cast<std::size_t>(z)] = std::accumulate(chains.begin(), chains.end(), 0.0);
+    });
+    return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
 
+// to = use(a, b), number by number.
+template <class Use>
+void combine(const CellFields& a, const CellFields& b, CellFields& to, const BakeOptions& options,
+             const Use& use) {
+    for_each_plane(to, options, [&](int z) {
+        for_each_row(to, [&](std::size_t c, int y) {
+            const float* of_a = a.row(c, z, y);
+            const float* of_b = b.row(c, z, y);
+            float* row = to.row(c, z, y);
+            for (int x = 0; x < to.size()[0]; ++x) row[x] = use(of_a[x], of_b[x]);
+        });
+    });
+}
 // Makes the coefficients of mean radiance those of what cells scatter of it.
 void scatter(const std::vector<double>& returned, CellFields& radiance,
              const BakeOptions& options) {
@@ -78,7 +107,7 @@ void RadianceLevels::add_later_orders(CellFields& rest, const BakeOptions& optio
     }
     CellFields smooth = mean_light(rest, extinction_, factors_, options);
     CellFields more = coarser_->solve(smooth, {}, kEndOfError, options).light;
-    combine(more, smooth, more, options, sum_of);
+    combine(more, smooth, more, options, std::plus<>());
     add_interpolated(smooth, factors_, -1, rest, options);
     add_own_orders(sweep_.leaving(), returned_, rest, options);
     add_interpolated(more, factors_, 1, rest, options);
@@ -88,25 +117,21 @@ ScatteredLight RadianceLevels::solve(const CellFields& first, const EnteringLigh
                                      const SolutionEnd& end, const BakeOptions& options) const {
     const BakeOptions own = with_threads_for(first, options);
     const int most_sweeps = coarser_ ? end.sweeps : std::max(end.sweeps, kSweepsOfFewCells);
-    const CellFields nothing(first.size(), first.count());
-    AndersonGuesses guesses(own);
-    Guess guess{nothing, nothing};
-    CellFields sent_out = nothing;
-    ScatteredLight result{{}, 0, 1};
-    while (result.change > end.change && result.sweeps < most_sweeps && !own.cancelled()) {
-        if (result.sweeps > 0) guess = guesses.next(std::move(guess));
-        combine(guess.light, first, sent_out, options, sum_of);
-        sweep_.find_radiance(sent_out, entering, guess.change);
-        scatter(returned_, guess.change, own);
+    ScatteredLight result{CellFields(first.size(), first.count()), 0, 1};
+    CellFields sent_out = result.light;
+    CellFields rest = result.light;
+    while (result.change > end.change && result.sweeps < most_sweeps && !options.cancelled()) {
+        combine(result.light, first, sent_out, own, std::plus<>());
+        sweep_.find_radiance(sent_out, entering, rest);
+        scatter(returned_, rest, own);
         ++result.sweeps;
-        const double size = inner_product(guess.change, guess.change, own);
-        combine(guess.change, guess.light, guess.change, options, difference_of);
-        const double changed = inner_product(guess.change, guess.change, own);
+        const double size = sum_of_squares(rest, own);
+        combine(rest, result.light, rest, own, std::minus<>());
+        const double changed = sum_of_squares(rest, own);
         result.change = changed > 0 ? std::sqrt(changed / size) : 0;
-        add_later_orders(guess.change, own);
+        add_later_orders(rest, own);
+        combine(result.light, rest, result.light, own, std::plus<>());
     }
-    result.light = std::move(guess.light);
-    combine(result.light, guess.change, result.light, own, sum_of);
     return result;
 }
 

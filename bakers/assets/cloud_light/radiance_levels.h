@@ -9,8 +9,7 @@
 //
 // and J lacks r + e, where e = K (e + r). Coarser cells know that but for what is finer in r, which the cell that
 // sends it out takes back in part: within each cell r + K r + ... is r / (1 - k) for the share k that K takes back
-// (multigrid methods: Brandt 1977; of the second kind: Hackbusch 1981). Anderson's method makes the best of the
-// last few guesses.
+// (multigrid methods: Brandt 1977; of the second kind: Hackbusch 1981).
 #pragma once
 
 #include <memory>
@@ -25,7 +24,7 @@ namespace skybake::cloud_light {
 // A solution ends when a sweep changes J by no more than a share of it, or after so many sweeps.
 struct SolutionEnd {
     double change = 0;
-    int sweeps = 0;
+    int sweeps = 200;
 };
 
 struct ScatteredLight {

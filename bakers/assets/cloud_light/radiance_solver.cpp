@@ -1,13 +1,8 @@
 #include "bakers/assets/cloud_light/radiance_solver.h"
 
-#include <algorithm>
-#include <cmath>
-#include <deque>
-#include <numeric>
 #include <utility>
 
 #include "bakers/assets/cloud_light/light_values.h"
-#include "bakers/math/parallel.h"
 #include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/assets/occupancy_filter.h"
@@ -113,7 +108,7 @@ SolvedRadiance RadianceSolver::solve(const LayerSources& sources, const BakeOpti
     if (sources.sky_shape) {
         entering.sky_shape = ordinate_radiances(sources.sky_shape, levels_.sweep().sky_ordinates());
     }
-    ScatteredLight found = levels_.solve(first, entering, {largest_change, kMostSweeps}, options);
+    ScatteredLight found = levels_.solve(first, entering, {largest_change}, options);
     return {std::move(found.light), std::move(depths), found.sweeps, found.change};
 }
 

@@ -3,8 +3,6 @@
 //   J = w' sum_lm chi'_l a_lm Y_lm,   a_lm: the coefficients of the radiance that J and J_1 emit
 //
 // J_1 is sunlight that is scattered for the first time. The cloud is scaled (cloud_scattering.h).
-// Orders of scattering are a slowly converging series where the cloud is thick; Anderson's method
-// finds its limit from the last few of them (Anderson 1965; Walker & Ni 2011).
 #pragma once
 
 #include <array>
@@ -28,9 +26,8 @@ struct SolvedRadiance {
     double change = 0;  // of J in the last sweep: root mean square over that of J
 };
 
-// The change at which the solution ends.
+// The change at which the solution ends. Where cells are thick the error is four times as large.
 inline constexpr double kLargestChange = 2e-4;
-inline constexpr int kMostSweeps = 200;
 
 // Solves for the light of several sources in the same cells, which are as many as places; each has its
 // centre at one.

@@ -93,7 +93,7 @@ double unshaded_coefficient(const CloudLightBake& bake) {
 std::optional<Need> solution_need(const SourceOfLayer& of, const CloudLightBake& bake) {
     if (!config::is_radiance(bake.contents)) return std::nullopt;
     if (bake.contents == CloudLightContents::clear_sky_radiance) return std::nullopt;
-    constexpr double kSecondsPerCoefficient = 9e-7;  // of a place, over all sweeps
+    constexpr double kSecondsPerCoefficient = 2.5e-7;  // of a place, over all sweeps
     const PlaceGrid places = place_grid(of.size, cloud_light_spacing(bake), false);
     const double coefficients = (bake.degree + 1) * (bake.degree + 1) * voxels_of(places.count, 1);
     SolutionKey key = {of.voxels,
