@@ -127,6 +127,10 @@ GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
       cell_m_(cell_m),
       relief_(std::move(relief)),
       slopes_(slopes_of(*cloud_, cell_m)) {
+    const std::ptrdiff_t plane = std::ptrdiff_t{cloud_->cells[0]} * cloud_->cells[1];
+    for (auto z = cloud_->water.begin(); z != cloud_->water.end(); z += plane) {
+        most_.push_back(*std::max_element(z, z + plane));
+    }
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (int i = 0; i < size[axis]; ++i) {
             const double at = (i + 0.5) * cloud_->cells[axis] / size[axis] - 0.5;
@@ -203,10 +207,14 @@ void GrownVolume::add_relief(const VoxelBox& box, const std::vector<float>& slop
     }
 }
 
-void GrownVolume::sharpen_edges(const std::vector<float>& slopes, float* water) const {
+void GrownVolume::sharpen_edges(const VoxelBox& box, const std::vector<float>& slopes,
+                                float* water) const {
     const auto deeper_m = static_cast<float>(kBlur_cells * *std::ranges::min_element(cell_m_));
+    const std::size_t plane = slopes.size() / static_cast<std::size_t>(box.size[2]);
     for (std::size_t i = 0; i < slopes.size(); ++i) {
-        water[i] = std::min(kSharpness * water[i], water[i] + slopes[i] * deeper_m);
+        const int below = taps_at(2, box.origin[2] + static_cast<int>(i / plane)).first + 1;
+        const float most = std::max(most_at(below), most_at(below + 1));
+        water[i] = std::min({kSharpness * water[i], water[i] + slopes[i] * deeper_m, most});
     }
 }
 
@@ -221,7 +229,7 @@ void GrownVolume::fill(const VoxelBox& asked, const std::vector<float*>& channel
     std::vector<float> slopes(static_cast<std::size_t>(box.count()));
     interpolate(slopes_, box, slopes.data());
     if (relief_.noise) add_relief(box, slopes, first);
-    sharpen_edges(slopes, first);
+    sharpen_edges(box, slopes, first);
     for (std::int64_t i = 0; i < box.count(); ++i) {
         first[i] = density_of_water(first[i], cloud_->full_water);
     }

@@ -21,8 +21,11 @@
 // as steeply from an edge inwards, until it is what cells have b deeper within:
 //
 //   min(s q, q + |grad q| b),   s = 6, b = 1 cell
+//
+// but for what no cell of those levels holds.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <vector>
@@ -70,7 +73,11 @@ class GrownVolume : public VoxelSource {
     // Makes voxels of q or of its slopes, which are numbers at the centres of cells.
     void interpolate(const std::vector<float>& field, const VoxelBox& box, float* out) const;
     void add_relief(const VoxelBox& box, const std::vector<float>& slopes, float* water) const;
-    void sharpen_edges(const std::vector<float>& slopes, float* water) const;
+    void sharpen_edges(const VoxelBox& box, const std::vector<float>& slopes, float* water) const;
+    // The water of the wettest cell of a level.
+    float most_at(int z) const {
+        return most_[static_cast<std::size_t>(std::clamp(z, 0, cloud_->cells[2] - 1))];
+    }
     double relief_m(double z) const;  // r at the middle of slice z
     void along_x(const VoxelBox& box, const float* cells, float* out) const;
     // Makes the voxels of an axis from rows or slices of `width` numbers.
@@ -82,6 +89,7 @@ class GrownVolume : public VoxelSource {
     std::array<double, 3> cell_m_;
     std::array<std::vector<Taps>, 3> taps_;
     Relief relief_;
+    std::vector<float> most_;
     std::vector<float> slopes_;  // g/kg per metre, at the centres of cells
 };
 

@@ -375,9 +375,5 @@ void march_rays(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
     HWY_DYNAMIC_DISPATCH(MarchRow)(sky, rays, radiance);
 }
 
-void march_rays_scalar(const SkyMarch& sky, const MarchRays& rays, float* radiance) {
-    HWY_NAMESPACE::march_channels<float>(sky, rays, radiance);
-}
-
 }  // namespace skybake
 #endif  // HWY_ONCE

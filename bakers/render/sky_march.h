@@ -51,7 +51,4 @@ struct MarchRays {
 // width.
 void march_rays(const SkyMarch& sky, const MarchRays& rays, float* radiance);
 
-// Does the same without vectors. It is the specification of march_rays.
-void march_rays_scalar(const SkyMarch& sky, const MarchRays& rays, float* radiance);
-
 }  // namespace skybake

@@ -81,10 +81,8 @@ void add_phases(const SkyMedium& medium, const std::vector<SkyRay>& from, MarchR
 
 // Returns the radiance along rays, of which there is at least one, up to these distances: none are as
 // far as the air.
-template <class March>
 std::vector<Spectrum> marched(const SkyMedium& medium, const SkyMarch& sky,
-                              std::vector<SkyRay> rays, std::span<const double> reaches_km,
-                              const March& march) {
+                              std::vector<SkyRay> rays, std::span<const double> reaches_km) {
     std::vector<Spectrum> light(rays.size());
     while (rays.size() % kMarchPadding != 0) rays.push_back(rays.back());
     MarchRays together;
@@ -94,7 +92,7 @@ std::vector<Spectrum> marched(const SkyMedium& medium, const SkyMarch& sky,
     add_phases(medium, rays, together);
     const auto channels = static_cast<std::size_t>(sky.channels);
     std::vector<float> radiance(rays.size() * channels);
-    march(sky, together, radiance.data());
+    march_rays(sky, together, radiance.data());
     for (std::size_t i = 0; i < light.size(); ++i) {
         for (std::size_t c = 0; c < channels; ++c) light[i][c] = radiance[c * rays.size() + i];
     }
@@ -102,9 +100,8 @@ std::vector<Spectrum> marched(const SkyMedium& medium, const SkyMarch& sky,
 }
 
 // Renders the left half of a row; the right half is its mirror image.
-template <class March>
 void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& view, int y,
-                const March& march, Image2<float>& image) {
+                Image2<float>& image) {
     const SunZenith sun = {sun_sine(view), sun_cosine(view)};
     std::vector<int> columns;
     std::vector<SkyRay> rays;
@@ -115,7 +112,7 @@ void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& vie
         rays.push_back(sky_ray(shell_of(medium.air), view.camera_altitude_km, sun, *direction));
     }
     if (columns.empty()) return;
-    const std::vector<Spectrum> light = marched(medium, sky, std::move(rays), {}, march);
+    const std::vector<Spectrum> light = marched(medium, sky, std::move(rays), {});
     for (std::size_t i = 0; i < columns.size(); ++i) {
         for (int c = 0; c < sky.channels; ++c) {
             const auto value = static_cast<float>(light[i][static_cast<std::size_t>(c)]);
@@ -123,16 +120,6 @@ void render_row(const SkyMedium& medium, const SkyMarch& sky, const SkyView& vie
             image.texel(view.width - 1 - columns[i], y)[c] = value;
         }
     }
-}
-
-template <class March>
-Image2<float> render(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
-                     int threads, int steps, const March& march) {
-    const SkyMarch sky = make_march(medium, tables, steps);
-    Image2<float> image(view.width, view.height, sky.channels);
-    parallel_for(view.height, threads,
-                 [&](int y) { render_row(medium, sky, view, y, march, image); });
-    return image;
 }
 
 }  // namespace
@@ -148,12 +135,10 @@ Coefficients full_coefficients(const SkyLayer& layer) {
 
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps) {
-    return render(medium, tables, view, threads, steps, march_rays);
-}
-
-Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
-                                const SkyView& view, int threads) {
-    return render(medium, tables, view, threads, kSkySteps, march_rays_scalar);
+    const SkyMarch sky = make_march(medium, tables, steps);
+    Image2<float> image(view.width, view.height, sky.channels);
+    parallel_for(view.height, threads, [&](int y) { render_row(medium, sky, view, y, image); });
+    return image;
 }
 
 std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables,
@@ -168,9 +153,8 @@ std::vector<Spectrum> march_sky(const SkyMedium& medium, const SkyTables& tables
         const std::ptrdiff_t end = std::min(begin + kTogether, count);
         const auto from = static_cast<std::size_t>(begin);
         const auto reaches = reaches_km.empty() ? reaches_km : reaches_km.subspan(from);
-        std::ranges::copy(
-            marched(medium, sky, {rays.begin() + begin, rays.begin() + end}, reaches, march_rays),
-            light.begin() + begin);
+        std::ranges::copy(marched(medium, sky, {rays.begin() + begin, rays.begin() + end}, reaches),
+                          light.begin() + begin);
     });
     return light;
 }

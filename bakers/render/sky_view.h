@@ -42,10 +42,6 @@ inline constexpr int kSkySteps = 40;
 Image2<float> render_sky(const SkyMedium& medium, const SkyTables& tables, const SkyView& view,
                          int threads, int steps = kSkySteps);
 
-// Does the same without vectors. It is the specification of render_sky.
-Image2<float> render_sky_scalar(const SkyMedium& medium, const SkyTables& tables,
-                                const SkyView& view, int threads);
-
 // Returns the coefficients of a layer where its density is 1.
 Coefficients full_coefficients(const SkyLayer& layer);
 

@@ -170,7 +170,8 @@ void expect_natural(const NaturalRange& range, const BakedPreset& preset) {
         "{}: greatest density {}, largest depth {:.1f}, median {:.1f}, cover {:.2f}, "
         "levels {} of {}\n",
         range.preset, greatest, depths.back(), median, cover, used, preset.size[2]);
-    EXPECT_GE(greatest, 0.95F);
+    // No cell of a storm holds what unmixed air would.
+    EXPECT_GE(greatest, std::string_view(range.preset) == "cumulonimbus" ? 0.7F : 0.95F);
     EXPECT_LE(greatest, 1.0F);
     EXPECT_GE(depths.back(), range.largest[0]);
     EXPECT_LE(depths.back(), range.largest[1]);

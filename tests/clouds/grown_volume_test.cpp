@@ -105,6 +105,15 @@ double slope_of(const GrownCloud& cloud, std::array<int, 3> cell,
     return sum;
 }
 
+// The water of the wettest cell of a level.
+double most_of(const GrownCloud& cloud, int z) {
+    double most = -100;
+    for (int i = 0; i < cloud.cells[0] * cloud.cells[1]; ++i) {
+        most = std::max(most, water_of(cloud, {i % cloud.cells[0], i / cloud.cells[0], z}));
+    }
+    return most;
+}
+
 // A cloud of a tile of 60 m x 40 m x 50 m, whose detail is Worley noise with cells of 10 m.
 config::Cloud cloud_with_relief(double relief) {
     config::Cloud cloud;
@@ -150,7 +159,9 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                                        (2 * noise - 1);
                 const double slope = between_cells(slope_field, {}, at, 3);
                 const double moved = between_cells(water_field, {}, at, 3) + moved_m * slope;
-                const double water = std::min(6 * moved, moved + 2 * 10 * slope);
+                const auto level = static_cast<int>(std::floor(at[2]));
+                const double most = std::max(most_of(*cloud, level), most_of(*cloud, level + 1));
+                const double water = std::min({6 * moved, moved + 10 * slope, most});
                 const auto i = static_cast<std::size_t>((z * size[1] + y) * size[0] + x);
                 if (std::abs(water) < 1e-4) continue;  // the power is steep there
                 ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6)
@@ -188,9 +199,9 @@ TEST(GrownVolume, IsSixTimesAsSteepAtAnEdge) {
     const auto water = [&](std::size_t x) { return 100 * std::pow(double{row[x]}, 1.5); };
     EXPECT_EQ(row[155], 0) << "0.05 m outside";
     EXPECT_NEAR(water(154), 6 * 0.005, 1e-4) << "0.05 m within";
-    EXPECT_NEAR(water(152), 6 * 0.025, 1e-4) << "0.25 m within";
-    EXPECT_NEAR(water(150), 0.045 + 0.2, 1e-4) << "what lies 2 m deeper";
-    EXPECT_NEAR(water(100), 0.545 + 0.2, 1e-4);
+    EXPECT_NEAR(water(153), 6 * 0.015, 1e-4) << "0.15 m within";
+    EXPECT_NEAR(water(150), 0.045 + 0.1, 1e-4) << "what lies 1 m deeper";
+    EXPECT_NEAR(water(100), 0.545 + 0.1, 1e-4);
 }
 
 TEST(GrownVolume, NoiseMovesAFrontByMetres) {

@@ -80,7 +80,7 @@ Estimate estimate(const Parameters& parameters, const CloudLightBake& asset) {
     constexpr double kSecondsPerPlane = 1e-9;
     constexpr double kRaysPerChannel = 8;
     constexpr double kDirections =
-        150;  // of harmonics, those near the horizon counted several times
+        150;                           // of harmonics, those near the horizon counted several times
     constexpr double kRadiance = 700;  // of radiance, over all sweeps
     const CloudVolumeBake& of = source_volume(parameters, asset.of);
     // Larger cells that do not meet max_error cost twice as much as the one that does, all together.
