@@ -140,9 +140,9 @@ TEST(RadianceSweep, CarriesLightAwayFromWhatSendsItOut) {
     cells.extinction.row(0, 4, 4)[4] = 1;
     CellFields sources(size, 4);
     sources.row(0, 4, 4)[4] = 1;
-    const RadianceSweep sweep(cells, 1, on(2));
+    const RadianceSweep sweep(cells, 1, 2);
     CellFields light(size, 4);
-    sweep.find_radiance(sources, {}, light);
+    sweep.find_radiance(sources, {}, light, on(2));
     constexpr std::array<std::size_t, 3> kAlong = {3, 1, 2};  // coefficients of x, y, z
     for (std::size_t a = 0; a < 3; ++a) {
         for (const int side : {-2, 2}) {
@@ -166,7 +166,7 @@ CellFields sum_of_orders(const RadianceSweep& sweep, const std::vector<double>& 
     double largest = 1;
     double largest_of_sum = 0;
     while (largest > 1e-6 * largest_of_sum) {
-        sweep.find_radiance(sent_out, light, order);
+        sweep.find_radiance(sent_out, light, order, on(1));
         light = {};  // it has entered
         largest = 0;
         for_each_plane(first, on(1), [&](int z) {

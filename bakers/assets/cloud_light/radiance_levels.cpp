@@ -93,7 +93,8 @@ RadianceLevels::RadianceLevels(const LayerCells& cells, const std::vector<double
                                const BakeOptions& options)
     : extinction_(cells.extinction),
       returned_(returned),
-      sweep_(cells, static_cast<int>(returned.size()) - 1, with_threads_for(extinction_, options)),
+      sweep_(cells, static_cast<int>(returned.size()) - 1,
+             with_threads_for(extinction_, options).threads),
       factors_(coarser_factors(extinction_.size())) {
     if (occupancy::count_of(extinction_.size()) <= kFewCells || factors_ == kSameCells) return;
     coarser_ =
@@ -122,7 +123,7 @@ ScatteredLight RadianceLevels::solve(const CellFields& first, const EnteringLigh
     CellFields rest = result.light;
     while (result.change > end.change && result.sweeps < most_sweeps && !options.cancelled()) {
         combine(result.light, first, sent_out, own, std::plus<>());
-        sweep_.find_radiance(sent_out, entering, rest);
+        sweep_.find_radiance(sent_out, entering, rest, own);
         scatter(returned_, rest, own);
         ++result.sweeps;
         const double size = sum_of_squares(rest, own);

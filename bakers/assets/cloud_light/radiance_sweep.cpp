@@ -14,6 +14,7 @@ namespace {
 
 constexpr int kZenithNodes = 4;
 constexpr int kAzimuths = 8;
+static_assert(kZenithNodes * kAzimuths <= 2 * kMostPairs);
 
 // Turns a direction to the middle between two azimuths.
 glm::dvec3 half_a_step_on(const glm::dvec3& direction) {
@@ -88,11 +89,10 @@ struct RadianceSweep::Rays {
     }
 };
 
-RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options)
+RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, int threads)
     : size_(cells.extinction.size()),
       edge_m_(cells.edge_m),
       coefficients_(static_cast<std::size_t>((degree + 1) * (degree + 1))),
-      options_(options),
       passing_(size_, kZenithNodes),
       mean_passing_(size_, kZenithNodes),
       leaving_(size_, 1) {
@@ -103,7 +103,8 @@ RadianceSweep::RadianceSweep(const LayerCells& cells, int degree, const BakeOpti
             const double tangent = std::sqrt(1 - cosine * cosine) / cosine;
             const double cells_across = tangent * edge_m_[2] / std::min(edge_m_[0], edge_m_[1]);
             nodes_.push_back({std::max(1, static_cast<int>(std::ceil(cells_across))), tangent});
-            fill_passing(cells, node, cosine, sky.solid_angle * kAzimuths / (2 * std::numbers::pi));
+            fill_passing(cells, node, cosine, sky.solid_angle * kAzimuths / (2 * std::numbers::pi),
+                         threads);
         }
         const glm::dvec3 direction = node % 2 == 0 ? sky.direction : half_a_step_on(sky.direction);
         downward_.push_back({{direction.x, direction.y, -direction.z}, sky.solid_angle, node});
@@ -119,9 +120,9 @@ std::vector<SkyDirection> RadianceSweep::sky_ordinates() const {
 }
 
 void RadianceSweep::fill_passing(const LayerCells& cells, std::size_t node, double cosine,
-                                 double share_of_sphere) {
+                                 double share_of_sphere, int threads) {
     const double length = edge_m_[2] / (cosine * nodes_[node].steps);
-    parallel_for(size_[2], options_.threads, [&](int z) {
+    parallel_for(size_[2], threads, [&](int z) {
         for (int y = 0; y < size_[1]; ++y) {
             const float* extinction = cells.extinction.row(0, z, y);
             float* passing = passing_.row(node, z, y);
@@ -203,28 +204,28 @@ void RadianceSweep::gather_row(const std::vector<Rays>& rays, int z, int y,
 }
 
 void RadianceSweep::sweep(const CellFields& sources, const std::vector<double>& entering,
-                          bool rises, CellFields& sums) const {
+                          bool rises, CellFields& sums, const BakeOptions& options) const {
     std::vector<Rays> rays;
     for (Ordinate ordinate : downward_) {
         if (rises) ordinate.direction.z = -ordinate.direction.z;
         rays.emplace_back(size_, ordinate, entering[rays.size()]);
     }
-    for (int i = 0; i < size_[2] && !options_.cancelled(); ++i) {
+    for (int i = 0; i < size_[2] && !options.cancelled(); ++i) {
         const int z = rises ? i : size_[2] - 1 - i;
-        parallel_for(size_[1], options_.threads, [&](int y) { send_out_row(sources, z, y, rays); });
-        parallel_for(static_cast<int>(rays.size()), options_.threads,
+        parallel_for(size_[1], options.threads, [&](int y) { send_out_row(sources, z, y, rays); });
+        parallel_for(static_cast<int>(rays.size()), options.threads,
                      [&](int n) { cross_plane(z, rays[static_cast<std::size_t>(n)]); });
-        parallel_for(size_[1], options_.threads, [&](int y) { gather_row(rays, z, y, sums); });
+        parallel_for(size_[1], options.threads, [&](int y) { gather_row(rays, z, y, sums); });
     }
 }
 
 void RadianceSweep::find_radiance(const CellFields& sources, const EnteringLight& entering,
-                                  CellFields& radiance) const {
+                                  CellFields& radiance, const BakeOptions& options) const {
     radiance.clear();
     std::vector<double> sky(downward_.size(), entering.sky);
     for (std::size_t n = 0; n < entering.sky_shape.size(); ++n) sky[n] *= entering.sky_shape[n];
-    sweep(sources, sky, false, radiance);
-    sweep(sources, std::vector<double>(downward_.size(), entering.ground), true, radiance);
+    sweep(sources, sky, false, radiance, options);
+    sweep(sources, std::vector<double>(downward_.size(), entering.ground), true, radiance, options);
 }
 
 }  // namespace skybake::cloud_light

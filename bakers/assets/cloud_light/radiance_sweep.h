@@ -81,13 +81,12 @@ struct EnteringLight {
 
 class RadianceSweep {
   public:
-    // Cells must outlive it.
-    RadianceSweep(const LayerCells& cells, int degree, const BakeOptions& options);
+    RadianceSweep(const LayerCells& cells, int degree, int threads);
 
     // Writes the coefficients of the mean radiance in each cell. `sources` are those of the light per
     // extinction that cells send out. They are incomplete once options.progress is cancelled.
     void find_radiance(const CellFields& sources, const EnteringLight& entering,
-                       CellFields& radiance) const;
+                       CellFields& radiance, const BakeOptions& options) const;
 
     // The share of what a cell sends out, in all directions alike, that its own mean radiance lacks.
     const CellFields& leaving() const { return leaving_; }
@@ -112,9 +111,9 @@ class RadianceSweep {
     struct Rays;
 
     void fill_passing(const LayerCells& cells, std::size_t node, double cosine,
-                      double share_of_sphere);
+                      double share_of_sphere, int threads);
     void sweep(const CellFields& sources, const std::vector<double>& entering, bool rises,
-               CellFields& sums) const;
+               CellFields& sums, const BakeOptions& options) const;
     void send_out_row(const CellFields& sources, int z, int y, std::vector<Rays>& rays) const;
     void cross_plane(int z, Rays& rays) const;
     void step(const Ordinate& ordinate, int z, int y, Rays& rays) const;
@@ -123,7 +122,6 @@ class RadianceSweep {
     std::array<int, 3> size_;
     std::array<double, 3> edge_m_;
     std::size_t coefficients_;
-    BakeOptions options_;
     std::vector<Node> nodes_;
     std::vector<Ordinate> downward_;  // of the lower hemisphere
     CellFields passing_;              // one field for each node
