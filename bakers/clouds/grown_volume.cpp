@@ -14,7 +14,6 @@ namespace {
 
 // Cells blur the edges of what grows in them over so much of them.
 constexpr double kBlur_cells = 1;
-constexpr float kSharpness = 6;
 
 std::array<float, 4> cubic_weights(double t) {
     const double t2 = t * t;
@@ -209,12 +208,18 @@ void GrownVolume::add_relief(const VoxelBox& box, const std::vector<float>& slop
 
 void GrownVolume::sharpen_edges(const VoxelBox& box, const std::vector<float>& slopes,
                                 float* water) const {
-    const auto deeper_m = static_cast<float>(kBlur_cells * *std::ranges::min_element(cell_m_));
+    const double blur_m = kBlur_cells * *std::ranges::min_element(cell_m_);
+    double voxel_m = 0;
+    for (std::size_t a = 0; a < 3; ++a) {
+        voxel_m = std::max(voxel_m, cell_m_[a] * cloud_->cells[a] / size_[a]);
+    }
+    const auto deeper_m = static_cast<float>(blur_m);
+    const auto sharpness = static_cast<float>(1 + blur_m / voxel_m);
     const std::size_t plane = slopes.size() / static_cast<std::size_t>(box.size[2]);
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const int below = taps_at(2, box.origin[2] + static_cast<int>(i / plane)).first + 1;
         const float most = std::max(most_at(below), most_at(below + 1));
-        water[i] = std::min({kSharpness * water[i], water[i] + slopes[i] * deeper_m, most});
+        water[i] = std::min({sharpness * water[i], water[i] + slopes[i] * deeper_m, most});
     }
 }
 

@@ -20,9 +20,10 @@
 // Cells blur edges, which are some metres wide in nature and white down to their last metre. So water rises s times
 // as steeply from an edge inwards, until it is what cells have b deeper within:
 //
-//   min(s q, q + |grad q| b),   s = 6, b = 1 cell
+//   min(s q, q + |grad q| b),   s = 1 + b / v
 //
-// but for what no cell of those levels holds.
+// for the edge b of a cell and v of a voxel, over one of which the edge rises, but for what no cell of those levels
+// holds.
 #pragma once
 
 #include <algorithm>

@@ -31,6 +31,7 @@ preset = "cumulus_humilis"
 base_altitude = "1.2 km"
 detail = ""
 convection = { cells = [48, 48, 8] }
+extinction_scale = "90 /km"
 [bake.cumulus]
 asset = "cloud_volume"
 cloud = "cumulus"

@@ -159,9 +159,11 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                                        (2 * noise - 1);
                 const double slope = between_cells(slope_field, {}, at, 3);
                 const double moved = between_cells(water_field, {}, at, 3) + moved_m * slope;
+                const double voxel_m = std::max({60.0 / size[0], 40.0 / size[1], 50.0 / size[2]});
+                const double sharpness = 1 + 10 / voxel_m;
                 const auto level = static_cast<int>(std::floor(at[2]));
                 const double most = std::max(most_of(*cloud, level), most_of(*cloud, level + 1));
-                const double water = std::min({6 * moved, moved + 10 * slope, most});
+                const double water = std::min({sharpness * moved, moved + 10 * slope, most});
                 const auto i = static_cast<std::size_t>((z * size[1] + y) * size[0] + x);
                 if (std::abs(water) < 1e-4) continue;  // the power is steep there
                 ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6)
@@ -192,15 +194,15 @@ std::shared_ptr<GrownCloud> front() {
     return cloud;
 }
 
-TEST(GrownVolume, IsSixTimesAsSteepAtAnEdge) {
+TEST(GrownVolume, IsSteepAtAnEdge) {
     const std::array<int, 3> size = {600, 4, 5};
     const std::vector<float> row =
         filled(GrownVolume(front(), {1, 1, 1}, size), {{0, 0, 2}, {300, 1, 1}});
     const auto water = [&](std::size_t x) { return 100 * std::pow(double{row[x]}, 1.5); };
     EXPECT_EQ(row[155], 0) << "0.05 m outside";
-    EXPECT_NEAR(water(154), 6 * 0.005, 1e-4) << "0.05 m within";
-    EXPECT_NEAR(water(153), 6 * 0.015, 1e-4) << "0.15 m within";
-    EXPECT_NEAR(water(150), 0.045 + 0.1, 1e-4) << "what lies 1 m deeper";
+    EXPECT_NEAR(water(154), 2 * 0.005, 1e-4) << "0.05 m within, in voxels of 1 m";
+    EXPECT_NEAR(water(146), 2 * 0.085, 1e-4) << "0.85 m within";
+    EXPECT_NEAR(water(144), 0.105 + 0.1, 1e-4) << "what lies 1 m deeper";
     EXPECT_NEAR(water(100), 0.545 + 0.1, 1e-4);
 }
 

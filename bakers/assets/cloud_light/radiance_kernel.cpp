@@ -72,7 +72,7 @@ void gather_here(std::span<const PairLight> pairs, std::size_t count,
             light[0][n] = hn::Add(first, second);
             light[1][n] = hn::Sub(first, second);
         }
-        for (const std::size_t parity : {0, 1}) {
+        for (const std::size_t parity : {0U, 1U}) {
             std::size_t c = parity;
             for (; c + 2 * kTogether <= coefficients + 1; c += 2 * kTogether) {
                 gather_coefficients<kTogether>(pairs, light, c, i, rows);
