@@ -159,8 +159,7 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                                        (2 * noise - 1);
                 const double slope = between_cells(slope_field, {}, at, 3);
                 const double moved = between_cells(water_field, {}, at, 3) + moved_m * slope;
-                const double voxel_m = std::max({60.0 / size[0], 40.0 / size[1], 50.0 / size[2]});
-                const double sharpness = 1 + 10 / voxel_m;
+                const double sharpness = 1 + std::min({size[0] / 6.0, size[1] / 4.0, size[2] / 5.0});
                 const auto level = static_cast<int>(std::floor(at[2]));
                 const double most = std::max(most_of(*cloud, level), most_of(*cloud, level + 1));
                 const double water = std::min({sharpness * moved, moved + 10 * slope, most});
