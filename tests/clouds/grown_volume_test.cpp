@@ -138,6 +138,7 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                        double relief) {
     const config::Cloud keys = cloud_with_relief(relief);
     const std::array<double, 3> cell_m = {10, 10, 10};
+    const double sharpness = 1 + std::min({size[0] / 6.0, size[1] / 4.0, size[2] / 5.0});
     const std::vector<float> values =
         filled(*volume_of_grown(cloud, keys, &billows(), size).source.voxels, {{}, size});
     const config::Noise detail =
@@ -159,14 +160,12 @@ void expect_definition(const std::shared_ptr<GrownCloud>& cloud, const std::arra
                                        (2 * noise - 1);
                 const double slope = between_cells(slope_field, {}, at, 3);
                 const double moved = between_cells(water_field, {}, at, 3) + moved_m * slope;
-                const double sharpness = 1 + std::min({size[0] / 6.0, size[1] / 4.0, size[2] / 5.0});
                 const auto level = static_cast<int>(std::floor(at[2]));
                 const double most = std::max(most_of(*cloud, level), most_of(*cloud, level + 1));
                 const double water = std::min({sharpness * moved, moved + 10 * slope, most});
                 const auto i = static_cast<std::size_t>((z * size[1] + y) * size[0] + x);
                 if (std::abs(water) < 1e-4) continue;  // the power is steep there
-                ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6)
-                    << x << " " << y << " " << z;
+                ASSERT_NEAR(double{values[i]}, density(water, 2), 3e-6) << i;
             }
         }
     }
