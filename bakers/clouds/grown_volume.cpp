@@ -12,9 +12,6 @@
 namespace skybake::cloud {
 namespace {
 
-// Cells blur the edges of what grows in them over so much of them.
-constexpr double kBlur_cells = 1;
-
 std::array<float, 4> cubic_weights(double t) {
     const double t2 = t * t;
     const double t3 = t2 * t;
@@ -130,13 +127,18 @@ GrownVolume::GrownVolume(std::shared_ptr<const convection::GrownCloud> cloud,
     for (auto z = cloud_->water.begin(); z != cloud_->water.end(); z += plane) {
         most_.push_back(*std::max_element(z, z + plane));
     }
+    double voxel_m = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+        voxel_m = std::max(voxel_m, cell_m[axis] * cloud_->cells[axis] / size[axis]);
         for (int i = 0; i < size[axis]; ++i) {
             const double at = (i + 0.5) * cloud_->cells[axis] / size[axis] - 0.5;
             const double cell = std::floor(at);
             taps_[axis].push_back({static_cast<int>(cell) - 1, cubic_weights(at - cell)});
         }
     }
+    const double blur_m = *std::ranges::min_element(cell_m);
+    blur_m_ = static_cast<float>(blur_m);
+    sharpness_ = static_cast<float>(1 + blur_m / voxel_m);
 }
 
 GrownVolume::Cells GrownVolume::cells_of(std::size_t axis, const VoxelBox& box) const {
@@ -208,18 +210,13 @@ void GrownVolume::add_relief(const VoxelBox& box, const std::vector<float>& slop
 
 void GrownVolume::sharpen_edges(const VoxelBox& box, const std::vector<float>& slopes,
                                 float* water) const {
-    const double blur_m = kBlur_cells * *std::ranges::min_element(cell_m_);
-    double voxel_m = 0;
-    for (std::size_t a = 0; a < 3; ++a) {
-        voxel_m = std::max(voxel_m, cell_m_[a] * cloud_->cells[a] / size_[a]);
-    }
-    const auto deeper_m = static_cast<float>(blur_m);
-    const auto sharpness = static_cast<float>(1 + blur_m / voxel_m);
     const std::size_t plane = slopes.size() / static_cast<std::size_t>(box.size[2]);
-    for (std::size_t i = 0; i < slopes.size(); ++i) {
-        const int below = taps_at(2, box.origin[2] + static_cast<int>(i / plane)).first + 1;
+    for (std::size_t z = 0, i = 0; i < slopes.size(); ++z) {
+        const int below = taps_at(2, box.origin[2] + static_cast<int>(z)).first + 1;
         const float most = std::max(most_at(below), most_at(below + 1));
-        water[i] = std::min({sharpness * water[i], water[i] + slopes[i] * deeper_m, most});
+        for (const std::size_t end = i + plane; i < end; ++i) {
+            water[i] = std::min({sharpness_ * water[i], water[i] + slopes[i] * blur_m_, most});
+        }
     }
 }
 

@@ -91,6 +91,8 @@ class GrownVolume : public VoxelSource {
     std::array<std::vector<Taps>, 3> taps_;
     Relief relief_;
     std::vector<float> most_;
+    float blur_m_ = 0;           // b
+    float sharpness_ = 1;        // s
     std::vector<float> slopes_;  // g/kg per metre, at the centres of cells
 };
 

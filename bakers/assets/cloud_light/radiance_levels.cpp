@@ -59,6 +59,7 @@ void combine(const CellFields& a, const CellFields& b, CellFields& to, const Bak
         });
     });
 }
+
 // Makes the coefficients of mean radiance those of what cells scatter of it.
 void scatter(const std::vector<double>& returned, CellFields& radiance,
              const BakeOptions& options) {

@@ -26,7 +26,7 @@ struct SolvedRadiance {
     double change = 0;  // of J in the last sweep: root mean square over that of J
 };
 
-// The change at which the solution ends. Where cells are thick the error is four times as large.
+// The change at which the solution ends. In towering cumulus the error was four times as large.
 inline constexpr double kLargestChange = 2e-4;
 
 // Solves for the light of several sources in the same cells, which are as many as places; each has its

@@ -31,10 +31,11 @@ void for_each_pair(const Use& use) {
     }
 }
 
-PairHarmonics pair_harmonics(const Harmonics& harmonics, double weight, std::size_t count) {
+PairHarmonics pair_harmonics(const glm::dvec3& direction, double weight, std::size_t count) {
+    const Harmonics values = harmonics(direction);
     PairHarmonics pair{{}, count};
     for (std::size_t c = 0; c < count; ++c) {
-        pair.values[c] = static_cast<float>(weight * harmonics[c]);
+        pair.values[c] = static_cast<float>(weight * values[c]);
     }
     return pair;
 }
@@ -71,14 +72,17 @@ std::vector<float> values_of(const CellFields& fields, std::size_t field) {
 // last, which are those of the next tiles.
 struct RadianceSweep::Rays {
     Ordinate ordinate;
-    Harmonics harmonics{};
+    PairHarmonics sent_out;       // of this direction, if it is the first of a pair
+    PairHarmonics gathered;       // the same times its solid angle
     std::array<int, 2> upwind{};  // the neighbour from which light comes
     std::array<float, 4> share{};
     CellFields before, after, source, mean;
 
-    Rays(const std::array<int, 3>& size, const Ordinate& along, double entering)
+    Rays(const std::array<int, 3>& size, const Ordinate& along, std::size_t coefficients,
+         double entering)
         : ordinate(along),
-          harmonics(skybake::harmonics(along.direction)),
+          sent_out(pair_harmonics(along.direction, 1, coefficients)),
+          gathered(pair_harmonics(along.direction, along.solid_angle, coefficients)),
           before({size[0] + 2 * static_cast<int>(kRowSlack), size[1], 1}, 1),
           after(before),
           source({size[0], size[1], 1}, 1),
@@ -164,8 +168,8 @@ void RadianceSweep::send_out_row(const CellFields& sources, int z, int y,
     for (std::size_t c = 0; c < coefficients_; ++c) rows[c] = sources.row(c, z, y);
     const auto count = static_cast<std::size_t>(size_[0]);
     for_each_pair([&](std::size_t first, std::size_t second) {
-        send_out(pair_harmonics(rays[first].harmonics, 1, coefficients_), rows, count,
-                 rays[first].source.row(0, 0, y), rays[second].source.row(0, 0, y));
+        send_out(rays[first].sent_out, rows, count, rays[first].source.row(0, 0, y),
+                 rays[second].source.row(0, 0, y));
     });
 }
 
@@ -194,9 +198,8 @@ void RadianceSweep::gather_row(const std::vector<Rays>& rays, int z, int y,
                                CellFields& sums) const {
     std::vector<PairLight> pairs;
     for_each_pair([&](std::size_t first, std::size_t second) {
-        const Ordinate& ordinate = rays[first].ordinate;
-        pairs.push_back({pair_harmonics(rays[first].harmonics, ordinate.solid_angle, coefficients_),
-                         rays[first].mean.row(0, 0, y), rays[second].mean.row(0, 0, y)});
+        pairs.push_back(
+            {rays[first].gathered, rays[first].mean.row(0, 0, y), rays[second].mean.row(0, 0, y)});
     });
     CoefficientRows<float> rows{};
     for (std::size_t c = 0; c < coefficients_; ++c) rows[c] = sums.row(c, z, y);
@@ -208,7 +211,7 @@ void RadianceSweep::sweep(const CellFields& sources, const std::vector<double>& 
     std::vector<Rays> rays;
     for (Ordinate ordinate : downward_) {
         if (rises) ordinate.direction.z = -ordinate.direction.z;
-        rays.emplace_back(size_, ordinate, entering[rays.size()]);
+        rays.emplace_back(size_, ordinate, coefficients_, entering[rays.size()]);
     }
     for (int i = 0; i < size_[2] && !options.cancelled(); ++i) {
         const int z = rises ? i : size_[2] - 1 - i;
