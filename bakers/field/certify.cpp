@@ -83,6 +83,7 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
                      const BakeOptions& options) {
     const StoredVoxels voxels(level, type);
     std::vector<std::vector<double>> errors(places.size());
+    std::vector<std::vector<double>> noise(places.size());
     constexpr int kTile = 32;
     const auto count = static_cast<int>(places.size());
     for_each_tile((count + kTile - 1) / kTile, options, "certify", [&](int tile) {
@@ -93,15 +94,18 @@ VolumeErrors measure(const Level& level, PixelType type, const VolumeReference& 
             const std::vector<double> wanted = reference(places[at]);
             errors[at] = comparison.errors ? comparison.errors(places[at], found, wanted)
                                            : shares_of_range(level, found, wanted);
+            noise[at].resize(errors[at].size());
+            if (comparison.noise) noise[at] = comparison.noise(wanted);
         }
     });
     VolumeErrors result;
     result.points = count;
     ErrorStatistics statistics;
     for (std::size_t i = 0; i < errors.size(); ++i) {
-        for (const double error : errors[i]) {
-            if (std::fabs(error) > statistics.max()) result.worst = places[i];
-            statistics.add(error);
+        for (std::size_t c = 0; c < errors[i].size(); ++c) {
+            const double before = statistics.max();
+            statistics.add(errors[i][c], noise[i][c]);
+            if (statistics.max() > before) result.worst = places[i];
         }
     }
     result.figures = statistics.figures();
@@ -206,6 +210,7 @@ VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeRefe
     std::vector<Coordinates> places;
     for (int i = 0; i < count; ++i) {
         Coordinates place = low_discrepancy_point(i);
+        if (comparison.lookup_place) place = comparison.lookup_place(place);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             place[axis] = (std::floor(place[axis] * level.size[axis]) + 0.5) / level.size[axis];
         }

@@ -2,6 +2,7 @@
 // reports show the results.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -68,6 +69,9 @@ struct VolumeComparison {
                                       const std::vector<double>& found,
                                       const std::vector<double>& wanted)>
         errors;
+    // Returns the standard error of each error, of a reference that draws random numbers. What they make of
+    // the figures is taken off.
+    std::function<std::vector<double>(const std::vector<double>& wanted)> noise = {};
     // Returns the texture coordinates nearest to `uvw` that a runtime may look up.
     std::function<std::array<double, 3>(const std::array<double, 3>& uvw)> lookup_place;
     std::string scale;  // what an error of 1 means
@@ -86,7 +90,7 @@ VolumeErrors measure_lookups(const Level& level, PixelType type, const VolumeRef
                              int count, const BakeOptions& options,
                              const VolumeComparison& comparison = {});
 
-// Measures the voxels that the same set falls into, at their centres.
+// Measures the voxels that the same set falls into, moved by comparison.lookup_place, at their centres.
 VolumeErrors measure_voxels(const Level& level, PixelType type, const VolumeReference& reference,
                             int count, const BakeOptions& options,
                             const VolumeComparison& comparison = {});
@@ -102,14 +106,17 @@ std::vector<double> look_up(const Level& level, PixelType type, const std::array
 // The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {
   public:
-    void add(double error) {
-        const double size = std::fabs(error);
+    // `noise` is the standard error of the error: of its square, noise^2 is expected without any error, and
+    // one in twenty is beyond 2 noise.
+    void add(double error, double noise = 0) {
+        const double size = std::max(std::fabs(error) - 2 * noise, 0.0);
         if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
-        sum_of_squares_ += error * error;
+        sum_of_squares_ += error * error - noise * noise;
         ++count_;
     }
     ErrorFigures figures() const {
-        return {max_, count_ == 0 ? 0 : std::sqrt(sum_of_squares_ / static_cast<double>(count_))};
+        const double squares = std::max(sum_of_squares_, 0.0);
+        return {max_, count_ == 0 ? 0 : std::sqrt(squares / static_cast<double>(count_))};
     }
     double max() const { return max_; }
     long count() const { return count_; }

@@ -39,10 +39,15 @@ void certify(const VolumeFinish& finish, const BakeOptions& options, Baked& volu
     const Level& level = volume.levels.front();
     const int quick_points = quick_lookup_points(finish.expensive);
     const int points = options.certification == Certification::full ? kFullPoints : quick_points;
+    Level sampled = finish.sampled.value_or(level);
+    sampled.statistics = level.statistics;
+    VolumeComparison of_voxels = finish.comparison;
+    if (!finish.sampled) of_voxels.lookup_place = nullptr;
     const auto voxels =
-        static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, level.size}.count()));
-    const VolumeErrors texel = measure_voxels(level, volume.pixel_type, finish.reference, voxels,
-                                              options, finish.comparison);
+        static_cast<int>(std::min<std::int64_t>(points, VoxelBox{{}, sampled.size}.count()));
+    const VolumeErrors texel =
+        measure_voxels(sampled, finish.sampled ? PixelType::float32 : volume.pixel_type,
+                       finish.reference, voxels, options, of_voxels);
     // Volumes that repeat look alike everywhere, so that points spread evenly see what there is.
     const VolumeErrors lookup =
         level.repeats[0]

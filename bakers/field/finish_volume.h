@@ -42,6 +42,9 @@ struct VolumeFinish {
     // Approximates an expensive reference. It is searched for the largest errors in its place.
     VolumeReference estimate = {};
     VolumeComparison comparison = {};
+    // The values to which texels were fitted, on a grid of their own. They are measured in place of the
+    // texels, which are no values of any place.
+    std::optional<Level> sampled = {};
     // Replaces the reference for volumes that a runtime does not look up between the eight nearest
     // voxels.
     std::function<Certificate(const Baked& volume, const BakeOptions& options)> measure = {};

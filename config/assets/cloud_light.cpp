@@ -93,9 +93,10 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels",
      light_cell_range, Default{"4"}, Hint{"2 to 8"}, Exclusive{"size"}},
     {"max_error", Kind::fraction, &CloudLightBake::max_error,
-     "in place of cell, asks for the fewest texels of which the RMS error of lookups is within "
-     "this share of the range",
-     lookup_error_range, Hint{"for example \"2 %\""}, Exclusive{"size"},
+     "in place of cell, asks for the fewest texels of which the RMS error of lookups within cloud "
+     "is "
+     "at most this share of the light that nothing shades",
+     lookup_error_range, Hint{"for example \"5 %\""}, Exclusive{"size"},
      When{"contents", of_depths}},
     {of_light_within(droplet_diameter_field), &CloudLightBake::droplet_diameter},
     {of_light_within(single_scattering_albedo_field), &CloudLightBake::single_scattering_albedo},
@@ -124,9 +125,7 @@ void check_cells(const DecodedSection& bake, const CloudVolumeBake& volume,
 void derive_pixel_type(DecodedSection& bake, CloudLightContents contents, const Cloud* cloud) {
     constexpr double largest_half = 65504;
     const DecodedField& suns = bake.at("sun_elevations");
-    const bool is_depth =
-        contents == CloudLightContents::optical_depth || contents == CloudLightContents::shadow;
-    if (!is_depth || !cloud || !suns.value) return;
+    if (!is_depth(contents) || !cloud || !suns.value) return;
     const auto& elevations = std::get<std::vector<double>>(*suns.value);
     const double lowest = *std::ranges::min_element(elevations);
     const double depth = cloud->extinction_scale.per_meter * cloud->extent[2].meters *

@@ -49,6 +49,11 @@ constexpr bool is_per_sun(CloudLightContents contents) {
     return contents <= CloudLightContents::shadow;
 }
 
+// Whether the channels are optical depths to suns.
+constexpr bool is_depth(CloudLightContents contents) {
+    return contents == CloudLightContents::optical_depth || contents == CloudLightContents::shadow;
+}
+
 // Whether the contents depend on where one sun is.
 constexpr bool is_of_one_sun(CloudLightContents contents) {
     return contents == CloudLightContents::sun_radiance ||

@@ -34,11 +34,17 @@ CloudLayer layer_of(const std::string& preset) {
                       spanned_cloud(parameters, of), options);
 }
 
+void bake_texels(const CloudLayer& layer, const config::CloudLightBake& bake) {
+    const BakeOptions options{.threads = 1};
+    Facts details;
+    const SpacedValues values =
+        cloud_light_values(layer, bake, cloud_light_spacing(bake), options, details);
+    benchmark::DoNotOptimize(fitted_texels(values, cloud_light_size(layer.size, bake), bake, 1));
+}
+
 // Suns from 10 to 85 degrees, all around, 16 of them as four assets hold them.
 void sixteen_suns(benchmark::State& state, const std::string& preset) {
     const CloudLayer layer = layer_of(preset);
-    const BakeOptions options{.threads = 1};
-    Facts details;
     for (auto _ : state) {
         for (int asset = 0; asset < 4; ++asset) {
             config::CloudLightBake bake;
@@ -46,8 +52,7 @@ void sixteen_suns(benchmark::State& state, const std::string& preset) {
                 bake.sun_elevations.push_back({(10 + 5.0 * i) * std::numbers::pi / 180});
                 bake.sun_azimuths.push_back({2.4 * i});
             }
-            benchmark::DoNotOptimize(
-                cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, details));
+            bake_texels(layer, bake);
         }
     }
     const auto texels = static_cast<std::int64_t>(layer.values.size() / 64);
@@ -56,14 +61,9 @@ void sixteen_suns(benchmark::State& state, const std::string& preset) {
 
 void sky(benchmark::State& state, const std::string& preset) {
     const CloudLayer layer = layer_of(preset);
-    const BakeOptions options{.threads = 1};
     config::CloudLightBake bake;
     bake.contents = config::CloudLightContents::sky_visibility;
-    Facts details;
-    for (auto _ : state) {
-        benchmark::DoNotOptimize(
-            cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, details));
-    }
+    for (auto _ : state) bake_texels(layer, bake);
 }
 
 BENCHMARK_CAPTURE(sixteen_suns, cumulus_mediocris, "cumulus_mediocris")

@@ -94,15 +94,18 @@ CloudLayer layer_of(const PartOfTile& cloud) {
     return cloud_light::make_layer(*held.value, 0, spanned_cloud(parameters, of), options);
 }
 
-constexpr float kLeastCoefficient = std::numeric_limits<float>::lowest();
-
-std::vector<float> texels_of(const std::vector<float>& values, const std::array<int, 3>& places,
-                             const std::array<int, 3>& size, float least) {
+std::vector<float> texels_of(const cloud_light::TexelFit& fit, const std::vector<float>& values,
+                             cloud_light::ShownAs shown) {
     constexpr float kAny = std::numeric_limits<float>::max();
-    std::vector<float> texels =
-        cloud_light::fit_texels(values, places, size, {least, kAny}, kThreads);
+    const float least = shown == cloud_light::ShownAs::sunlight ? 0 : -kAny;
+    std::vector<float> texels = fit.fit(values, shown, {least, kAny});
     round_values(texels.data(), texels.size(), config::PixelType::half);
     return texels;
+}
+
+cloud_light::TexelFit fit_of(const CloudLayer& layer, const cloud_light::PlaceGrid& places,
+                             const std::array<int, 3>& size) {
+    return {places.count, size, density_around(layer, places, kThreads), kThreads};
 }
 
 // Returns the textures as the baker makes them, from one solution for all parts.
@@ -116,7 +119,8 @@ test::LightTextures textures_of(const CloudLayer& layer, double elevation) {
     const auto of_depth = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
     const auto depths = cloud_light::light_values(
         layer, of_depth, cloud_light::light_channels(bake), with_threads());
-    textures.depth = texels_of(depths[0], of_depth.count, textures.depth_size, 0);
+    textures.depth = texels_of(fit_of(layer, of_depth, textures.depth_size), depths[0],
+                               cloud_light::ShownAs::sunlight);
     bake.contents = config::CloudLightContents::sun_radiance;
     bake.cell = kRadianceCell;
     bake.degree = kDegree;
@@ -124,9 +128,10 @@ test::LightTextures textures_of(const CloudLayer& layer, double elevation) {
     const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
     const cloud_light::SolvedRadiance solved = cloud_light::solve_radiance(
         layer, cells, cloud_light::scattering_of(bake), kDegree, sun_at(elevation), with_threads());
+    const cloud_light::TexelFit fit = fit_of(layer, cells, textures.size);
     for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        textures.of_sun.push_back(texels_of(cloud_light::values_of(solved.scattered, c),
-                                            cells.count, textures.size, kLeastCoefficient));
+        textures.of_sun.push_back(texels_of(fit, cloud_light::values_of(solved.scattered, c),
+                                            cloud_light::ShownAs::itself));
     }
     textures.forward = test::forward_texels(kScattering, kDegree);
     return textures;

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
-#include "config/assets/cloud_light.h"
 #include "bakers/assets/cloud_light/depth_reference.h"
 #include "bakers/assets/cloud_light/depth_sweep.h"
 #include "bakers/assets/cloud_light/light_values.h"
 #include "bakers/math/quadrature.h"
+#include "config/assets/cloud_light.h"
 #include "tests/cloud_light/layers.h"
 #include "tests/noise/every_target.h"
 

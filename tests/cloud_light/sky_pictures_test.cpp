@@ -73,11 +73,12 @@ std::vector<std::vector<float>> texels_of(const CloudLayer& layer,
     const auto cells = cloud_light::place_grid(layer.size, cloud_light_spacing(bake), false);
     const auto solved = cloud_light::solve_radiance(layer, cells, cloud_light::scattering_of(bake),
                                                     kDegree, sources, with_threads());
+    const cloud_light::TexelFit fit(cells.count, cloud_light_size(layer.size, bake),
+                                    density_around(layer, cells, kThreads), kThreads);
     std::vector<std::vector<float>> texels;
     for (std::size_t c = 0; c < solved.scattered.count(); ++c) {
-        texels.push_back(cloud_light::fit_texels(cloud_light::values_of(solved.scattered, c),
-                                                 cells.count, cloud_light_size(layer.size, bake),
-                                                 {-kAny, kAny}, kThreads));
+        texels.push_back(fit.fit(cloud_light::values_of(solved.scattered, c),
+                                 cloud_light::ShownAs::itself, {-kAny, kAny}));
         round_values(texels.back().data(), texels.back().size(), config::PixelType::half);
     }
     return texels;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <memory>
@@ -22,10 +23,7 @@
 #include "bakers/field/survey_volume.h"
 #include "bakers/math/parallel.h"
 #include "bakers/math/quadrature.h"
-#include "bakers/occupancy/cell_grid.h"
-#include "bakers/occupancy/cell_range.h"
-#include "bakers/occupancy/occupied_cells.h"
-#include "config/assets/occupancy_filter.h"
+#include "bakers/math/transcendental.h"
 
 namespace skybake {
 namespace {
@@ -33,62 +31,109 @@ namespace {
 using cloud_light::CloudLayer;
 using cloud_light::LightChannels;
 
-// The cells of the volume in which errors count: all that have cloud, or all if none has.
-struct OccupiedPlaces {
-    std::array<int, 3> cells{};
-    std::vector<std::size_t> occupied;
+// Places that are as dense as the cloud is: where a march adds light, there errors count.
+class PlacesInCloud {
+  public:
+    explicit PlacesInCloud(const CloudLayer& layer) : layer_(layer) {
+        double sum = 0;
+        for (int row = 0; row < layer.size[1] * layer.size[2]; ++row) {
+            for (int x = 0; x < layer.size[0]; ++x) sum += density_at(x, row);
+            until_row_.push_back(sum);
+        }
+    }
+
+    // Moves points that are even in the unit cube. Without cloud they stay.
+    std::array<double, 3> operator()(const std::array<double, 3>& uvw) const {
+        double left = uvw[0] * until_row_.back();
+        const auto found = std::ranges::upper_bound(until_row_, left);
+        if (found == until_row_.end()) return uvw;
+        const auto row = static_cast<int>(found - until_row_.begin());
+        if (row > 0) left -= *std::prev(found);
+        int x = 0;
+        double density = density_at(x, row);
+        while (left >= density && x + 1 < layer_.size[0]) {
+            left -= density;
+            density = density_at(++x, row);
+        }
+        const double across = std::min(left / density, 1.0);
+        return {(x + across) / layer_.size[0], (row % layer_.size[1] + uvw[1]) / layer_.size[1],
+                (row / layer_.size[1] + uvw[2]) / layer_.size[2]};
+    }
+
+  private:
+    // Of a voxel of one of the rows, which are counted through all heights.
+    double density_at(int x, int row) const {
+        return density(layer_.optics, double{layer_.value(x, row, 0)});
+    }
+
+    const CloudLayer& layer_;
+    std::vector<double> until_row_;  // the sum of all densities of this row and those before it
 };
 
-OccupiedPlaces occupied_places(const CloudLayer& layer, int threads) {
-    constexpr int kCell = 4;
-    const occupancy::CellGrid grid{layer.size, kCell};
-    const auto ranges = occupancy::cell_ranges(layer.values.data(), grid,
-                                               config::OccupancyFilter::trilinear, threads);
-    const auto cells = occupancy::occupied_cells(ranges, layer.threshold());
-    OccupiedPlaces places{cells.size, {}};
-    for (std::size_t i = 0; i < cells.occupied.size(); ++i) {
-        if (cells.occupied[i] != 0) places.occupied.push_back(i);
-    }
-    return places;
+using Values = std::vector<double>;
+
+// Errors are differences of what is shown, as shares of `scale`.
+template <class Shown>
+void compare_by(double scale, const Shown& shown, VolumeComparison& comparison) {
+    comparison.errors = [=](const std::array<double, 3>&, const Values& found,
+                            const Values& wanted) {
+        Values errors;
+        for (std::size_t c = 0; c < found.size(); ++c) {
+            errors.push_back((shown(found[c]) - shown(wanted[c])) / scale);
+        }
+        return errors;
+    };
 }
 
-// Moves points that are even in the unit cube to points that are even in the occupied cells.
-std::array<double, 3> occupied_place(const OccupiedPlaces& places,
-                                     const std::array<double, 3>& uvw) {
-    if (places.occupied.empty()) return uvw;
-    const double position = uvw[0] * static_cast<double>(places.occupied.size());
-    const auto number = std::min(static_cast<std::size_t>(position), places.occupied.size() - 1);
-    std::size_t cell = places.occupied[number];
-    std::array<double, 3> within = {position - static_cast<double>(number), uvw[1], uvw[2]};
-    for (std::size_t a = 0; a < 3; ++a) {
-        const auto count = static_cast<std::size_t>(places.cells[a]);
-        within[a] = (static_cast<double>(cell % count) + within[a]) / static_cast<double>(count);
-        cell /= count;
-    }
-    return within;
-}
+constexpr auto kItself = [](double value) { return value; };
 
 // Where there is little cloud, little light is scattered, and its range is small beside the light that a
 // runtime adds to it. So errors are shares of the source's own light.
 CloudLightTruth radiance_truth(const CloudLayer& layer, const CloudLightBake& bake, int threads) {
     CloudLightTruth truth;
     truth.reference = cloud_light::radiance_reference(layer, bake, threads);
-    truth.name = fmt::format("{} paths of light from each point", cloud_light::kReferencePaths);
+    truth.name =
+        fmt::format("up to {} paths of light from each point", cloud_light::kReferencePaths);
     truth.comparison.scale = "coefficient 0 of the source's light at a point that no cloud shades";
-    truth.comparison.errors = [scale = cloud_light::unshaded_coefficient(bake)](
-                                  const std::array<double, 3>&, const std::vector<double>& found,
-                                  const std::vector<double>& wanted) {
-        std::vector<double> errors;
-        for (std::size_t c = 0; c < wanted.size(); ++c) {
-            errors.push_back((found[c] - wanted[c]) / scale);
-        }
-        return errors;
+    const double scale = cloud_light::unshaded_coefficient(bake);
+    compare_by(scale, kItself, truth.comparison);
+    truth.comparison.noise = [scale](const Values& wanted) {
+        Values noise(wanted.begin() + static_cast<std::ptrdiff_t>(wanted.size() / 2), wanted.end());
+        for (double& error : noise) error /= scale;
+        return noise;
     };
     return truth;
 }
 
+// What harmonics of transmittances have for coefficient 0 where nothing shades.
+double unshaded_transmittance(CloudLightBake bake) {
+    bake.part = 1;
+    double sum = 0;
+    for (const Values& weights : cloud_light::light_channels(bake).weights) sum += weights[0];
+    return sum;
+}
+
+// Depths count as the sunlight that they leave. A series of depths shows in no one direction, so that its
+// coefficients are compared as such.
+VolumeComparison comparison_of_depths(const CloudLightBake& bake) {
+    VolumeComparison comparison;
+    if (config::is_depth(bake.contents)) {
+        comparison.scale = "sunlight that no cloud shades; depths are compared as exp(-depth)";
+        compare_by(
+            1, [](double depth) { return exponential(-depth); }, comparison);
+    } else if (bake.contents == CloudLightContents::transmittance) {
+        comparison.scale = "sunlight that no cloud shades";
+        compare_by(1, kItself, comparison);
+    } else if (bake.contents != CloudLightContents::optical_depth_harmonics) {
+        comparison.scale = "coefficient 0 where no cloud shades";
+        compare_by(unshaded_transmittance(bake), kItself, comparison);
+    }
+    return comparison;
+}
+
 CloudLightTruth truth_of_depths(const CloudLayer& layer, const CloudLightBake& bake) {
     CloudLightTruth truth;
+    truth.comparison = comparison_of_depths(bake);
     const bool is_map = bake.contents == CloudLightContents::shadow;
     const auto channels = std::make_shared<const LightChannels>(
         cloud_light::light_channels(bake, cloud_light::kReferenceDirections));
@@ -111,11 +156,8 @@ CloudLightTruth cloud_light_truth(const CloudLayer& layer, const CloudLightBake&
                                 ? radiance_truth(layer, bake, threads)
                                 : truth_of_depths(layer, bake);
     if (bake.contents == CloudLightContents::shadow) return truth;
-    truth.name += ", in cells with cloud";
-    truth.comparison.lookup_place =
-        [places = occupied_places(layer, threads)](const std::array<double, 3>& uvw) {
-            return occupied_place(places, uvw);
-        };
+    truth.name += ", at places that are as dense as the cloud";
+    truth.comparison.lookup_place = PlacesInCloud(layer);
     return truth;
 }
 

@@ -13,8 +13,9 @@
 
 namespace skybake {
 
-// Points lie in cells with cloud, those of a map anywhere. `layer`
-// outlives it.
+// Points are as dense as the cloud is, those of a map anywhere. Errors are shares of the light that nothing
+// shades, of which a depth leaves exp(-depth); those of harmonics of depths are shares of each channel's
+// range. `layer` outlives it.
 struct CloudLightTruth {
     VolumeReference reference;
     VolumeComparison comparison;
@@ -25,8 +26,7 @@ CloudLightTruth cloud_light_truth(const cloud_light::CloudLayer& layer, const Cl
 
 // Returns the largest cell, from 64 down but leaving two texels along each axis, of which the RMS
 // error of lookups is at most *bake.max_error. The error is that of the certificate
-// (cloud_light_truth): over all channels, each as a share of its range, in the stored texels, in
-// cells with cloud. It is measured at the points of the quick certificate, and where those are few,
+// (cloud_light_truth), over all channels, of the stored texels. It is measured at the points of the quick certificate, and where those are few,
 // at more of them too; so the choice does not depend on how the asset is certified.
 //
 // E0403 if no cell is near enough, with the best and its error; E0401 and E0402 as for volumes. After

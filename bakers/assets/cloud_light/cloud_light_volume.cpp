@@ -15,6 +15,7 @@
 #include "bakers/field/baked.h"
 #include "bakers/field/finish_volume.h"
 #include "bakers/field/voxel_array.h"
+#include "bakers/math/parallel.h"
 #include "bakers/occupancy/cell_grid.h"
 #include "config/fields/fields.h"
 
@@ -156,6 +157,29 @@ std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const Clou
 
 int cloud_light_spacing(const CloudLightBake& bake) { return std::max(1, bake.cell / 2); }
 
+std::vector<float> density_around(const CloudLayer& layer, const cloud_light::PlaceGrid& places,
+                                  int threads) {
+    std::vector<float> sums(occupancy::count_of(places.count));
+    const auto place_of = [&](std::size_t axis, int voxel) {
+        return static_cast<int>((voxel + 0.5) * places.count[axis] / places.voxels[axis]);
+    };
+    std::vector<int> columns;
+    for (int x = 0; x < layer.size[0]; ++x) columns.push_back(place_of(0, x));
+    parallel_for(places.count[2], threads, [&](int plane) {
+        for (int z = 0; z < layer.size[2]; ++z) {
+            if (place_of(2, z) != plane) continue;
+            for (int y = 0; y < layer.size[1]; ++y) {
+                float* row = &sums[occupancy::index_of(places.count, 0, place_of(1, y), plane)];
+                for (int x = 0; x < layer.size[0]; ++x) {
+                    row[columns[static_cast<std::size_t>(x)]] +=
+                        static_cast<float>(density(layer.optics, double{layer.value(x, y, z)}));
+                }
+            }
+        }
+    });
+    return sums;
+}
+
 SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& bake, int spacing,
                                 const BakeOptions& options, Facts& details) {
     SpacedValues values;
@@ -166,6 +190,9 @@ SpacedValues cloud_light_values(const CloudLayer& layer, const CloudLightBake& b
             ? cloud_light::radiance_values(layer, values.places, bake, options, details)
             : cloud_light::light_values(layer, values.places, cloud_light::light_channels(bake),
                                         options);
+    values.weights = values.places.at_base
+                         ? std::vector<float>(occupancy::count_of(values.places.count), 1.0F)
+                         : density_around(layer, values.places, options.threads);
     return values;
 }
 
@@ -173,20 +200,14 @@ std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
                                                  const CloudLightBake& bake, int threads) {
     const auto bounds = bounds_of(bake, values.channels.size());
+    const auto shown = config::is_depth(bake.contents) ? cloud_light::ShownAs::sunlight
+                                                       : cloud_light::ShownAs::itself;
+    const cloud_light::TexelFit fit(values.places.count, size, values.weights, threads);
     std::vector<std::vector<float>> texels;
     for (std::size_t c = 0; c < values.channels.size(); ++c) {
-        texels.push_back(cloud_light::fit_texels(values.channels[c], values.places.count, size,
-                                                 bounds[c], threads));
+        texels.push_back(fit.fit(values.channels[c], shown, bounds[c]));
     }
     return std::make_shared<const VoxelArray>(size, std::move(texels));
-}
-
-std::shared_ptr<const VoxelSource> cloud_light_texels(const CloudLayer& layer,
-                                                      const CloudLightBake& bake, int spacing,
-                                                      const BakeOptions& options, Facts& details) {
-    const SpacedValues values = cloud_light_values(layer, bake, spacing, options, details);
-    if (options.cancelled()) return nullptr;
-    return fitted_texels(values, cloud_light_size(layer.size, bake), bake, options.threads);
 }
 
 Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
@@ -210,12 +231,17 @@ Outcome<Baked> bake_cloud_light(const Baked& of, const CloudLayer& layer,
     if (config::is_radiance(bake.contents)) volume.conventions.radiance_unit = "1/sr";
     add_details(layer, bake, volume);
     level.repeats = repeating_axes(volume.axes);
-    level.voxels =
-        cloud_light_texels(layer, bake, cloud_light_spacing(bake), options, volume.details);
+    SpacedValues values =
+        cloud_light_values(layer, bake, cloud_light_spacing(bake), options, volume.details);
     if (options.cancelled()) return {};
+    level.voxels = fitted_texels(values, level.size, bake, options.threads);
     volume.levels.push_back(std::move(level));
     add_mip_levels(bake.mips, options, volume);
-    const VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);
+    VolumeFinish finish = finish_of(of, layer, bake, volume.levels.front(), options);
+    finish.sampled = volume.levels.front();
+    finish.sampled->size = values.places.count;
+    finish.sampled->voxels =
+        std::make_shared<const VoxelArray>(values.places.count, std::move(values.channels));
     return finish_volume(std::move(volume), finish, options);
 }
 

@@ -31,11 +31,17 @@ std::array<int, 3> cloud_light_size(const std::array<int, 3>& voxels, const Clou
 // Returns how many voxels apart the places are, at most, from which texels are fitted.
 int cloud_light_spacing(const CloudLightBake& bake);
 
-// The channels' values at places that are evenly spaced.
+// The channels' values at places that are evenly spaced, and how much errors count there: as the density
+// around a place, and on a map everywhere alike.
 struct SpacedValues {
     cloud_light::PlaceGrid places;
     std::vector<std::vector<float>> channels;
+    std::vector<float> weights;
 };
+
+// Returns the sum of the densities of the voxels that are nearest to each place.
+std::vector<float> density_around(const cloud_light::CloudLayer& layer,
+                                  const cloud_light::PlaceGrid& places, int threads);
 
 // Returns the values at places that are at most `spacing` voxels apart. They do not depend on the
 // cell; they are incomplete after an interruption. `details` receives what the solver of radiance
@@ -47,12 +53,5 @@ SpacedValues cloud_light_values(const cloud_light::CloudLayer& layer, const Clou
 std::shared_ptr<const VoxelSource> fitted_texels(const SpacedValues& values,
                                                  const std::array<int, 3>& size,
                                                  const CloudLightBake& bake, int threads);
-
-// Returns the texels, fitted to places that are at most `spacing` voxels apart; the cell is a multiple
-// of it or more than it. With the cell itself each texel is the value at its centre. Null after an
-// interruption.
-std::shared_ptr<const VoxelSource> cloud_light_texels(const cloud_light::CloudLayer& layer,
-                                                      const CloudLightBake& bake, int spacing,
-                                                      const BakeOptions& options, Facts& details);
 
 }  // namespace skybake

@@ -225,6 +225,7 @@ void CloudPaths::walk_on(Particle particle, std::vector<Particle>& waiting, Rand
             return;
         }
         ++particle.order;
+        ++sum.collisions;
         particle.weight *= scattering_.albedo;
         if (sources_.sun > 0) add_sunlight(particle, random, sum);
     } while (choose_directions(particle, waiting, random));
@@ -252,12 +253,13 @@ TracedRadiance CloudPaths::trace(const glm::dvec3& place, const glm::dvec3& dire
         sum.seen += one.seen;
         sum.first += one.first;
         sum.higher += one.higher;
+        sum.collisions += one.collisions;
         squares += one.sum() * one.sum();
     }
     const double mean = sum.sum() / paths;
     const double variance = std::max(squares / paths - mean * mean, 0.0);
     return {sum.seen / paths, sum.first / paths, sum.higher / paths,
-            std::sqrt(variance / (paths - 1))};
+            std::sqrt(variance / (paths - 1)), sum.collisions};
 }
 
 double CloudPaths::transmittance(const glm::dvec3& place, const glm::dvec3& direction, int flights,

@@ -38,10 +38,11 @@ struct LayerSources {
 
 // Means over paths, in 1/sr for an irradiance of 1.
 struct TracedRadiance {
-    double seen = 0;            // of sky or ground that is seen without any scattering
-    double first = 0;           // sunlight that was scattered once
-    double higher = 0;          // all other light
-    double standard_error = 0;  // of the sum of all three
+    double seen = 0;              // of sky or ground that is seen without any scattering
+    double first = 0;             // sunlight that was scattered once
+    double higher = 0;            // all other light
+    double standard_error = 0;    // of the sum of all three
+    std::int64_t collisions = 0;  // of all paths together
 
     double sum() const { return seen + first + higher; }
 };

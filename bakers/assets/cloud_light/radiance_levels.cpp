@@ -7,6 +7,7 @@
 
 #include "bakers/math/harmonics.h"
 #include "bakers/math/parallel.h"
+#include "bakers/math/transcendental.h"
 #include "bakers/occupancy/cell_grid.h"
 
 namespace skybake::cloud_light {
@@ -88,6 +89,13 @@ void add_own_orders(const CellFields& leaving, const std::vector<double>& return
     });
 }
 
+// Sweeps divide the change by about the same factor each.
+void show_progress(double change, double last_change, const BakeOptions& options) {
+    if (options.progress == nullptr || !(change > 0)) return;
+    const double done = logarithm(change) / logarithm(last_change);
+    options.progress->advance("sweeps", std::clamp(done, 0.0, 1.0));
+}
+
 }  // namespace
 
 RadianceLevels::RadianceLevels(const LayerCells& cells, const std::vector<double>& returned,
@@ -131,6 +139,7 @@ ScatteredLight RadianceLevels::solve(const CellFields& first, const EnteringLigh
         combine(rest, result.light, rest, own, std::minus<>());
         const double changed = sum_of_squares(rest, own);
         result.change = changed > 0 ? std::sqrt(changed / size) : 0;
+        if (end.is_shown) show_progress(result.change, end.change, own);
         add_later_orders(rest, own);
         combine(result.light, rest, result.light, own, std::plus<>());
     }

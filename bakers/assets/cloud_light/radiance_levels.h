@@ -25,6 +25,7 @@ namespace skybake::cloud_light {
 struct SolutionEnd {
     double change = 0;
     int sweeps = 200;
+    bool is_shown = false;  // whether progress is reported, as the step "sweeps"
 };
 
 struct ScatteredLight {

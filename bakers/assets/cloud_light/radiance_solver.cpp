@@ -108,7 +108,8 @@ SolvedRadiance RadianceSolver::solve(const LayerSources& sources, const BakeOpti
     if (sources.sky_shape) {
         entering.sky_shape = ordinate_radiances(sources.sky_shape, levels_.sweep().sky_ordinates());
     }
-    ScatteredLight found = levels_.solve(first, entering, {largest_change}, options);
+    ScatteredLight found =
+        levels_.solve(first, entering, {.change = largest_change, .is_shown = true}, options);
     return {std::move(found.light), std::move(depths), found.sweeps, found.change};
 }
 

@@ -1,6 +1,7 @@
 #include "bakers/assets/cloud_light/radiance_volume.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <memory>
@@ -56,22 +57,56 @@ LayerSources sources_of(const CloudLightBake& bake, const SkyByDirection& sky) {
     return sources;
 }
 
-// The coefficients of all light at a place but the sun's own.
-Harmonics traced_coefficients(const CloudPaths& paths, const glm::dvec3& place, std::uint32_t ray) {
-    constexpr std::uint64_t kSeed = 176;
-    Harmonics sums{};
-    for (int i = 0; i < kReferencePaths; ++i) {
-        RandomStream random(kSeed, ray, static_cast<std::uint64_t>(i));
+// Means over paths of the coefficients of all light at a place but the sun's own.
+struct TracedCoefficients {
+    Harmonics means{};
+    Harmonics standard_errors{};
+    double collisions = 0;  // of a path
+};
+
+TracedCoefficients trace_coefficients(const CloudPaths& paths, const glm::dvec3& place,
+                                      std::uint32_t ray, std::uint64_t seed, int count) {
+    constexpr std::size_t kGroups = 16;  // each has directions that are spread evenly
+    std::array<Harmonics, kGroups> groups{};
+    TracedRadiance light;
+    for (int i = 0; i < count; ++i) {
+        RandomStream random(seed, ray, static_cast<std::uint64_t>(i));
         glm::dvec3 look;
-        const double share = (i + random.next()) / kReferencePaths;
+        const double share = (i + random.next()) / count;
         const double density = paths.draw_direction(share, random, look);
-        TracedRadiance light;
+        light = {.collisions = light.collisions};
         paths.walk(place, look, random, light);
         const Harmonics values = harmonics(-look);
-        for (std::size_t c = 0; c < sums.size(); ++c) sums[c] += light.sum() / density * values[c];
+        Harmonics& group = groups[static_cast<std::size_t>(i) % kGroups];
+        for (std::size_t c = 0; c < group.size(); ++c) {
+            group[c] += light.sum() / (density * count) * values[c];
+        }
     }
-    for (double& sum : sums) sum /= kReferencePaths;
-    return sums;
+    TracedCoefficients traced;
+    for (std::size_t c = 0; c < traced.means.size(); ++c) {
+        double squares = 0;
+        for (const Harmonics& group : groups) {
+            traced.means[c] += group[c];
+            squares += group[c] * group[c];
+        }
+        const double spread = squares - traced.means[c] * traced.means[c] / kGroups;
+        traced.standard_errors[c] = std::sqrt(std::max(spread, 0.0) * kGroups / (kGroups - 1));
+    }
+    traced.collisions = static_cast<double>(light.collisions) / count;
+    return traced;
+}
+
+// Other paths tell how many collisions there are, so that the paths whose light counts are not chosen by what
+// happens to them.
+TracedCoefficients traced_coefficients(const CloudPaths& paths, const glm::dvec3& place,
+                                       std::uint32_t ray) {
+    constexpr std::uint64_t kSeed = 176;
+    constexpr int kCounted = 32;
+    const double collisions = trace_coefficients(paths, place, ray, kSeed + 1, kCounted).collisions;
+    const double most = kReferenceCollisions / std::max(collisions, 1.0);
+    const auto count =
+        static_cast<int>(std::clamp<double>(most, kFewestReferencePaths, kReferencePaths));
+    return trace_coefficients(paths, place, ray, kSeed, count);
 }
 
 }  // namespace
@@ -148,7 +183,8 @@ VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake
         for (std::size_t a = 0; a < 3; ++a) place[a] = uvw[a] * layer.size[a];
         // Places that differ along u have random numbers of their own.
         const auto ray = static_cast<std::uint32_t>(std::clamp(uvw[0], 0.0, 1.0) * 0xffffffffU);
-        Harmonics light = traced_coefficients(*paths, place, ray);
+        const TracedCoefficients traced = traced_coefficients(*paths, place, ray);
+        Harmonics light = traced.means;
         if (sources.sun > 0) {
             const double depth = optical_depth_reference(layer, place, sources.sun_direction);
             const double more =
@@ -157,9 +193,11 @@ VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake
             for (std::size_t c = 0; c < light.size(); ++c) light[c] += more * onwards[c];
         }
         std::vector<double> values;
-        for (std::size_t c = 0; c < config::channels_of(bake); ++c) {
-            const std::size_t i = static_cast<std::size_t>(4 * (bake.part - 1)) + c;
-            values.push_back(scattering.returned[degree_of_harmonic(i)] * light[i]);
+        for (const Harmonics& coefficients : {light, traced.standard_errors}) {
+            for (std::size_t c = 0; c < config::channels_of(bake); ++c) {
+                const std::size_t i = static_cast<std::size_t>(4 * (bake.part - 1)) + c;
+                values.push_back(scattering.returned[degree_of_harmonic(i)] * coefficients[i]);
+            }
         }
         return values;
     };

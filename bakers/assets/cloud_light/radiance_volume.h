@@ -42,8 +42,12 @@ std::vector<std::vector<float>> radiance_values(const CloudLayer& layer, const P
                                                 const CloudLightBake& bake,
                                                 const BakeOptions& options, Facts& details);
 
-// Paths of light from each place.
+// Paths of light from each place. Deep in a thick cloud, where paths have hundreds of collisions and there
+// is little light, they are as many as have about kReferenceCollisions together, but no fewer than
+// kFewestReferencePaths.
 inline constexpr int kReferencePaths = 2048;
+inline constexpr int kFewestReferencePaths = 128;
+inline constexpr int kReferenceCollisions = 1 << 17;
 
 // Returns the channels at a place from paths of light in all directions: with a the coefficients of all
 // light there, sunlight included that was not scattered, and tau the optical depth to the sun,
@@ -51,7 +55,8 @@ inline constexpr int kReferencePaths = 2048;
 //   J_lm = w' chi'_l (a_lm - E exp(-s tau) Y_lm(-sun))
 //
 // The scaled cloud and the cloud itself have the same a (cloud_scattering.h), of which the second
-// term is the scaled cloud's own sunlight, whose scattering is not J's. `layer` must outlive it.
+// term is the scaled cloud's own sunlight, whose scattering is not J's. Behind the channels are their
+// standard errors. `layer` must outlive it.
 VolumeReference radiance_reference(const CloudLayer& layer, const CloudLightBake& bake,
                                    int threads);
 
