@@ -106,16 +106,20 @@ std::vector<double> look_up(const Level& level, PixelType type, const std::array
 // The maximum and the root mean square of a series of errors, summed in the order given.
 class ErrorStatistics {
   public:
-    // `noise` is the standard error of the error: of its square, noise^2 is expected without any error, and
-    // one in twenty is beyond 2 noise.
-    void add(double error, double noise = 0) {
+    void add(double error) { add(error, 0); }
+    // `noise` is the standard error of the error. noise^2 is taken off its square, and 2 noise, which one in
+    // twenty exceeds without any error, off its size.
+    void add(double error, double noise) {
         const double size = std::max(std::fabs(error) - 2 * noise, 0.0);
         if (size > max_ || std::isnan(size)) max_ = size;  // NaN stays: no bound accepts it
-        sum_of_squares_ += error * error - noise * noise;
+        const double square = error * error - noise * noise;
+        sum_of_squares_ += square;
+        if (noise > 0) uncertainty_ += square * square;
         ++count_;
     }
+    // The root mean square is no less than what the noise lets one see.
     ErrorFigures figures() const {
-        const double squares = std::max(sum_of_squares_, 0.0);
+        const double squares = std::max(sum_of_squares_, std::sqrt(uncertainty_));
         return {max_, count_ == 0 ? 0 : std::sqrt(squares / static_cast<double>(count_))};
     }
     double max() const { return max_; }
@@ -124,6 +128,7 @@ class ErrorStatistics {
   private:
     double max_ = 0;
     double sum_of_squares_ = 0;
+    double uncertainty_ = 0;  // the square of that of the sum
     long count_ = 0;
 };
 

@@ -90,7 +90,8 @@ const Row<CloudLightBake> cloud_light_table[] = {
      "which four of the coefficients the channels are; degree 2 has 3 parts, degree 3 has 4",
      part_range, Default{"1"}, When{"contents", in_harmonics}},
     {"cell", Kind::integer, &CloudLightBake::cell,
-     "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels",
+     "voxels along each edge of a texel: 4 gives 1/64 as many texels as the volume has voxels; by "
+     "default 2 of what is stored for each sun, whose shadows have edges",
      light_cell_range, Default{"4"}, Hint{"2 to 8"}, Exclusive{"size"}},
     {"max_error", Kind::fraction, &CloudLightBake::max_error,
      "in place of cell, asks for the fewest texels of which the RMS error of lookups within cloud "
@@ -260,6 +261,7 @@ void resolve_cloud_light(DecodedSection& bake, const RecipeSoFar& recipe, Decode
         check_clear_sky(bake, volume ? find_cloud(*volume, recipe) : nullptr, recipe, decoder);
     }
     if (volume && contents) derive_pixel_type(bake, *contents, find_cloud(*volume, recipe));
+    if (contents && is_per_sun(*contents)) derive(bake.at("cell"), 2.0);
     check_pixel_type(bake, decoder);
     if (!volume) return;
     check_source_channel(bake, *volume, recipe, decoder);

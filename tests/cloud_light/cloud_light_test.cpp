@@ -9,6 +9,7 @@
 #include "bakers/assets/cloud_light/cloud_light_volume.h"
 #include "bakers/assets/cloud_light/hemisphere_harmonics.h"
 #include "bakers/field/baked.h"
+#include "bakers/math/quadrature.h"
 #include "tests/cloud_light/layers.h"
 
 namespace skybake::cloud_light {
@@ -217,6 +218,56 @@ TEST(CloudLight, ErrorsOfRadianceAreSharesOfTheSource) {
         truth.comparison.errors(top, std::vector<double>(wanted.size(), 0.0), wanted);
     EXPECT_NEAR(errors[0], -wanted[0] / std::sqrt(std::numbers::pi), 1e-12);
     EXPECT_LT(errors[0], -1);
+}
+
+TEST(CloudLight, ErrorsOfDepthsAreSharesOfTheSun) {
+    const CloudLayer layer = test::layer_of({4, 4, 16}, 1);
+    const std::array<double, 3> middle = {0.5, 0.5, 0.5};
+    const auto error_of = [&](CloudLightContents contents, double found, double wanted) {
+        const CloudLightTruth truth = cloud_light_truth(layer, bake_of(contents), 2);
+        return truth.comparison.errors(middle, {found}, {wanted})[0];
+    };
+    for (const auto contents : {CloudLightContents::optical_depth, CloudLightContents::shadow}) {
+        EXPECT_NEAR(error_of(contents, 0, std::numbers::ln2), 0.5, 1e-12);
+        EXPECT_NEAR(error_of(contents, 30, 40), 0, 1e-12);
+    }
+    EXPECT_NEAR(error_of(CloudLightContents::transmittance, 0.75, 0.25), 0.5, 1e-12);
+    // Where nothing shades, the sky is seen from half of all directions: its coefficient is 2 pi Y_00.
+    EXPECT_NEAR(error_of(CloudLightContents::sky_visibility, 1, 0) * std::sqrt(std::numbers::pi), 1,
+                1e-6);
+}
+
+// Three quarters of the cloud are in one voxel, and as many of the points.
+TEST(CloudLight, PointsAreAsDenseAsTheCloud) {
+    CloudLayer layer = test::layer_of({5, 3, 4}, 0);
+    layer.values[occupancy::index_of(layer.size, 1, 2, 0)] = 0.75F;
+    layer.values[occupancy::index_of(layer.size, 4, 0, 3)] = 0.25F;
+    const auto truth = cloud_light_truth(layer, bake_of(CloudLightContents::optical_depth), 1);
+    constexpr int kPoints = 4000;
+    std::array<double, 3> mean{};
+    int thick = 0;
+    for (int i = 0; i < kPoints; ++i) {
+        const auto at = truth.comparison.lookup_place(low_discrepancy_point(i));
+        std::array<int, 3> voxel{};
+        for (std::size_t a = 0; a < 3; ++a) voxel[a] = static_cast<int>(at[a] * layer.size[a]);
+        if (voxel != std::array{1, 2, 0}) {
+            EXPECT_EQ(voxel, (std::array{4, 0, 3}));
+            continue;
+        }
+        ++thick;
+        for (std::size_t a = 0; a < 3; ++a) mean[a] += at[a] * layer.size[a] - voxel[a];
+    }
+    EXPECT_NEAR(thick, 0.75 * kPoints, 0.01 * kPoints);
+    for (const double sum : mean) EXPECT_NEAR(sum / thick, 0.5, 0.01);
+}
+
+// Where texels are fitted, the values to which they are fitted say how right the light itself is.
+TEST(CloudLight, TexelErrorsAreThoseOfTheLightBeforeItIsFitted) {
+    const CloudLayer layer = test::lone_cloud({16, 16, 8}, {4, 4, 2}, {11, 12, 6});
+    const Baked volume =
+        baked(layer, bake_of(CloudLightContents::optical_depth, 4), 2, Certification::quick);
+    EXPECT_LT(volume.certificate.texel.max, 1e-4);
+    EXPECT_GT(volume.certificate.lookup.rms, 0.03);
 }
 
 TEST(CloudLight, GivesTheSameHashForAnyNumberOfThreads) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "bakers/field/pixel_type.h"
 #include "bakers/field/survey_volume.h"
@@ -161,6 +162,28 @@ TEST(CertifyVolume, NamesTheWorstPlaceAndAsksInTextureCoordinates) {
     EXPECT_EQ(again.figures.max, errors.figures.max);
     EXPECT_EQ(again.figures.rms, errors.figures.rms);
     EXPECT_EQ(again.worst, errors.worst);
+}
+
+// Errors of a third of their noise, as paths of light would measure them, with noise of every size.
+TEST(ErrorStatistics, TakeOffTheNoiseOfTheReference) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    ErrorStatistics with_noise, plain, only_noise;
+    for (int i = 0; i < 20000; ++i) {
+        const double noise = 0.01 * (1 + i % 5);
+        const double error = noise / 3 * normal(random);
+        plain.add(error);
+        with_noise.add(error + noise * normal(random), noise);
+        only_noise.add(noise * normal(random), noise);
+    }
+    EXPECT_NEAR(with_noise.figures().rms, plain.figures().rms, 0.1 * plain.figures().rms);
+    EXPECT_LT(with_noise.figures().max, 0.2);
+    // The sum of 20000 squares is known to sqrt(2 / 20000), so that less than a tenth of the noise is unseen.
+    EXPECT_GT(only_noise.figures().rms, 0.001);
+    EXPECT_LT(only_noise.figures().rms, 0.01);
+    with_noise.add(std::nan(""), 0.01);
+    EXPECT_TRUE(std::isnan(with_noise.figures().max));
+    EXPECT_TRUE(std::isnan(with_noise.figures().rms));
 }
 
 }  // namespace
