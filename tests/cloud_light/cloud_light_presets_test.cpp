@@ -1,4 +1,4 @@
-// Light at 1/64 of the voxels of every preset of clouds, at the preset's own size.
+// Light at 1/8 of the voxels of every preset of clouds, at the preset's own size.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
