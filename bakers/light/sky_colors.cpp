@@ -123,13 +123,40 @@ std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t view
     return fitted;
 }
 
-SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
+// Returns the figures of the error, then the weights; none after an interruption.
+std::vector<double> fit(const ColorRequest& request, const BakeOptions& options) {
     const ColorSkies skies(request.atmosphere, request.wavelengths, options);
     if (options.cancelled()) return {};
+    const std::vector<glm::dvec3> weights =
+        skies.fitted_weights(request.wavelengths, request.color);
+    const ColorError error = skies.error(request.wavelengths, request.color, weights);
+    std::vector<double> numbers = {error.median,           error.ninth_decile, error.max,
+                                   error.disc[0],          error.disc[1],      error.disc[2],
+                                   double{1} * error.skies};
+    for (const glm::dvec3& weight : weights) {
+        numbers.insert(numbers.end(), {weight.x, weight.y, weight.z});
+    }
+    return numbers;
+}
+
+std::shared_ptr<const SkyColors> kept_or_fitted(const ColorRequest& request,
+                                                const BakeOptions& options) {
+    const std::size_t count = request.wavelengths.size();
+    const std::vector<double> numbers = kept_or_made<double>(
+        options.intermediates != nullptr ? options.intermediates->kept() : nullptr,
+        {"colours", kColorFitVersion, key_text(request)}, 7 + 3 * count,
+        [&] { return fit(request, options); });
+    if (numbers.empty()) return nullptr;
     SkyColors colors;
-    colors.weights = skies.fitted_weights(request.wavelengths, request.color);
-    colors.error = skies.error(request.wavelengths, request.color, colors.weights);
-    return colors;
+    colors.error = {numbers[0],
+                    numbers[1],
+                    numbers[2],
+                    {numbers[3], numbers[4], numbers[5]},
+                    static_cast<int>(numbers[6])};
+    for (std::size_t i = 7; i < numbers.size(); i += 3) {
+        colors.weights.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+    }
+    return std::make_shared<const SkyColors>(std::move(colors));
 }
 
 constexpr double kSecondsOfFit = 1;
@@ -185,11 +212,8 @@ Need need_of(const ColorRequest& request) {
 std::shared_ptr<const SkyColors> colors_of(const ColorRequest& request,
                                            const BakeOptions& options) {
     const BakeTime time(BakePart::colors);
-    return shared_or_made<SkyColors>(
-        options.intermediates, NeedKey(request), [&]() -> std::shared_ptr<const SkyColors> {
-            auto colors = std::make_shared<const SkyColors>(fit(request, options));
-            return options.cancelled() ? nullptr : colors;
-        });
+    return shared_or_made<SkyColors>(options.intermediates, NeedKey(request),
+                                     [&] { return kept_or_fitted(request, options); });
 }
 
 std::vector<config::Atmosphere> packets_of(const config::Atmosphere& atmosphere) {
