@@ -81,8 +81,8 @@ Specification specification_of(const Cloud& cloud) {
     return wanted;
 }
 
-std::shared_ptr<const GrownCloud> grown(const Specification& wanted, KeptBytes* kept,
-                                        const BakeOptions& options) {
+std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options,
+                                       KeptBytes* kept) {
     auto cloud = std::make_shared<GrownCloud>();
     cloud->cells = wanted.grid.cells;
     cloud->cells[2] -= wanted.mixed_levels + wanted.sponge_levels;

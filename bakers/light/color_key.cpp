@@ -11,7 +11,9 @@
 namespace skybake {
 namespace {
 
-// Structs name all their members: none is compiled until one that is added is named, too.
+template <class One, class... Others>
+constexpr bool kIsOneOf = (std::is_same_v<One, Others> || ...);
+
 class KeyText {
   public:
     template <class... Values>
@@ -26,66 +28,44 @@ class KeyText {
     void put(const std::string& word) {
         fmt::format_to(std::back_inserter(text_), "{} {} ", word.size(), word);
     }
-    template <class Word>
-    requires std::is_enum_v<Word>
-    void put(Word word) { put(static_cast<double>(word)); }
     template <class Value>
     void put(const std::optional<Value>& value) {
         put(value ? 1.0 : 0.0);
-        if (value) add(*value);
+        if (value) put(*value);
     }
     template <class Value>
     void put(const std::vector<Value>& values) {
         put(static_cast<double>(values.size()));
-        for (const Value& value : values) add(value);
+        for (const Value& value : values) put(value);
     }
-    template <class Quantity>
-    requires std::is_class_v<Quantity>
-    void put(const Quantity& quantity) {
-        const auto& [number] = quantity;
-        add(number);
-    }
-
-    void put(const config::SpectrumPoint& point) { put_pair(point); }
-    void put(const config::DensityPoint& point) { put_pair(point); }
-    void put(const config::GasAmount& amount) { put_pair(amount); }
-    void put(const config::SphereKind& kind) { put_pair(kind); }
-    template <class Pair>
-    void put_pair(const Pair& pair) {
-        const auto& [first, second] = pair;
-        add(first, second);
-    }
-    void put(const config::IndexPoint& point) {
-        const auto& [wavelength, real, imaginary] = point;
-        add(wavelength, real, imaginary);
-    }
-    void put(const config::AerosolLaw& law) {
-        const auto& [depth, extinction, exponent, albedo] = law;
-        add(depth, extinction, exponent, albedo);
-    }
-    void put(const config::Color& color) {
-        const auto& [space, observer, sun, white] = color;
-        add(space, observer, sun, white);
-    }
-    void put(const config::Particles& spheres) {
-        const auto& [name, material, real, imaginary, indices, sizes, radius, deviation, effective,
-                     variance, alpha, gamma, smallest, largest] = spheres;
-        add(name, material, real, imaginary, indices, sizes, radius, deviation, effective, variance,
-            alpha, gamma, smallest, largest);
-    }
-    void put(const config::LayerParticles& particles) {
-        const auto& [kinds, depth, extinction, wavelengths, step] = particles;
-        add(kinds, depth, extinction, wavelengths, step);
-    }
-    void put(const config::Layer& layer) {
-        const auto& [name, enabled, profile, scale, center, half, bottom, top, table, scattering,
-                     extinction, phase, g, depolarization, gas, aerosol, particles] = layer;
-        add(name, enabled, profile, scale, center, half, bottom, top, table, scattering, extinction,
-            phase, g, depolarization, gas, aerosol, particles);
-    }
-    void put(const config::Atmosphere& air) {
-        const auto& [ground, top, albedo, spectrum, layers] = air;
-        add(ground, top, albedo, spectrum, layers);
+    // Structs have so many members: with one more this is not compiled.
+    template <class Value>
+    void put(const Value& value) {
+        using namespace config;
+        if constexpr (!std::is_class_v<Value>) {
+            put(static_cast<double>(value));  // a word or a flag
+        } else if constexpr (kIsOneOf<Value, Length, InverseLength, NumberDensity, ColumnDensity>) {
+            const auto& [a] = value;
+            add(a);
+        } else if constexpr (kIsOneOf<Value, SpectrumPoint, DensityPoint, GasAmount, SphereKind>) {
+            const auto& [a, b] = value;
+            add(a, b);
+        } else if constexpr (kIsOneOf<Value, IndexPoint, ColorRequest>) {
+            const auto& [a, b, c] = value;
+            add(a, b, c);
+        } else if constexpr (kIsOneOf<Value, Color, AerosolLaw>) {
+            const auto& [a, b, c, d] = value;
+            add(a, b, c, d);
+        } else if constexpr (kIsOneOf<Value, Atmosphere, LayerParticles>) {
+            const auto& [a, b, c, d, e] = value;
+            add(a, b, c, d, e);
+        } else if constexpr (kIsOneOf<Value, Particles>) {
+            const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
+            add(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+        } else {
+            const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;  // a layer
+            add(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+        }
     }
 
     std::string text_;
@@ -94,9 +74,8 @@ class KeyText {
 }  // namespace
 
 std::string key_text(const ColorRequest& request) {
-    const auto& [wavelengths, color, atmosphere] = request;
     KeyText text;
-    text.add(wavelengths, color, atmosphere);
+    text.add(request);
     return text.text();
 }
 

@@ -123,39 +123,34 @@ std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t view
     return fitted;
 }
 
-// Returns the figures of the error, then the weights; none after an interruption.
-std::vector<double> fit(const ColorRequest& request, const BakeOptions& options) {
+// Returns the weights and, after them, their error; none after an interruption.
+std::vector<glm::dvec3> fit(const ColorRequest& request, const BakeOptions& options) {
     const ColorSkies skies(request.atmosphere, request.wavelengths, options);
     if (options.cancelled()) return {};
-    const std::vector<glm::dvec3> weights =
-        skies.fitted_weights(request.wavelengths, request.color);
-    const ColorError error = skies.error(request.wavelengths, request.color, weights);
-    std::vector<double> numbers = {error.median,           error.ninth_decile, error.max,
-                                   error.disc[0],          error.disc[1],      error.disc[2],
-                                   double{1} * error.skies};
-    for (const glm::dvec3& weight : weights) {
-        numbers.insert(numbers.end(), {weight.x, weight.y, weight.z});
-    }
+    std::vector<glm::dvec3> numbers = skies.fitted_weights(request.wavelengths, request.color);
+    const ColorError error = skies.error(request.wavelengths, request.color, numbers);
+    numbers.emplace_back(error.median, error.ninth_decile, error.max);
+    numbers.emplace_back(error.disc[0], error.disc[1], error.disc[2]);
+    numbers.emplace_back(error.skies, 0, 0);
     return numbers;
 }
 
 std::shared_ptr<const SkyColors> kept_or_fitted(const ColorRequest& request,
                                                 const BakeOptions& options) {
     const std::size_t count = request.wavelengths.size();
-    const std::vector<double> numbers = kept_or_made<double>(
-        options.intermediates != nullptr ? options.intermediates->kept() : nullptr,
-        {"colours", kColorFitVersion, key_text(request)}, 7 + 3 * count,
-        [&] { return fit(request, options); });
-    if (numbers.empty()) return nullptr;
+    const Intermediates* shared = options.intermediates;
     SkyColors colors;
-    colors.error = {numbers[0],
-                    numbers[1],
-                    numbers[2],
-                    {numbers[3], numbers[4], numbers[5]},
-                    static_cast<int>(numbers[6])};
-    for (std::size_t i = 7; i < numbers.size(); i += 3) {
-        colors.weights.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-    }
+    colors.weights = kept_or_made<glm::dvec3>(shared ? shared->kept() : nullptr,
+                                              {"colours", kColorFitVersion, key_text(request)},
+                                              count + 3, [&] { return fit(request, options); });
+    if (colors.weights.empty()) return nullptr;
+    const glm::dvec3* error = &colors.weights[count];
+    colors.error = {error[0].x,
+                    error[0].y,
+                    error[0].z,
+                    {error[1].x, error[1].y, error[1].z},
+                    static_cast<int>(error[2].x)};
+    colors.weights.resize(count);
     return std::make_shared<const SkyColors>(std::move(colors));
 }
 

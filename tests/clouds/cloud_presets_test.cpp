@@ -117,7 +117,7 @@ CloudField field_of(const config::Parameters& parameters, const std::array<int, 
     const config::Noise* detail =
         cloud.detail.empty() ? nullptr : &noise_named(parameters, cloud.detail);
     if (cloud.shape == config::CloudShape::convection) {
-        const auto grown = convection::grown(convection::specification_of(cloud), nullptr, {});
+        const auto grown = convection::grow(convection::specification_of(cloud), {});
         return CloudField(
             make_cloud_plan(cloud, volume_of_grown(grown, cloud, detail, size), detail, size, {}));
     }

@@ -128,7 +128,7 @@ TEST(Flow, UnstableMoistAirMakesCloudFromTheBaseUp) {
     wanted.patches = 2;
     wanted.patch_width_m = {400, 500};
     wanted.growth_s = 900;
-    const auto cloud = grown(wanted, nullptr, {});
+    const auto cloud = grow(wanted, {});
     const std::size_t plane = 24 * 20;
     std::vector<float> most;
     for (std::size_t z = 0; z < cloud->water.size() / plane; ++z) {
@@ -178,7 +178,7 @@ TEST(Flow, IsTheSameForAnyThreads) {
         ASSERT_EQ(std::memcmp(other.data(), grown[0].data(), other.size() * sizeof(float)), 0);
     }
     wanted.seed = 2;
-    EXPECT_NE(grown(wanted, nullptr, {})->water, grown[0]);
+    EXPECT_NE(grow(wanted, {})->water, grown[0]);
 }
 
 // Stops when asked to.

@@ -1,4 +1,4 @@
-// A cloud that grows does so once for all runs that share a cache.
+// A cloud that grows does so once for all runs that share a cache, and colours are fitted once.
 #include <filesystem>
 #include <set>
 
@@ -31,6 +31,15 @@ size = [16, 16, 16]
 formats = ["bin"]
 )";
 
+const std::string air = R"(
+preset = "earth"
+wavelengths = "best 3"
+[bake.cumulus]
+asset = "irradiance"
+size = [4, 4]
+formats = ["bin"]
+)";
+
 // Counts what it finds and what it is given.
 class CountedBytes : public CachedBytes {
   public:
@@ -55,7 +64,7 @@ class KeptGrowth : public ::testing::Test {
   protected:
     // Returns the voxels of a bake with these settings, into a folder of its own.
     std::string baked(const std::vector<std::string>& settings, KeptBytes* kept) {
-        TestBake bake(recipe_of(cumulus, {}, settings), folder_ / std::to_string(bakes_++));
+        TestBake bake(recipe_of(text_, {}, settings), folder_ / std::to_string(bakes_++));
         bake.bake.kept = kept;
         EXPECT_TRUE(bake.run().value.has_value());
         return read_bytes(bake.bake.folder / "cumulus.bin");
@@ -63,6 +72,7 @@ class KeptGrowth : public ::testing::Test {
 
     TemporaryFolder folder_;
     CountedBytes kept_{folder_ / "cache"};
+    std::string text_ = cumulus;
     int bakes_ = 0;
 };
 
@@ -80,6 +90,17 @@ TEST_F(KeptGrowth, ServesOtherSizesAndRuns) {
     ASSERT_EQ(entries.value->size(), 1U);
     EXPECT_EQ(entries.value->at(0).kind, "convection");
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
+}
+
+TEST_F(KeptGrowth, HasAFriendInFittedColours) {
+    text_ = air;
+    const std::string alone = baked({"bake.cumulus.size=[8, 4]"}, nullptr);
+    baked({}, &kept_);
+    EXPECT_EQ(baked({"bake.cumulus.size=[8, 4]"}, &kept_), alone);
+    EXPECT_EQ(kept_.found, 1);
+    EXPECT_EQ(kept_.grown, 1);
+    baked({"color.white='space'"}, &kept_);
+    EXPECT_EQ(kept_.grown, 2);
 }
 
 TEST_F(KeptGrowth, GrowsAgainWhatIsDamaged) {
