@@ -35,9 +35,10 @@ const std::string air = R"(
 preset = "earth"
 wavelengths = "best 3"
 [bake.cumulus]
-asset = "irradiance"
+asset = "sky_view"
+orders = "single"
+sun_elevations = ["5 deg"]
 size = [4, 4]
-formats = ["bin"]
 )";
 
 // Counts what it finds and what it is given.
@@ -67,12 +68,12 @@ class KeptGrowth : public ::testing::Test {
         TestBake bake(recipe_of(text_, {}, settings), folder_ / std::to_string(bakes_++));
         bake.bake.kept = kept;
         EXPECT_TRUE(bake.run().value.has_value());
-        return read_bytes(bake.bake.folder / "cumulus.bin");
+        return read_bytes(bake.bake.folder / file_);
     }
 
     TemporaryFolder folder_;
     CountedBytes kept_{folder_ / "cache"};
-    std::string text_ = cumulus;
+    std::string text_ = cumulus, file_ = "cumulus.bin";
     int bakes_ = 0;
 };
 
@@ -92,8 +93,10 @@ TEST_F(KeptGrowth, ServesOtherSizesAndRuns) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
+// A file has the error of its colours, too.
 TEST_F(KeptGrowth, HasAFriendInFittedColours) {
     text_ = air;
+    file_ = "cumulus.exr";
     const std::string alone = baked({"bake.cumulus.size=[8, 4]"}, nullptr);
     baked({}, &kept_);
     EXPECT_EQ(baked({"bake.cumulus.size=[8, 4]"}, &kept_), alone);

@@ -14,6 +14,7 @@
 #include <random>
 #include <set>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -74,12 +75,16 @@ TEST(SkyColors, FewWavelengthsComeNearWholeSpectra) {
 
 // Later runs take kept colours for these.
 TEST(SkyColors, AreThoseOfTheirVersion) {
-    const SkyColors four = mountain_colors("best 4");
+    const SkyColors four = colors(mountain("best 4"));
     const auto* bytes = reinterpret_cast<const char*>(four.weights.data());
     EXPECT_EQ(kColorFitVersion, 1);
     EXPECT_EQ(xxh3_hex({bytes, four.weights.size() * sizeof(glm::dvec3)}),
               "1fa561f504f9bf3950592c7626d643dc")
         << "raise kColorFitVersion, and write both anew";
+    const auto all = [](const ColorError& error) {
+        return std::tuple(error.median, error.ninth_decile, error.max, error.disc, error.skies);
+    };
+    EXPECT_EQ(all(four.error), all(mountain_colors("best 4").error));
 }
 
 // A member that the key leaves out would give one air the colours of another.
