@@ -114,24 +114,26 @@ std::vector<std::size_t> shown_ways(const Plan& plan) {
 
 std::string table_text(const Plan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
-                     Align::right, Align::right, Align::right, Align::left});
-    table.add_row(
-        {"way", "", "median %", plan.words.column, "max %", "fetches", "textures", "bake", ""});
+                     Align::right, Align::right, Align::right, Align::right, Align::left});
+    table.add_row({"way", "", "median %", plan.words.column, "max %", "fetches", "operations",
+                   "textures", "bake", ""});
     for (const std::size_t i : shown_ways(plan)) {
         const MeasuredWay& way = plan.ways[i];
         table.add_row(
             {way.way.family, way.way.name, fmt::format("{}", to_percent(way.error.median)),
              fmt::format("{}", to_percent(way.figures.error)),
              fmt::format("{}", to_percent(way.error.max)),
-             fmt::format("{:.0f}", way.figures.fetches), byte_size_text(way.figures.bytes),
+             fmt::format("{:.0f}", way.figures.fetches),
+             fmt::format("{:.0f}", way.figures.operations), byte_size_text(way.figures.bytes),
              time_text(way.bake_s), remark_of(plan, i)});
     }
     std::string text = fmt::format(
         "{} from {}\n"
         "  error: {}\n"
         "  paths: {}; their standard error is {} %\n"
-        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all cores\n"
-        "  front: no other way is as good in error, fetches and size\n"
+        "  fetches: of a mean pixel; operations: of their lookups, divisions and roots as four;\n"
+        "  textures: in memory; bake: wall time, here, on all cores\n"
+        "  front: no other way is as good in error, fetches, operations and size\n"
         "  knee: the least error x root of fetches x fourth root of bytes\n\n",
         name_of(plan.subject), plan.scene, plan.words.meaning, plan.reference,
         to_percent(plan.ways.front().error.standard_error));

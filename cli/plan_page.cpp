@@ -37,6 +37,7 @@ PageVariant row_of(const Plan& plan, std::size_t index) {
              number(way.figures.error),
              number(way.error.max),
              number(way.figures.fetches),
+             number(way.figures.operations),
              number(way.figures.bytes),
              number(way.bake_s),
              {std::nullopt, remark_of(plan, index)}},
@@ -87,13 +88,10 @@ Outcome<PageTable> table_of(const Plan& plan) {
                                   .png = plan.sheet,
                                   .kind = PictureKind::scene});
     }
-    table.columns = {{"error, median", "percent"},
-                     {error_title(plan), "percent"},
-                     {"error, max", "percent"},
-                     {"fetches", "number"},
-                     {"textures", "byteCount"},
-                     {"bake", "duration"},
-                     {"", ""}};
+    table.columns = {{"error, median", "percent"}, {error_title(plan), "percent"},
+                     {"error, max", "percent"},    {"fetches", "number"},
+                     {"operations", "number"},     {"textures", "byteCount"},
+                     {"bake", "duration"},         {"", ""}};
     std::vector<std::size_t> order(plan.ways.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return plan.ways[i].figures.error; });

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/assets/registry/registry.h"
+#include "bakers/assets/sky/traced_light.h"
 #include "bakers/field/block_voxels.h"
 #include "bakers/field/pixel_type.h"
 #include "bakers/math/bake_clock.h"
@@ -64,8 +66,10 @@ class AssetBakery {
             if (options.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
             const BakeSeconds seconds = clock.seconds();
-            assets.push_back(
-                {bake, std::move(*one.value), seconds.texels, shared_by(*bake, seconds.light)});
+            const LookupCost lookup = cost_of(
+                baker_of(*bake).lookup(recipe_.parameters, *bake, stored_texels(*one.value)));
+            assets.push_back({bake, std::move(*one.value), seconds.texels,
+                              shared_by(*bake, seconds.light), lookup});
         }
         outcome.value = std::move(assets);
         return outcome;
@@ -163,6 +167,12 @@ MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets)
     for (const BakedAsset* asset : assets) measured.figures.bytes += texture_bytes(asset->baked);
     measured.bake_s = bake_seconds(assets);
     return measured;
+}
+
+void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures) {
+    const LookupCost& one = asset.lookup;
+    figures.fetches += lookups * one.fetches;
+    figures.operations += lookups * (one.operations + 4 * (one.divisions + one.special_functions));
 }
 
 double texture_bytes(const Baked& baked) {

@@ -26,6 +26,7 @@ struct BakedAsset {
     Baked baked;
     double seconds = 0;  // of its texels alone
     std::vector<SharedWork> shared;
+    LookupCost lookup;
 };
 
 // Returns the time of a way's assets. What they share counts once, whoever made it first.
@@ -60,6 +61,9 @@ double texture_bytes(const Baked& baked);
 
 // Returns the way with the size of its textures and the time of its bakes; all else is to be measured.
 MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets);
+
+// Adds what lookups of an asset take.
+void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures);
 
 // A way of any kind, and its assets.
 template <class OneWay>

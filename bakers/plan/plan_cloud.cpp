@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
@@ -29,7 +30,7 @@ constexpr int kUsualVoxels = 256;  // along the longest edge
 constexpr double kMostVoxels = 1 << 25;
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 const CloudVolumeBake* volume_of(const Parameters& parameters, const std::string& cloud) {
     for (const Bake& bake : parameters.bakes) {
@@ -125,7 +126,7 @@ void keep_best_cells(const std::vector<CloudWay>& ways, MeasuredWays& measured) 
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const auto cost = [&](std::size_t n) {
             const WayFigures& figures = measured.ways[n].figures;
-            return std::pair(std::llround(figures.fetches), figures.bytes);
+            return std::tuple(std::llround(figures.fetches), figures.operations, figures.bytes);
         };
         const auto [least, is_first] = best.try_emplace(ways[i].drawing, i);
         if (cost(i) < cost(least->second)) least->second = i;
@@ -149,7 +150,17 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
     double rms = 0;
     measured.error = truth.error(found.radiance, rms);
     measured.figures.error = to_digits(rms, 2);
-    measured.figures.fetches = found.fetches;
+    const bool marches = way.lighting == CloudLighting::march;
+    add_lookups(*own[0], found.densities + (marches ? found.lit * way.sun_samples : 0),
+                measured.figures);
+    if (way.cell > 0) add_lookups(*own[1], found.cells, measured.figures);
+    // The assets of one sun, as all suns have.
+    std::size_t end =
+        way.lighting == CloudLighting::harmonics ? own.size() : way.first + way.per_sun;
+    end += way.lighting == CloudLighting::radiance ? 1 : 0;
+    for (std::size_t i = way.first; !marches && i < end; ++i) {
+        add_lookups(*own[i], found.lit, measured.figures);
+    }
     return measured;
 }
 

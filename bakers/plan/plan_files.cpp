@@ -45,6 +45,8 @@ const std::vector<Column>& columns() {
         {"standard_error",
          [](const MeasuredWay& way) { return Json(figure(way.error.standard_error)); }},
         {"fetches", [](const MeasuredWay& way) { return Json(std::llround(way.figures.fetches)); }},
+        {"operations",
+         [](const MeasuredWay& way) { return Json(std::llround(way.figures.operations)); }},
         {"bytes", [](const MeasuredWay& way) { return Json(std::llround(way.figures.bytes)); }},
         {"bake_s", [](const MeasuredWay& way) { return Json(figure(way.bake_s)); }},
         {"on_front", [](const MeasuredWay& way) { return Json(way.on_front); }},

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/math/facts.h"
 #include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
@@ -16,6 +17,7 @@
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 namespace {
@@ -93,7 +95,7 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
 // Tells all that the figures of ways depend on.
 std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
@@ -118,7 +120,14 @@ std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedS
 MeasuredWay measure_way(const LightOfWay& found, const SceneTruth& truth, const LightWay& way,
                         const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured = costed(way, own);
-    measured.error = truth.error(found.find(way, own, measured.figures.fetches));
+    // A pixel looks up one of the pictures or, in each step of a march, every table and every moment.
+    if (way.how != config::SkyBy::march) add_lookups(*own.front(), 1, measured.figures);
+    for (std::size_t i = 0; way.how == config::SkyBy::march && i < own.size(); ++i) {
+        const auto* scattering = own[i]->bake->find<config::MultipleScatteringBake>();
+        add_lookups(*own[i], way.steps * (scattering ? tables_of(*scattering) : 1),
+                    measured.figures);
+    }
+    measured.error = truth.error(found.find(way, own));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
     return measured;
 }
