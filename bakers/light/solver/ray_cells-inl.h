@@ -58,6 +58,7 @@ class RayCells {
           azimuth_cosines_(azimuth_cosines),
           suns_(sines_.size()),
           row_(static_cast<std::size_t>(sunlight.row_size())),
+          row_floats_(row_.size()),
           table_(static_cast<std::size_t>(sunlight.columns() + 2) * kChannelSlots),
           places_(suns_),
           fractions_(suns_ + FloatLanes::kCount),
@@ -115,11 +116,17 @@ class RayCells {
 
     void place_end(double r_km, const FanRay& ray, double distance_km, double altitude_km) {
         combine_row<Lanes>(field_, altitude_km, row_.data());
+        const hn::Rebind<float, Lanes::Tag> floats;
+        for (std::size_t i = 0; i < row_.size(); i += Lanes::kCount) {
+            const Lanes x = Lanes::load(row_.data() + i);
+            const Lanes light = zero_unless(x >= Lanes(kDarkest), x);
+            hn::StoreU(hn::DemoteTo(floats, light.v), floats, row_floats_.data() + i);
+        }
         const auto channels = static_cast<std::size_t>(field_.channels());
-        for (std::size_t c = 0; c < channels; ++c) {
-            for (std::size_t x = 0; x * kChannelSlots < table_.size(); ++x) {
-                table_[x * kChannelSlots + c] = float_or_dark(row_[x * channels + c]);
-            }
+        for (std::size_t x = 0; x * kChannelSlots < table_.size(); ++x) {
+            float* to = table_.data() + x * kChannelSlots;
+            std::copy_n(row_floats_.data() + x * channels, kChannelSlots, to);
+            std::fill(to + channels, to + kChannelSlots, 0.0F);
         }
         const auto last = static_cast<std::size_t>(field_.columns() - 1) * kChannelSlots;
         std::copy_n(table_.data() + last, kChannelSlots, grazing_.values.data());
@@ -245,7 +252,7 @@ class RayCells {
     std::vector<ChannelFloats> near_;  // by layer; empty at the ray's beginning
     std::vector<ChannelFloats> far_;
     std::vector<double> row_;  // sunlight at the end's altitude, and the same in floats:
-    std::vector<float> table_;
+    std::vector<float> row_floats_, table_;
     std::vector<std::int32_t> places_;  // of each sun in the table, at the end
     std::vector<float> fractions_;
     std::vector<float> heights_;
