@@ -123,10 +123,12 @@ class RayCells {
             hn::StoreU(hn::DemoteTo(floats, light.v), floats, row_floats_.data() + i);
         }
         const auto channels = static_cast<std::size_t>(field_.channels());
-        for (std::size_t x = 0; x * kChannelSlots < table_.size(); ++x) {
-            float* to = table_.data() + x * kChannelSlots;
-            std::copy_n(row_floats_.data() + x * channels, kChannelSlots, to);
-            std::fill(to + channels, to + kChannelSlots, 0.0F);
+        const float* from = row_floats_.data();
+        for (std::size_t n = 0; n < table_.size(); n += kChannelSlots, from += channels) {
+            std::copy_n(from, kChannelSlots, table_.data() + n);
+        }
+        for (std::size_t c = channels; c < kChannelSlots; ++c) {
+            for (std::size_t n = c; n < table_.size(); n += kChannelSlots) table_[n] = 0;
         }
         const auto last = static_cast<std::size_t>(field_.columns() - 1) * kChannelSlots;
         std::copy_n(table_.data() + last, kChannelSlots, grazing_.values.data());
