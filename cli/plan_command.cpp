@@ -8,8 +8,8 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -93,21 +93,14 @@ WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
 
 // Returns the front, and the least error of each baseline that has no way on it.
 std::vector<std::size_t> shown_ways(const Plan& plan) {
-    std::vector<std::size_t> shown = front_by_error(plan);
-    std::map<std::string_view, std::size_t> baselines;
-    for (std::size_t i = 0; i < plan.ways.size(); ++i) {
-        const MeasuredWay& way = plan.ways[i];
-        if (way.way.baseline.empty()) continue;
-        const auto [best, is_first] = baselines.try_emplace(way.way.baseline, i);
-        const MeasuredWay& other = plan.ways[best->second];
-        const bool is_better = !other.on_front && way.figures.error < other.figures.error;
-        if (way.on_front || is_better) best->second = i;
+    std::set<std::string_view> baselines;
+    for (const MeasuredWay& way : plan.ways) {
+        if (way.on_front) baselines.insert(way.way.baseline);
     }
-    for (const auto& [name, best] : baselines) {
-        if (!plan.ways[best].on_front) shown.push_back(best);
-    }
-    std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
-        return plan.ways[a].figures.error < plan.ways[b].figures.error;
+    std::vector<std::size_t> shown = by_error(plan.ways);
+    std::erase_if(shown, [&](std::size_t i) {
+        const auto& [way, error, figures, bake_s, on_front] = plan.ways[i];
+        return !on_front && (way.baseline.empty() || !baselines.insert(way.baseline).second);
     });
     return shown;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -92,10 +91,7 @@ Outcome<PageTable> table_of(const Plan& plan) {
                      {"error, max", "percent"},    {"fetches", "number"},
                      {"operations", "number"},     {"textures", "byteCount"},
                      {"bake", "duration"},         {"", ""}};
-    std::vector<std::size_t> order(plan.ways.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return plan.ways[i].figures.error; });
-    for (const std::size_t i : order) table.variants.push_back(row_of(plan, i));
+    for (const std::size_t i : by_error(plan.ways)) table.variants.push_back(row_of(plan, i));
     return {std::move(table), {}};
 }
 

@@ -98,6 +98,7 @@ Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::strin
                         kMostLitSuns));
     }
     planned.ways = cloud_ways(planned.subject);
+    std::erase_if(planned.ways, [&](const Way& way) { return request.leaves_out(way); });
     planned.recipe = std::move(*recipe.value);
     return {std::move(planned), {}};
 }
@@ -164,10 +165,9 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
     return measured;
 }
 
-// Measures the ways of a cloud in views of the scene that begin with number `first`, and draws their
-// sheet.
-Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& planned,
-                              std::uint32_t first, Sheets sheets) {
+// Measures the ways of a cloud in views of the scene, and draws their sheet.
+Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& planned) {
+    const std::uint32_t first = request.first_view();
     std::vector<Way> all(planned.ways.begin(), planned.ways.end());
     all.push_back(traced_cloud(planned.subject));
     const WayAssets assets(all);
@@ -195,7 +195,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
         plan.ways[i] = measured_way(truth, way, clouds.find(way, own), own);
         if (options.cancelled()) return {};
     }
-    if (sheets == Sheets::none) return {std::move(plan), {}};
+    if (request.judged != nullptr) return {std::move(plan), {}};
     std::vector<BakedWay<CloudWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
         best.push_back({&planned.ways[i], assets.of(planned.ways[i], *baked.value)});
@@ -227,7 +227,7 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     Plan plan;
     plan.subject = {config::Draws::clouds, name};
     if (range.suns_deg.empty()) return without_light(plan.subject);
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, 1, Sheets::drawn);
+    Outcome<MeasuredWays> measured = measure(request, *planned.value);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const Parameters& parameters = planned.value->recipe.parameters;
     plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, suns at {:.3g} degrees",
@@ -236,23 +236,11 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     plan.words = cloud_words();
     plan.reads = config::reads_of_cloud(parameters, name);
     plan.limits = limits_of(request, *parameters.scene, parameters.scene->max_cloud_error);
-    keep_best_cells(planned.value->ways, *measured.value);
+    if (request.judged == nullptr) keep_best_cells(planned.value->ways, *measured.value);
     plan.ways = std::move(measured.value->ways);
     plan.sheet = std::move(measured.value->sheet);
     plan.notes = std::move(planned.value->notes);
     return chosen(std::move(plan), std::move(measured.diagnostics));
-}
-
-Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name, const Way& way,
-                            std::uint32_t first) {
-    Outcome<PlannedCloud> planned = planned_cloud(request, name);
-    if (!planned.value) return {{}, std::move(planned.diagnostics)};
-    std::erase_if(planned.value->ways, [&](const CloudWay& other) {
-        return other.assets != way.assets || full_name(way).rfind(full_name(other), 0) != 0;
-    });
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, first, Sheets::none);
-    if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    return {measured.value->ways.front().figures.error, std::move(measured.diagnostics)};
 }
 
 }  // namespace skybake

@@ -151,7 +151,8 @@ std::string choice_text(const Plan& plan) {
     std::string text =
         fmt::format("# {}: {}.\n# {}, for {}.\n", name_of(plan.subject), full_name(chosen.way),
                     figures_text(plan, chosen.figures), plan.scene);
-    const std::vector<std::size_t> front = front_by_error(plan);
+    std::vector<std::size_t> front = by_error(plan.ways);
+    std::erase_if(front, [&](std::size_t i) { return !plan.ways[i].on_front; });
     const auto at = std::ranges::find(front, plan.chosen);
     if (at != front.begin()) text += neighbour_text(plan, "better way", *(at - 1));
     if (at + 1 != front.end()) text += neighbour_text(plan, "less accurate way", *(at + 1));
@@ -170,17 +171,6 @@ std::string figures_text(const Plan& plan, const WayFigures& figures) {
 }
 
 std::string full_name(const Way& way) { return fmt::format("{}, {}", way.family, way.name); }
-
-std::vector<std::size_t> front_by_error(const Plan& plan) {
-    std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < plan.ways.size(); ++i) {
-        if (plan.ways[i].on_front) front.push_back(i);
-    }
-    std::ranges::stable_sort(front, [&](std::size_t a, std::size_t b) {
-        return plan.ways[a].figures.error < plan.ways[b].figures.error;
-    });
-    return front;
-}
 
 std::string plan_csv(std::span<const Plan> plans) {
     std::string text = "subject";

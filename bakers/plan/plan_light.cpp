@@ -81,6 +81,7 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request, config::Draws li
     scene.range = range_of(*parameters.scene, shell_of(parameters.atmosphere));
     scene.ways = light_ways(light, parameters, scene.range);
     if (scene.ways.empty()) return {{}, {no_ways(scene.subject, scene.range)}};
+    std::erase_if(scene.ways, [&](const Way& way) { return request.leaves_out(way); });
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};
 }
@@ -132,16 +133,15 @@ MeasuredWay measure_way(const LightOfWay& found, const SceneTruth& truth, const 
     return measured;
 }
 
-// Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
-Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene,
-                              std::uint32_t first, Sheets sheets) {
+// Measures the ways of a scene in views of it, and draws their sheet.
+Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene) {
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
     const Parameters& parameters = recipe.value->parameters;
     const config::Draws light = scene.subject.draws;
-    std::vector<LightView> views =
-        scene_views(light, scene.range, shell_of(parameters.atmosphere), kViews, first);
+    std::vector<LightView> views = scene_views(light, scene.range, shell_of(parameters.atmosphere),
+                                               kViews, request.first_view());
     MeasuredWays plan;
     for (const LightWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
@@ -158,7 +158,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
         const LightWay& way = scene.ways[i];
         plan.ways[i] = measure_way(found, truth, way, assets.of(way, *baked.value));
     }
-    if (sheets == Sheets::none) return {std::move(plan), {}};
+    if (request.judged != nullptr) return {std::move(plan), {}};
     std::vector<BakedWay<LightWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
         best.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
@@ -235,7 +235,7 @@ std::vector<std::string> notes_on(config::Draws light, const Parameters& paramet
 Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light) {
     Outcome<PlannedScene> scene = planned_scene(request, light);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, 1, Sheets::drawn);
+    Outcome<MeasuredWays> measured = measure(request, *scene.value);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const Parameters& parameters = scene.value->recipe.parameters;
     Plan plan;
@@ -248,17 +248,6 @@ Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light) {
     plan.sheet = std::move(measured.value->sheet);
     plan.notes = notes_on(light, parameters, scene.value->range);
     return chosen(std::move(plan), std::move(measured.diagnostics));
-}
-
-Outcome<SkyError> judge_light(const PlanRequest& request, config::Draws light, const Way& way,
-                              std::uint32_t first) {
-    Outcome<PlannedScene> scene = planned_scene(request, light);
-    if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    std::erase_if(scene.value->ways,
-                  [&](const LightWay& other) { return full_name(other) != full_name(way); });
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, first, Sheets::none);
-    if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    return {measured.value->ways.front().error, std::move(measured.diagnostics)};
 }
 
 }  // namespace skybake
