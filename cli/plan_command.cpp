@@ -182,12 +182,6 @@ ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,
                               console);
 }
 
-Diagnostic nothing_to_draw(const Invocation& invocation) {
-    return file_error(
-        "E0105", recipe_name(invocation.arguments()[0]),
-        "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws");
-}
-
 Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::path& cache,
                            const PlanSubject& subject, Console& console) {
     BakeProgress progress(word_of(subject), console);
@@ -216,7 +210,11 @@ std::vector<Diagnostic> obstacles(const Invocation& invocation,
         return {
             usage_error("--json and --csv exclude each other", "the folder gets both in any case")};
     }
-    if (subjects.empty()) return {nothing_to_draw(invocation)};
+    if (subjects.empty()) {
+        return {file_error(
+            "E0105", recipe_name(invocation.arguments()[0]),
+            "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws")};
+    }
     auto problems = check_report_folder(invocation[options::output], file_names_of(subjects),
                                         invocation[options::force]);
     if (!problems.empty()) return problems;

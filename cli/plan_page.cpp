@@ -43,11 +43,6 @@ PageVariant row_of(const Plan& plan, std::size_t index) {
             std::nullopt};
 }
 
-// "RMS %" without its unit, which the numbers of a page have.
-std::string error_title(const Plan& plan) {
-    return "error, " + plan.words.column.substr(0, plan.words.column.rfind(' '));
-}
-
 std::string content_of(const Plan& plan) {
     const MeasuredWay& chosen = plan.ways[plan.chosen];
     std::string text =
@@ -87,7 +82,9 @@ Outcome<PageTable> table_of(const Plan& plan) {
                                   .png = plan.sheet,
                                   .kind = PictureKind::scene});
     }
-    table.columns = {{"error, median", "percent"}, {error_title(plan), "percent"},
+    // "RMS %" without its unit, which the numbers have.
+    const std::string column = plan.words.column.substr(0, plan.words.column.rfind(' '));
+    table.columns = {{"error, median", "percent"}, {"error, " + column, "percent"},
                      {"error, max", "percent"},    {"fetches", "number"},
                      {"operations", "number"},     {"textures", "byteCount"},
                      {"bake", "duration"},         {"", ""}};

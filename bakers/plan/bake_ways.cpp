@@ -8,8 +8,7 @@
 #include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/assets/registry/registry.h"
 #include "bakers/assets/sky/traced_light.h"
-#include "bakers/field/block_voxels.h"
-#include "bakers/field/pixel_type.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/render/stage_progress.h"
 #include "config/text/key_path.h"
@@ -104,6 +103,21 @@ class AssetBakery {
     std::vector<SharedWork> known_;
 };
 
+double bake_seconds(const std::vector<const BakedAsset*>& assets) {
+    double seconds = 0;
+    std::vector<SharedWork> counted;
+    for (const BakedAsset* asset : assets) {
+        seconds += asset->seconds;
+        for (const SharedWork& work : asset->shared) {
+            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
+            if (std::ranges::any_of(counted, is_same)) continue;
+            seconds += work.seconds;
+            counted.push_back(work);
+        }
+    }
+    return seconds;
+}
+
 }  // namespace
 
 std::vector<std::size_t> WayAssets::numbers_of(const Way& way) const {
@@ -146,25 +160,14 @@ Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets
     return AssetBakery(recipe, assets.size(), options).bake();
 }
 
-double bake_seconds(const std::vector<const BakedAsset*>& assets) {
-    double seconds = 0;
-    std::vector<SharedWork> counted;
-    for (const BakedAsset* asset : assets) {
-        seconds += asset->seconds;
-        for (const SharedWork& work : asset->shared) {
-            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
-            if (std::ranges::any_of(counted, is_same)) continue;
-            seconds += work.seconds;
-            counted.push_back(work);
-        }
-    }
-    return seconds;
-}
-
 MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets) {
     MeasuredWay measured;
     measured.way = way;
-    for (const BakedAsset* asset : assets) measured.figures.bytes += texture_bytes(asset->baked);
+    for (const BakedAsset* asset : assets) {
+        const Baked& baked = asset->baked;
+        measured.figures.bytes += static_cast<double>(
+            texture_bytes(baked.levels.front().size, baked.pixel_type, baked.channel_names.size()));
+    }
     measured.bake_s = bake_seconds(assets);
     return measured;
 }
@@ -173,17 +176,6 @@ void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures) {
     const LookupCost& one = asset.lookup;
     figures.fetches += lookups * one.fetches;
     figures.operations += lookups * (one.operations + 4 * (one.divisions + one.special_functions));
-}
-
-double texture_bytes(const Baked& baked) {
-    const std::size_t channels = baked.channel_names.size();
-    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
-    if (config::is_block_coded(baked.pixel_type)) {
-        constexpr double kTexelsOfBlock = 16;
-        return texels * static_cast<double>(bytes_per_block(baked.pixel_type)) / kTexelsOfBlock;
-    }
-    return texels * static_cast<double>(channels == 3 ? 4 : channels) *
-           bytes_per_value(baked.pixel_type);
 }
 
 }  // namespace skybake

@@ -29,9 +29,6 @@ struct BakedAsset {
     LookupCost lookup;
 };
 
-// Returns the time of a way's assets. What they share counts once, whoever made it first.
-double bake_seconds(const std::vector<const BakedAsset*>& assets);
-
 // The assets of all ways, each once.
 class WayAssets {
   public:
@@ -56,10 +53,8 @@ class WayAssets {
     std::vector<WayAsset> all_;  // `of` names the bake of one before it
 };
 
-// Returns the bytes of an asset's texture, in which three channels take the room of four.
-double texture_bytes(const Baked& baked);
-
-// Returns the way with the size of its textures and the time of its bakes; all else is to be measured.
+// Returns the way with the size of its textures, in which three channels take the room of four, and the
+// time of its bakes; all else is to be measured. What assets share counts once, whoever made it first.
 MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets);
 
 // Adds what lookups of an asset take.

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/to_string.h"
 #include "bakers/plan/plan_files.h"
 #include "config/sections/cloud.h"
@@ -77,13 +76,6 @@ std::string name_of(const PlanSubject& subject) {
 std::string word_of(const PlanSubject& subject) {
     if (subject.is_cloud()) return "clouds." + subject.cloud;
     return std::string(light_of(subject).word);
-}
-
-std::string versions_of_bakers() {
-    std::string text;
-    for (const AnyBaker& baker : bakers())
-        text += fmt::format("{} {}\n", baker.asset, baker.version);
-    return text;
 }
 
 WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,

@@ -75,9 +75,6 @@ std::string word_of(const PlanSubject& subject);
 // Returns what the recipe has and its scene draws.
 std::vector<PlanSubject> subjects_of(const Parameters& parameters);
 
-// Returns the version of all bakers, on which figures of ways depend.
-std::string versions_of_bakers();
-
 // Returns limits of the request, or else those of the scene, with this bound on the error.
 WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
                     const std::optional<double>& max_error);

@@ -11,7 +11,6 @@
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/hash.h"
 #include "bakers/math/parallel.h"
 #include "bakers/plan/cloud_sheet.h"
 #include "bakers/plan/cloud_truth.h"
@@ -103,22 +102,6 @@ Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::strin
     return {std::move(planned), {}};
 }
 
-// Tells all that the figures of ways depend on.
-std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedCloud& planned,
-                   std::uint32_t first, double paths) {
-    std::string text =
-        fmt::format("cloud, version {}, {} paths, views from {}\n", kVersion, paths, first);
-    text += versions_of_bakers();
-    std::vector<config::Read> reads =
-        config::reads_of_cloud(recipe.parameters, planned.subject.cloud);
-    reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
-    text += config::parameters_toml(recipe, reads);
-    text += fmt::format("{}\n", fmt::join(planned.range.suns_deg, " "));
-    for (const std::string& setting : assets.settings()) text += setting + '\n';
-    for (const CloudWay& way : planned.ways) text += full_name(way) + '\n';
-    return xxh3_hex(text);
-}
-
 // Ways that differ in their cells alone show the same: this leaves the one of fewest fetches and says
 // what its leaps save.
 void keep_best_cells(const std::vector<CloudWay>& ways, MeasuredWays& measured) {
@@ -155,10 +138,9 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
     add_lookups(*own[0], found.densities + (marches ? found.lit * way.sun_samples : 0),
                 measured.figures);
     if (way.cell > 0) add_lookups(*own[1], found.cells, measured.figures);
-    // The assets of one sun, as all suns have.
-    std::size_t end =
-        way.lighting == CloudLighting::harmonics ? own.size() : way.first + way.per_sun;
-    end += way.lighting == CloudLighting::radiance ? 1 : 0;
+    // Textures of one sun: the others have as many.
+    const std::size_t end =
+        way.per_sun == 0 ? own.size() : way.first + way.per_sun + (way.degree > 0 ? 1 : 0);
     for (std::size_t i = way.first; !marches && i < end; ++i) {
         add_lookups(*own[i], found.lit, measured.figures);
     }
@@ -176,7 +158,11 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     MeasuredWays plan;
     for (const CloudWay& way : planned.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
-    const std::string key = key_of(*recipe.value, assets, planned, first, paths);
+    const std::string key = figures_key(
+        *recipe.value, config::reads_of_cloud(recipe.value->parameters, planned.subject.cloud),
+        assets, plan,
+        fmt::format("cloud, version {}, {} paths, views from {}, {}\n", kVersion, paths, first,
+                    fmt::join(planned.range.suns_deg, " ")));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);

@@ -8,7 +8,6 @@
 
 #include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/kept_figures.h"
 #include "bakers/plan/light_sheet.h"
@@ -98,23 +97,14 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
 constexpr int kVersion = 5;
 
-// Tells all that the figures of ways depend on.
-std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
-                   const std::vector<LightView>& views, double paths) {
-    std::string text =
-        fmt::format("{}, version {}, {} paths\n", word_of(scene.subject), kVersion, paths);
-    text += versions_of_bakers();
-    std::vector<config::Read> reads =
-        config::reads_of_light(recipe.parameters, config::Roles::all());
-    reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
-    text += config::parameters_toml(recipe, reads);
-    for (const std::string& setting : assets.settings()) text += setting + '\n';
-    for (const LightWay& way : scene.ways) text += fmt::format("{}, {}\n", way.family, way.name);
+// Names the views.
+std::string text_of(const std::vector<LightView>& views) {
+    std::string text;
     for (const auto& [sky, distance_km] : views) {
         text += fmt::format("{} {} {} {} {}\n", sky.altitude_km, sky.sun_elevation_deg,
                             sky.above_horizon_deg, sky.azimuth_deg, distance_km);
     }
-    return xxh3_hex(text);
+    return text;
 }
 
 // Measures a way in the truth's views.
@@ -145,7 +135,10 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
     MeasuredWays plan;
     for (const LightWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
-    const std::string key = key_of(*recipe.value, assets, scene, views, paths);
+    const std::string key = figures_key(
+        *recipe.value, config::reads_of_light(parameters, config::Roles::all()), assets, plan,
+        fmt::format("{}, version {}, {} paths\n{}", word_of(scene.subject), kVersion, paths,
+                    text_of(views)));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);

@@ -123,8 +123,8 @@ TEST_F(KeptGrowth, GrowsAgainWhatIsDamaged) {
 
 TEST_F(KeptGrowth, HasAKeyOfAllThatItDependsOn) {
     const std::vector<std::string> changes = {"cells=[10, 8, 8]",
-                                              "mixed_layer=\"500 m\"",
-                                              "inversion=\"700 m\"",
+                                              "mixed_layer='500 m'",
+                                              "inversion='700 m'",
                                               "instability=1",
                                               "temperature=285",
                                               "humidity=0.6",
@@ -132,7 +132,7 @@ TEST_F(KeptGrowth, HasAKeyOfAllThatItDependsOn) {
                                               "wind_above=[1, 0]",
                                               "patches=2",
                                               "warmth=0.5",
-                                              "patch_width=[\"200 m\", \"900 m\"]",
+                                              "patch_width=['200 m', '900 m']",
                                               "seed=2",
                                               "minutes=7"};
     baked({}, &kept_);
