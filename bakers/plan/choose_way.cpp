@@ -19,16 +19,10 @@ bool no_worse(const WayFigures& first, const WayFigures& second) {
 }
 
 // Figures without a limit come first; the others break ties.
-std::array<double, 8> order_of(const WayLimits& limits, const WayFigures& way) {
-    const std::array<double, 4> figures = figures_of(way);
-    const std::array<bool, 4> limited = {limits.error.has_value(), limits.fetches.has_value(),
-                                         false, limits.bytes.has_value()};
-    std::array<double, 8> order{};
-    for (std::size_t i = 0; i < 4; ++i) {
-        if (!limited[i]) order[i] = figures[i];
-        order[4 + i] = figures[i];
-    }
-    return order;
+auto order_of(const WayLimits& limits, const WayFigures& way) {
+    const WayFigures unlimited = {limits.error ? 0 : way.error, limits.fetches ? 0 : way.fetches,
+                                  limits.bytes ? 0 : way.bytes, way.operations};
+    return std::pair(figures_of(unlimited), figures_of(way));
 }
 
 }  // namespace

@@ -134,14 +134,12 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
     double rms = 0;
     measured.error = truth.error(found.radiance, rms);
     measured.figures.error = to_digits(rms, 2);
-    const bool marches = way.lighting == CloudLighting::march;
-    add_lookups(*own[0], found.densities + (marches ? found.lit * way.sun_samples : 0),
-                measured.figures);
+    add_lookups(*own[0], found.densities + found.lit * way.sun_samples, measured.figures);
     if (way.cell > 0) add_lookups(*own[1], found.cells, measured.figures);
     // Textures of one sun: the others have as many.
     const std::size_t end =
         way.per_sun == 0 ? own.size() : way.first + way.per_sun + (way.degree > 0 ? 1 : 0);
-    for (std::size_t i = way.first; !marches && i < end; ++i) {
+    for (std::size_t i = way.first; way.first > 0 && i < end; ++i) {
         add_lookups(*own[i], found.lit, measured.figures);
     }
     return measured;

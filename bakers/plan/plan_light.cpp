@@ -97,7 +97,6 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
 constexpr int kVersion = 5;
 
-// Names the views.
 std::string text_of(const std::vector<LightView>& views) {
     std::string text;
     for (const auto& [sky, distance_km] : views) {
@@ -112,10 +111,10 @@ MeasuredWay measure_way(const LightOfWay& found, const SceneTruth& truth, const 
                         const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured = costed(way, own);
     // A pixel looks up one of the pictures or, in each step of a march, every table and every moment.
-    if (way.how != config::SkyBy::march) add_lookups(*own.front(), 1, measured.figures);
-    for (std::size_t i = 0; way.how == config::SkyBy::march && i < own.size(); ++i) {
-        const auto* scattering = own[i]->bake->find<config::MultipleScatteringBake>();
-        add_lookups(*own[i], way.steps * (scattering ? tables_of(*scattering) : 1),
+    if (way.steps == 0) add_lookups(*own.front(), 1, measured.figures);
+    for (const BakedAsset* asset : own) {
+        const auto* scattering = asset->bake->find<config::MultipleScatteringBake>();
+        add_lookups(*asset, way.steps * (scattering ? tables_of(*scattering) : 1),
                     measured.figures);
     }
     measured.error = truth.error(found.find(way, own));
@@ -168,9 +167,7 @@ std::string suns_text(const SceneRange& range) {
         return fmt::format("suns from {:.3g} to {:.3g} degrees", range.lowest_sun_deg,
                            range.highest_sun_deg);
     }
-    std::vector<std::string> suns;
-    for (const double sun : range.suns_deg) suns.push_back(fmt::format("{:.3g}", sun));
-    return fmt::format("suns at {} degrees", fmt::join(suns, ", "));
+    return fmt::format("suns at {:.3g} degrees", fmt::join(range.suns_deg, ", "));
 }
 
 // The cameras and suns, and how far things are.

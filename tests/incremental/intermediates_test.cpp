@@ -229,7 +229,8 @@ TEST(Intermediates, PartsOfACloudsRadianceShareTheirSolution) {
     add("rounded", "float", 1, 40);
     const config::Recipe recipe = testing::recipe_of(text);
     const testing::TemporaryFolder folder;
-    const auto plan = plan_folder(testing::TestBake(recipe, folder / "plan").bake);
+    const testing::TestBake bake(recipe, folder / "plan");
+    const auto plan = plan_folder(bake.bake);
     ASSERT_TRUE(plan.value);
     std::multiset<std::size_t> users;
     for (const PlannedIntermediate& one : plan.value->intermediates()) {
