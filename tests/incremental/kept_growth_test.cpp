@@ -93,7 +93,6 @@ TEST_F(KeptGrowth, ServesOtherSizesAndRuns) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
-// A file has the error of its colours, too.
 TEST_F(KeptGrowth, HasAFriendInFittedColours) {
     text_ = air;
     file_ = "cumulus.exr";

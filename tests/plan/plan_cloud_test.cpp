@@ -88,6 +88,21 @@ void expect_costs_of_textures() {
     EXPECT_TRUE(found);
 }
 
+// A lit sample looks up a depth, or marches: 4 lookups cost 3 more, and 16 cost 12 more than these.
+void expect_lookups_of_light() {
+    const auto fetches = [](const std::string& family, const std::string& what) {
+        for (const auto& [way, error, figures, bake_s, on_front] : plan().ways) {
+            if (way.family != family || !way.name.starts_with("64x64x32, half, " + what)) continue;
+            return figures.fetches;
+        }
+        return 0.0;
+    };
+    const double few = fetches("octaves, a march to the sun", "4 samples");
+    const double more = few - fetches("octaves, depths for each sun", "texels of 4 voxels");
+    EXPECT_GT(more, 3);
+    EXPECT_NEAR(fetches("octaves, a march to the sun", "16 samples") - few, 4 * more, 1e-6);
+}
+
 // Ways that show the same picture appear once, with the cells that cost least.
 void expect_each_drawing_once() {
     for (const MeasuredWay& way : plan().ways) {
@@ -129,6 +144,7 @@ void expect_claimed_error_in_other_views() {
 TEST(PlanCloud, MeasuresWaysAndChooses) {
     expect_solved_light_is_nearest();
     expect_costs_of_textures();
+    expect_lookups_of_light();
     expect_each_drawing_once();
     expect_recipe_of_choice();
     expect_claimed_error_in_other_views();
