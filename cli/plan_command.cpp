@@ -8,8 +8,8 @@
 #include <charconv>
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -93,45 +93,40 @@ WayLimits limits_of(const Invocation& invocation, const PlanSubject& subject) {
 
 // Returns the front, and the least error of each baseline that has no way on it.
 std::vector<std::size_t> shown_ways(const Plan& plan) {
-    std::vector<std::size_t> shown = front_by_error(plan);
-    std::map<std::string_view, std::size_t> baselines;
-    for (std::size_t i = 0; i < plan.ways.size(); ++i) {
-        const MeasuredWay& way = plan.ways[i];
-        if (way.way.baseline.empty()) continue;
-        const auto [best, is_first] = baselines.try_emplace(way.way.baseline, i);
-        const MeasuredWay& other = plan.ways[best->second];
-        const bool is_better = !other.on_front && way.figures.error < other.figures.error;
-        if (way.on_front || is_better) best->second = i;
+    std::set<std::string_view> baselines;
+    for (const MeasuredWay& way : plan.ways) {
+        if (way.on_front) baselines.insert(way.way.baseline);
     }
-    for (const auto& [name, best] : baselines) {
-        if (!plan.ways[best].on_front) shown.push_back(best);
-    }
-    std::ranges::stable_sort(shown, [&](std::size_t a, std::size_t b) {
-        return plan.ways[a].figures.error < plan.ways[b].figures.error;
+    std::vector<std::size_t> shown = by_error(plan.ways);
+    std::erase_if(shown, [&](std::size_t i) {
+        const auto& [way, error, figures, bake_s, on_front] = plan.ways[i];
+        return !on_front && (way.baseline.empty() || !baselines.insert(way.baseline).second);
     });
     return shown;
 }
 
 std::string table_text(const Plan& plan) {
     TextTable table({Align::left, Align::left, Align::right, Align::right, Align::right,
-                     Align::right, Align::right, Align::right, Align::left});
-    table.add_row(
-        {"way", "", "median %", plan.words.column, "max %", "fetches", "textures", "bake", ""});
+                     Align::right, Align::right, Align::right, Align::right, Align::left});
+    table.add_row({"way", "", "median %", plan.words.column, "max %", "fetches", "operations",
+                   "textures", "bake", ""});
     for (const std::size_t i : shown_ways(plan)) {
         const MeasuredWay& way = plan.ways[i];
         table.add_row(
             {way.way.family, way.way.name, fmt::format("{}", to_percent(way.error.median)),
              fmt::format("{}", to_percent(way.figures.error)),
              fmt::format("{}", to_percent(way.error.max)),
-             fmt::format("{:.0f}", way.figures.fetches), byte_size_text(way.figures.bytes),
+             fmt::format("{:.0f}", way.figures.fetches),
+             fmt::format("{:.0f}", way.figures.operations), byte_size_text(way.figures.bytes),
              time_text(way.bake_s), remark_of(plan, i)});
     }
     std::string text = fmt::format(
         "{} from {}\n"
         "  error: {}\n"
         "  paths: {}; their standard error is {} %\n"
-        "  fetches: of a mean pixel; textures: in memory; bake: wall time, here, on all cores\n"
-        "  front: no other way is as good in error, fetches and size\n"
+        "  fetches: of a mean pixel; operations: of their lookups, divisions and roots as four;\n"
+        "  textures: in memory; bake: wall time, here, on all cores\n"
+        "  front: no other way is as good in error, fetches, operations and size\n"
         "  knee: the least error x root of fetches x fourth root of bytes\n\n",
         name_of(plan.subject), plan.scene, plan.words.meaning, plan.reference,
         to_percent(plan.ways.front().error.standard_error));
@@ -187,12 +182,6 @@ ExitCode write_recipe(const std::vector<Plan>& plans, const Recipe& recipe,
                               console);
 }
 
-Diagnostic nothing_to_draw(const Invocation& invocation) {
-    return file_error(
-        "E0105", recipe_name(invocation.arguments()[0]),
-        "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws");
-}
-
 Outcome<Plan> plan_subject(const Invocation& invocation, const std::filesystem::path& cache,
                            const PlanSubject& subject, Console& console) {
     BakeProgress progress(word_of(subject), console);
@@ -221,7 +210,11 @@ std::vector<Diagnostic> obstacles(const Invocation& invocation,
         return {
             usage_error("--json and --csv exclude each other", "the folder gets both in any case")};
     }
-    if (subjects.empty()) return {nothing_to_draw(invocation)};
+    if (subjects.empty()) {
+        return {file_error(
+            "E0105", recipe_name(invocation.arguments()[0]),
+            "the recipe has neither an [atmosphere] nor [clouds.NAME] that its scene draws")};
+    }
     auto problems = check_report_folder(invocation[options::output], file_names_of(subjects),
                                         invocation[options::force]);
     if (!problems.empty()) return problems;

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -37,15 +36,11 @@ PageVariant row_of(const Plan& plan, std::size_t index) {
              number(way.figures.error),
              number(way.error.max),
              number(way.figures.fetches),
+             number(way.figures.operations),
              number(way.figures.bytes),
              number(way.bake_s),
              {std::nullopt, remark_of(plan, index)}},
             std::nullopt};
-}
-
-// "RMS %" without its unit, which the numbers of a page have.
-std::string error_title(const Plan& plan) {
-    return "error, " + plan.words.column.substr(0, plan.words.column.rfind(' '));
 }
 
 std::string content_of(const Plan& plan) {
@@ -87,17 +82,13 @@ Outcome<PageTable> table_of(const Plan& plan) {
                                   .png = plan.sheet,
                                   .kind = PictureKind::scene});
     }
-    table.columns = {{"error, median", "percent"},
-                     {error_title(plan), "percent"},
-                     {"error, max", "percent"},
-                     {"fetches", "number"},
-                     {"textures", "byteCount"},
-                     {"bake", "duration"},
-                     {"", ""}};
-    std::vector<std::size_t> order(plan.ways.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return plan.ways[i].figures.error; });
-    for (const std::size_t i : order) table.variants.push_back(row_of(plan, i));
+    // "RMS %" without its unit, which the numbers have.
+    const std::string column = plan.words.column.substr(0, plan.words.column.rfind(' '));
+    table.columns = {{"error, median", "percent"}, {"error, " + column, "percent"},
+                     {"error, max", "percent"},    {"fetches", "number"},
+                     {"operations", "number"},     {"textures", "byteCount"},
+                     {"bake", "duration"},         {"", ""}};
+    for (const std::size_t i : by_error(plan.ways)) table.variants.push_back(row_of(plan, i));
     return {std::move(table), {}};
 }
 

@@ -38,13 +38,15 @@ HWY_INLINE void read_row(const double* row, double column, int channels, double*
     }
 }
 
-// Combines the transmittances at one altitude from the field's rows.
+// Combines the transmittances at one altitude from the field's rows, from number `first` on, which begins
+// a vector.
 template <class Real>
-HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km, double* row) {
+HWY_INLINE void combine_row(const TransmittanceField& field, double altitude_km, double* row,
+                            int first = 0) {
     using Access = LaneAccess<Real>;
     const TransmittanceField::Row at = field.row_at(altitude_km);
     const int n = field.row_size();
-    for (int i = 0; i < n; i += Access::kCount) {
+    for (int i = first; i < n; i += Access::kCount) {
         const Real values = Real(at.weights[0]) * Access::load(at.values + i) +
                             Real(at.weights[1]) * Access::load(at.values + n + i);
         const Real slopes = Real(at.weights[2]) * Access::load(at.slopes + i) +

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "bakers/convection/flow.h"
 #include "bakers/math/parallel.h"
@@ -18,18 +17,6 @@ double cells_of(const Specification& wanted) {
     return double{1} * x * y * z;
 }
 
-// A cloud without its water.
-GrownCloud bare(const Specification& wanted, const Sounding& sounding) {
-    GrownCloud cloud;
-    cloud.cells = wanted.grid.cells;
-    cloud.cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
-    cloud.full_water = sounding.adiabatic_water;
-    cloud.water.resize(static_cast<std::size_t>(cloud.cells[0]) *
-                       static_cast<std::size_t>(cloud.cells[1]) *
-                       static_cast<std::size_t>(cloud.cells[2]));
-    return cloud;
-}
-
 // Names all members: it is not compiled until one that is added is named, too.
 std::string text_of(const Specification& wanted) {
     const auto& [grid, mixed, sponge, base, temperature, instability, inversion, humidity, wind,
@@ -39,6 +26,29 @@ std::string text_of(const Specification& wanted) {
                        fmt::join(edges, " "), mixed, sponge, base, temperature, instability,
                        inversion, humidity, fmt::join(wind, " "), fmt::join(top, " "), patches,
                        fmt::join(width, " "), warmth, seed, growth);
+}
+
+// Returns none after an interruption.
+std::vector<float> grown_water(const Specification& wanted, int levels,
+                               const BakeOptions& options) {
+    Flow flow(wanted, options.threads);
+    while (flow.time_s() < wanted.growth_s) {
+        if (options.cancelled()) return {};
+        flow.step(wanted.growth_s);
+        if (options.progress == nullptr) continue;
+        options.progress->advance("growing the cloud", flow.time_s() / wanted.growth_s);
+    }
+    const int rows = wanted.grid.cells[1];
+    const auto row = static_cast<std::size_t>(wanted.grid.cells[0]);
+    const std::size_t plane = row * static_cast<std::size_t>(rows);
+    std::vector<float> water(plane * static_cast<std::size_t>(levels));
+    parallel_for(levels, options.threads, [&](int level) {
+        float* out = water.data() + static_cast<std::size_t>(level) * plane;
+        for (int y = 0; y < rows; ++y, out += row) {
+            flow.condensed_row(y, level + wanted.mixed_levels, out);
+        }
+    });
+    return water;
 }
 
 }  // namespace
@@ -71,43 +81,18 @@ Specification specification_of(const Cloud& cloud) {
     return wanted;
 }
 
-std::shared_ptr<const GrownCloud> kept_or_grown(const Specification& wanted, KeptBytes* kept,
-                                                const BakeOptions& options) {
-    if (kept == nullptr) return grow(wanted, options);
-    const KeptBytes::Name name = {"convection", kGrowthVersion, text_of(wanted)};
-    if (const auto bytes = kept->find(name)) {
-        auto cloud = std::make_shared<GrownCloud>(bare(wanted, make_sounding(wanted)));
-        if (bytes->size() == cloud->water.size() * sizeof(float)) {
-            std::memcpy(cloud->water.data(), bytes->data(), bytes->size());
-            return cloud;
-        }
-    }
-    auto cloud = grow(wanted, options);
-    if (cloud == nullptr) return cloud;
-    const auto* bytes = reinterpret_cast<const char*>(cloud->water.data());
-    kept->keep(name, {bytes, cloud->water.size() * sizeof(float)});
-    return cloud;
-}
-
-std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options) {
-    Flow flow(wanted, options.threads);
-    while (flow.time_s() < wanted.growth_s) {
-        if (options.cancelled()) return nullptr;
-        flow.step(wanted.growth_s);
-        if (options.progress == nullptr) continue;
-        options.progress->advance("growing the cloud", flow.time_s() / wanted.growth_s);
-    }
-    const Grid& grid = wanted.grid;
-    auto cloud = std::make_shared<GrownCloud>(bare(wanted, flow.sounding()));
-    const auto row = static_cast<std::size_t>(grid.cells[0]);
-    const std::size_t plane = row * static_cast<std::size_t>(grid.cells[1]);
-    parallel_for(cloud->cells[2], options.threads, [&](int z) {
-        float* out = cloud->water.data() + static_cast<std::size_t>(z) * plane;
-        for (int y = 0; y < grid.cells[1]; ++y, out += row) {
-            flow.condensed_row(y, z + wanted.mixed_levels, out);
-        }
-    });
-    return cloud;
+std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options,
+                                       KeptBytes* kept) {
+    auto cloud = std::make_shared<GrownCloud>();
+    cloud->cells = wanted.grid.cells;
+    cloud->cells[2] -= wanted.mixed_levels + wanted.sponge_levels;
+    cloud->full_water = make_sounding(wanted).adiabatic_water;
+    const auto& [x, y, z] = cloud->cells;
+    cloud->water = kept_or_made<float>(
+        kept, {"convection", kGrowthVersion, text_of(wanted)},
+        static_cast<std::size_t>(x) * static_cast<std::size_t>(y) * static_cast<std::size_t>(z),
+        [&] { return grown_water(wanted, cloud->cells[2], options); });
+    return cloud->water.empty() ? nullptr : cloud;
 }
 
 double seconds_to_grow(const Specification& wanted) {

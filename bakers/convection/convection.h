@@ -23,12 +23,9 @@ struct GrownCloud {
 // Returns what the growth of a cloud with shape = "convection" depends on.
 Specification specification_of(const Cloud& cloud);
 
-// Grows the cloud. Returns null after an interruption.
-std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options);
-
-// Returns the same, from an earlier run if `kept` has it; it is given what has grown.
-std::shared_ptr<const GrownCloud> kept_or_grown(const Specification& wanted, KeptBytes* kept,
-                                                const BakeOptions& options);
+// Grows the cloud, unless `kept` has it from an earlier run. Returns null after an interruption.
+std::shared_ptr<const GrownCloud> grow(const Specification& wanted, const BakeOptions& options,
+                                       KeptBytes* kept = nullptr);
 
 // Raise it with every change of what grows.
 constexpr int kGrowthVersion = 1;

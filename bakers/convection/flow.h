@@ -60,7 +60,6 @@ class Flow {
     State& state() { return now_; }
     // The condensed water of a row in g/kg; below 0 it is what is lacking.
     void condensed_row(int y, int z, float* out) const;
-    const Sounding& sounding() const { return sounding_; }
 
   private:
     double longest_step() const;

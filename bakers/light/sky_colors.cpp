@@ -1,9 +1,12 @@
 #include "bakers/light/sky_colors.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <type_traits>
 #include <utility>
 
 #include "bakers/color/color_weights_fit.h"
@@ -123,13 +126,78 @@ std::vector<ColorSample> fitted_samples(const Spectra& spectra, std::size_t view
     return fitted;
 }
 
-SkyColors fit(const ColorRequest& request, const BakeOptions& options) {
+template <class One, class... Others>
+constexpr bool kIsOneOf = (std::is_same_v<One, Others> || ...);
+
+// Appends the values of all members, each with what tells where it ends. A struct has so many members:
+// with one more it is not compiled.
+template <class Value>
+void append(std::string& text, const Value& value) {
+    using namespace config;
+    const auto all = [&text](const auto&... members) { (append(text, members), ...); };
+    if constexpr (!std::is_class_v<Value>) {
+        text += fmt::format("{} ", static_cast<double>(value));
+    } else if constexpr (std::is_same_v<Value, std::string>) {
+        text += fmt::format("{} {} ", value.size(), value);
+    } else if constexpr (requires { value.has_value(); }) {
+        all(value.has_value());
+        if (value) all(*value);
+    } else if constexpr (requires { value.begin(); }) {
+        all(value.size());
+        for (const auto& one : value) all(one);
+    } else if constexpr (kIsOneOf<Value, SpectrumPoint, DensityPoint, GasAmount, SphereKind>) {
+        const auto& [a, b] = value;
+        all(a, b);
+    } else if constexpr (kIsOneOf<Value, IndexPoint, ColorRequest>) {
+        const auto& [a, b, c] = value;
+        all(a, b, c);
+    } else if constexpr (kIsOneOf<Value, Color, AerosolLaw>) {
+        const auto& [a, b, c, d] = value;
+        all(a, b, c, d);
+    } else if constexpr (kIsOneOf<Value, Atmosphere, LayerParticles>) {
+        const auto& [a, b, c, d, e] = value;
+        all(a, b, c, d, e);
+    } else if constexpr (kIsOneOf<Value, Particles>) {
+        const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = value;
+        all(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
+    } else if constexpr (kIsOneOf<Value, Layer>) {
+        const auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q] = value;
+        all(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p, q);
+    } else {
+        const auto& [number] = value;
+        all(number);
+    }
+}
+
+// Returns the weights and, after them, their error; none after an interruption.
+std::vector<glm::dvec3> fit(const ColorRequest& request, const BakeOptions& options) {
     const ColorSkies skies(request.atmosphere, request.wavelengths, options);
     if (options.cancelled()) return {};
+    std::vector<glm::dvec3> numbers = skies.fitted_weights(request.wavelengths, request.color);
+    const ColorError error = skies.error(request.wavelengths, request.color, numbers);
+    numbers.emplace_back(error.median, error.ninth_decile, error.max);
+    numbers.emplace_back(error.disc[0], error.disc[1], error.disc[2]);
+    numbers.emplace_back(error.skies, 0, 0);
+    return numbers;
+}
+
+std::shared_ptr<const SkyColors> kept_or_fitted(const ColorRequest& request,
+                                                const BakeOptions& options) {
+    const std::size_t count = request.wavelengths.size();
+    const Intermediates* shared = options.intermediates;
     SkyColors colors;
-    colors.weights = skies.fitted_weights(request.wavelengths, request.color);
-    colors.error = skies.error(request.wavelengths, request.color, colors.weights);
-    return colors;
+    colors.weights = kept_or_made<glm::dvec3>(shared ? shared->kept() : nullptr,
+                                              {"colours", kColorFitVersion, key_text(request)},
+                                              count + 3, [&] { return fit(request, options); });
+    if (colors.weights.empty()) return nullptr;
+    const glm::dvec3* error = &colors.weights[count];
+    colors.error = {error[0].x,
+                    error[0].y,
+                    error[0].z,
+                    {error[1].x, error[1].y, error[1].z},
+                    static_cast<int>(error[2].x)};
+    colors.weights.resize(count);
+    return std::make_shared<const SkyColors>(std::move(colors));
 }
 
 constexpr double kSecondsOfFit = 1;
@@ -182,14 +250,17 @@ Need need_of(const ColorRequest& request) {
     return {NeedKey(request), "colours of wavelengths", kSecondsOfFit, 0};
 }
 
+std::string key_text(const ColorRequest& request) {
+    std::string text;
+    append(text, request);
+    return text;
+}
+
 std::shared_ptr<const SkyColors> colors_of(const ColorRequest& request,
                                            const BakeOptions& options) {
     const BakeTime time(BakePart::colors);
-    return shared_or_made<SkyColors>(
-        options.intermediates, NeedKey(request), [&]() -> std::shared_ptr<const SkyColors> {
-            auto colors = std::make_shared<const SkyColors>(fit(request, options));
-            return options.cancelled() ? nullptr : colors;
-        });
+    return shared_or_made<SkyColors>(options.intermediates, NeedKey(request),
+                                     [&] { return kept_or_fitted(request, options); });
 }
 
 std::vector<config::Atmosphere> packets_of(const config::Atmosphere& atmosphere) {

@@ -78,7 +78,14 @@ struct ColorRequest {
 
 Need need_of(const ColorRequest& request);
 
-// Returns the weights, shared by all assets that ask for them. Null after an interruption.
+// Returns a text that is another one for another request.
+std::string key_text(const ColorRequest& request);
+
+// Raise it with every change of what is fitted: of the skies, of how they are solved for, of the fit.
+constexpr int kColorFitVersion = 1;
+
+// Returns the weights, shared by all assets that ask for them, and kept for later runs. Null after an
+// interruption.
 std::shared_ptr<const SkyColors> colors_of(const ColorRequest& request, const BakeOptions& options);
 
 // Returns the parts of an atmosphere whose wavelengths are computed together, kMaxChannels each.

@@ -27,12 +27,13 @@ struct alignas(16) ChannelFloats {
 
 // Sunlight and shares of sunlight below 1e-18 count as 0, so that no product of two is a denormal
 // float, with which processors take a hundred times as long.
-inline float float_or_dark(double value) { return value < 1e-18 ? 0 : static_cast<float>(value); }
+constexpr double kDarkest = 1e-18;
 
 inline ChannelFloats floats_of(const Spectrum& values) {
     ChannelFloats floats;
     for (std::size_t c = 0; c < kChannelSlots; ++c) {
-        floats.values[c] = float_or_dark(data(values)[c]);
+        const double value = data(values)[c];
+        floats.values[c] = value < kDarkest ? 0 : static_cast<float>(value);
     }
     return floats;
 }

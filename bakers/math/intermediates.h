@@ -8,7 +8,9 @@
 
 #include <any>
 #include <condition_variable>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -61,6 +63,24 @@ class KeptBytes {
     virtual std::optional<std::string> find(const Name& name) = 0;
     virtual void keep(const Name& name, std::string_view bytes) = 0;
 };
+
+// Returns so many numbers that an earlier run has kept, or make(), which is kept unless it is empty. Null
+// keeps nothing.
+template <class Number>
+std::vector<Number> kept_or_made(KeptBytes* kept, const KeptBytes::Name& name, std::size_t count,
+                                 const std::function<std::vector<Number>()>& make) {
+    if (const auto bytes = kept != nullptr ? kept->find(name) : std::nullopt;
+        bytes && bytes->size() == count * sizeof(Number)) {
+        std::vector<Number> numbers(count);
+        std::memcpy(numbers.data(), bytes->data(), bytes->size());
+        return numbers;
+    }
+    std::vector<Number> numbers = make();
+    if (kept == nullptr || numbers.empty()) return numbers;
+    const auto* bytes = reinterpret_cast<const char*>(numbers.data());
+    kept->keep(name, {bytes, numbers.size() * sizeof(Number)});
+    return numbers;
+}
 
 // Several threads may use one. Those that ask for an intermediate which another one makes wait for
 // it. The one that makes it never waits for them, even if all of them ask within a parallel loop: a

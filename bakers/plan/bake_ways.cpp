@@ -5,9 +5,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/assets/description/glsl_lookup.h"
 #include "bakers/assets/registry/registry.h"
-#include "bakers/field/block_voxels.h"
-#include "bakers/field/pixel_type.h"
+#include "bakers/assets/sky/traced_light.h"
+#include "bakers/io/formats/texture.h"
 #include "bakers/math/bake_clock.h"
 #include "bakers/render/stage_progress.h"
 #include "config/text/key_path.h"
@@ -64,8 +65,10 @@ class AssetBakery {
             if (options.cancelled()) return {};
             if (!one.value) return {{}, std::move(one.diagnostics)};
             const BakeSeconds seconds = clock.seconds();
-            assets.push_back(
-                {bake, std::move(*one.value), seconds.texels, shared_by(*bake, seconds.light)});
+            const LookupCost lookup = cost_of(
+                baker_of(*bake).lookup(recipe_.parameters, *bake, stored_texels(*one.value)));
+            assets.push_back({bake, std::move(*one.value), seconds.texels,
+                              shared_by(*bake, seconds.light), lookup});
         }
         outcome.value = std::move(assets);
         return outcome;
@@ -99,6 +102,21 @@ class AssetBakery {
     std::vector<const Bake*> bakes_;
     std::vector<SharedWork> known_;
 };
+
+double bake_seconds(const std::vector<const BakedAsset*>& assets) {
+    double seconds = 0;
+    std::vector<SharedWork> counted;
+    for (const BakedAsset* asset : assets) {
+        seconds += asset->seconds;
+        for (const SharedWork& work : asset->shared) {
+            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
+            if (std::ranges::any_of(counted, is_same)) continue;
+            seconds += work.seconds;
+            counted.push_back(work);
+        }
+    }
+    return seconds;
+}
 
 }  // namespace
 
@@ -142,38 +160,22 @@ Outcome<std::vector<BakedAsset>> bake_ways(const Recipe& recipe, const WayAssets
     return AssetBakery(recipe, assets.size(), options).bake();
 }
 
-double bake_seconds(const std::vector<const BakedAsset*>& assets) {
-    double seconds = 0;
-    std::vector<SharedWork> counted;
-    for (const BakedAsset* asset : assets) {
-        seconds += asset->seconds;
-        for (const SharedWork& work : asset->shared) {
-            const auto is_same = [&](const SharedWork& other) { return other.key == work.key; };
-            if (std::ranges::any_of(counted, is_same)) continue;
-            seconds += work.seconds;
-            counted.push_back(work);
-        }
-    }
-    return seconds;
-}
-
 MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets) {
     MeasuredWay measured;
     measured.way = way;
-    for (const BakedAsset* asset : assets) measured.figures.bytes += texture_bytes(asset->baked);
+    for (const BakedAsset* asset : assets) {
+        const Baked& baked = asset->baked;
+        measured.figures.bytes += static_cast<double>(
+            texture_bytes(baked.levels.front().size, baked.pixel_type, baked.channel_names.size()));
+    }
     measured.bake_s = bake_seconds(assets);
     return measured;
 }
 
-double texture_bytes(const Baked& baked) {
-    const std::size_t channels = baked.channel_names.size();
-    const auto texels = static_cast<double>(VoxelBox{{}, baked.levels.front().size}.count());
-    if (config::is_block_coded(baked.pixel_type)) {
-        constexpr double kTexelsOfBlock = 16;
-        return texels * static_cast<double>(bytes_per_block(baked.pixel_type)) / kTexelsOfBlock;
-    }
-    return texels * static_cast<double>(channels == 3 ? 4 : channels) *
-           bytes_per_value(baked.pixel_type);
+void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures) {
+    const LookupCost& one = asset.lookup;
+    figures.fetches += lookups * one.fetches;
+    figures.operations += lookups * (one.operations + 4 * (one.divisions + one.special_functions));
 }
 
 }  // namespace skybake

@@ -26,10 +26,8 @@ struct BakedAsset {
     Baked baked;
     double seconds = 0;  // of its texels alone
     std::vector<SharedWork> shared;
+    LookupCost lookup;
 };
-
-// Returns the time of a way's assets. What they share counts once, whoever made it first.
-double bake_seconds(const std::vector<const BakedAsset*>& assets);
 
 // The assets of all ways, each once.
 class WayAssets {
@@ -55,11 +53,12 @@ class WayAssets {
     std::vector<WayAsset> all_;  // `of` names the bake of one before it
 };
 
-// Returns the bytes of an asset's texture, in which three channels take the room of four.
-double texture_bytes(const Baked& baked);
-
-// Returns the way with the size of its textures and the time of its bakes; all else is to be measured.
+// Returns the way with the size of its textures, in which three channels take the room of four, and the
+// time of its bakes; all else is to be measured. What assets share counts once, whoever made it first.
 MeasuredWay costed(const Way& way, const std::vector<const BakedAsset*>& assets);
+
+// Adds what lookups of an asset take.
+void add_lookups(const BakedAsset& asset, double lookups, WayFigures& figures);
 
 // A way of any kind, and its assets.
 template <class OneWay>

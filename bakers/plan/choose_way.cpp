@@ -3,30 +3,26 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <utility>
 
 namespace skybake {
 namespace {
 
-bool beats(const WayFigures& a, const WayFigures& b) {
-    const bool no_worse = a.error <= b.error && a.fetches <= b.fetches && a.bytes <= b.bytes;
-    return no_worse && (a.error < b.error || a.fetches < b.fetches || a.bytes < b.bytes);
+std::array<double, 4> figures_of(const WayFigures& way) {
+    return {way.error, way.fetches, way.operations, way.bytes};
 }
 
-bool equal(const WayFigures& a, const WayFigures& b) {
-    return a.error == b.error && a.fetches == b.fetches && a.bytes == b.bytes;
+// Whether the first is at least as good as the second in all.
+bool no_worse(const WayFigures& first, const WayFigures& second) {
+    return std::ranges::equal(figures_of(first), figures_of(second), std::less_equal<>());
 }
 
-// Figures without a limit come first, in the order error, fetches, bytes; the others break ties.
-std::array<double, 6> order_of(const WayLimits& limits, const WayFigures& way) {
-    const std::array<double, 3> figures = {way.error, way.fetches, way.bytes};
-    const std::array<bool, 3> limited = {limits.error.has_value(), limits.fetches.has_value(),
-                                         limits.bytes.has_value()};
-    std::array<double, 6> order{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!limited[i]) order[i] = figures[i];
-        order[3 + i] = figures[i];
-    }
-    return order;
+// Figures without a limit come first; the others break ties.
+auto order_of(const WayLimits& limits, const WayFigures& way) {
+    const WayFigures unlimited = {limits.error ? 0 : way.error, limits.fetches ? 0 : way.fetches,
+                                  limits.bytes ? 0 : way.bytes, way.operations};
+    return std::pair(figures_of(unlimited), figures_of(way));
 }
 
 }  // namespace
@@ -42,7 +38,8 @@ std::vector<bool> front_of(std::span<const WayFigures> ways) {
     for (std::size_t i = 0; i < ways.size(); ++i) {
         bool beaten = false;
         for (std::size_t j = 0; j < ways.size(); ++j) {
-            beaten = beaten || beats(ways[j], ways[i]) || (j < i && equal(ways[j], ways[i]));
+            beaten =
+                beaten || (no_worse(ways[j], ways[i]) && (j < i || !no_worse(ways[i], ways[j])));
         }
         front.push_back(!beaten);
     }
@@ -69,7 +66,7 @@ std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const 
 std::size_t knee_of(std::span<const WayFigures> ways) {
     const auto order = [](const WayFigures& way) {
         const double cost = way.fetches * std::sqrt(std::max(way.bytes, kCachedBytes));
-        return std::array{way.error * std::sqrt(cost), way.error, way.fetches, way.bytes};
+        return std::pair(way.error * std::sqrt(cost), figures_of(way));
     };
     const auto knee = std::ranges::min_element(
         ways, [&](const WayFigures& a, const WayFigures& b) { return order(a) < order(b); });

@@ -14,7 +14,8 @@ namespace skybake {
 struct WayFigures {
     double error = 0;  // ninth decile, relative
     double fetches = 0;
-    double bytes = 0;  // of textures
+    double bytes = 0;       // of textures
+    double operations = 0;  // of the lookups; those that run at a quarter of the rate count as four
 };
 
 struct WayLimits {
@@ -25,12 +26,12 @@ struct WayLimits {
 // Whether the way keeps all limits.
 bool keeps(const WayLimits& limits, const WayFigures& way);
 
-// Tells for each way whether none of the others is at least as good in error, fetches and bytes and
-// better in one of them. Of equal ways the first is on the front.
+// Tells for each way whether none of the others is at least as good in error, fetches, operations and
+// bytes and better in one of them. Of equal ways the first is on the front.
 std::vector<bool> front_of(std::span<const WayFigures> ways);
 
 // Returns the way that keeps the limits and is least in what has no limit, compared in the order
-// error, fetches, bytes; if all have limits, least in error. Without a limit of error, errors that are
+// error, fetches, operations, bytes; if all have limits, least in error. Without a limit of error, errors that are
 // within `noise` of the least count as equal. It is on the front. None keeps them: no way.
 std::optional<std::size_t> best_within(const WayLimits& limits, std::span<const WayFigures> ways,
                                        double noise);

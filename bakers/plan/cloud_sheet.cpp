@@ -74,15 +74,19 @@ FoundCloud CloudOfWay::find(const CloudWay& way, const std::vector<const BakedAs
                                way.cell > 0 ? &assets[1]->baked : nullptr, way.cell);
     FoundCloud found;
     found.radiance.resize(rays.size());
-    std::vector<double> of_views(rays.size());
+    std::vector<occupancy::MarchFetches> of_views(rays.size());
     parallel_for(static_cast<int>(rays.size()), options_.threads, [&](int n) {
         const auto i = static_cast<std::size_t>(n);
         const CloudView& view = truth_.views()[i];
         found.radiance[i] = rays[i].radiance;
-        of_views[i] =
-            rays[i].light_fetches + fetches.along(view.place, view.look, rays[i].length_m);
+        of_views[i] = fetches.along(view.place, view.look, rays[i].length_m);
     });
-    for (const double one : of_views) found.fetches += one / static_cast<double>(rays.size());
+    const double share = 1 / static_cast<double>(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        found.densities += share * of_views[i].densities;
+        found.cells += share * of_views[i].structure;
+        found.lit += share * rays[i].lit;
+    }
     return found;
 }
 

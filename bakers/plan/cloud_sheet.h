@@ -1,6 +1,6 @@
 // A sheet of pictures: a cloud in sunlight by paths, and what each family of ways makes of it.
 //
-// A runtime finds a cloud with the assets of a way: the light, and the fetches that it takes.
+// A runtime finds a cloud with the assets of a way: the light, and the lookups that it takes.
 #pragma once
 
 #include <map>
@@ -21,7 +21,8 @@ namespace skybake {
 
 struct FoundCloud {
     std::vector<double> radiance;  // of each view
-    double fetches = 0;            // of a mean view
+    // Lookups of a mean view: of densities, of cells, and how often of light.
+    double densities = 0, cells = 0, lit = 0;
 };
 
 class CloudOfWay {
@@ -30,7 +31,7 @@ class CloudOfWay {
     CloudOfWay(const Cloud& cloud, const CloudTruth& truth, const BakeOptions& options)
         : cloud_(cloud), truth_(truth), options_(options) {}
 
-    // Returns the light in the truth's views, and the fetches of a mean view.
+    // Returns the light in the truth's views, and the lookups of a mean view.
     FoundCloud find(const CloudWay& way, const std::vector<const BakedAsset*>& assets);
 
     // Returns the textures of a way for a sun, which live as long as this does.

@@ -24,31 +24,25 @@ AssetPlaces places_of(const Parameters& parameters, const BakedAsset& asset) {
 }  // namespace
 
 std::vector<Spectrum> LightOfWay::find(const LightWay& way,
-                                       const std::vector<const BakedAsset*>& assets,
-                                       double& fetches) const {
+                                       const std::vector<const BakedAsset*>& assets) const {
     switch (way.how) {
         case config::SkyBy::march:
-            return march(way, assets, fetches);
+            return march(way, assets);
         case config::SkyBy::fetch:
-            fetches = 2;  // of the two sub-images next to the angle to the sun
             return fetch(*assets.front());
         case config::SkyBy::picture:
-            fetches = 1;
             return look_up(way, assets);
     }
     return {};
 }
 
 std::vector<Spectrum> LightOfWay::march(const LightWay& way,
-                                        const std::vector<const BakedAsset*>& assets,
-                                        double& fetches) const {
+                                        const std::vector<const BakedAsset*>& assets) const {
     std::vector<PreviewAsset> stored;
     for (const BakedAsset* asset : assets) {
         stored.push_back({describe(asset->baked), asset->baked.image(), {}});
     }
-    const bool is_single = stored.size() == 1;
-    const auto tables = make_sky_tables(stored[0], is_single ? nullptr : &stored[1]);
-    fetches = way.steps * (is_single ? 1.0 : 1.0 + moment_count(tables.value->degree));
+    const auto tables = make_sky_tables(stored[0], stored.size() == 1 ? nullptr : &stored[1]);
     // The views show the air alone.
     SkyMedium over_black_ground = truth_.packets().front()->medium();
     over_black_ground.air.ground_albedo = Spectrum(0.0);
@@ -209,8 +203,7 @@ Outcome<std::string> light_sheet(config::Draws light, const Parameters& paramete
     }
     const LightOfWay found(parameters, truth, options.threads);
     for (const BakedWay<LightWay>& way : ways) {
-        double fetches = 0;
-        const auto colors = screen.colors(found.find(*way.way, way.assets, fetches));
+        const auto colors = screen.colors(found.find(*way.way, way.assets));
         block.rows.push_back(full_name(*way.way));
         for (std::size_t s = 0; s < suns.size(); ++s) {
             const LightPicture wanted = sky_under(traced, band.rows, s);

@@ -1,6 +1,6 @@
 // A sheet of pictures: light by paths, and what each family of ways makes of it.
 //
-// A runtime finds light with the assets of a way, and takes so many fetches.
+// A runtime finds light with the assets of a way.
 #pragma once
 
 #include <string>
@@ -20,13 +20,13 @@ class LightOfWay {
     LightOfWay(const Parameters& parameters, const SceneTruth& truth, int threads)
         : parameters_(parameters), truth_(truth), threads_(threads) {}
 
-    // Returns the light in the truth's views, and sets the fetches of a mean pixel.
-    std::vector<Spectrum> find(const LightWay& way, const std::vector<const BakedAsset*>& assets,
-                               double& fetches) const;
+    // Returns the light in the truth's views.
+    std::vector<Spectrum> find(const LightWay& way,
+                               const std::vector<const BakedAsset*>& assets) const;
 
   private:
-    std::vector<Spectrum> march(const LightWay& way, const std::vector<const BakedAsset*>& assets,
-                                double& fetches) const;
+    std::vector<Spectrum> march(const LightWay& way,
+                                const std::vector<const BakedAsset*>& assets) const;
     std::vector<Spectrum> fetch(const BakedAsset& asset) const;
     std::vector<Spectrum> look_up(const LightWay& way,
                                   const std::vector<const BakedAsset*>& assets) const;

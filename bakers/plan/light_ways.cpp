@@ -120,13 +120,12 @@ class Pictures {
             WayAsset asset = asset_of("sky_view", "sky_view", size, "half");
             asset.keys.emplace_back("altitude", camera_);
             asset.keys.emplace_back("sun_elevations", fmt::format("[{}]", fmt::join(suns_, ", ")));
-            add("sky views", fmt::format("{}, half", plain_value(size)), {asset}, ways);
-            ways.back().reads = [](const LightView& view) {
+            add(ways, "sky views", size, {asset}, [](const LightView& view) {
                 return Reading{0,
                                {{"azimuth_deg", view.sky.azimuth_deg},
                                 {"above_horizon_deg", view.sky.above_horizon_deg},
                                 {"sun_elevation_deg", view.sky.sun_elevation_deg}}};
-            };
+            });
         }
     }
 
@@ -148,9 +147,8 @@ class Pictures {
                     keys.emplace_back("aspect", "1");
                 }
             }
-            add("volumes of air", fmt::format("{}, half", plain_value(size)), std::move(assets),
-                ways);
-            ways.back().reads = [of = *this](const LightView& view) { return of.in_volume(view); };
+            add(ways, "volumes of air", size, std::move(assets),
+                [of = *this](const LightView& view) { return of.in_volume(view); });
         }
     }
 
@@ -167,11 +165,12 @@ class Pictures {
   private:
     static constexpr std::array kHeadings_deg = {45.0, 135.0};
 
-    static void add(std::string family, std::string name, std::vector<WayAsset> assets,
-                    std::vector<LightWay>& ways) {
-        ways.push_back({{"picture", std::move(family), std::move(name), "", std::move(assets)},
+    static void add(std::vector<LightWay>& ways, std::string family, std::string_view size,
+                    std::vector<WayAsset> assets, std::function<Reading(const LightView&)> reads) {
+        const std::string name = fmt::format("{}, half", plain_value(size));
+        ways.push_back({{"picture", std::move(family), name, "", std::move(assets)},
                         SkyBy::picture,
-                        {}});
+                        std::move(reads)});
     }
 
     void add_environment(std::string family, std::string_view mapping, std::string_view size,
@@ -185,12 +184,11 @@ class Pictures {
             keys.emplace_back("altitude", camera_);
             keys.emplace_back("sun_elevation", sun);
         }
-        add(std::move(family), fmt::format("{}, half", plain_value(size)), std::move(assets), ways);
-        ways.back().reads = [of = *this](const LightView& view) {
+        add(ways, std::move(family), size, std::move(assets), [of = *this](const LightView& view) {
             return Reading{of.sun_of(view),
                            {{"azimuth_deg", view.sky.azimuth_deg},
                             {"elevation_deg", elevation_deg(of.shell_, view.sky)}}};
-        };
+        });
     }
 
     std::size_t sun_of(const LightView& view) const {

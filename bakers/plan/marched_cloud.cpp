@@ -11,7 +11,6 @@
 #include "bakers/field/pixel_type.h"
 #include "bakers/march/cloud_light.h"
 #include "bakers/math/harmonics.h"
-#include "bakers/occupancy/marcher.h"
 
 namespace skybake {
 
@@ -51,12 +50,6 @@ class SunDepth {
   public:
     SunDepth(const CloudWay& way, const CloudTextures& textures, const glm::dvec3& sun)
         : way_(way), textures_(textures), sun_(sun), values_(harmonics(sun)) {}
-
-    double fetches() const {
-        if (way_.lighting == CloudLighting::march) return way_.sun_samples;
-        return way_.lighting == CloudLighting::depth ? 1
-                                                     : static_cast<double>(textures_.parts.size());
-    }
 
     double at(const glm::dvec3& place) const {
         if (way_.lighting == CloudLighting::march) return marched(place);
@@ -114,11 +107,6 @@ class SampleLight {
 
     // The extinction of the march over the cloud's.
     double share() const { return share_; }
-
-    double fetches() const {
-        if (way_.lighting != CloudLighting::radiance) return depth_.fetches();
-        return 2 + static_cast<double>(textures_.parts.size());
-    }
 
     double at(const glm::dvec3& place) const {
         static const auto octaves = octave_phases();
@@ -201,7 +189,7 @@ MarchedRay march_cloud(const CloudWay& way, const CloudTextures& textures, const
         const glm::dvec3 sample = place + per_meter * at_m;
         const double depth = light.share() * extinction_at_share(layer, sample) * step_m;
         if (depth == 0) continue;
-        ray.light_fetches += light.fetches();
+        ++ray.lit;
         ray.radiance += kAlbedo * ray.passed * -std::expm1(-depth) * light.at(sample);
         ray.passed *= std::exp(-depth);
     }
@@ -219,7 +207,8 @@ CloudFetches::CloudFetches(const CloudLayer& layer, double stride_m, const Baked
     }
 }
 
-double CloudFetches::along(const glm::dvec3& place, const glm::dvec3& look, double length_m) const {
+occupancy::MarchFetches CloudFetches::along(const glm::dvec3& place, const glm::dvec3& look,
+                                            double length_m) const {
     occupancy::SampledRay ray;
     for (glm::length_t a = 0; a < 3; ++a) {
         const auto i = static_cast<std::size_t>(a);
@@ -227,12 +216,12 @@ double CloudFetches::along(const glm::dvec3& place, const glm::dvec3& look, doub
         ray.from[i] = place[a] * layer_.size[i] + ray.step[i] / 2;
     }
     ray.samples = static_cast<int>(std::floor(length_m / stride_m_)) + 1;
-    if (cell_ == 0) return ray.samples;
+    if (cell_ == 0) return {ray.samples, 0};
     const occupancy::LeapCells cells{{layer_.size, cell_}, leaps_};
     const auto look_up = [&](const occupancy::Place& at) {
         return cloud_light::extinction_at(layer_, {at[0], at[1], at[2]}) > 0;
     };
-    return occupancy::march(ray, cells, look_up).all();
+    return occupancy::march(ray, cells, look_up);
 }
 
 }  // namespace skybake

@@ -10,6 +10,7 @@
 #include "bakers/assets/cloud_light/cloud_layer.h"
 #include "bakers/field/baked.h"
 #include "bakers/math/bake_options.h"
+#include "bakers/occupancy/marcher.h"
 #include "bakers/plan/cloud_ways.h"
 
 namespace skybake {
@@ -48,7 +49,7 @@ struct MarchedRay {
     double radiance = 0;  // in 1/sr, of sunlight of the irradiance 1
     double passed = 1;    // of what is behind the cloud
     double length_m = 0;  // of the march, which ends where little is seen of what follows
-    double light_fetches = 0;
+    int lit = 0;          // samples that ask for light
 };
 
 // Marches a ray from a place in shares of the tile. `sun` is a unit vector towards the sun.
@@ -65,7 +66,8 @@ class CloudFetches {
     CloudFetches(const cloud_light::CloudLayer& layer, double stride_m, const Baked* cells,
                  int cell);
 
-    double along(const glm::dvec3& place, const glm::dvec3& look, double length_m) const;
+    occupancy::MarchFetches along(const glm::dvec3& place, const glm::dvec3& look,
+                                  double length_m) const;
 
   private:
     const cloud_light::CloudLayer& layer_;

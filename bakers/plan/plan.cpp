@@ -3,14 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
-#include "bakers/assets/registry/registry.h"
 #include "bakers/io/files/to_string.h"
+#include "bakers/plan/plan_files.h"
 #include "config/sections/cloud.h"
 
 namespace skybake {
+
+// The name of a way of clouds is followed by what its cells save.
+bool PlanRequest::leaves_out(const Way& way) const {
+    return judged != nullptr &&
+           (way.assets != judged->assets || !full_name(*judged).starts_with(full_name(way)));
+}
 
 Outcome<Recipe> load_scene(const PlanRequest& request, const std::vector<std::string>& settings) {
     Outcome<Recipe> recipe = request.load(settings);
@@ -71,13 +78,6 @@ std::string word_of(const PlanSubject& subject) {
     return std::string(light_of(subject).word);
 }
 
-std::string versions_of_bakers() {
-    std::string text;
-    for (const AnyBaker& baker : bakers())
-        text += fmt::format("{} {}\n", baker.asset, baker.version);
-    return text;
-}
-
 WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
                     const std::optional<double>& max_error) {
     WayLimits limits = request.limits;
@@ -123,6 +123,13 @@ Outcome<Plan> without_light(const PlanSubject& subject) {
         name_of(subject));
     problem.label = "raise the suns of [scene], or its cameras above dense air";
     return {{}, {std::move(problem)}};
+}
+
+std::vector<std::size_t> by_error(const std::vector<MeasuredWay>& ways) {
+    std::vector<std::size_t> sorted(ways.size());
+    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+    std::ranges::stable_sort(sorted, {}, [&](std::size_t i) { return ways[i].figures.error; });
+    return sorted;
 }
 
 Outcome<Plan> chosen(Plan plan, std::vector<Diagnostic> diagnostics) {

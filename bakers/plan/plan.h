@@ -1,6 +1,7 @@
 // A plan: the measured ways to draw one thing, and the choice among them.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -47,9 +48,6 @@ struct Plan {
     std::string sheet;               // a PNG: pictures by paths, and by each family
 };
 
-// Whether a measurement ends with pictures of what it measured.
-enum class Sheets { drawn, none };
-
 struct PlanRequest {
     LoadRecipe load;
     std::filesystem::path cache;  // where measured figures are kept; empty: nowhere
@@ -57,6 +55,11 @@ struct PlanRequest {
     double paths = 0;             // of light, in all views together; 0: as many as the scene needs
     int threads = 0;
     Progress* progress = nullptr;
+    // A way that was chosen: it alone is measured, in other views by other paths, without pictures.
+    const Way* judged = nullptr;
+
+    std::uint32_t first_view() const { return judged != nullptr ? 4096 : 1; }
+    bool leaves_out(const Way& way) const;
 };
 
 // Reads the recipe with its [scene], or one that says nothing, and further settings.
@@ -72,15 +75,15 @@ std::string word_of(const PlanSubject& subject);
 // Returns what the recipe has and its scene draws.
 std::vector<PlanSubject> subjects_of(const Parameters& parameters);
 
-// Returns the version of all bakers, on which figures of ways depend.
-std::string versions_of_bakers();
-
 // Returns limits of the request, or else those of the scene, with this bound on the error.
 WayLimits limits_of(const PlanRequest& request, const config::Scene& scene,
                     const std::optional<double>& max_error);
 
 // Returns E0409, since no light reaches the subject.
 Outcome<Plan> without_light(const PlanSubject& subject);
+
+// Returns the numbers of ways, the least compared error first.
+std::vector<std::size_t> by_error(const std::vector<MeasuredWay>& ways);
 
 // Finds the front of a measured plan, its knee and the way to take. Adds E0408, beside the plan, if no way
 // keeps the limits: `chosen` is then the way of least error. Returns E0409 alone where paths find no

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 #include "bakers/assets/cloud_volume/cloud_volume.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/hash.h"
 #include "bakers/math/parallel.h"
 #include "bakers/plan/cloud_sheet.h"
 #include "bakers/plan/cloud_truth.h"
@@ -29,7 +29,7 @@ constexpr int kUsualVoxels = 256;  // along the longest edge
 constexpr double kMostVoxels = 1 << 25;
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 1;
+constexpr int kVersion = 2;
 
 const CloudVolumeBake* volume_of(const Parameters& parameters, const std::string& cloud) {
     for (const Bake& bake : parameters.bakes) {
@@ -97,24 +97,9 @@ Outcome<PlannedCloud> planned_cloud(const PlanRequest& request, const std::strin
                         kMostLitSuns));
     }
     planned.ways = cloud_ways(planned.subject);
+    std::erase_if(planned.ways, [&](const Way& way) { return request.leaves_out(way); });
     planned.recipe = std::move(*recipe.value);
     return {std::move(planned), {}};
-}
-
-// Tells all that the figures of ways depend on.
-std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedCloud& planned,
-                   std::uint32_t first, double paths) {
-    std::string text =
-        fmt::format("cloud, version {}, {} paths, views from {}\n", kVersion, paths, first);
-    text += versions_of_bakers();
-    std::vector<config::Read> reads =
-        config::reads_of_cloud(recipe.parameters, planned.subject.cloud);
-    reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
-    text += config::parameters_toml(recipe, reads);
-    text += fmt::format("{}\n", fmt::join(planned.range.suns_deg, " "));
-    for (const std::string& setting : assets.settings()) text += setting + '\n';
-    for (const CloudWay& way : planned.ways) text += full_name(way) + '\n';
-    return xxh3_hex(text);
 }
 
 // Ways that differ in their cells alone show the same: this leaves the one of fewest fetches and says
@@ -125,7 +110,7 @@ void keep_best_cells(const std::vector<CloudWay>& ways, MeasuredWays& measured) 
     for (std::size_t i = 0; i < ways.size(); ++i) {
         const auto cost = [&](std::size_t n) {
             const WayFigures& figures = measured.ways[n].figures;
-            return std::pair(std::llround(figures.fetches), figures.bytes);
+            return std::tuple(std::llround(figures.fetches), figures.operations, figures.bytes);
         };
         const auto [least, is_first] = best.try_emplace(ways[i].drawing, i);
         if (cost(i) < cost(least->second)) least->second = i;
@@ -149,14 +134,20 @@ MeasuredWay measured_way(const CloudTruth& truth, const CloudWay& way, const Fou
     double rms = 0;
     measured.error = truth.error(found.radiance, rms);
     measured.figures.error = to_digits(rms, 2);
-    measured.figures.fetches = found.fetches;
+    add_lookups(*own[0], found.densities + found.lit * way.sun_samples, measured.figures);
+    if (way.cell > 0) add_lookups(*own[1], found.cells, measured.figures);
+    // Textures of one sun: the others have as many.
+    const std::size_t end =
+        way.per_sun == 0 ? own.size() : way.first + way.per_sun + (way.degree > 0 ? 1 : 0);
+    for (std::size_t i = way.first; way.first > 0 && i < end; ++i) {
+        add_lookups(*own[i], found.lit, measured.figures);
+    }
     return measured;
 }
 
-// Measures the ways of a cloud in views of the scene that begin with number `first`, and draws their
-// sheet.
-Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& planned,
-                              std::uint32_t first, Sheets sheets) {
+// Measures the ways of a cloud in views of the scene, and draws their sheet.
+Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& planned) {
+    const std::uint32_t first = request.first_view();
     std::vector<Way> all(planned.ways.begin(), planned.ways.end());
     all.push_back(traced_cloud(planned.subject));
     const WayAssets assets(all);
@@ -165,7 +156,11 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
     MeasuredWays plan;
     for (const CloudWay& way : planned.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
-    const std::string key = key_of(*recipe.value, assets, planned, first, paths);
+    const std::string key = figures_key(
+        *recipe.value, config::reads_of_cloud(recipe.value->parameters, planned.subject.cloud),
+        assets, plan,
+        fmt::format("cloud, version {}, {} paths, views from {}, {}\n", kVersion, paths, first,
+                    fmt::join(planned.range.suns_deg, " ")));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
@@ -184,7 +179,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedCloud& pl
         plan.ways[i] = measured_way(truth, way, clouds.find(way, own), own);
         if (options.cancelled()) return {};
     }
-    if (sheets == Sheets::none) return {std::move(plan), {}};
+    if (request.judged != nullptr) return {std::move(plan), {}};
     std::vector<BakedWay<CloudWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
         best.push_back({&planned.ways[i], assets.of(planned.ways[i], *baked.value)});
@@ -216,7 +211,7 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     Plan plan;
     plan.subject = {config::Draws::clouds, name};
     if (range.suns_deg.empty()) return without_light(plan.subject);
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, 1, Sheets::drawn);
+    Outcome<MeasuredWays> measured = measure(request, *planned.value);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const Parameters& parameters = planned.value->recipe.parameters;
     plan.scene = fmt::format("cameras from {:.3g} to {:.3g} km, suns at {:.3g} degrees",
@@ -225,23 +220,11 @@ Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name) {
     plan.words = cloud_words();
     plan.reads = config::reads_of_cloud(parameters, name);
     plan.limits = limits_of(request, *parameters.scene, parameters.scene->max_cloud_error);
-    keep_best_cells(planned.value->ways, *measured.value);
+    if (request.judged == nullptr) keep_best_cells(planned.value->ways, *measured.value);
     plan.ways = std::move(measured.value->ways);
     plan.sheet = std::move(measured.value->sheet);
     plan.notes = std::move(planned.value->notes);
     return chosen(std::move(plan), std::move(measured.diagnostics));
-}
-
-Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name, const Way& way,
-                            std::uint32_t first) {
-    Outcome<PlannedCloud> planned = planned_cloud(request, name);
-    if (!planned.value) return {{}, std::move(planned.diagnostics)};
-    std::erase_if(planned.value->ways, [&](const CloudWay& other) {
-        return other.assets != way.assets || full_name(way).rfind(full_name(other), 0) != 0;
-    });
-    Outcome<MeasuredWays> measured = measure(request, *planned.value, first, Sheets::none);
-    if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    return {measured.value->ways.front().figures.error, std::move(measured.diagnostics)};
 }
 
 }  // namespace skybake

@@ -2,7 +2,6 @@
 // each way against one set of paths of light, in the views of the recipe's scene.
 #pragma once
 
-#include <cstdint>
 #include <string>
 
 #include "bakers/plan/plan.h"
@@ -15,10 +14,5 @@ namespace skybake {
 // bake_asset and of `chosen`; W0301 if the cache cannot be written. After an interruption there is
 // neither a value nor a diagnostic.
 Outcome<Plan> plan_cloud(const PlanRequest& request, const std::string& name);
-
-// Returns the error of a way that is compared, in views that begin with number `first` of the scene,
-// against paths of their own.
-Outcome<double> judge_cloud(const PlanRequest& request, const std::string& name, const Way& way,
-                            std::uint32_t first);
 
 }  // namespace skybake

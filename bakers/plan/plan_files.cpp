@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -25,31 +24,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// A column of CSV and a key of JSON.
-struct Column {
-    std::string_view name;
-    std::function<Json(const MeasuredWay&)> value;
-};
-
 double figure(double value) { return to_digits(value, 4); }
 
-const std::vector<Column>& columns() {
-    static const std::vector<Column> all = {
-        {"by", [](const MeasuredWay& way) { return Json(way.way.by); }},
-        {"family", [](const MeasuredWay& way) { return Json(way.way.family); }},
-        {"variant", [](const MeasuredWay& way) { return Json(way.way.name); }},
-        {"baseline", [](const MeasuredWay& way) { return Json(way.way.baseline); }},
-        {"median", [](const MeasuredWay& way) { return Json(figure(way.error.median)); }},
-        {"p90", [](const MeasuredWay& way) { return Json(figure(way.error.ninth_decile)); }},
-        {"max", [](const MeasuredWay& way) { return Json(figure(way.error.max)); }},
-        {"standard_error",
-         [](const MeasuredWay& way) { return Json(figure(way.error.standard_error)); }},
-        {"fetches", [](const MeasuredWay& way) { return Json(std::llround(way.figures.fetches)); }},
-        {"bytes", [](const MeasuredWay& way) { return Json(std::llround(way.figures.bytes)); }},
-        {"bake_s", [](const MeasuredWay& way) { return Json(figure(way.bake_s)); }},
-        {"on_front", [](const MeasuredWay& way) { return Json(way.on_front); }},
-    };
-    return all;
+// The columns of CSV, which are keys of JSON too.
+Json row_of(const MeasuredWay& measured) {
+    const auto& [way, error, figures, bake_s, on_front] = measured;
+    return {{"by", way.by},
+            {"family", way.family},
+            {"variant", way.name},
+            {"baseline", way.baseline},
+            {"median", figure(error.median)},
+            {"p90", figure(error.ninth_decile)},
+            {"max", figure(error.max)},
+            {"standard_error", figure(error.standard_error)},
+            {"fetches", std::llround(figures.fetches)},
+            {"operations", std::llround(figures.operations)},
+            {"bytes", std::llround(figures.bytes)},
+            {"bake_s", figure(bake_s)},
+            {"on_front", on_front}};
 }
 
 std::string dump(const Json& json, int indent) {
@@ -119,8 +111,7 @@ std::string neighbour_text(const Plan& plan, std::string_view what, std::size_t 
 Json to_json(const Plan& plan) {
     Json ways = Json::array();
     for (const MeasuredWay& way : plan.ways) {
-        Json entry = Json::object();
-        for (const Column& column : columns()) entry[std::string(column.name)] = column.value(way);
+        Json entry = row_of(way);
         Json assets = Json::object();
         for (const WayAsset& asset : way.way.assets) {
             for (const auto& [key, value] : asset.keys)
@@ -149,7 +140,8 @@ std::string choice_text(const Plan& plan) {
     std::string text =
         fmt::format("# {}: {}.\n# {}, for {}.\n", name_of(plan.subject), full_name(chosen.way),
                     figures_text(plan, chosen.figures), plan.scene);
-    const std::vector<std::size_t> front = front_by_error(plan);
+    std::vector<std::size_t> front = by_error(plan.ways);
+    std::erase_if(front, [&](std::size_t i) { return !plan.ways[i].on_front; });
     const auto at = std::ranges::find(front, plan.chosen);
     if (at != front.begin()) text += neighbour_text(plan, "better way", *(at - 1));
     if (at + 1 != front.end()) text += neighbour_text(plan, "less accurate way", *(at + 1));
@@ -169,26 +161,16 @@ std::string figures_text(const Plan& plan, const WayFigures& figures) {
 
 std::string full_name(const Way& way) { return fmt::format("{}, {}", way.family, way.name); }
 
-std::vector<std::size_t> front_by_error(const Plan& plan) {
-    std::vector<std::size_t> front;
-    for (std::size_t i = 0; i < plan.ways.size(); ++i) {
-        if (plan.ways[i].on_front) front.push_back(i);
-    }
-    std::ranges::stable_sort(front, [&](std::size_t a, std::size_t b) {
-        return plan.ways[a].figures.error < plan.ways[b].figures.error;
-    });
-    return front;
-}
-
 std::string plan_csv(std::span<const Plan> plans) {
     std::string text = "subject";
-    for (const Column& column : columns()) text += fmt::format(",{}", column.name);
+    const Json first = row_of(plans.front().ways.front());
+    for (const auto& [name, value] : first.items()) text += "," + name;
     text += ",chosen\n";
     for (const Plan& plan : plans) {
         for (std::size_t i = 0; i < plan.ways.size(); ++i) {
             text += word_of(plan.subject);
-            for (const Column& column : columns())
-                text += "," + dump(column.value(plan.ways[i]), -1);
+            for (const Json& value : row_of(plan.ways[i]))
+                text += fmt::format(",{}", dump(value, -1));
             text += i == plan.chosen && plan.keeps_limits ? ",true\n" : ",false\n";
         }
     }

@@ -30,7 +30,4 @@ std::string figures_text(const Plan& plan, const WayFigures& figures);
 // Returns the name of a way with its family: "moments of degree 4, [64, 64], half, 16 steps".
 std::string full_name(const Way& way);
 
-// Returns the ways on the front by rising error.
-std::vector<std::size_t> front_by_error(const Plan& plan);
-
 }  // namespace skybake

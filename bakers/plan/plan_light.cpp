@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "bakers/assets/multiple_scattering/solved_scattering_table.h"
 #include "bakers/math/facts.h"
-#include "bakers/math/hash.h"
 #include "bakers/plan/bake_ways.h"
 #include "bakers/plan/kept_figures.h"
 #include "bakers/plan/light_sheet.h"
@@ -16,6 +16,7 @@
 #include "bakers/plan/plan_files.h"
 #include "bakers/plan/sheet_pictures.h"
 #include "config/assets/asset_kind.h"
+#include "config/assets/multiple_scattering.h"
 
 namespace skybake {
 namespace {
@@ -79,6 +80,7 @@ Outcome<PlannedScene> planned_scene(const PlanRequest& request, config::Draws li
     scene.range = range_of(*parameters.scene, shell_of(parameters.atmosphere));
     scene.ways = light_ways(light, parameters, scene.range);
     if (scene.ways.empty()) return {{}, {no_ways(scene.subject, scene.range)}};
+    std::erase_if(scene.ways, [&](const Way& way) { return request.leaves_out(way); });
     scene.recipe = std::move(*recipe.value);
     return {std::move(scene), {}};
 }
@@ -93,50 +95,49 @@ std::vector<glm::dvec3> weights_of(const Parameters& parameters,
 }
 
 // Raise it whenever the same parameters give other figures and no baker's version tells so.
-constexpr int kVersion = 4;
+constexpr int kVersion = 5;
 
-// Tells all that the figures of ways depend on.
-std::string key_of(const Recipe& recipe, const WayAssets& assets, const PlannedScene& scene,
-                   const std::vector<LightView>& views, double paths) {
-    std::string text =
-        fmt::format("{}, version {}, {} paths\n", word_of(scene.subject), kVersion, paths);
-    text += versions_of_bakers();
-    std::vector<config::Read> reads =
-        config::reads_of_light(recipe.parameters, config::Roles::all());
-    reads.push_back({"scene", {config::Role::content}});  // limits are no part of it
-    text += config::parameters_toml(recipe, reads);
-    for (const std::string& setting : assets.settings()) text += setting + '\n';
-    for (const LightWay& way : scene.ways) text += fmt::format("{}, {}\n", way.family, way.name);
+std::string text_of(const std::vector<LightView>& views) {
+    std::string text;
     for (const auto& [sky, distance_km] : views) {
         text += fmt::format("{} {} {} {} {}\n", sky.altitude_km, sky.sun_elevation_deg,
                             sky.above_horizon_deg, sky.azimuth_deg, distance_km);
     }
-    return xxh3_hex(text);
+    return text;
 }
 
 // Measures a way in the truth's views.
 MeasuredWay measure_way(const LightOfWay& found, const SceneTruth& truth, const LightWay& way,
                         const std::vector<const BakedAsset*>& own) {
     MeasuredWay measured = costed(way, own);
-    measured.error = truth.error(found.find(way, own, measured.figures.fetches));
+    // A pixel looks up one of the pictures or, in each step of a march, every table and every moment.
+    if (way.steps == 0) add_lookups(*own.front(), 1, measured.figures);
+    for (const BakedAsset* asset : own) {
+        const auto* scattering = asset->bake->find<config::MultipleScatteringBake>();
+        add_lookups(*asset, way.steps * (scattering ? tables_of(*scattering) : 1),
+                    measured.figures);
+    }
+    measured.error = truth.error(found.find(way, own));
     measured.figures.error = to_digits(measured.error.ninth_decile, 2);
     return measured;
 }
 
-// Measures the ways of a scene in views of it that begin with number `first`, and draws their sheet.
-Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene,
-                              std::uint32_t first, Sheets sheets) {
+// Measures the ways of a scene in views of it, and draws their sheet.
+Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& scene) {
     const WayAssets assets(scene.ways);
     const Outcome<Recipe> recipe = load_scene(request, assets.settings());
     if (!recipe.value) return {{}, recipe.diagnostics};
     const Parameters& parameters = recipe.value->parameters;
     const config::Draws light = scene.subject.draws;
-    std::vector<LightView> views =
-        scene_views(light, scene.range, shell_of(parameters.atmosphere), kViews, first);
+    std::vector<LightView> views = scene_views(light, scene.range, shell_of(parameters.atmosphere),
+                                               kViews, request.first_view());
     MeasuredWays plan;
     for (const LightWay& way : scene.ways) plan.ways.push_back({way, {}, {}});
     const double paths = request.paths > 0 ? request.paths : kPaths;
-    const std::string key = key_of(*recipe.value, assets, scene, views, paths);
+    const std::string key = figures_key(
+        *recipe.value, config::reads_of_light(parameters, config::Roles::all()), assets, plan,
+        fmt::format("{}, version {}, {} paths\n{}", word_of(scene.subject), kVersion, paths,
+                    text_of(views)));
     if (find_figures(request.cache, key, plan)) return {std::move(plan), {}};
     const BakeOptions options{.threads = request.threads, .progress = request.progress};
     const Outcome<std::vector<BakedAsset>> baked = bake_ways(*recipe.value, assets, options);
@@ -149,7 +150,7 @@ Outcome<MeasuredWays> measure(const PlanRequest& request, const PlannedScene& sc
         const LightWay& way = scene.ways[i];
         plan.ways[i] = measure_way(found, truth, way, assets.of(way, *baked.value));
     }
-    if (sheets == Sheets::none) return {std::move(plan), {}};
+    if (request.judged != nullptr) return {std::move(plan), {}};
     std::vector<BakedWay<LightWay>> best;
     for (const std::size_t i : best_of_families(plan.ways)) {
         best.push_back({&scene.ways[i], assets.of(scene.ways[i], *baked.value)});
@@ -166,9 +167,7 @@ std::string suns_text(const SceneRange& range) {
         return fmt::format("suns from {:.3g} to {:.3g} degrees", range.lowest_sun_deg,
                            range.highest_sun_deg);
     }
-    std::vector<std::string> suns;
-    for (const double sun : range.suns_deg) suns.push_back(fmt::format("{:.3g}", sun));
-    return fmt::format("suns at {} degrees", fmt::join(suns, ", "));
+    return fmt::format("suns at {:.3g} degrees", fmt::join(range.suns_deg, ", "));
 }
 
 // The cameras and suns, and how far things are.
@@ -226,7 +225,7 @@ std::vector<std::string> notes_on(config::Draws light, const Parameters& paramet
 Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light) {
     Outcome<PlannedScene> scene = planned_scene(request, light);
     if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, 1, Sheets::drawn);
+    Outcome<MeasuredWays> measured = measure(request, *scene.value);
     if (!measured.value) return {{}, std::move(measured.diagnostics)};
     const Parameters& parameters = scene.value->recipe.parameters;
     Plan plan;
@@ -239,17 +238,6 @@ Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light) {
     plan.sheet = std::move(measured.value->sheet);
     plan.notes = notes_on(light, parameters, scene.value->range);
     return chosen(std::move(plan), std::move(measured.diagnostics));
-}
-
-Outcome<SkyError> judge_light(const PlanRequest& request, config::Draws light, const Way& way,
-                              std::uint32_t first) {
-    Outcome<PlannedScene> scene = planned_scene(request, light);
-    if (!scene.value) return {{}, std::move(scene.diagnostics)};
-    std::erase_if(scene.value->ways,
-                  [&](const LightWay& other) { return full_name(other) != full_name(way); });
-    Outcome<MeasuredWays> measured = measure(request, *scene.value, first, Sheets::none);
-    if (!measured.value) return {{}, std::move(measured.diagnostics)};
-    return {measured.value->ways.front().error, std::move(measured.diagnostics)};
 }
 
 }  // namespace skybake

@@ -3,8 +3,6 @@
 // one set of paths of light, in the views of the recipe's scene.
 #pragma once
 
-#include <cstdint>
-
 #include "bakers/plan/plan.h"
 #include "config/diagnostics/diagnostic.h"
 
@@ -15,9 +13,5 @@ namespace skybake {
 // are left and there are no suns or too many; those of `chosen`; W0301 if the cache cannot be written.
 // After an interruption there is neither a value nor a diagnostic.
 Outcome<Plan> plan_light(const PlanRequest& request, config::Draws light);
-
-// Returns a way's error in views that begin with number `first` of the scene, against paths of their own.
-Outcome<SkyError> judge_light(const PlanRequest& request, config::Draws light, const Way& way,
-                              std::uint32_t first);
 
 }  // namespace skybake

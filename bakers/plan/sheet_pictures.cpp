@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 #include <set>
 #include <string>
+
+#include "bakers/plan/plan.h"
 
 namespace skybake {
 namespace {
@@ -74,11 +75,7 @@ Picture exposed_difference(const LightPicture& light, const LightPicture& truth,
 }
 
 std::vector<std::size_t> best_of_families(const std::vector<MeasuredWay>& ways) {
-    std::vector<std::size_t> sorted(ways.size());
-    std::iota(sorted.begin(), sorted.end(), std::size_t{0});
-    std::ranges::stable_sort(sorted, [&](std::size_t a, std::size_t b) {
-        return ways[a].figures.error < ways[b].figures.error;
-    });
+    std::vector<std::size_t> sorted = by_error(ways);
     std::set<std::string> seen;
     std::erase_if(sorted, [&](std::size_t i) { return !seen.insert(ways[i].way.family).second; });
     return sorted;

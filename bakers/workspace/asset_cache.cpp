@@ -80,6 +80,11 @@ std::vector<Diagnostic> remove_entry(const fs::path& cache, const std::string& k
     return {};
 }
 
+template <class Staged>
+std::vector<Diagnostic> failures_of(Outcome<Staged> staged) {
+    return staged.value ? std::vector<Diagnostic>{} : std::move(staged.diagnostics);
+}
+
 CacheEntry describe(const fs::path& folder) {
     CacheEntry entry;
     entry.folder = folder;
@@ -166,33 +171,25 @@ void AssetCache::reject(const ReadyAsset& asset) {
 }
 
 void AssetCache::offer(const ReadyAsset& asset) {
-    keep(asset.entry.key, [&asset](const fs::path& folder, AtomicFiles& files) {
-        auto staged = stage_copies(asset, folder, files, Unhurried());
-        Outcome<ManifestAsset> entry{{}, std::move(staged.diagnostics)};
-        if (staged.value) entry.value = asset.entry;
-        return entry;
+    keep(asset.entry, [&asset](const fs::path& folder, AtomicFiles& files) {
+        return failures_of(stage_copies(asset, folder, files, Unhurried()));
     });
 }
 
 void AssetCache::offer(const Baked& baked, ManifestAsset entry, int threads) {
-    keep(entry.key, [&](const fs::path& folder, AtomicFiles& files) {
-        auto staged = stage_files(baked, entry, folder, files, threads);
-        Outcome<ManifestAsset> finished{{}, std::move(staged.diagnostics)};
-        if (staged.value) finished.value = entry;
-        return finished;
+    keep(entry, [&](const fs::path& folder, AtomicFiles& files) {
+        return failures_of(stage_files(baked, entry, folder, files, threads));
     });
 }
 
 void AssetCache::offer(std::string_view bytes, const ManifestAsset& entry) {
-    keep(entry.key, [&](const fs::path& folder, AtomicFiles& files) {
-        auto staged = files.stage(folder / entry.files.at(0).path, bytes);
-        Outcome<ManifestAsset> finished{{}, std::move(staged.diagnostics)};
-        if (staged.value) finished.value = entry;
-        return finished;
+    keep(entry, [&](const fs::path& folder, AtomicFiles& files) {
+        return failures_of(files.stage(folder / entry.files.at(0).path, bytes));
     });
 }
 
-void AssetCache::keep(const std::string& key, const StageAsset& stage) {
+void AssetCache::keep(const ManifestAsset& entry, const StageAsset& stage) {
+    const std::string& key = entry.key;
     if (!std::exchange(tidied_, true)) remove_abandoned(folder_);
     std::error_code error;
     if (!is_key(key) || fs::exists(entry_folder(folder_, key), error)) return;
@@ -201,9 +198,8 @@ void AssetCache::keep(const std::string& key, const StageAsset& stage) {
         const PendingFolder pending(folder_, error);
         if (error) return {unwritable(folder_ / "pending", error.message())};
         AtomicFiles files;
-        const auto entry = stage(pending.path(), files);
-        if (!entry.value) return entry.diagnostics;
-        const std::string text = cached_manifest_json(*entry.value);
+        if (auto failures = stage(pending.path(), files); !failures.empty()) return failures;
+        const std::string text = cached_manifest_json(entry);
         const auto manifest = files.stage(pending.path() / manifest_name, std::string_view(text));
         if (!manifest.value) return manifest.diagnostics;
         if (auto failures = files.commit(); !failures.empty()) return failures;

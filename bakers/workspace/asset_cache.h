@@ -47,10 +47,10 @@ class AssetCache : public AssetSource {
     int kept() const { return kept_; }
 
   private:
-    // Stages the files of an asset into a folder and returns its entry.
-    using StageAsset = std::function<Outcome<ManifestAsset>(const std::filesystem::path& folder,
-                                                            AtomicFiles& files)>;
-    void keep(const std::string& key, const StageAsset& stage);
+    // Stages the files of an asset into a folder, or returns why it cannot.
+    using StageAsset = std::function<std::vector<Diagnostic>(const std::filesystem::path& folder,
+                                                             AtomicFiles& files)>;
+    void keep(const ManifestAsset& entry, const StageAsset& stage);
 
     std::filesystem::path folder_;
     std::vector<Diagnostic> problems_;

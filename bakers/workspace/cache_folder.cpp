@@ -226,8 +226,11 @@ std::optional<std::string> CachedBytes::find(const Name& name) {
     return std::nullopt;
 }
 
-void CachedBytes::keep(const Name& name, std::string_view bytes) {
-    if (!cache_.empty()) AssetCache(cache_).offer(bytes, entry_of(name, bytes));
+std::vector<Diagnostic> CachedBytes::offer(const Name& name, std::string_view bytes) {
+    if (cache_.empty()) return {};
+    AssetCache cache(cache_);
+    cache.offer(bytes, entry_of(name, bytes));
+    return cache.problems();
 }
 
 }  // namespace skybake

@@ -62,13 +62,14 @@ void remove_abandoned(const std::filesystem::path& cache);
 
 class CachedBytes : public KeptBytes {
   public:
-    // Without a folder it finds and keeps nothing. A folder that cannot be written keeps nothing either;
-    // AssetCache says so of the assets.
+    // Without a folder it finds and keeps nothing. A folder that cannot be written keeps nothing either.
     explicit CachedBytes(std::filesystem::path cache) : cache_(std::move(cache)) {}
 
     // Removes an entry that is damaged.
     std::optional<std::string> find(const Name& name) override;
-    void keep(const Name& name, std::string_view bytes) override;
+    void keep(const Name& name, std::string_view bytes) override { offer(name, bytes); }
+    // Keeps them, or returns why not, as the warning W0301.
+    std::vector<Diagnostic> offer(const Name& name, std::string_view bytes);
 
   private:
     std::filesystem::path cache_;

@@ -29,15 +29,7 @@ class BakeCommand : public ::testing::Test {
     Result bake(std::vector<std::string> more = {}) const {
         return run_program(words(std::move(more)));
     }
-    std::vector<std::string> files() const {
-        std::vector<std::string> names;
-        if (!fs::exists(out_)) return names;
-        for (const auto& entry : fs::directory_iterator(out_)) {
-            names.push_back(entry.path().filename().string());
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
+    std::vector<std::string> files() const { return folder_.names("out"); }
 
     TemporaryFolder folder_;
     std::string recipe_ = (folder_ / "recipe.toml").string();

@@ -33,15 +33,7 @@ class VolumeBake : public ::testing::Test {
         return all;
     }
     Result bake(std::vector<std::string> more = {}) const { return run_words(words(more)); }
-    Names files() const {
-        Names names;
-        if (!fs::exists(out_)) return names;
-        for (const auto& entry : fs::directory_iterator(out_)) {
-            names.push_back(entry.path().filename().string());
-        }
-        std::sort(names.begin(), names.end());
-        return names;
-    }
+    Names files() const { return folder_.names("out"); }
     std::string file(const std::string& name) const { return out_ + "/" + name; }
 
     TemporaryFolder folder_;

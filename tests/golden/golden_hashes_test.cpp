@@ -78,18 +78,24 @@ std::string hash_of_vdb(const fs::path& path, const ManifestAsset& asset,
     return hasher.hex();
 }
 
+// Has the values of all channels hashed.
+VoxelVisitor into(Hasher& hasher, const ManifestAsset& asset) {
+    return [&hasher, channels = asset.channels.size()](std::int64_t, std::int64_t count,
+                                                       const float* values) {
+        const std::size_t bytes = static_cast<std::size_t>(count) * channels * sizeof(float);
+        hasher.update({reinterpret_cast<const char*>(values), bytes});
+        return true;
+    };
+}
+
 // Samples, as the image has them: deflate's bytes are those of the system's zlib.
 std::string hash_of_png(const fs::path& path, const ManifestAsset& asset,
                         const ManifestFile& file) {
     Hasher hasher;
     hasher.update(
         sheet_line(asset.levels[static_cast<std::size_t>(file.level)].size, *file.layout));
-    const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
-        const auto floats = static_cast<std::size_t>(count) * asset.channels.size();
-        hasher.update({reinterpret_cast<const char*>(values), floats * sizeof(float)});
-        return true;
-    };
-    EXPECT_TRUE(read_asset_file(path, asset, file, 0, visit).value.value_or(false)) << path;
+    EXPECT_TRUE(read_asset_file(path, asset, file, 0, into(hasher, asset)).value.value_or(false))
+        << path;
     return hasher.hex();
 }
 
@@ -100,12 +106,9 @@ std::string hash_of_levels(const fs::path& path, const ManifestAsset& asset,
     Hasher hasher;
     for (int level = 0; level < file.levels; ++level) {
         hasher.update(fmt::format("{}\n", level));
-        const auto visit = [&](std::int64_t, std::int64_t count, const float* values) {
-            const auto floats = static_cast<std::size_t>(count) * asset.channels.size();
-            hasher.update({reinterpret_cast<const char*>(values), floats * sizeof(float)});
-            return true;
-        };
-        EXPECT_TRUE(read_asset_file(path, asset, file, level, visit).value.value_or(false)) << path;
+        EXPECT_TRUE(
+            read_asset_file(path, asset, file, level, into(hasher, asset)).value.value_or(false))
+            << path;
     }
     return hasher.hex();
 }

@@ -140,13 +140,10 @@ using Hashes = std::map<std::string, std::string>;
 
 Hashes baked(const std::filesystem::path& folder, const config::Recipe& recipe,
              std::vector<config::Bake> bakes) {
-    FolderBake bake;
-    bake.recipe = &recipe;
-    bake.bakes = std::move(bakes);
-    bake.folder = folder;
-    bake.certification = Certification::off;
-    testing::RememberingObserver observer;
-    const auto result = bake_folder(bake, observer);
+    testing::TestBake bake(recipe, folder);
+    bake.bake.bakes = std::move(bakes);
+    bake.bake.certification = Certification::off;
+    const auto result = bake.run();
     Hashes hashes;
     if (!result.value) return hashes;
     for (const FinishedAsset& asset : result.value->assets) {
@@ -232,11 +229,8 @@ TEST(Intermediates, PartsOfACloudsRadianceShareTheirSolution) {
     add("rounded", "float", 1, 40);
     const config::Recipe recipe = testing::recipe_of(text);
     const testing::TemporaryFolder folder;
-    FolderBake bake;
-    bake.recipe = &recipe;
-    bake.bakes = recipe.parameters.bakes;
-    bake.folder = folder.path() / "plan";
-    const auto plan = plan_folder(bake);
+    const testing::TestBake bake(recipe, folder / "plan");
+    const auto plan = plan_folder(bake.bake);
     ASSERT_TRUE(plan.value);
     std::multiset<std::size_t> users;
     for (const PlannedIntermediate& one : plan.value->intermediates()) {
@@ -262,14 +256,11 @@ TEST(Intermediates, OfASkyAreOneLightItsSunlightAndItsColours) {
     const auto made_for = [&](std::vector<config::Bake> bakes, const char* name,
                               Certification certification) {
         const int before = shared.made();
-        FolderBake bake;
-        bake.recipe = &recipe;
-        bake.bakes = std::move(bakes);
-        bake.folder = folder.path() / name;
-        bake.certification = certification;
-        bake.intermediates = &shared;
-        testing::RememberingObserver observer;
-        EXPECT_TRUE(bake_folder(bake, observer).value) << name;
+        testing::TestBake bake(recipe, folder / name);
+        bake.bake.bakes = std::move(bakes);
+        bake.bake.certification = certification;
+        bake.bake.intermediates = &shared;
+        EXPECT_TRUE(bake.run().value) << name;
         return shared.made() - before;
     };
     const std::vector<config::Bake>& bakes = recipe.parameters.bakes;
@@ -281,12 +272,9 @@ TEST(Intermediates, OfASkyAreOneLightItsSunlightAndItsColours) {
 TEST(Intermediates, OfARecipeArePlannedByTheirUsers) {
     const config::Recipe recipe = testing::recipe_of(kSky);
     const testing::TemporaryFolder folder;
-    FolderBake bake;
-    bake.recipe = &recipe;
-    bake.bakes = recipe.parameters.bakes;
-    bake.folder = folder.path() / "out";
-    bake.certification = Certification::off;
-    const auto plan = plan_folder(bake);
+    testing::TestBake bake(recipe, folder / "out");
+    bake.bake.certification = Certification::off;
+    const auto plan = plan_folder(bake.bake);
     ASSERT_TRUE(plan.value);
     std::map<std::string, std::set<std::string>> users;
     for (const PlannedIntermediate& one : plan.value->intermediates()) {

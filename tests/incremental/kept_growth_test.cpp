@@ -1,4 +1,4 @@
-// A cloud that grows does so once for all runs that share a cache.
+// A cloud that grows does so once for all runs that share a cache, and colours are fitted once.
 #include <filesystem>
 #include <set>
 
@@ -31,6 +31,16 @@ size = [16, 16, 16]
 formats = ["bin"]
 )";
 
+const std::string air = R"(
+preset = "earth"
+wavelengths = "best 3"
+[bake.cumulus]
+asset = "sky_view"
+orders = "single"
+sun_elevations = ["5 deg"]
+size = [4, 4]
+)";
+
 // Counts what it finds and what it is given.
 class CountedBytes : public CachedBytes {
   public:
@@ -55,14 +65,15 @@ class KeptGrowth : public ::testing::Test {
   protected:
     // Returns the voxels of a bake with these settings, into a folder of its own.
     std::string baked(const std::vector<std::string>& settings, KeptBytes* kept) {
-        TestBake bake(recipe_of(cumulus, {}, settings), folder_ / std::to_string(bakes_++));
+        TestBake bake(recipe_of(text_, {}, settings), folder_ / std::to_string(bakes_++));
         bake.bake.kept = kept;
         EXPECT_TRUE(bake.run().value.has_value());
-        return read_bytes(bake.bake.folder / "cumulus.bin");
+        return read_bytes(bake.bake.folder / file_);
     }
 
     TemporaryFolder folder_;
     CountedBytes kept_{folder_ / "cache"};
+    std::string text_ = cumulus, file_ = "cumulus.bin";
     int bakes_ = 0;
 };
 
@@ -82,6 +93,18 @@ TEST_F(KeptGrowth, ServesOtherSizesAndRuns) {
     EXPECT_TRUE(verify_cache(folder_ / "cache").value->damaged.empty());
 }
 
+TEST_F(KeptGrowth, HasAFriendInFittedColours) {
+    text_ = air;
+    file_ = "cumulus.exr";
+    const std::string alone = baked({"bake.cumulus.size=[8, 4]"}, nullptr);
+    baked({}, &kept_);
+    EXPECT_EQ(baked({"bake.cumulus.size=[8, 4]"}, &kept_), alone);
+    EXPECT_EQ(kept_.found, 1);
+    EXPECT_EQ(kept_.grown, 1);
+    baked({"color.white='space'"}, &kept_);
+    EXPECT_EQ(kept_.grown, 2);
+}
+
 TEST_F(KeptGrowth, GrowsAgainWhatIsDamaged) {
     const std::string whole = baked({}, &kept_);
     const fs::path file = cache_entries(folder_ / "cache").value->at(0).folder / "convection";
@@ -99,8 +122,8 @@ TEST_F(KeptGrowth, GrowsAgainWhatIsDamaged) {
 
 TEST_F(KeptGrowth, HasAKeyOfAllThatItDependsOn) {
     const std::vector<std::string> changes = {"cells=[10, 8, 8]",
-                                              "mixed_layer=\"500 m\"",
-                                              "inversion=\"700 m\"",
+                                              "mixed_layer='500 m'",
+                                              "inversion='700 m'",
                                               "instability=1",
                                               "temperature=285",
                                               "humidity=0.6",
@@ -108,7 +131,7 @@ TEST_F(KeptGrowth, HasAKeyOfAllThatItDependsOn) {
                                               "wind_above=[1, 0]",
                                               "patches=2",
                                               "warmth=0.5",
-                                              "patch_width=[\"200 m\", \"900 m\"]",
+                                              "patch_width=['200 m', '900 m']",
                                               "seed=2",
                                               "minutes=7"};
     baked({}, &kept_);

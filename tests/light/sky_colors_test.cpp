@@ -12,7 +12,10 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 #include <random>
+#include <set>
 #include <string>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -20,6 +23,7 @@
 #include "bakers/assets/registry/registry.h"
 #include "bakers/color/spectral_color.h"
 #include "bakers/light/sky_spectra.h"
+#include "bakers/math/hash.h"
 #include "config/fields/wavelength_reader.h"
 #include "tests/support/atmospheres.h"
 #include "tests/support/shared_bakes.h"
@@ -67,6 +71,78 @@ TEST(SkyColors, FewWavelengthsComeNearWholeSpectra) {
         EXPECT_LT(error.ninth_decile, bar.ninth_decile) << bar.wavelengths;
         for (const double disc : error.disc) EXPECT_LT(disc, bar.disc) << bar.wavelengths;
     }
+}
+
+// Later runs take kept colours for these.
+TEST(SkyColors, AreThoseOfTheirVersion) {
+    const SkyColors four = colors(mountain("best 4"));
+    const auto* bytes = reinterpret_cast<const char*>(four.weights.data());
+    EXPECT_EQ(kColorFitVersion, 1);
+    EXPECT_EQ(xxh3_hex({bytes, four.weights.size() * sizeof(glm::dvec3)}),
+              "1fa561f504f9bf3950592c7626d643dc")
+        << "raise kColorFitVersion, and write both anew";
+    const auto all = [](const ColorError& error) {
+        return std::tuple(error.median, error.ninth_decile, error.max, error.disc, error.skies);
+    };
+    EXPECT_EQ(all(four.error), all(mountain_colors("best 4").error));
+}
+
+// A member that the key leaves out would give one air the colours of another.
+TEST(SkyColors, HaveAKeyOfAllThatTheyDependOn) {
+    const config::Parameters air = recipe_of("preset = 'earth_maritime'\n").parameters;
+    ColorRequest request = {air.wavelengths, *air.color, air.atmosphere};
+    config::Color& color = request.color;
+    config::Atmosphere& whole = request.atmosphere;
+    whole.ground_spectrum.resize(1);
+    config::Layer& layer = whole.layers.at(0);
+    layer.table.resize(1);
+    layer.scattering.resize(1);
+    layer.extinction.resize(1);
+    layer.gas.emplace();
+    layer.aerosol.emplace();
+    config::LayerParticles& particles = layer.particles;
+    config::SphereKind& kind = particles.kinds.at(0);
+    config::Particles& spheres = kind.particles;
+    std::set<std::string> keys = {key_text(request)};
+    std::size_t changes = 1;
+    const auto change_each = [&](auto&... members) {
+        const auto change = [&](auto& value) {
+            const auto before = value;
+            if constexpr (requires { value.pop_back(); }) {
+                value.pop_back();
+            } else if constexpr (requires { value.reset(); }) {
+                value ? value.reset() : void(value.emplace());
+            } else if constexpr (std::is_class_v<std::decay_t<decltype(value)>>) {
+                auto& [number] = value;
+                number += 1;
+            } else {
+                using Number = std::decay_t<decltype(value)>;
+                value = static_cast<Number>(value == Number{} ? 1 : 0);
+            }
+            keys.insert(key_text(request));
+            ++changes;
+            value = before;
+        };
+        (change(members), ...);
+        EXPECT_EQ(keys.size(), changes) << sizeof...(members);
+    };
+    change_each(request.wavelengths, color.space, color.observer, color.sun, color.white);
+    change_each(whole.ground_radius, whole.top_radius, whole.ground_albedo, whole.ground_spectrum,
+                whole.ground_spectrum[0].wavelength, whole.ground_spectrum[0].value);
+    change_each(layer.name, layer.enabled, layer.profile, layer.scale_height, layer.center_altitude,
+                layer.half_width, layer.bottom_altitude, layer.top_altitude, layer.table,
+                layer.table[0].altitude, layer.table[0].density, layer.scattering, layer.extinction,
+                layer.phase, layer.g, layer.depolarization, layer.gas, layer.gas->gas,
+                layer.gas->column, layer.aerosol, layer.aerosol->optical_depth,
+                layer.aerosol->extinction, layer.aerosol->angstrom_exponent,
+                layer.aerosol->single_scattering_albedo, particles.kinds, particles.optical_depth,
+                particles.extinction, particles.wavelengths, particles.step);
+    change_each(kind.number_density, spheres.name, spheres.material, spheres.refractive_index,
+                spheres.absorption_index, spheres.indices, spheres.indices.at(0).wavelength,
+                spheres.indices[0].real, spheres.indices[0].imaginary, spheres.sizes,
+                spheres.radius, spheres.geometric_deviation, spheres.effective_radius,
+                spheres.effective_variance, spheres.alpha, spheres.gamma, spheres.smallest_radius,
+                spheres.largest_radius);
 }
 
 // Air between that of a mountain and that of a city, under any ozone and over any ground: none of

@@ -34,27 +34,14 @@ double worst_column(const config::Atmosphere& atmosphere, const std::string& nam
     return worst;
 }
 
-double lookup_rms(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake) {
-    const auto kinds = make_column_kinds(atmosphere, bake.kinds);
-    const ColumnTable table(bake, column_geometry(kinds));
-    Level level;
-    level.size = bake.size;
-    level.repeats = {false, false, false};
-    level.voxels = column_voxels(atmosphere, bake).voxels;
-    level.statistics.resize(kinds.size());
-    return measure_columns(kinds, 3, table, bake.table == config::OpticalDepthTable::to_top, level,
-                           bake.pixel_type, 512)
-        .together.rms;
-}
-
 void hold_lookups(const std::string& name, const config::Atmosphere& atmosphere,
                   const std::string& kind, double top_bound, double between_bound) {
     const std::vector<std::string> tables = {"to the top", "between, altitudes",
                                              "between, distance"};
     std::size_t i = 0;
     for (const auto& bake : path_bakes({256, 128, 1}, {64, 64, 64}, {kind})) {
-        hold(name, "transmittance, rms, " + tables[i], lookup_rms(atmosphere, bake),
-             i == 0 ? top_bound : between_bound);
+        hold(name, "transmittance, rms, " + tables[i],
+             errors_of(atmosphere, bake, 512).together.rms, i == 0 ? top_bound : between_bound);
         ++i;
     }
 }

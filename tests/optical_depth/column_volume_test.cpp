@@ -23,19 +23,6 @@ Baked bake(const config::Atmosphere& atmosphere, const config::OpticalDepthBake&
     return outcome.value ? std::move(*outcome.value) : Baked{};
 }
 
-ColumnErrors errors_of(const config::Atmosphere& atmosphere, const config::OpticalDepthBake& bake,
-                       int points) {
-    const auto kinds = make_column_kinds(atmosphere, bake.kinds);
-    const ColumnTable table(bake, column_geometry(kinds));
-    Level level;
-    level.size = bake.size;
-    level.repeats = {false, false, false};
-    level.voxels = column_voxels(atmosphere, bake).voxels;
-    level.statistics.resize(kinds.size());
-    return measure_columns(kinds, 3, table, bake.table == config::OpticalDepthTable::to_top, level,
-                           bake.pixel_type, points);
-}
-
 // The bars, for each kind alone and all together, at the default sizes.
 TEST(ColumnVolume, TablesOfTheEarthHoldTheirBars) {
     const config::Atmosphere atmosphere = earth_with_presets();

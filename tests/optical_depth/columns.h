@@ -46,6 +46,19 @@ inline config::OpticalDepthBake bake_of(config::OpticalDepthTable table, std::ar
     return bake;
 }
 
+inline ColumnErrors errors_of(const config::Atmosphere& atmosphere,
+                              const config::OpticalDepthBake& bake, int points) {
+    const auto kinds = make_column_kinds(atmosphere, bake.kinds);
+    const ColumnTable table(bake, column_geometry(kinds));
+    Level level;
+    level.size = bake.size;
+    level.repeats = {false, false, false};
+    level.voxels = column_voxels(atmosphere, bake).voxels;
+    level.statistics.resize(kinds.size());
+    return measure_columns(kinds, 3, table, bake.table == config::OpticalDepthTable::to_top, level,
+                           bake.pixel_type, points);
+}
+
 // Planets from 50 km to 1e5 km, one to four layers: exponential, slab or tent.
 inline config::Atmosphere random_shells() {
     const double radius = log_uniform(5e4, 1e8);

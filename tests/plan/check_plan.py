@@ -87,7 +87,7 @@ def main():
         [table] = data["tables"]
         errors = [line["cells"][1]["value"] for line in table["rows"]]
         assert errors == sorted(float(f"{way['p90']:.2g}") for way in sky["ways"]), errors
-        assert [line["cells"][6]["text"] for line in table["rows"]].count("chosen") == 1
+        assert [line["cells"][7]["text"] for line in table["rows"]].count("chosen") == 1
         assert [picture["name"] for picture in table["pictures"]] == ["plan_chart", "plan"]
         image = images_of(page)["plan.png"]
         assert image == (out / "plan.png").read_bytes()

@@ -8,16 +8,18 @@ namespace {
 
 std::vector<WayFigures> some_ways() {
     return *rc::gen::container<std::vector<WayFigures>>(rc::gen::map(
-        rc::gen::tuple(rc::gen::inRange(1, 20), rc::gen::inRange(1, 20), rc::gen::inRange(1, 20)),
-        [](const std::tuple<int, int, int>& figures) {
-            const auto [error, fetches, bytes] = figures;
-            return WayFigures{0.01 * error, 1.0 * fetches, 1024.0 * bytes};
+        rc::gen::container<std::array<int, 4>>(rc::gen::inRange(1, 12)),
+        [](const std::array<int, 4>& figures) {
+            const auto [error, fetches, bytes, operations] = figures;
+            return WayFigures{0.01 * error, 1.0 * fetches, 1024.0 * bytes, 1.0 * operations};
         }));
 }
 
 bool beats(const WayFigures& a, const WayFigures& b) {
     return a.error <= b.error && a.fetches <= b.fetches && a.bytes <= b.bytes &&
-           (a.error < b.error || a.fetches < b.fetches || a.bytes < b.bytes);
+           a.operations <= b.operations &&
+           (a.error < b.error || a.fetches < b.fetches || a.bytes < b.bytes ||
+            a.operations < b.operations);
 }
 
 std::optional<double> some_limit(double unit) {
@@ -66,7 +68,7 @@ RC_GTEST_PROP(ChooseWay, TheFrontIsWhatNoOtherBeats, ()) {
     }
 }
 
-// Error first, then fetches, then bytes, of what has no limit.
+// Error first, then fetches, then operations, then bytes, of what has no limit.
 TEST(ChooseWay, TakesTheLeastOfWhatHasNoLimit) {
     const std::vector<WayFigures> ways = {
         {0.01, 500, 1000}, {0.02, 100, 3000}, {0.02, 100, 2000}, {0.06, 1, 8000}, {0.5, 8, 10}};
@@ -77,6 +79,7 @@ TEST(ChooseWay, TakesTheLeastOfWhatHasNoLimit) {
     EXPECT_EQ(best_within({{}, 50, 100}, ways, 0), 4u);
     EXPECT_EQ(best_within({0.03, {}, 1500}, ways, 0), 0u);
     EXPECT_EQ(best_within({0.03, 50, {}}, ways, 0), std::nullopt);
+    EXPECT_EQ(best_within({}, std::vector<WayFigures>{{0.1, 2, 64, 90}, {0.1, 2, 99, 80}}, 0), 1u);
 }
 
 // Twice the fetches for less than the noise are not taken.

@@ -50,7 +50,7 @@ TEST(MarchedCloud, ScattersOnceAsASlabDoes) {
     EXPECT_NEAR(ray.passed, std::exp(-slant), 0.02 * std::exp(-slant));
     const double wanted = droplet_phase_at(glm::dot(kLook, kSun)) * slant * std::exp(-slant);
     EXPECT_NEAR(ray.radiance, wanted, 0.02 * wanted);
-    EXPECT_EQ(ray.light_fetches, 64 * 10) << "500 m in steps of 50 m";
+    EXPECT_EQ(ray.lit, 10) << "500 m in steps of 50 m";
 }
 
 Baked texture_of(float value) {
@@ -89,7 +89,7 @@ TEST(MarchedCloud, WrongDepthsShow) {
     textures.depth = &mean;
     const MarchedRay ray = march_cloud(way, textures, {0.2, 0.3, 0}, kLook, kSun);
     EXPECT_NEAR(ray.radiance, lit * std::exp(-1.25), 1e-12);
-    EXPECT_EQ(ray.light_fetches, 10);
+    EXPECT_EQ(ray.lit, 10);
 }
 
 // More of the light is nearer to all of it: the octaves' sum lies above its first term.
@@ -107,9 +107,9 @@ TEST(CloudFetches, CountSamplesOfEveryStride) {
     const cloud_light::CloudLayer layer = slab();
     const CloudFetches straight(layer, 50, nullptr, 0);
     const glm::dvec3 up(0, 0, 1);
-    EXPECT_EQ(straight.along({0.5, 0.5, 0}, up, 375), 8) << "at 25, 75 ... 375 m";
+    EXPECT_EQ(straight.along({0.5, 0.5, 0}, up, 375).all(), 8) << "at 25, 75 ... 375 m";
     const CloudFetches twice(layer, 100, nullptr, 0);
-    EXPECT_EQ(twice.along({0.5, 0.5, 0}, up, 300), 4);
+    EXPECT_EQ(twice.along({0.5, 0.5, 0}, up, 300).all(), 4);
 }
 
 // An empty volume whose cells say so costs one look at them.
@@ -118,10 +118,10 @@ TEST(CloudFetches, LeapOverEmptyCells) {
     std::fill(layer.values.begin(), layer.values.end(), 0.0F);
     Baked cells = texture_of(255.0F / 255);
     const CloudFetches leaping(layer, 50, &cells, 4);
-    EXPECT_EQ(leaping.along({0.5, 0.5, 0}, glm::dvec3(0, 0, 1), 375), 1);
+    EXPECT_EQ(leaping.along({0.5, 0.5, 0}, glm::dvec3(0, 0, 1), 375).structure, 1);
     Baked full = texture_of(0);
     const CloudFetches occupied(layer, 50, &full, 4);
-    EXPECT_EQ(occupied.along({0.5, 0.5, 0}, glm::dvec3(0, 0, 1), 375), 8 + 2);
+    EXPECT_EQ(occupied.along({0.5, 0.5, 0}, glm::dvec3(0, 0, 1), 375).all(), 8 + 2);
 }
 
 }  // namespace

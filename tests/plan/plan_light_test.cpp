@@ -63,6 +63,7 @@ TEST(PlanSky, EachWayHasWhatItCosts) {
     for (const MeasuredWay& way : plan().ways) ways[full_name(way.way)] = &way;
     const MeasuredWay& moments = *ways.at("moments of degree 2, 64x64, half, 16 steps");
     EXPECT_EQ(moments.figures.fetches, 16 * (1 + 6));
+    EXPECT_EQ(moments.figures.operations, 16 * (23 + 4 * 4 + 6 * (19 + 4)));
     EXPECT_EQ(moments.figures.bytes, 4 * 2 * (256 * 64 + 64 * 64 * 6));
     EXPECT_GT(moments.bake_s, 0);
     const MeasuredWay& alone = *ways.at("single scattering, 256x64, float, 8 steps");
@@ -70,6 +71,7 @@ TEST(PlanSky, EachWayHasWhatItCosts) {
     EXPECT_EQ(alone.figures.bytes, 4 * 4 * 256 * 64);
     const MeasuredWay& picture = *ways.at("sky views, 192x108, half");
     EXPECT_EQ(picture.figures.fetches, 1);
+    EXPECT_EQ(picture.figures.operations, 74 + 4 * 6);
     EXPECT_EQ(picture.figures.bytes, 4 * 2 * 192 * 108 * 2);
 }
 

@@ -35,10 +35,11 @@ class TemporaryFolder {
         return path;
     }
 
-    // The names in the folder, sorted.
-    std::vector<std::string> names() const {
+    // The names in the folder or in one within it, sorted; none where that is missing.
+    std::vector<std::string> names(const std::string& folder = "") const {
         std::vector<std::string> names;
-        for (const auto& entry : std::filesystem::directory_iterator(path_)) {
+        std::error_code missing;
+        for (const auto& entry : std::filesystem::directory_iterator(path_ / folder, missing)) {
             names.push_back(entry.path().filename().string());
         }
         std::sort(names.begin(), names.end());

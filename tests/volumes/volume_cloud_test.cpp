@@ -21,16 +21,7 @@ using testing::recipe_of;
 using testing::TestBake;
 using States = std::vector<AssetState>;
 
-// A cloud of noise, whose file the other recipes read.
-const std::string cloud_recipe = R"(
-[noise.n.channels.Y]
-type = "perlin"
-frequency = 4
-[clouds.c]
-noise = "n"
-extent = ["640 m", "512 m", "200 m"]
-base_altitude = "1 km"
-threshold = 0.3
+const std::string bakes = R"(
 [bake.c]
 asset = "cloud_volume"
 cloud = "c"
@@ -42,22 +33,25 @@ of = "c"
 cell = 4
 )";
 
+// A cloud of noise, whose file the other recipes read.
+const std::string cloud_recipe = R"(
+[noise.n.channels.Y]
+type = "perlin"
+frequency = 4
+[clouds.c]
+noise = "n"
+extent = ["640 m", "512 m", "200 m"]
+base_altitude = "1 km"
+threshold = 0.3
+)" + bakes;
+
 const std::string volume_recipe = R"(
 [volumes.v]
 file = "c.vdb"
 [clouds.c]
 volume = "v"
 base_altitude = "1 km"
-[bake.c]
-asset = "cloud_volume"
-cloud = "c"
-size = [40, 32, 20]
-pixel_type = "float"
-[bake.o]
-asset = "occupancy"
-of = "c"
-cell = 4
-)";
+)" + bakes;
 
 class VolumeCloud : public ::testing::Test {
   protected:

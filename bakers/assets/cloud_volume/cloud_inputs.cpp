@@ -68,7 +68,7 @@ std::optional<cloud::CloudVolume> grown_volume(const Cloud& cloud, const Noise* 
     const convection::Specification wanted = convection::specification_of(cloud);
     Intermediates* shared = options.intermediates;
     const auto grown = shared_or_made<convection::GrownCloud>(shared, NeedKey(wanted), [&] {
-        return convection::kept_or_grown(wanted, shared ? shared->kept() : nullptr, options);
+        return convection::grow(wanted, options, shared ? shared->kept() : nullptr);
     });
     if (!grown) return std::nullopt;
     details.emplace_back("full_water_g_per_kg", double{grown->full_water});

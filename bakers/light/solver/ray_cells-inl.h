@@ -58,6 +58,7 @@ class RayCells {
           azimuth_cosines_(azimuth_cosines),
           suns_(sines_.size()),
           row_(static_cast<std::size_t>(sunlight.row_size())),
+          row_floats_(row_.size()),
           table_(static_cast<std::size_t>(sunlight.columns() + 2) * kChannelSlots),
           places_(suns_),
           fractions_(suns_ + FloatLanes::kCount),
@@ -114,18 +115,39 @@ class RayCells {
     }
 
     void place_end(double r_km, const FanRay& ray, double distance_km, double altitude_km) {
-        combine_row<Lanes>(field_, altitude_km, row_.data());
-        const auto channels = static_cast<std::size_t>(field_.channels());
-        for (std::size_t c = 0; c < channels; ++c) {
-            for (std::size_t x = 0; x * kChannelSlots < table_.size(); ++x) {
-                table_[x * kChannelSlots + c] = float_or_dark(row_[x * channels + c]);
-            }
-        }
-        const auto last = static_cast<std::size_t>(field_.columns() - 1) * kChannelSlots;
-        std::copy_n(table_.data() + last, kChannelSlots, grazing_.values.data());
         end_ = {r_km + distance_km * ray.mu, distance_km * ray.sine,
                 -horizon_distance_km(field_.shell(), altitude_km),
                 sunlight_row(field_, altitude_km, row_.data())};
+        const std::size_t first = first_number();
+        combine_row<Lanes>(field_, altitude_km, row_.data(), static_cast<int>(first));
+        const hn::Rebind<float, Lanes::Tag> floats;
+        for (std::size_t i = first; i < row_.size(); i += Lanes::kCount) {
+            const Lanes x = Lanes::load(row_.data() + i);
+            const Lanes light = zero_unless(x >= Lanes(kDarkest), x);
+            hn::StoreU(hn::DemoteTo(floats, light.v), floats, row_floats_.data() + i);
+        }
+        const auto channels = static_cast<std::size_t>(field_.channels());
+        // Behind the channels lies light of the next column, which no layer and no ground weighs.
+        for (std::size_t x = (first + channels - 1) / channels; x * kChannelSlots < table_.size();
+             ++x) {
+            std::copy_n(row_floats_.data() + x * channels, kChannelSlots,
+                        table_.data() + x * kChannelSlots);
+        }
+        const auto last = static_cast<std::size_t>(field_.columns() - 1) * kChannelSlots;
+        std::copy_n(table_.data() + last, kChannelSlots, grazing_.values.data());
+    }
+
+    // Returns where in a row, at a vector's beginning, columns of suns lie from: they fall as suns rise.
+    std::size_t first_number() const {
+        double highest = 0;
+        for (std::size_t i = first_; i < last_; ++i) {
+            highest = std::max(highest, cosines_[i] * end_.along_km + sines_[i] * end_.across_km);
+        }
+        const double column =
+            column_towards(end_.sunlight, distance_to_top(end_.sunlight, highest));
+        const auto before = static_cast<std::size_t>(std::max(column - 1, 0.0));
+        return before * static_cast<std::size_t>(end_.sunlight.channels) / Lanes::kCount *
+               Lanes::kCount;
     }
 
     // Takes the weights of sunlight at both ends of the cell up to a point, for each layer; none at the
@@ -245,7 +267,7 @@ class RayCells {
     std::vector<ChannelFloats> near_;  // by layer; empty at the ray's beginning
     std::vector<ChannelFloats> far_;
     std::vector<double> row_;  // sunlight at the end's altitude, and the same in floats:
-    std::vector<float> table_;
+    std::vector<float> row_floats_, table_;
     std::vector<std::int32_t> places_;  // of each sun in the table, at the end
     std::vector<float> fractions_;
     std::vector<float> heights_;

@@ -327,30 +327,31 @@ HWY_NOINLINE void LevelPass<Number>::place_steep(Reals first, Reals place,
     const Reals inside = minimum(maximum(place, Reals(0.0)), Reals(3.0));
     const Reals low = minimum(floor_of(inside), Reals(2.0));
     const Reals share = inside - low;
-    const Reals fall = gather(falls_.data(), to_int(first + low));
     const Reals t = inside - Reals(1.0);
     const Reals before = t - Reals(1.0);
     const Reals far = Reals(2.0) - t;
     const Reals cubic[3] = {t * before * far * Reals(static_cast<Number>(1.0 / 6)),
                             Reals(-0.5) * inside * far * before, Reals(0.5) * inside * far * t};
+    const typename Reals::Mask in_first = low < Reals(0.5);
+    const typename Reals::Mask in_last = low > Reals(1.5);
+    Reals falls[3];
+    for (std::size_t k = 0; k < 3; ++k) falls[k] = gather(falls_.data() + k, to_int(first));
+    const Reals fall = select(in_first, falls[0], select(in_last, falls[2], falls[1]));
     Reals bend(0.0);
     Reals sum(0.0);
     for (std::size_t k = 0; k < 3; ++k) {
         const Reals column(static_cast<Number>(k));
         const Reals linear = maximum(Reals(1.0) - absolute(inside - column), Reals(0.0));
         sum = sum + (cubic[k] - linear);
-        const Reals other = gather(falls_.data(), to_int(first + column));
-        bend = bend + sum * maximum(other, fall + fall);
+        bend = bend + sum * maximum(falls[k], fall + fall);
     }
     const Reals darker = (Reals(1.0) - share) * power_of_e(bend - share * fall);
     const Reals brighter = share * power_of_e(bend + (Reals(1.0) - share) * fall);
-    for (std::size_t k = 0; k < 4; ++k) {
-        const Reals from_low = Reals(static_cast<Number>(k)) - low;
-        const Reals above =
-            select(absolute(from_low - Reals(1.0)) < Reals(0.5), brighter, Reals(0.0));
-        const Reals value = select(absolute(from_low) < Reals(0.5), darker, above);
-        weight[k] = select(is_steep, value, weight[k]);
-    }
+    const Reals none(0.0);
+    const Reals steep[4] = {
+        select(in_first, darker, none), select(in_first, brighter, select(in_last, none, darker)),
+        select(in_last, darker, select(in_first, none, brighter)), select(in_last, brighter, none)};
+    for (std::size_t k = 0; k < 4; ++k) weight[k] = select(is_steep, steep[k], weight[k]);
 }
 
 // Where the suns stand as seen from the node, for one azimuth. Where they are between the columns
