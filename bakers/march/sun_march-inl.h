@@ -21,8 +21,7 @@
 #include "bakers/march/cloud_rays.h"
 
 HWY_BEFORE_NAMESPACE();
-namespace skybake {
-namespace HWY_NAMESPACE {
+namespace skybake::HWY_NAMESPACE {
 
 // How points become voxels of the layer that is marched: x' = (tile_x + x) * scale + offset.
 struct PointFrame {
@@ -252,8 +251,7 @@ class SunMarches {
     std::size_t next_ = 0;
 };
 
-}  // namespace HWY_NAMESPACE
-}  // namespace skybake
+}  // namespace skybake::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
 #endif  // SKYBAKE_BAKERS_MARCH_SUN_MARCH_INL_H_
