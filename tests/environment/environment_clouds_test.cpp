@@ -18,7 +18,6 @@ namespace skybake {
 namespace {
 
 using config::EnvironmentBake;
-using config::EnvironmentMapping;
 using config::SkyOrders;
 using test::kDegree;
 using test::kPi;
@@ -183,7 +182,7 @@ TEST(EnvironmentClouds, AreTheMeansOfSlowMarches) {
     bake.samples = 8;
     const EnvironmentLayout layout(bake.mapping, bake.size);
     const CloudsAround clouds(only(medium), bake, layout, true, {.threads = 1});
-    CloudViewSettings settings;
+    MarchSettings settings;
     settings.sun = {35, -30};
     settings.reach_m = clouds.reach_m();
     const cloud_light::MarchLight within(medium, cloud_light::kCellsOfPicture, {.threads = 1});

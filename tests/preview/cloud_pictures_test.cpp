@@ -7,7 +7,6 @@
 #include <set>
 #include <string>
 #include <utility>
-#include <variant>
 
 #include "bakers/preview/bake_assets.h"
 #include "bakers/preview/occupancy_leaps.h"

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "bakers/render/cloud_view.h"
 #include "tests/occupancy/volumes_in_memory.h"
 
 namespace skybake::test {
