@@ -85,11 +85,7 @@ void report_unknown_asset(const AssetName& asset, const std::string& path, Decod
 std::optional<OpenBake> read_bake(const std::string& name, const Place& place, const Table& table,
                                   Decoder& decoder) {
     const std::string path = join_path("bake", name);
-    if (!is_bare_key(name)) {
-        decoder.diagnostics.error("E0117", place,
-                                  fmt::format("[{}] cannot be the name of a file", shorten(path)),
-                                  "use only letters, digits, `_` and `-`");
-    }
+    check_name(name, path, "a file", place, decoder);
     const std::optional<AssetName> asset = asset_name(name, place, table);
     if (!asset) {
         decoder.diagnostics.error("E0103", find_entry(table, "asset")->value.place,

@@ -47,10 +47,9 @@ void report_no_volume(const DecodedSection& bake, std::string_view key, const Re
                       const std::string& name, bool is_other_asset, Decoder& decoder) {
     const std::vector<std::string_view> names = volume_names(recipe);
     if (const std::string frames = frames_of_sequence(names, name); !frames.empty()) {
-        decoder.diagnostics.error(
-            "E0133", bake.at(key).source->place,
-            fmt::format("`{}` must name one frame of [bake.{}], which has several",
-                        join_path(bake.path, key), shorten(name)),
+        decoder.report(
+            "E0133", bake, key,
+            fmt::format("must name one frame of [bake.{}], which has several", shorten(name)),
             fmt::format("this recipe has {}", frames));
         return;
     }
@@ -106,10 +105,9 @@ void check_source_channel(const DecodedSection& bake, const CloudVolumeBake& vol
     const std::vector<std::string> channels = channels_of(volume, recipe);
     if (!name || name->empty() || channels.empty()) return;
     if (std::ranges::find(channels, *name) != channels.end()) return;
-    decoder.diagnostics.error(
-        "E0134", decoded.source->place,
-        fmt::format("`{}`: `{}` has no channel `{}`", join_path(bake.path, "channel"),
-                    *text_of(bake.at("of")), shorten(*name)),
+    decoder.report(
+        "E0134", bake, "channel",
+        fmt::format(": `{}` has no channel `{}`", *text_of(bake.at("of")), shorten(*name)),
         fmt::format("channel{} {}", channels.size() == 1 ? " is" : "s are",
                     fmt::join(channels, ", ")));
 }

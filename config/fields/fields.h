@@ -5,7 +5,6 @@
 #pragma once
 
 #include <numbers>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
