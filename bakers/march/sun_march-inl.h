@@ -13,8 +13,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 #include "bakers/march/cloud_leap-inl.h"
 #include "bakers/march/cloud_points-inl.h"

@@ -4,8 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "tests/support/atmospheres.h"

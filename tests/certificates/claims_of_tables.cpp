@@ -1,6 +1,4 @@
 #include <array>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "bakers/air/particles/layer_phase.h"

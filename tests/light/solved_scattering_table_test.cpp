@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/assets/registry/registry.h"
 #include "bakers/field/interpolation.h"
 #include "bakers/light/solver/solved_light.h"

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "bakers/field/certify.h"
-#include "bakers/field/pixel_type.h"
 #include "bakers/noise/noise_reference.h"
 #include "config/assets/noise_volume.h"
 #include "tests/noise/noises.h"

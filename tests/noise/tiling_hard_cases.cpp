@@ -14,8 +14,6 @@
 
 namespace skybake::noise {
 namespace {
-
-using config::WorleyFeature;
 using test::Frequency;
 using test::hold;
 

@@ -1,6 +1,5 @@
 // Skies of haze and fog, whose phase functions have forward peaks, against light that was traced
 // path by path (tests/data/truth_sky_*.csv, made by sky_truths).
-#include "bakers/light/solver/peaked_light.h"
 
 #include <gtest/gtest.h>
 

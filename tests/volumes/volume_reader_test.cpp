@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <cmath>
 
 #include "bakers/math/half_conversion.h"
 #include "tests/io/files.h"
