@@ -83,11 +83,8 @@ class WeatherMapResolver {
   public:
     WeatherMapResolver(DecodedSection& bake, const Noise& noise, Decoder& decoder)
         : bake_(bake), decoder_(decoder) {
-        if (noise.pack != NoisePacking::none || noise.channels.size() == 1) {
-            names_ = {"Y"};
-            return;
-        }
-        for (const NoiseChannel& channel : noise.channels) names_.push_back(channel.name);
+        const bool has_none = noise.pack == NoisePacking::none && noise.channels.empty();
+        if (!has_none) names_ = channel_names(noise);
     }
 
     void resolve_size(const Noise& noise) {

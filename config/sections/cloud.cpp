@@ -20,12 +20,8 @@ std::span<const NoiseChannel> used_channels(const Noise& noise, CloudChannels ch
 }
 
 std::vector<std::string> cloud_channel_names(const Noise* noise, CloudChannels channels) {
-    const bool is_one = noise == nullptr || channels == CloudChannels::density ||
-                        noise->pack != NoisePacking::none || noise->channels.size() <= 1;
-    if (is_one) return {"Y"};
-    std::vector<std::string> names;
-    for (const NoiseChannel& channel : noise->channels) names.push_back(channel.name);
-    return names;
+    if (noise == nullptr || channels == CloudChannels::density) return {"Y"};
+    return channel_names(*noise);
 }
 
 namespace {

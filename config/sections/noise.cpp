@@ -130,6 +130,13 @@ bool meets_only_lattice_points(int frequency, int size, bool corners) {
 
 }  // namespace
 
+std::vector<std::string> channel_names(const Noise& noise) {
+    if (noise.pack != NoisePacking::none || noise.channels.size() <= 1) return {"Y"};
+    std::vector<std::string> names;
+    for (const NoiseChannel& channel : noise.channels) names.push_back(channel.name);
+    return names;
+}
+
 NoiseOctaves resolve_octaves(DecodedSection& channel, const OctaveKeys& keys, Decoder& decoder) {
     const SeriesResolver resolver{channel, keys, decoder};
     resolver.resolve_frequencies();

@@ -30,15 +30,6 @@ using Names = std::vector<std::string>;
 
 constexpr int not_permitted = 77;
 
-// Runs `body` in a child process, where limits and mounts do no harm; its exit status, or -1.
-int in_child(const std::function<int()>& body) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(body());
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 TEST(WriteVolume, MakesAFileForEachFormatAndLevel) {
     const TemporaryFolder folder;
     const Baked volume =

@@ -25,16 +25,6 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// Runs `body` in a child process, where limits and mounts do no harm, and returns its exit status;
-// -1 where it was killed.
-int in_child(const std::function<int()>& body) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(body());
-    int status = 0;
-    ::waitpid(child, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 class AlwaysCancelled : public Progress {
   public:
     void advance(std::string_view, double) override {}

@@ -24,11 +24,6 @@ inline CloudMedium medium_of(const config::Cloud& cloud, const std::array<int, 3
     return medium;
 }
 
-inline bool same_bits(const Image2<float>& a, const Image2<float>& b) {
-    return a.texels.size() == b.texels.size() &&
-           std::memcmp(a.texels.data(), b.texels.data(), a.texels.size() * sizeof(float)) == 0;
-}
-
 // A picture from below or from above, of a small cloud.
 inline MarchSettings small_view(const CloudMedium& medium, const SunDirection& sun) {
     MarchSettings settings = {framed_view(medium, sun, 20, 12)};
