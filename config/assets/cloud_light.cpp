@@ -218,23 +218,18 @@ void check_clear_sky(const DecodedSection& bake, const Cloud* cloud, const Recip
                      Decoder& decoder) {
     const Atmosphere& air = recipe.parameters.atmosphere;
     const double thickness_m = air.top_radius.meters - air.ground_radius.meters;
-    const Place& place = bake.at("contents").source->place;
     if (air.top_radius.meters <= 0) {
         if (!decoder.complete || decoder.diagnostics.has_errors()) return;
-        decoder.diagnostics.error(
-            "E0189", place,
-            fmt::format("`{}` needs a sky, and the recipe has no [atmosphere]",
-                        join_path(bake.path, "contents")),
-            "give the recipe an atmosphere, for instance preset = \"earth\"");
-        return;
+        return decoder.report("E0189", bake, "contents",
+                              "needs a sky, and the recipe has no [atmosphere]",
+                              "give the recipe an atmosphere, for instance preset = \"earth\"");
     }
     if (!cloud) return;
     const double top_m = cloud->base_altitude.meters + cloud->extent[2].meters;
     if (thickness_m <= 0 || top_m < thickness_m) return;
-    decoder.diagnostics.error(
-        "E0189", place,
-        fmt::format("`{}` needs air above the cloud, whose top is at {}",
-                    join_path(bake.path, "contents"), length_to_string(top_m)),
+    decoder.report(
+        "E0189", bake, "contents",
+        fmt::format("needs air above the cloud, whose top is at {}", length_to_string(top_m)),
         fmt::format("the air ends {} above the ground", length_to_string(thickness_m)));
 }
 

@@ -71,15 +71,13 @@ bool is_cube(const DecodedSection& bake) {
 }
 
 // Reports that the target does not load textures without their last levels.
-void check_for_target(const DecodedSection& bake, const DecodedField& mips, double levels,
-                      Decoder& decoder) {
+void check_for_target(const DecodedSection& bake, double levels, Decoder& decoder) {
     const auto target = choice_of<Target>(bake.at("target"));
     if (!target || !facts_of(*target).needs_every_level) return;
-    decoder.diagnostics.error(
-        "E0160", mips.source->place,
-        fmt::format("`{}`: {} cannot load textures whose levels end before one texel",
-                    join_path(bake.path, "mips"), facts_of(*target).name),
-        fmt::format("it loads 1 level, or all {}", static_cast<int>(levels)));
+    decoder.report("E0160", bake, "mips",
+                   fmt::format(": {} cannot load textures whose levels end before one texel",
+                               facts_of(*target).name),
+                   fmt::format("it loads 1 level, or all {}", static_cast<int>(levels)));
 }
 
 void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halving,
@@ -96,7 +94,7 @@ void resolve_levels(DecodedSection& bake, const VoxelCounts& size, Halving halvi
                                    static_cast<int>(levels)));
     }
     if (*asked == 0) decoded.value = levels;
-    if (*asked > 1 && *asked < levels) check_for_target(bake, decoded, levels, decoder);
+    if (*asked > 1 && *asked < levels) check_for_target(bake, levels, decoder);
 }
 
 // Reports formats that refer to VDB files of an asset that has none.

@@ -58,13 +58,11 @@ void report_no_volume(const DecodedSection& bake, std::string_view key, const Re
         label = "the recipe has no [bake.NAME] with asset = \"cloud_volume\"";
     }
     if (label.empty()) label = fmt::format("this recipe has {}", fmt::join(names, ", "));
-    decoder.diagnostics.error(
-        "E0133", bake.at(key).source->place,
+    decoder.report(
+        "E0133", bake, key,
         is_other_asset
-            ? fmt::format("`{}` must name a cloud_volume, and [bake.{}] is another asset",
-                          join_path(bake.path, key), shorten(name))
-            : fmt::format("`{}`: the recipe has no [bake.{}]", join_path(bake.path, key),
-                          shorten(name)),
+            ? fmt::format("must name a cloud_volume, and [bake.{}] is another asset", shorten(name))
+            : fmt::format(": the recipe has no [bake.{}]", shorten(name)),
         std::move(label));
 }
 
