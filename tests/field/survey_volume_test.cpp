@@ -13,6 +13,7 @@
 
 namespace skybake {
 namespace {
+
 using testing::plain_volume;
 using Ranges = std::vector<std::array<double, 2>>;
 

@@ -17,6 +17,7 @@
 
 namespace skybake {
 namespace {
+
 using test::kDegree;
 
 constexpr double kRadius = 6360;

@@ -12,6 +12,7 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/higher_orders.h"
 #include "bakers/light/sky_light.h"
+#include "bakers/light/sky_view_mapping.h"
 #include "config/sections/layer.h"
 #include "tests/support/atmospheres.h"
 

@@ -14,6 +14,7 @@
 
 namespace skybake::noise {
 namespace {
+
 using test::Frequency;
 using test::hold;
 
