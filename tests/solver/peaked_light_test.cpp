@@ -13,6 +13,7 @@
 #include "bakers/air/forward_peak.h"
 #include "bakers/light/sky_light.h"
 #include "bakers/light/solver/needed_degrees.h"
+#include "bakers/light/solver/solve_light.h"
 #include "bakers/math/parallel.h"
 #include "tests/light/sky_media.h"
 #include "tests/support/sky_truth.h"

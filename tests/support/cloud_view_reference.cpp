@@ -62,8 +62,7 @@ double depth_towards_sun(const CloudMedium& medium, const VoxelPlace& from, cons
 }  // namespace
 
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const MarchSettings& settings, const glm::dvec3& direction,
-                           int steps) {
+                           const MarchSettings& settings, const glm::dvec3& direction, int steps) {
     const RaySpan span =
         span_in_layer(medium, settings.camera.position_m, direction, settings.reach_m);
     ReferenceRay result;

@@ -18,7 +18,6 @@ struct ReferenceRay {
 
 // `steps` samples over the ray's span in the layer, and from each as many over its way to the sun.
 ReferenceRay reference_ray(const CloudMedium& medium, const DiffuseShare& diffuse,
-                           const MarchSettings& settings, const glm::dvec3& direction,
-                           int steps);
+                           const MarchSettings& settings, const glm::dvec3& direction, int steps);
 
 }  // namespace skybake
